@@ -595,11 +595,12 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
     if report is not None:
         text = _only_conflict(report, chosen)
     if _is_filled(text, chosen):
-        from chatscene.report.filled import filled
+        from chatscene.report.filled import editor_of, filled
         from chatscene.report.stated import explain_stated
 
         read = filled(str(text), chosen, set)
-        return explain_stated(read.situation, read.reader, read.left_out, edits=_names(edit or ()))
+        editor = editor_of(chosen.language_model)
+        return explain_stated(read.situation, read.reader, read.left_out, _names(edit or ()), editor)
     chosen = _reading(chosen, stated=set)
     return understand(str(text), replace(settings, retrieval=chosen), edits=_names(edit or ()))
 
@@ -1157,11 +1158,13 @@ def _situation(
 ) -> tuple[runs.SituationRecord, Name]:
     """A situation as a run keeps it, and the map that it is built on."""
     from chatscene.interpret.edited import edited
+    from chatscene.report.filled import editor_of
     from chatscene.report.stated import stated
 
     made, unused = stated(given, facts), list[str]()
+    editor = (editor_of(read.reader) if read is not None else None) or edited
     for one in _names(edits):
-        after = edited(made, one)
+        after = editor(made, one)
         made, unused = after.after, [*unused, *after.unused]
     return _recorded(made, None if map_name is None else str(map_name), read, unused)
 

@@ -7,47 +7,20 @@ one at hand. So whatever can be said in a situation can be edited, whoever read 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from typing import Any
 
 from chatscene.errors import EditRefused
 from chatscene.interpret.situation_of import in_a_situation
 from chatscene.interpret.slots_of import MANNERS, facts_of, parties_of
 from chatscene.read.edit import hear_edit
-from chatscene.situations.facts import said_in, still_evident
+from chatscene.situations.edited import Edited
+from chatscene.situations.facts import still_evident
 from chatscene.terms.amount import Amount
 from chatscene.terms.conclusions import concluded
-from chatscene.terms.edit import Edit, Facts, in_words
+from chatscene.terms.edit import Edit, Facts
 from chatscene.terms.scenario import Measure, Quantity, Shift
 from chatscene.terms.situation import Deed, Other, Situation
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Edited:
-    """A situation after an edit.
-
-    Attributes:
-        text: The edit.
-        before: What it was.
-        after: What it is.
-        unused: What the edit says and no scene has, in words.
-    """
-
-    text: str
-    before: Situation
-    after: Situation
-    unused: tuple[str, ...] = ()
-
-    @property
-    def changes(self) -> tuple[tuple[str, object, object], ...]:
-        """Each fact that is another one: its path, what it was and what it is; None for what is not said."""
-        was, now = dict(said_in(self.before)), dict(said_in(self.after))
-        paths = dict.fromkeys((*was, *now))
-        return tuple((path, was.get(path), now.get(path)) for path in paths if was.get(path) != now.get(path))
-
-    def in_words(self) -> list[str]:
-        """The changes, a line for each."""
-        return [f"{path}: {in_words(was)} \u2192 {in_words(now)}" for path, was, now in self.changes]
 
 
 def edited(situation: Situation, text: str) -> Edited:

@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from chatscene.read.accounting import words_of
-from chatscene.read.quotes import GAP, without_words
-from chatscene.situations.facts import is_said
+from chatscene.read.quotes import without_words
+from chatscene.situations.facts import GAP, is_said
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.acts import Action

@@ -26,7 +26,7 @@ from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Deed, Ego, Evidence, Road, Situation, Start, When
 
 LIMITS = Limits(reply_tokens=2048)  # a situation of four road users with three deeds each has some 1,500
-_LONGEST_REASON = 300  # characters of a model's own words that a message repeats
+LONGEST_REASON = 300  # characters of a model's own words that a message repeats
 _NOT_THE_MODELS = NO_FACTS - {"evidence"}  # a map, for one, is a file: nobody but the user names one
 _AMOUNTS = frozenset(
     one.name
@@ -81,11 +81,9 @@ class ModelReader:
             if answer.verdict is not Verdict.SITUATION:
                 return "" if (answer.reason or "").strip() else "reason: say in one sentence why it is no situation"
             try:
-                situation = _situation(answer.situation)
+                situation = situation_in(answer.situation)
             except Malformed as error:
-                return "; ".join(
-                    f"{at}: {said}" if at else said for at, said in by_name(answer.situation, error.faults)
-                )
+                return faults_in(answer.situation, error)
             if faults := list(faults_of_quotes(situation, text)):
                 return "; ".join(faults)
             sound.append(situation)
@@ -104,7 +102,7 @@ class ModelReader:
                 raise
             return self._reading(text, sound[-1])
         if answer.verdict is not Verdict.SITUATION:
-            reason = printable(answer.reason or "", _LONGEST_REASON)
+            reason = printable(answer.reason or "", LONGEST_REASON)
             return SituationReading(text=text, reader=self.name, verdict=answer.verdict, reason=reason)
         return self._reading(text, sound[-1])
 
@@ -120,7 +118,12 @@ class ModelReader:
         )
 
 
-def _situation(written: dict[str, Any] | None) -> Situation:
+def faults_in(written: object, error: Malformed) -> str:
+    """What is wrong with a situation that a model wrote, with the path of each fault, as it is told so."""
+    return "; ".join(f"{at}: {said}" if at else said for at, said in by_name(written, error.faults))
+
+
+def situation_in(written: dict[str, Any] | None) -> Situation:
     """The situation that a model wrote; null says as little as nothing.
 
     Raises:

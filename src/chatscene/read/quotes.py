@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from chatscene.read.without_effect import without_effect
-from chatscene.situations.facts import is_said, said_in, within
+from chatscene.situations.facts import GAP, is_said, said_in, within
 from chatscene.terms.frame import Word
 from chatscene.terms.situation import Situation
 
@@ -24,8 +24,6 @@ _FUNCTION = """
 _FUNCTION_WORDS = frozenset(_FUNCTION.split())
 _WORD = re.compile(r"[^\W_]+(?:[-.,:/][^\W_]+)*|['\u2019][^\W\d_]+")
 _APOSTROPHES = "['\u2019\u2018]"
-GAP = " \u2026 "
-"""Stands in a quote where words of the text are left out that gave another fact."""
 
 
 def faults_of_quotes(situation: Situation, text: str) -> Iterator[str]:

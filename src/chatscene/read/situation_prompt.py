@@ -45,7 +45,13 @@ Rules:
 @cache
 def system() -> str:
     """What a model is told before examples and text."""
-    return "\n".join((_RULES, "", "Fields:", *_fields(), *_which(), "", "Words:", *_words()))
+    return "\n".join((_RULES, "", told_words()))
+
+
+@cache
+def told_words() -> str:
+    """Every field and word with its meaning."""
+    return "\n".join(("Fields:", *_fields(), *_which(), "", "Words:", *_words()))
 
 
 @cache

@@ -12,9 +12,10 @@ from chatscene.interpret.offline import OfflineReader
 from chatscene.interpret.stated import FACTS, in_text
 from chatscene.models.language.protocol import load_language_model
 from chatscene.read.by_model import LIMITS, ModelReader
+from chatscene.read.edit_by_model import edited_by
 from chatscene.read.quotes import words_of
 from chatscene.read.reader import Reader
-from chatscene.report.stated import stated
+from chatscene.report.stated import Editor, stated
 from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.situations.words import told
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
@@ -75,6 +76,14 @@ def filled(
     if why := _unbuilt(None, map_name)(made):
         raise _with_what_was_read(NotBuilt(why), read, one)
     return Filled(situation=made, reader=read.reader, left_out=one.left_out)
+
+
+def editor_of(language_model: str) -> Editor | None:
+    """Who applies edits in words; None where no language model does."""
+    if language_model == OFFLINE:
+        return None
+    model = load_language_model(language_model, limits=LIMITS, cache=cache_folder("replies"))
+    return edited_by(model, _unbuilt(None, None))
 
 
 def read_already(settings: RetrievalSettings) -> RetrievalSettings:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,7 +20,10 @@ from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Evidence, Situation
 
 if TYPE_CHECKING:
-    from chatscene.interpret.edited import Edited
+    from chatscene.situations.edited import Edited
+
+Editor = Callable[[Situation, str], "Edited"]
+"""Who applies an edit in words to a situation."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,12 +35,14 @@ class Stated:
         built: The program, what was assumed and what is left out.
         reader: Who read it in a text; empty if it was stated.
         not_said: What was read in the text and a situation has no word for.
+        editor: Who applies edits in words; who reads without a language model if None.
     """
 
     situation: Situation
     built: Built
     reader: str = ""
     not_said: tuple[str, ...] = ()
+    editor: Editor | None = field(default=None, repr=False)
 
     @property
     def told(self) -> str:
@@ -58,12 +63,13 @@ class Stated:
         """
         from chatscene.interpret.edited import edited
 
-        made = edited(self.situation, text)
+        made = (self.editor or edited)(self.situation, text)
         return Changed(
             situation=made.after,
             built=build(made.after),
             reader=self.reader,
             not_said=(*self.not_said, *(f"{one}: no scene shows it" for one in made.unused)),
+            editor=self.editor,
             before=self,
             edited=made,
         )
@@ -167,7 +173,11 @@ def stated(
 
 
 def explain_stated(
-    situation: Situation, reader: str = "", not_said: Sequence[str] = (), edits: Sequence[str] = ()
+    situation: Situation,
+    reader: str = "",
+    not_said: Sequence[str] = (),
+    edits: Sequence[str] = (),
+    editor: Editor | None = None,
 ) -> Stated:
     """What becomes of a situation, and of edits of it, one after the other.
 
@@ -176,12 +186,13 @@ def explain_stated(
         reader: Who read it in a text; empty if it was stated.
         not_said: What was read in the text and a situation has no word for.
         edits: What is to be another than it says, in words.
+        editor: Who applies them; who reads without a language model if None.
 
     Raises:
         NotBuilt: A fact of it cannot be built.
         EditRefused: An edit was not understood.
     """
-    made = Stated(situation=situation, built=build(situation), reader=reader, not_said=tuple(not_said))
+    made = Stated(situation=situation, built=build(situation), reader=reader, not_said=tuple(not_said), editor=editor)
     for one in edits:
         made = made.edit(one)
     return made

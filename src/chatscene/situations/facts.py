@@ -14,6 +14,10 @@ from chatscene.terms.situation import Evidence, Situation
 
 NO_FACTS = frozenset(("version", "about", "map", "evidence"))
 """What a situation has beside facts."""
+NAMED = "about"
+"""The path for whose words a situation is called by: those of facts that were changed since it was read, too."""
+GAP = " \u2026 "
+"""Stands in a quote where words of the text are left out that gave another fact."""
 _NAMES = re.compile(rf"(?:^(?:{'|'.join(sorted(NO_FACTS))})(?:\..*)?|\.id|\.role)$")
 
 
@@ -39,18 +43,23 @@ def is_said(situation: Situation, path: str) -> bool:
 def still_evident(before: Situation, after: Situation) -> Evidence:
     """The evidence of a situation of which another was made: what changed was stated by whoever changed it.
 
-    Words that were quoted for a whole stay with the facts in it that are as they were.
+    Words that were quoted for a whole stay with the facts in it that are as they were; those for which no fact is left
+    were read all the same, and stand for the name.
     """
     was, now = dict(said_in(before)), dict(said_in(after))
     same = {path for path, value in was.items() if now.get(path) == value}
     quoted: dict[str, str] = {}
+    gone: list[str] = []
     for whole, words in before.evidence.quoted.items():
         if all(path in same for path in {*was, *now} if within(path, (whole,))):
             quoted[whole] = words
             continue
         narrower = [one for one in before.evidence.quoted if one != whole and within(one, (whole,))]
-        kept = (path for path in was if path in same and within(path, (whole,)) and not within(path, narrower))
+        kept = [path for path in was if path in same and within(path, (whole,)) and not within(path, narrower)]
         quoted |= dict.fromkeys(kept, words)
+        gone += [] if kept else [words]
+    if gone:
+        quoted[NAMED] = GAP.join(dict.fromkeys(gone))
     return Evidence(quoted=quoted, assumed=tuple(path for path in before.evidence.assumed if path in same))
 
 
