@@ -222,7 +222,7 @@ def understood(frame: Frame, slots: Slots, notes: tuple[Note, ...]) -> Scenario:
         quantities = tuple(one for one in frame.quantities if one.measure is not Measure.ASIDE)
         frame = replace(frame, quantities=quantities)
     return Scenario(
-        id=_id(frame.text),
+        id=named(frame.text),
         text=frame.text,
         base=base_of(slots),
         parts=parts_of(frame, slots),
@@ -337,6 +337,7 @@ def _others(mentions: tuple[Mention, ...], slots: Slots) -> list[Mention]:
     return found
 
 
-def _id(text: str) -> str:
+def named(text: str) -> str:
+    """What the scenario of a text is called: readable, and the same whenever it is read."""
     stem = "-".join(re.findall(r"[a-z0-9]+", text.lower())[:4]) or "scenario"
     return f"{stem[:40]}-{hashlib.blake2b(text.encode(), digest_size=3).hexdigest()}"

@@ -37,6 +37,7 @@ from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 from chatscene.terms.vocabulary import (
     Act,
     Breach,
+    EgoLight,
     EgoRoute,
     Facing,
     Feature,
@@ -235,7 +236,17 @@ def _road(slots: Slots) -> Road:
     has = site.has
     if slots.occluder is Occluder.BUS_STOP:
         has = (*has, Feature.BUS_STOP)
-    return replace(site, kind=kind, control=RULES[slots.control], lanes=slots.lanes, two_way=slots.two_way, has=has)
+    waits = slots.ego is EgoState.STANDS and slots.control is Control.SIGNAL
+    light = EgoLight.RED if waits else None
+    return replace(
+        site,
+        kind=kind,
+        control=RULES[slots.control],
+        ego_light=light,
+        lanes=slots.lanes,
+        two_way=slots.two_way,
+        has=has,
+    )
 
 
 def _around(said: Surroundings) -> Around:

@@ -76,7 +76,7 @@ def solvable(program: ScenicProgram, scene: Scene, simulator: Simulator) -> Solv
     """
     empty = without_adversary(program)
     if empty is None:
-        return Unfit(scene=scene, reason="its program calls nobody AdvAgent, so that there is no twin of it")
+        return Unfit(scene=scene, reason="nobody in its program is the adversary, so that there is no twin of it")
     found: Solvable | Unfit = Unfit(scene=scene, reason="")
     for name in DRIVERS:
         try:

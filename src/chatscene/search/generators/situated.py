@@ -8,17 +8,19 @@ from functools import lru_cache
 
 from chatscene.build.build import Built, build
 from chatscene.build.place import PACKAGED
-from chatscene.build.slots import as_slots
+from chatscene.errors import NotBuilt
+from chatscene.interpret.decide import named
+from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.read.quotes import not_in_words
 from chatscene.search.generator import Choice, Written
 from chatscene.search.generators.exploring import Exploring
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.situations.file import read_text
+from chatscene.terms.conclusions import base_of, concluded
 from chatscene.terms.scenario import BaseScenario, Scenario, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Situation
 from chatscene.terms.snippet import Tried
-from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
 
 NAME = "situation"
 _PARTS = SubDescriptions(behavior="as stated", geometry="as stated", spawn="as stated")
@@ -41,13 +43,17 @@ class Situated(Exploring):
             NotBuilt: Nobody meets the ego.
         """
         situation = read_text(text)
+        parties = parties_of(situation)
+        if parties is None:
+            raise NotBuilt("nobody meets the ego: others: nobody has the role adversary")
+        facts = facts_of(situation, parties)
         return Scenario(
-            id=NAME,
+            id=named(situation.about) if situation.evidence.quoted else NAME,
             text=text,
-            base=None,
+            base=base_of(concluded(facts.slots)),
             parts=_PARTS,
-            slots=as_slots(situation),
-            surroundings=_around(situation),
+            slots=facts.slots,
+            surroundings=facts.surroundings,
             situation=situation,
         )
 
@@ -90,13 +96,3 @@ def on_any_map(situation: Situation) -> Situation:
 @lru_cache(maxsize=8)
 def _built(text: str, name: str) -> Built:
     return build(read_text(text), name=name)
-
-
-def _around(situation: Situation) -> Surroundings:
-    around = situation.around
-    follows = FOLLOWS.get(around.weather) if around.weather is not None else None
-    return Surroundings(
-        light=around.light or Light.DAY,
-        weather=around.weather or Weather.CLEAR,
-        surface=around.surface or follows or Surface.DRY,
-    )
