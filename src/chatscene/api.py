@@ -25,7 +25,6 @@ from chatscene.runs.trust import Repeated, follow
 from chatscene.settings import (
     EGO,
     EXECUTOR,
-    READERS,
     SIMULATOR,
     RetrievalSettings,
     Settings,
@@ -165,6 +164,7 @@ class Run:
             EditRefused: It is a run of a program of one's own, of which nothing was read.
             RunError: It names what must be repeated.
         """
+        from chatscene.report.filled import explain_text
         from chatscene.report.stated import explain_stated
         from chatscene.report.understood import understand
 
@@ -175,8 +175,8 @@ class Run:
         if record.situation is not None:
             return explain_stated(self._situation, record.situation.read_by, record.situation.left_out)
         settings = runs.settings_of(record)
-        if record.generator == "chatscene" and _is_filled(record.text, settings.retrieval):  # of an older version
-            return explain(record.text, edit=record.edits, settings=settings)
+        if record.generator == "chatscene" and not record.stated:  # made by a version that chose snippets, maybe
+            return explain_text(record.text, settings, edits=record.edits)
         return understand(record.text, settings, generator=record.generator, edits=record.edits)
 
     @property
@@ -495,10 +495,10 @@ def run(
     chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading)
     if report is not None:
         text = _only_conflict(report, chosen)
-    given, read = (text, None) if isinstance(text, Situation) else (None, None)
-    if not isinstance(text, Situation) and _is_filled(text, chosen):
-        from chatscene.report.filled import filled, read_already
+    from chatscene.report.filled import filled, is_filled, read_already
 
+    given, read = (text, None) if isinstance(text, Situation) else (None, None)
+    if not isinstance(text, Situation) and is_filled(str(text), chosen):
         read = filled(str(text), chosen, set, None if map is None else str(map))
         given, set, chosen = read.situation, None, read_already(chosen)  # noqa: A001
     elif given is None:
@@ -582,27 +582,19 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
         EditRefused: An edit was not understood.
         NothingFits: The library cannot serve it, or a language model says that it tells no situation.
     """
-    from chatscene.report.understood import understand
-
     if isinstance(text, Situation):
         from chatscene.report.stated import explain_stated, stated
 
         if report is not None:
             raise SettingsError("say what to explain: a situation or a report, and only one of them")
         return explain_stated(stated(text, set), edits=_names(edit or ()))
+    from chatscene.report.filled import explain_text
+
     settings = settings or Settings()
     chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading)
     if report is not None:
         text = _only_conflict(report, chosen)
-    if _is_filled(text, chosen):
-        from chatscene.report.filled import editor_of, filled
-        from chatscene.report.stated import explain_stated
-
-        read = filled(str(text), chosen, set)
-        editor = editor_of(chosen.language_model)
-        return explain_stated(read.situation, read.reader, read.left_out, _names(edit or ()), editor)
-    chosen = _reading(chosen, stated=set)
-    return understand(str(text), replace(settings, retrieval=chosen), edits=_names(edit or ()))
+    return explain_text(str(text), replace(settings, retrieval=chosen), facts=set, edits=_names(edit or ()))
 
 
 def conflicts(
@@ -1100,11 +1092,6 @@ def _reading(
         reading=reading,
         stated=facts,
     )
-
-
-def _is_filled(text: str | Conflict, reading: RetrievalSettings) -> bool:
-    """Whether a situation is read in a text; a library of one's own and the paper's way choose snippets for it."""
-    return bool(str(text)) and reading.reader == READERS[0] and not reading.library
 
 
 def _only_conflict(report: Name, reading: RetrievalSettings) -> Conflict:

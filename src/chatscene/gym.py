@@ -22,6 +22,7 @@ from chatscene.ego.policy import load_ego
 from chatscene.learn.env import DrivingEnv
 from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course
+from chatscene.report.filled import explain_text
 from chatscene.search.climb import climb, simulator_of
 from chatscene.search.generator import load_generator
 from chatscene.settings import SIMULATOR, RetrievalSettings, Settings, SimulationSettings
@@ -65,9 +66,10 @@ def make_scene(
         retrieval=RetrievalSettings(library=library),
         simulation=SimulationSettings(simulator=simulator, physics=physics),
     )
-    generator = load_generator("chatscene")
+    understood = explain_text(text, settings, map_name=str(map))
+    generator = load_generator(understood.generator)
     where = simulator_of(generator, resolve_map(str(map)), settings)
-    scenario = generator.read(text, settings.retrieval)
+    scenario = understood.scenario
     first = generator.write(scenario, settings.retrieval)
     written, _ = climb(generator, scenario, first, settings=settings.retrieval, simulator=where, ego=load_ego(ego))
     return DrivingEnv(

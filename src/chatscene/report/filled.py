@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from chatscene.build.build import build
@@ -15,8 +15,9 @@ from chatscene.read.by_model import LIMITS, ModelReader
 from chatscene.read.edit_by_model import edited_by
 from chatscene.read.quotes import words_of
 from chatscene.read.reader import Reader
-from chatscene.report.stated import Editor, stated
-from chatscene.settings import OFFLINE, RetrievalSettings
+from chatscene.report.stated import Editor, Stated, explain_stated, stated
+from chatscene.report.understood import Understood, understand
+from chatscene.settings import OFFLINE, READERS, RetrievalSettings, Settings
 from chatscene.situations.words import told
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Situation
@@ -76,6 +77,43 @@ def filled(
     if why := _unbuilt(None, map_name)(made):
         raise _with_what_was_read(NotBuilt(why), read, one)
     return Filled(situation=made, reader=read.reader, left_out=one.left_out)
+
+
+def is_filled(text: str, settings: RetrievalSettings) -> bool:
+    """Whether a situation is read in a text; a library of one's own and the paper's way choose snippets for it."""
+    return bool(text) and settings.reader == READERS[0] and not settings.library
+
+
+def explain_text(
+    text: str,
+    settings: Settings | None = None,
+    *,
+    facts: Mapping[str, object] | None = None,
+    edits: Sequence[str] = (),
+    map_name: str | None = None,
+) -> Understood | Stated:
+    """What becomes of a text, and of edits of it, before anything is run.
+
+    Args:
+        text: The text.
+        settings: Who reads it, among others.
+        facts: Facts that the user states.
+        edits: What is to be another than it says, in words, one after the other.
+        map_name: The map that it is to be built on; None for any.
+
+    Raises:
+        SettingsError: The text is empty or too long.
+        EditRefused: An edit was not understood.
+        NothingFits: Nothing serves it.
+    """
+    settings = settings or Settings()
+    if not is_filled(text, settings.retrieval):
+        reading = replace(settings.retrieval, stated=in_text(facts)) if facts else settings.retrieval
+        return understand(text, replace(settings, retrieval=reading), edits=edits)
+    read = filled(text, settings.retrieval, facts, map_name)
+    return explain_stated(
+        read.situation, read.reader, read.left_out, edits, editor_of(settings.retrieval.language_model)
+    )
 
 
 def editor_of(language_model: str) -> Editor | None:

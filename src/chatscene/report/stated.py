@@ -16,6 +16,7 @@ from chatscene.situations.facts import with_fact
 from chatscene.situations.file import read_file, to_yaml
 from chatscene.situations.form import to_plain
 from chatscene.situations.words import told
+from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Evidence, Situation
 
@@ -53,6 +54,19 @@ class Stated:
     def program(self) -> ScenicProgram:
         """Its program."""
         return self.built.program
+
+    @property
+    def generator(self) -> str:
+        """Who makes scenes of it, by name."""
+        return "situation"
+
+    @property
+    def scenario(self) -> Scenario:
+        """The scenario that a run of it has."""
+        from chatscene.search.generators.situated import Situated
+        from chatscene.settings import RetrievalSettings
+
+        return Situated().read(to_yaml(replace(self.situation, map=self.built.map)), RetrievalSettings())
 
     def edit(self, text: str) -> Changed:
         """The same situation but for what an edit in words names, such as "make it a truck, from the left".

@@ -23,7 +23,8 @@ from chatscene.errors import EgoError, RunError, SettingsError, no_such
 from chatscene.maps.network import map_with, resolve_map
 from chatscene.measure.criticality import criticality, fault
 from chatscene.program.sample import scene_seed
-from chatscene.report.understood import understand
+from chatscene.report.filled import explain_text
+from chatscene.report.stated import Stated
 from chatscene.runs.rebuild import map_of, rebuild
 from chatscene.runs.trust import Repeated, follow
 from chatscene.search.climb import simulator_of
@@ -312,9 +313,10 @@ def _struck_by_ego(episode: Episode) -> bool:
 
 
 def _of_text(asked: Asked, text: str) -> Found:
-    understood = understand(text, asked.settings)
+    understood = explain_text(text, asked.settings, map_name=asked.map_name)
     program, scenario = understood.program, understood.scenario
-    path = resolve_map(asked.map_name or map_with(scenario.slots.site))
+    built_on = understood.built.map if isinstance(understood, Stated) else map_with(scenario.slots.site)
+    path = resolve_map(asked.map_name or built_on)
     simulator = simulator_of(load_generator(understood.generator), path, asked.settings)
     routes = list(routes_of(simulator, program, min(asked.scenes, ROUTES)))
     found: list[Solvable] = []
