@@ -16,10 +16,11 @@ from chatscene.interpret.slots_of import MANNERS, facts_of, parties_of
 from chatscene.read.edit import hear_edit
 from chatscene.situations.edited import Edited
 from chatscene.situations.facts import still_evident
+from chatscene.terms.acts import Action
 from chatscene.terms.amount import Amount
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.edit import Edit, Facts
-from chatscene.terms.scenario import Measure, Quantity, Shift
+from chatscene.terms.scenario import Measure, Quantity, Shift, Slots
 from chatscene.terms.situation import Deed, Other, Situation
 
 
@@ -94,11 +95,10 @@ def _shifted(number: Quantity, shift: Shift) -> Quantity:
     return replace(number, value=value, said=f"{shift.said} (before: {number.said})")
 
 
-def _in_a_manner(slots: Any, *, faster: bool) -> Any:
+def _in_a_manner(slots: Slots, *, faster: bool) -> Slots:
     """Slots in which somebody is fast, or slow."""
-    gone = [action for action in slots.actions if action not in MANNERS]
-    manner = next(action for action in MANNERS if (action == "fast") is faster)
-    return replace(slots, actions=(*gone, manner))
+    kept = [action for action in slots.actions if action not in MANNERS]
+    return replace(slots, actions=(*kept, Action.FAST if faster else Action.SLOW))
 
 
 def _renamed(situation: Situation, names: Mapping[str, str]) -> Situation:

@@ -28,11 +28,11 @@ from chatscene.interpret.situation_of import (
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Amount
 from chatscene.terms.edit import Facts
-from chatscene.terms.scenario import EgoState, Measure, Position, Quantity, Site, Slots
+from chatscene.terms.scenario import Control, EgoState, Maneuver, Measure, Place, Position, Quantity, Site, Slots
 from chatscene.terms.scenario import Side as Aside
 from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
-from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Manner, Role, Side, Where
+from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Manner, RightOfWay, Role, Side, Where
 
 POSITIONS: dict[Where, Position] = {
     **{where: position for position, where in STARTS.items()},
@@ -107,12 +107,13 @@ def facts_of(situation: Situation, parties: Parties) -> Facts:
     follows = FOLLOWS.get(around.weather) if around.weather is not None else None
     who = parties.adversary
     site = _site(situation)
-    places = {kind: place for place, kind in ROADS.items()}
-    rules = {rule: control for control, rule in RULES.items() if rule is not None}
+    places: dict[RoadKind | None, Place] = {kind: place for place, kind in ROADS.items()}
+    rules: dict[RightOfWay | None, Control | None] = {rule: control for control, rule in RULES.items()}
+    ways: dict[EgoRoute | None, Maneuver | None] = {way: one for one, way in ROUTES.items()}
     slots = _slots(
         who,
         occluder=_occluder(parties.hides),
-        maneuver={way: one for one, way in ROUTES.items() if way is not None}.get(situation.ego.route),
+        maneuver=ways.get(situation.ego.route),
         place=places.get(road.kind),
         control=rules.get(road.control),
         leader=True if parties.leads is not None else None,
@@ -151,7 +152,7 @@ _THROUGH = {Where.ARM: Action.CROSS}
 
 def _actions(one: Other) -> Iterator[Action]:
     where = one.starts.where
-    manners = {manner: action for action, manner in MANNERS.items()}
+    manners: dict[Manner | None, Action] = {manner: action for action, manner in MANNERS.items()}
     acts = [deed.act for deed in one.does]
     if where is Where.ONCOMING_IN_OUR_LANE or (where is Where.ONCOMING and set(acts) <= set(_UNSAID)):
         yield _AGAINST[where]
