@@ -32,7 +32,7 @@ from chatscene.terms.scenario import Control, EgoState, Maneuver, Measure, Place
 from chatscene.terms.scenario import Side as Aside
 from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
-from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Manner, RightOfWay, Role, Side, Where
+from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Manner, RightOfWay, RoadKind, Role, Side, Where
 
 POSITIONS: dict[Where, Position] = {
     **{where: position for position, where in STARTS.items()},
