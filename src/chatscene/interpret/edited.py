@@ -6,22 +6,22 @@ one at hand. So whatever can be said in a situation can be edited, whoever read 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields, replace
 from typing import Any
 
 from chatscene.errors import EditRefused
-from chatscene.interpret.situation_of import in_a_situation
-from chatscene.interpret.slots_of import MANNERS, facts_of, parties_of
+from chatscene.interpret.situation_of import WHO, in_a_situation
+from chatscene.interpret.slots_of import POSITIONS, facts_of, parties_of
 from chatscene.read.edit import hear_edit
 from chatscene.situations.edited import Edited
 from chatscene.situations.facts import still_evident
-from chatscene.terms.acts import Action
-from chatscene.terms.amount import Amount
+from chatscene.terms.amount import Amount, Length
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.edit import Edit, Facts
-from chatscene.terms.scenario import Measure, Quantity, Shift, Slots
+from chatscene.terms.scenario import Distance, Measure, Quantity, Shift
 from chatscene.terms.situation import Deed, Other, Situation
+from chatscene.terms.vocabulary import Manner
 
 
 def edited(situation: Situation, text: str) -> Edited:
@@ -40,9 +40,13 @@ def edited(situation: Situation, text: str) -> Edited:
     facts = facts_of(situation, parties)
     edit = hear_edit(text, facts)
     names = parties.names
-    before, after = _made(facts), _made(_settled(edit))
-    ours = _renamed(situation, names)
-    made = _renamed(_with_changes(ours, before, after), {name: one for one, name in names.items()})
+    settled, shifts = _settled(edit)
+    ours = _with_changes(_renamed(situation, names), _made(facts), _made(settled))
+    for shift in shifts:
+        at = next(i for i, one in enumerate(ours.others) if one.id == WHO)
+        shown = _WITHOUT_NUMBER[shift.measure](ours.others[at], more=shift.more)
+        ours = replace(ours, others=(*ours.others[:at], shown, *ours.others[at + 1 :]))
+    made = _renamed(ours, {name: one for one, name in names.items()})
     made = replace(made, about=situation.about, evidence=still_evident(situation, made))
     if made == situation:
         raise EditRefused(f"nothing to change: this is so already ({', '.join(edit.named)})")
@@ -54,11 +58,12 @@ def _made(facts: Facts) -> Situation:
     return in_a_situation(facts.slots, tuple(one for one in numbers if isinstance(one, Quantity)), facts.surroundings)
 
 
-def _settled(edit: Edit) -> Facts:
-    """The facts after an edit, with what follows from them, and each shift as a number or a manner."""
+def _settled(edit: Edit) -> tuple[Facts, tuple[Shift, ...]]:
+    """The facts after an edit, with what follows from them; and the shifts, by nobody says how much, of no number."""
     after = edit.facts
     slots = concluded(after.slots)
     numbers: dict[Measure, tuple[Quantity | Shift, ...]] = {}
+    open_shifts: list[Shift] = []
     for measure, several in after.numbers.items():
         number: Quantity | None = None
         for one in several:
@@ -66,8 +71,8 @@ def _settled(edit: Edit) -> Facts:
                 number = one
             elif number is not None:
                 number = _shifted(number, one)
-            elif measure is Measure.SPEED and one.by is None and one.times is None:
-                slots = _in_a_manner(slots, faster=one.more)
+            elif one.by is None and one.times is None and measure in _WITHOUT_NUMBER:
+                open_shifts.append(one)
             else:
                 raise EditRefused(
                     f"{one.said!r}: its {measure} was not said, so that there is nothing to change by that; say the "
@@ -75,7 +80,37 @@ def _settled(edit: Edit) -> Facts:
                 )
         if number is not None:
             numbers[measure] = (number,)
-    return replace(after, slots=slots, numbers=numbers)
+    return replace(after, slots=slots, numbers=numbers), tuple(open_shifts)
+
+
+def _faster(who: Other, *, more: bool) -> Other:
+    return _in_a_manner(who, Manner.FAST if more else Manner.SLOW, lambda deed: "speed" in deed.act.row.takes)
+
+
+def _harder(who: Other, *, more: bool) -> Other:
+    return _in_a_manner(who, Manner.HARD if more else Manner.SLIGHT, lambda deed: "acceleration" in deed.act.row.takes)
+
+
+def _farther(who: Other, *, more: bool) -> Other:
+    low, high = (Distance.FAR if more else Distance.NEAR).bounds(POSITIONS.get(who.starts.where))
+    distance = Length(low, high) if more else Length(-float("inf"), high)
+    return replace(who, starts=replace(who.starts, distance=distance))
+
+
+def _in_a_manner(who: Other, manner: Manner, fits: Callable[[Deed], bool]) -> Other:
+    at = next((i for i, deed in enumerate(who.does) if fits(deed)), None)
+    if at is None:
+        raise EditRefused(f"nothing that {who.id} does is done in such a manner; say a number, or what it does")
+    does = (*who.does[:at], replace(who.does[at], manner=manner), *who.does[at + 1 :])
+    return replace(who, does=does)
+
+
+_WITHOUT_NUMBER: Mapping[Measure, Callable[..., Other]] = {
+    Measure.SPEED: _faster,
+    Measure.DECELERATION: _harder,
+    Measure.DISTANCE: _farther,
+}
+"""What more or less of a measure is, of which no number was said."""
 
 
 USUAL_SHIFT = 1.25
@@ -93,12 +128,6 @@ def _shifted(number: Quantity, shift: Shift) -> Quantity:
     if value <= 0:
         raise EditRefused(f"{shift.said!r}: nothing is left of {number.said!r}")
     return replace(number, value=value, said=f"{shift.said} (before: {number.said})")
-
-
-def _in_a_manner(slots: Slots, *, faster: bool) -> Slots:
-    """Slots in which somebody is fast, or slow."""
-    kept = [action for action in slots.actions if action not in MANNERS]
-    return replace(slots, actions=(*kept, Action.FAST if faster else Action.SLOW))
 
 
 def _renamed(situation: Situation, names: Mapping[str, str]) -> Situation:
