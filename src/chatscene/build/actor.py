@@ -82,7 +82,7 @@ class Actor:
     @property
     def limits(self) -> Limits:
         """What its body can do."""
-        return LIMITS[self.one.kind.row.body.row.scenic]
+        return LIMITS[self.one.kind.scenic]
 
     @property
     def walks(self) -> bool:
@@ -130,7 +130,7 @@ class Actor:
 
     def code(self, hidden: Actor | None) -> list[str]:
         """Its part of the program; of who hides somebody, beside whom it hides."""
-        one, stand, row = name_of(self.one.id), self.stand, self.one.kind.row.body.row
+        one, stand = name_of(self.one.id), self.stand
         phases = self.phases()
         named: list[str] = []
         if hidden is None:
@@ -142,7 +142,11 @@ class Actor:
             named.append(f"ours{one} = against(ownLane(egoRoute))")
         if phases:
             named += [f"behavior Does{one}():", *(f"    do {text}" for text in phases)]
-        cls = "VendingMachine" if self.one.role is Role.HIDES and self.one.kind is UserKind.OBJECT else row.scenic
+        cls = (
+            "VendingMachine"
+            if self.one.role is Role.HIDES and self.one.kind is UserKind.OBJECT
+            else self.one.kind.scenic
+        )
         lines = list(named)
         for n in range(self.count):
             place, facing = self._hides(hidden) if hidden is not None else self._place(n)

@@ -58,7 +58,7 @@ KINDS: dict[AdversaryKind | None, UserKind] = {
     **{
         one.row.body: one
         for one in reversed(UserKind)  # type: ignore[call-overload]
-        if not (one.row.stands_in or one.row.general)
+        if not (one.row.stands_in or one.row.general or one.row.prop)
     },
     AdversaryKind.BOX: UserKind.OBJECT,
     None: UserKind.ROAD_USER,
@@ -119,17 +119,12 @@ HIDING: dict[Occluder, tuple[UserKind, Where]] = {
     Occluder.PARKED_CAR: (UserKind.CAR, Where.KERB),
     Occluder.PARKED_TRUCK: (UserKind.TRUCK, Where.KERB),
     Occluder.PARKED_BUS: (UserKind.BUS, Where.KERB),
-    **dict.fromkeys(
-        (
-            Occluder.BUS_STOP,
-            Occluder.VENDING_MACHINE,
-            Occluder.KIOSK,
-            Occluder.CONTAINER,
-            Occluder.HEDGE,
-            Occluder.BILLBOARD,
-        ),
-        (UserKind.OBJECT, Where.ROADSIDE),
-    ),
+    Occluder.BUS_STOP: (UserKind.BUS_SHELTER, Where.ROADSIDE),
+    Occluder.VENDING_MACHINE: (UserKind.VENDING_MACHINE, Where.ROADSIDE),
+    Occluder.KIOSK: (UserKind.KIOSK, Where.ROADSIDE),
+    Occluder.CONTAINER: (UserKind.CONTAINER, Where.ROADSIDE),
+    Occluder.HEDGE: (UserKind.HEDGE, Where.ROADSIDE),
+    Occluder.BILLBOARD: (UserKind.BILLBOARD, Where.ROADSIDE),
 }
 EGO_DOES: dict[EgoState, tuple[Deed, ...]] = {
     EgoState.STANDS: (Deed(act=Act.STAND),),
@@ -233,9 +228,6 @@ def _route(slots: Slots) -> EgoRoute | None:
 def _road(slots: Slots) -> Road:
     site = SITES[slots.site] if slots.site is not None else Road()
     kind = site.kind or (ROADS[slots.place] if slots.place is not None else None)
-    has = site.has
-    if slots.occluder is Occluder.BUS_STOP:
-        has = (*has, Feature.BUS_STOP)
     waits = slots.ego is EgoState.STANDS and slots.control is Control.SIGNAL
     light = EgoLight.RED if waits else None
     return replace(
@@ -245,7 +237,6 @@ def _road(slots: Slots) -> Road:
         ego_light=light,
         lanes=slots.lanes,
         two_way=slots.two_way,
-        has=has,
     )
 
 
@@ -455,7 +446,6 @@ _A = f"others.{WHO}"
 _TOLD_WITH: dict[str, tuple[str, ...]] = {
     "road.control": ("road.kind",),
     "road.kind": ("road.control", "ego.route"),
-    "road.has": (f"others.{HIDES}", "road"),
     f"{_A}.hidden_by": (f"others.{HIDES}",),
     f"{_A}.starts.where": (f"{_A}.starts.side", f"{_A}.does", f"{_A}.kind"),
     f"{_A}.starts.side": (f"{_A}.starts.where", f"{_A}.does"),

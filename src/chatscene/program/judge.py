@@ -205,7 +205,7 @@ class _Judge:
         if not tracks:
             yield Finding(path=f"{at}.kind", shown=False, told=f"there is no {one.id}")
             return
-        body = one.kind.row.body.row.scenic
+        body = one.kind.scenic
         kind = tracks[0].kind
         known = kind == body or (one.kind.row.general and manner_of(kind) in (one.kind.moves, None))
         yield Finding(path=f"{at}.kind", shown=known, told=f"said {one.kind}, it is a {kind}")

@@ -48,19 +48,27 @@ def still_evident(before: Situation, after: Situation) -> Evidence:
     """
     was, now = dict(said_in(before)), dict(said_in(after))
     same = {path for path, value in was.items() if now.get(path) == value}
+
+    def stays(whole: str) -> bool:
+        return all(path in same for path in {*was, *now} if within(path, (whole,)))
+
+    def left_of(whole: str, narrower: Sequence[str]) -> list[str]:
+        return [path for path in was if path in same and within(path, (whole,)) and not within(path, narrower)]
+
     quoted: dict[str, str] = {}
     gone: list[str] = []
     for whole, words in before.evidence.quoted.items():
-        if all(path in same for path in {*was, *now} if within(path, (whole,))):
+        if stays(whole):
             quoted[whole] = words
             continue
         narrower = [one for one in before.evidence.quoted if one != whole and within(one, (whole,))]
-        kept = [path for path in was if path in same and within(path, (whole,)) and not within(path, narrower)]
+        kept = left_of(whole, narrower)
         quoted |= dict.fromkeys(kept, words)
         gone += [] if kept else [words]
     if gone:
         quoted[NAMED] = GAP.join(dict.fromkeys(gone))
-    return Evidence(quoted=quoted, assumed=tuple(path for path in before.evidence.assumed if path in same))
+    still = {path: (path,) if stays(path) else left_of(path, ()) for path in before.evidence.assumed}
+    return Evidence(quoted=quoted, assumed=tuple(path for paths in still.values() for path in paths))
 
 
 def within(path: str, wholes: Container[str]) -> bool:

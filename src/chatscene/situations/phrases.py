@@ -217,6 +217,12 @@ KINDS: Mapping[UserKind, Noun] = {
     UserKind.OBJECT: Noun(one="an object", many="objects", goes=_MOVES),
     UserKind.DEBRIS: Noun(one="a piece of debris", many="pieces of debris", goes=_MOVES),
     UserKind.CONE: Noun(one="a traffic cone", many="traffic cones", goes=_MOVES),
+    UserKind.BUS_SHELTER: Noun(one="a bus shelter", many="bus shelters", goes=_MOVES),
+    UserKind.VENDING_MACHINE: Noun(one="a vending machine", many="vending machines", goes=_MOVES),
+    UserKind.KIOSK: Noun(one="a kiosk", many="kiosks", goes=_MOVES),
+    UserKind.CONTAINER: Noun(one="a container", many="containers", goes=_MOVES),
+    UserKind.HEDGE: Noun(one="a hedge", many="hedges", goes=_MOVES),
+    UserKind.BILLBOARD: Noun(one="a billboard", many="billboards", goes=_MOVES),
     UserKind.ROAD_USER: Noun(one="a road user", many="road users", goes=_MOVES, somebody=True),
 }
 

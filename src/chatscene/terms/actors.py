@@ -588,7 +588,16 @@ class AdversaryKind(StrEnum):
 
 
 BY_CLASS: dict[str, AdversaryKind] = {kind.row.scenic: kind for kind in AdversaryKind}
-LIMITS: dict[str, Limits] = {name: kind.row.limits for name, kind in BY_CLASS.items()}
+PROPS: dict[str, Limits] = {
+    "BusStop": Limits(length=3.6, width=1.4),
+    "VendingMachine": Limits(length=1.2, width=0.9),
+    "Kiosk": Limits(length=2.4, width=2.0),
+    "Container": Limits(length=3.0, width=1.8),
+    "Hedge": Limits(length=5.0, width=0.8),
+    "Billboard": Limits(length=2.0, width=0.6),
+}
+"""Things that stand beside the road, by their class; nobody meets them."""
+LIMITS: dict[str, Limits] = {name: kind.row.limits for name, kind in BY_CLASS.items()} | PROPS
 
 
 def manner_of(kind: str) -> Manner | None:

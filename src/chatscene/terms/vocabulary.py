@@ -163,15 +163,21 @@ class KindRow:
         body: The kind of the world that is built.
         stands_in: Whether that is another than was said, which is told.
         general: Whether the word leaves open what it is.
+        prop: The class of a thing beside the road, which lies as its body does.
     """
 
     body: AdversaryKind
     stands_in: bool = False
     general: bool = False
+    prop: str = ""
 
 
 def _is(kind: AdversaryKind) -> KindRow:
     return KindRow(body=kind)
+
+
+def _thing(prop: str) -> KindRow:
+    return KindRow(body=AdversaryKind.BOX, prop=prop)
 
 
 class UserKind(RowWord):
@@ -202,12 +208,23 @@ class UserKind(RowWord):
     OBJECT = ("object", "a thing on the road, not said which", KindRow(body=AdversaryKind.BOX, general=True))
     DEBRIS = ("debris", "a lost load, a branch, rubble", _is(AdversaryKind.DEBRIS))
     CONE = ("cone", "a traffic cone or a barrier", _is(AdversaryKind.CONE))
+    BUS_SHELTER = ("bus-shelter", "a bus shelter, a bus stop with a roof", _thing("BusStop"))
+    VENDING_MACHINE = ("vending-machine", "a vending machine, a cabinet", _thing("VendingMachine"))
+    KIOSK = ("kiosk", "a kiosk, a booth, a hut", _thing("Kiosk"))
+    CONTAINER = ("container", "a container, a skip", _thing("Container"))
+    HEDGE = ("hedge", "a hedge, a fence, a wall", _thing("Hedge"))
+    BILLBOARD = ("billboard", "a billboard, an advertising column", _thing("Billboard"))
     ROAD_USER = ("road-user", "somebody, not said on what", KindRow(body=AdversaryKind.CAR, general=True))
 
     @property
     def moves(self) -> Moves:
         """How it moves."""
         return self.row.body.row.manner
+
+    @property
+    def scenic(self) -> str:
+        """The class of the world that it is built as."""
+        return self.row.prop or self.row.body.row.scenic
 
 
 class Role(Word):

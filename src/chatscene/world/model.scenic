@@ -167,25 +167,25 @@ class Prop(Placed, DrivingObject):
     role: ''
 
 class BusStop(Prop):
-    length: 3.6
-    width: 1.4
+    length: _LIMITS['BusStop'].length
+    width: _LIMITS['BusStop'].width
 
 class VendingMachine(Prop):
-    length: 1.2
-    width: 0.9
+    length: _LIMITS['VendingMachine'].length
+    width: _LIMITS['VendingMachine'].width
 
 class Kiosk(Prop):
-    length: 2.4
-    width: 2.0
+    length: _LIMITS['Kiosk'].length
+    width: _LIMITS['Kiosk'].width
 
 class Container(Prop):
-    length: 3.0
-    width: 1.8
+    length: _LIMITS['Container'].length
+    width: _LIMITS['Container'].width
 
 class Hedge(Prop):
-    length: 5.0
-    width: 0.8
+    length: _LIMITS['Hedge'].length
+    width: _LIMITS['Hedge'].width
 
 class Billboard(Prop):
-    length: 2.0
-    width: 0.6
+    length: _LIMITS['Billboard'].length
+    width: _LIMITS['Billboard'].width
