@@ -1,0 +1,254 @@
+"""What becomes of replies that language models once gave: read, built, driven, and held against what people wrote down.
+
+    python benchmarks/recorded_replies.py --drives 4 [--each]
+    python benchmarks/recorded_replies.py --texts FOLDER/texts.jsonl --replies FOLDER/replies.jsonl --drives 4
+    python benchmarks/recorded_replies.py --sent-back FILE
+
+Without files, the replies are those of `reading/replies.jsonl`, to texts of `texts/`: a line has an `id` (the name of a
+set and the line of the text, from 0) and the `replies` of each round, in order. No model is asked: each reply is said
+again by `scripted`, and goes the way of a user's text: `chatscene.report.filled`, then the build. A reply that the
+product sends back has the next one of its line for an answer; where there is none, the same again. `--sent-back` writes
+these with the message, for a model that is to answer it. Prints for each set what was accepted at once, sent back and
+why, refused and why, in how many of four drives (`idm`, seeds 0 to 3) our own judge sees all that was said, and in
+which slots a reading differs from the facts that people wrote down. `--each` prints a line for each text.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import click
+from building import outcome
+from labelled import TEXTS
+from pydantic import TypeAdapter
+
+from chatscene.build.build import build
+from chatscene.build.place import at_junction, met_first
+from chatscene.build.slots import as_slots
+from chatscene.errors import LanguageModelError, NotBuilt, NothingFits
+from chatscene.models.language.checked import CheckedModel
+from chatscene.models.language.scripted import Scripted
+from chatscene.read.by_model import LIMITS, ModelReader
+from chatscene.report.filled import filled
+from chatscene.settings import RetrievalSettings
+from chatscene.studies.facts import differing
+from chatscene.terms.routing import PLACES
+from chatscene.terms.scenario import EgoState, Place, Site, Slots
+from chatscene.terms.situation import Other, Situation
+from chatscene.terms.vocabulary import Act, EgoRoute, Feature, Manner, RoadKind, Role, Where
+
+REPLIES = Path(__file__).parent / "reading" / "replies.jsonl"
+_SLOTS = TypeAdapter(Slots)
+_SENT_BACK = re.compile(r"That reply cannot be used: (.*)\.\n", re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Recorded:
+    """A text, and what a model replied to it, round by round."""
+
+    id: str
+    text: str
+    replies: tuple[Any, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Replay:
+    """What a user meets.
+
+    Attributes:
+        outcome: ``built``, ``not built``, ``no reading``, or the verdict.
+        why: Why not, in the words that the user reads.
+        sent_back: The message of each round that the product sent back.
+        situation: What was read, if anything.
+    """
+
+    outcome: str
+    why: str
+    sent_back: tuple[str, ...]
+    situation: Situation | None
+
+
+def recorded(replies: Path = REPLIES, texts: Path | None = None) -> Iterator[Recorded]:
+    """The replies of a file, each with its text.
+
+    Args:
+        replies: Lines with an `id` and `replies`, or one `reply`.
+        texts: Lines with an `id` and a `text`; None for the texts of this repository.
+    """
+    rows = [json.loads(line) for line in replies.read_text().splitlines()]
+    if texts is not None:
+        told = {row["id"]: row["text"] for row in map(json.loads, texts.read_text().splitlines())}
+    else:
+        names = {row["id"].split("/")[0] for row in rows}
+        told = {
+            f"{name}/{i}": json.loads(line)["text"]
+            for name in names
+            for i, line in enumerate((TEXTS / f"{name}.jsonl").read_text().splitlines())
+        }
+    for row in rows:
+        yield Recorded(id=row["id"], text=told[row["id"]], replies=tuple(row.get("replies") or [row["reply"]]))
+
+
+def replayed(one: Recorded) -> Replay:
+    """A text read by the model that gave these replies, and built."""
+    last = [one.replies[-1]] * (1 + LIMITS.reasks - len(one.replies))
+    script = Scripted([*one.replies, *last])
+    reader = ModelReader(CheckedModel(script, limits=LIMITS), why_not_built)
+
+    def met(outcome: str, why: object = "", situation: Situation | None = None) -> Replay:
+        told = [found[1] for asked in script.asked[1:] if (found := _SENT_BACK.match(asked[-1].text))]
+        return Replay(outcome=outcome, why=str(why), sent_back=tuple(told), situation=situation)
+
+    try:
+        situation = filled(one.text, RetrievalSettings(), reader=reader)
+    except NothingFits as error:
+        return met("no situation", error)
+    except LanguageModelError as error:
+        return met("no reading", error)
+    why = why_not_built(situation)
+    return met("not built" if why else "built", why, situation)
+
+
+def why_not_built(situation: Situation) -> str:
+    """Why a situation is not built; empty if it is."""
+    try:
+        build(situation)
+    except NotBuilt as error:
+        return str(error)
+    return ""
+
+
+def labels() -> dict[str, tuple[bool, Slots]]:
+    """Whether a text is in scope, and its facts, by the ids of texts."""
+    found: dict[str, tuple[bool, Slots]] = {}
+    for file in TEXTS.glob("*.jsonl"):
+        for i, row in enumerate(map(json.loads, file.read_text().splitlines())):
+            if "in_scope" in row:
+                name = f"nar/{row['id']}" if file.stem == "narratives" else f"{file.stem}/{i}"
+                found[name] = row["in_scope"], _SLOTS.validate_python(row.get("slots") or {})
+    return found
+
+
+_STATES = {
+    Act.STAND: EgoState.STANDS, Act.SET_OFF: EgoState.SETS_OFF, Act.STOP: EgoState.STOPS,
+    Act.SLOW_DOWN: EgoState.SLOWS_DOWN, Act.BRAKE: EgoState.BRAKES,
+}  # fmt: skip
+_SITES = (
+    (lambda one: one.road.kind is RoadKind.ROUNDABOUT or one.ego.route is EgoRoute.ROUNDABOUT, Site.ROUNDABOUT),
+    (lambda one: one.ego.route is EgoRoute.MERGE, Site.ON_RAMP),
+    (lambda one: one.ego.route is EgoRoute.EXIT, Site.OFF_RAMP),
+    (lambda one: Feature.ON_RAMP in one.road.has or _starts(one, Where.ON_RAMP), Site.PAST_ON_RAMP),
+    (lambda one: Feature.OFF_RAMP in one.road.has or _starts(one, Where.OFF_RAMP), Site.PAST_OFF_RAMP),
+    (lambda one: one.road.kind is RoadKind.MOTORWAY, Site.MOTORWAY),
+    (lambda one: Feature.CROSSWALK in one.road.has or _starts(one, Where.CROSSING), Site.CROSSWALK),
+)
+
+
+def coarse(situation: Situation) -> Slots:
+    """A situation in the slots that people labelled, where `as_slots` has those of its first adversary alone."""
+    first = met_first(situation)
+    others = [one for one in situation.others if one is not first and _acts(one)]
+    leads = [one for one in others if _only_leads(one)]
+    place = PLACES.get(situation.road.kind) if situation.road.kind is not None else None
+    state = next((_STATES[deed.act] for deed in reversed(situation.ego.does) if deed.act in _STATES), None)
+    slow = any(deed.manner is Manner.SLOW for deed in situation.ego.does)
+    return replace(
+        as_slots(situation),
+        place=place or (Place.JUNCTION if at_junction(situation) else Place.ROAD),
+        ego=state or (EgoState.SLOW if slow else None),
+        site=next((site for holds, site in _SITES if holds(situation)), None),
+        leader=True if leads else None,
+        others=tuple(_alone(situation, one) for one in others if one not in leads),
+    )
+
+
+def _starts(situation: Situation, where: Where) -> bool:
+    return any(one.starts.where is where for one in situation.others)
+
+
+def _acts(one: Other) -> bool:
+    return one.role is not Role.HIDES and any(deed.act is not Act.STAND for deed in one.does)
+
+
+def _only_leads(one: Other) -> bool:
+    slow = all(deed.act in (Act.GO_ALONG, Act.SLOW_DOWN) for deed in one.does)
+    return one.starts.where is Where.AHEAD and one.role is Role.SUPPORTING and slow
+
+
+def _alone(situation: Situation, one: Other) -> Slots:
+    return as_slots(replace(situation, others=(replace(one, role=Role.ADVERSARY, hidden_by=None),)))
+
+
+def general(reason: str) -> str:
+    """A reason as a kind: without names, numbers and what comes after the first fault."""
+    first = re.split(r"; |\. If the text", reason.removeprefix("it cannot be built: "))[0]
+    words = re.sub(r"others\.\w+\.(?:does\.\d+\.)?|does\.\d+\.|route '[\w-]+'|\d+(?:\.\d+)?", "", first)
+    return " ".join(words.split())[:100]
+
+
+@click.command()
+@click.option("--texts", type=click.Path(path_type=Path, exists=True, dir_okay=False), default=None)
+@click.option("--replies", type=click.Path(path_type=Path, exists=True, dir_okay=False), default=REPLIES)
+@click.option("--drives", default=0, show_default=True, help="Drives of each that is built.")
+@click.option("--ego", default="idm", show_default=True)
+@click.option("--sent-back", type=click.Path(path_type=Path, dir_okay=False), default=None)
+@click.option("--each", is_flag=True)
+def main(texts: Path | None, replies: Path, drives: int, ego: str, sent_back: Path | None, each: bool) -> None:
+    """Replay recorded replies."""
+    became: defaultdict[str, Counter[str]] = defaultdict(Counter)
+    why: defaultdict[str, Counter[str]] = defaultdict(Counter)
+    facts, again = labels(), list[dict[str, Any]]()
+    for one in recorded(replies, texts):
+        met, name = replayed(one), one.id.split("/")[0]
+        count, reasons = became[name], why[name]
+        count["texts"] += 1
+        count["accepted at once" if not met.sent_back else "sent back"] += 1
+        count[met.outcome] += 1
+        if met.sent_back:
+            reasons[f"sent back: {general(met.sent_back[0])}"] += 1
+        if met.sent_back and met.outcome in ("not built", "no reading"):
+            message = met.sent_back[len(one.replies) - 1]
+            again.append({"id": one.id, "text": one.text, "replies": one.replies, "sent_back": message})
+        shown, unseen = "", list[str]()
+        if drives and met.outcome == "built" and met.situation is not None:
+            shown, unseen = outcome(met.situation, drives, ego)
+            count[f"driven: {shown}"] += 1
+            reasons.update(f"{shown}: {kind}" for kind in {general(reason) for reason in unseen})
+        slots = held(count, facts.get(one.id), met)
+        reasons.update(f"slot: {slot}" for slot in slots)
+        if each:
+            click.echo(
+                "\t".join((one.id, met.outcome, met.why, shown, "; ".join(sorted(set(unseen))), ",".join(slots)))
+            )
+    for name, count in became.items():
+        click.echo(f"{name}: " + ", ".join(f"{what} {number}" for what, number in count.items()))
+        for reason, number in why[name].most_common():
+            click.echo(f"  {number}  {reason}")
+    if sent_back is not None:
+        sent_back.write_text("".join(f"{json.dumps(row, ensure_ascii=False)}\n" for row in again))
+
+
+def held(count: Counter[str], label: tuple[bool, Slots] | None, met: Replay) -> tuple[str, ...]:
+    """The slots in which a reading differs from a label, counted."""
+    if label is None:
+        return ()
+    in_scope, said = label
+    if not in_scope:
+        count["out of scope"] += 1
+        count["of them refused by the model"] += met.outcome == "no situation"
+        return ()
+    if met.situation is None:
+        return ()
+    slots = differing(said, coarse(met.situation))
+    count["as labelled" if not slots else "not as labelled"] += 1
+    return slots
+
+
+if __name__ == "__main__":
+    main()
