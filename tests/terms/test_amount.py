@@ -18,6 +18,8 @@ from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Speed
         ("20-30 km/h", 20 / 3.6, 30 / 3.6),
         ("at most 30 mph", -math.inf, 30 * 0.44704),
         (">= 10 m/s", 10.0, math.inf),
+        ("less than 10 m/s", -math.inf, 10.0),
+        ("over 10 m/s", 10.0, math.inf),
         ("5 km/h more than the ego", 5 / 3.6, 5 / 3.6),
         ("5 km/h slower than the ego", -5 / 3.6, -5 / 3.6),
         (12, 12.0, 12.0),
@@ -30,7 +32,8 @@ def test_a_speed_is_read_as_people_write_it(said: object, low: float, high: floa
     assert speed.than_ego == ("ego" in str(said))
 
 
-def test_squares_and_feet_and_gravity_have_units() -> None:
+def test_squares_and_feet_and_miles_and_gravity_have_units() -> None:
+    assert (Length.of("2 miles").low, str(Length.of("1 mile"))) == (pytest.approx(3218.688), "1 mile")
     assert Acceleration.of("3 m/s2") == Acceleration.of("3 m/s²") == Acceleration.of(3)
     assert Acceleration.of("0.5 g").low == pytest.approx(4.905)
     assert Length.of("100 ft").low == pytest.approx(30.48)

@@ -20,12 +20,14 @@ if TYPE_CHECKING:
 
 _NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 _FORM = re.compile(
-    rf"""\s*(?P<bound>at\ most|at\ least|up\ to|<=|>=|≤|≥)?\s*
+    rf"""\s*(?P<bound>at\ most|at\ least|up\ to|less\ than|more\ than|under|over|<=|>=|≤|≥|<|>)?\s*
     (?P<low>{_NUMBER})\s*(?:(?:to|\.\.|\u2013|-)\s*(?P<high>{_NUMBER}))?\s*
     (?P<unit>[^\s\d]*(?:2(?!\S))?)\s*(?P<than>(?:more|less|faster|slower)\ than\ the\ ego)?\s*""",
     re.VERBOSE,
 )
-_BOUNDS = {"at most": "<=", "up to": "<=", "≤": "<=", "at least": ">=", "≥": ">="}
+_BOUNDS = dict.fromkeys(("at most", "up to", "less than", "under", "≤", "<"), "<=") | dict.fromkeys(
+    ("at least", "more than", "over", "≥", ">"), ">="
+)  # that a bound itself is in or out is no difference that anybody could see
 _DIGITS = 6  # significant ones of a number that somebody said
 
 
@@ -167,7 +169,9 @@ class Length(Amount):
 
     __slots__ = ()
     QUANTITY = "length"
-    UNITS: ClassVar[Mapping[str, float]] = {"m": 1.0, "km": 1000.0, "cm": 0.01, "ft": 0.3048, "": 1.0}
+    UNITS: ClassVar[Mapping[str, float]] = {
+        "m": 1.0, "km": 1000.0, "cm": 0.01, "mile": 1609.344, "miles": 1609.344, "ft": 0.3048, "": 1.0,
+    }  # fmt: skip
     EXAMPLES = ("20 m", "10 to 20 m", "at least 50 ft")
 
 
