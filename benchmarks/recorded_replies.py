@@ -18,7 +18,7 @@ from __future__ import annotations
 import json
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -139,7 +139,7 @@ _STATES = {
     Act.STAND: EgoState.STANDS, Act.SET_OFF: EgoState.SETS_OFF, Act.STOP: EgoState.STOPS,
     Act.SLOW_DOWN: EgoState.SLOWS_DOWN, Act.BRAKE: EgoState.BRAKES,
 }  # fmt: skip
-_SITES = (
+_SITES: tuple[tuple[Callable[[Situation], bool], Site], ...] = (
     (lambda one: one.road.kind is RoadKind.ROUNDABOUT or one.ego.route is EgoRoute.ROUNDABOUT, Site.ROUNDABOUT),
     (lambda one: one.ego.route is EgoRoute.MERGE, Site.ON_RAMP),
     (lambda one: one.ego.route is EgoRoute.EXIT, Site.OFF_RAMP),

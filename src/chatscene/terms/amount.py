@@ -25,9 +25,11 @@ _FORM = re.compile(
     (?P<unit>[^\s\d]*(?:2(?!\S))?)\s*(?P<than>(?:more|less|faster|slower)\ than\ the\ ego)?\s*""",
     re.VERBOSE,
 )
-_BOUNDS = dict.fromkeys(("at most", "up to", "less than", "under", "≤", "<"), "<=") | dict.fromkeys(
-    ("at least", "more than", "over", "≥", ">"), ">="
-)  # that a bound itself is in or out is no difference that anybody could see
+_BOUNDS: Mapping[str, str] = {
+    "at most": "<=", "up to": "<=", "less than": "<=", "under": "<=", "≤": "<=", "<": "<=",
+    "at least": ">=", "more than": ">=", "over": ">=", "≥": ">=", ">": ">=",
+}  # fmt: skip
+"""What each says; that a bound itself is in or out is no difference that anybody could see."""
 _DIGITS = 6  # significant ones of a number that somebody said
 
 
