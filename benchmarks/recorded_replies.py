@@ -18,7 +18,7 @@ from __future__ import annotations
 import json
 import re
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -29,19 +29,17 @@ from labelled import TEXTS
 from pydantic import TypeAdapter
 
 from chatscene.build.build import build
-from chatscene.build.place import at_junction, met_first
-from chatscene.build.slots import as_slots
-from chatscene.errors import LanguageModelError, NotBuilt, NothingFits
+from chatscene.build.place import at_junction
+from chatscene.errors import LanguageModelError, NotBuilt
+from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.models.language.checked import CheckedModel
 from chatscene.models.language.scripted import Scripted
 from chatscene.read.by_model import LIMITS, ModelReader
-from chatscene.report.filled import filled
-from chatscene.settings import RetrievalSettings
 from chatscene.studies.facts import differing
-from chatscene.terms.routing import PLACES
-from chatscene.terms.scenario import EgoState, Place, Site, Slots
-from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Feature, Manner, RoadKind, Role, Where
+from chatscene.terms.conclusions import concluded
+from chatscene.terms.reading import Verdict
+from chatscene.terms.scenario import Place, Slots
+from chatscene.terms.situation import Situation
 
 REPLIES = Path(__file__).parent / "reading" / "replies.jsonl"
 _SLOTS = TypeAdapter(Slots)
@@ -106,11 +104,12 @@ def replayed(one: Recorded) -> Replay:
         return Replay(outcome=outcome, why=str(why), sent_back=tuple(told), situation=situation)
 
     try:
-        situation = filled(one.text, RetrievalSettings(), reader=reader)
-    except NothingFits as error:
-        return met("no situation", error)
+        read = reader.read(one.text)
     except LanguageModelError as error:
         return met("no reading", error)
+    if read.verdict is not Verdict.SITUATION:
+        return met("no situation", f"{read.reader} says that {read.verdict.said}: “{read.reason}”")
+    situation = read.ranked[0].situation
     why = why_not_built(situation)
     return met("not built" if why else "built", why, situation)
 
@@ -135,54 +134,12 @@ def labels() -> dict[str, tuple[bool, Slots]]:
     return found
 
 
-_STATES = {
-    Act.STAND: EgoState.STANDS, Act.SET_OFF: EgoState.SETS_OFF, Act.STOP: EgoState.STOPS,
-    Act.SLOW_DOWN: EgoState.SLOWS_DOWN, Act.BRAKE: EgoState.BRAKES,
-}  # fmt: skip
-_SITES: tuple[tuple[Callable[[Situation], bool], Site], ...] = (
-    (lambda one: one.road.kind is RoadKind.ROUNDABOUT or one.ego.route is EgoRoute.ROUNDABOUT, Site.ROUNDABOUT),
-    (lambda one: one.ego.route is EgoRoute.MERGE, Site.ON_RAMP),
-    (lambda one: one.ego.route is EgoRoute.EXIT, Site.OFF_RAMP),
-    (lambda one: Feature.ON_RAMP in one.road.has or _starts(one, Where.ON_RAMP), Site.PAST_ON_RAMP),
-    (lambda one: Feature.OFF_RAMP in one.road.has or _starts(one, Where.OFF_RAMP), Site.PAST_OFF_RAMP),
-    (lambda one: one.road.kind is RoadKind.MOTORWAY, Site.MOTORWAY),
-    (lambda one: Feature.CROSSWALK in one.road.has or _starts(one, Where.CROSSING), Site.CROSSWALK),
-)
-
-
 def coarse(situation: Situation) -> Slots:
-    """A situation in the slots that people labelled, where `as_slots` has those of its first adversary alone."""
-    first = met_first(situation)
-    others = [one for one in situation.others if one is not first and _acts(one)]
-    leads = [one for one in others if _only_leads(one)]
-    place = PLACES.get(situation.road.kind) if situation.road.kind is not None else None
-    state = next((_STATES[deed.act] for deed in reversed(situation.ego.does) if deed.act in _STATES), None)
-    slow = any(deed.manner is Manner.SLOW for deed in situation.ego.does)
-    return replace(
-        as_slots(situation),
-        place=place or (Place.JUNCTION if at_junction(situation) else Place.ROAD),
-        ego=state or (EgoState.SLOW if slow else None),
-        site=next((site for holds, site in _SITES if holds(situation)), None),
-        leader=True if leads else None,
-        others=tuple(_alone(situation, one) for one in others if one not in leads),
-    )
-
-
-def _starts(situation: Situation, where: Where) -> bool:
-    return any(one.starts.where is where for one in situation.others)
-
-
-def _acts(one: Other) -> bool:
-    return one.role is not Role.HIDES and any(deed.act is not Act.STAND for deed in one.does)
-
-
-def _only_leads(one: Other) -> bool:
-    slow = all(deed.act in (Act.GO_ALONG, Act.SLOW_DOWN) for deed in one.does)
-    return one.starts.where is Where.AHEAD and one.role is Role.SUPPORTING and slow
-
-
-def _alone(situation: Situation, one: Other) -> Slots:
-    return as_slots(replace(situation, others=(replace(one, role=Role.ADVERSARY, hidden_by=None),)))
+    """A situation in the slots that people labelled: what an edit in words could name of it."""
+    parties = parties_of(situation)
+    assert parties is not None  # who fills a situation is asked for somebody who meets the ego
+    slots = concluded(facts_of(situation, parties).slots)
+    return replace(slots, place=slots.place or (Place.JUNCTION if at_junction(situation) else Place.ROAD))
 
 
 def general(reason: str) -> str:
