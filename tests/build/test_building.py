@@ -257,7 +257,7 @@ CAR = "others: [{id: A, kind: car, starts: {where: "
             "road: {kind: four-way}\n" + CAR + "arm, side: left}, does: [{act: go-straight, breaks: stop-sign}]}]",
             "others.A.does.0.breaks: stop-sign",
         ),
-        (CAR + "arm, side: left, speed: 36 km/h}, does: [{act: go-straight}]}]", "others.A.starts.speed: 36 km/h"),
+        (CAR + "kerb, side: right, speed: 36 km/h}, does: [{act: pull-out}]}]", "others.A.starts.speed: 36 km/h"),
     ],
 )
 def test_a_fact_that_the_program_would_not_have_is_refused(written: str, told: str) -> None:

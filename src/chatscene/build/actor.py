@@ -11,6 +11,7 @@ from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import FIRM, Numbers
 from chatscene.build.place import NEXT_LANE, Found, at_junction
 from chatscene.build.starts import Asked, Meets, Stand, stands_first, start_of
+from chatscene.build.timing import Coming
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, AdversaryKind, Limits
 from chatscene.terms.actors import Manner as Moves
@@ -23,6 +24,7 @@ _STEP = 0.1  # [s], in which setting off is computed
 NEAR_LANE = 2.5  # [m] from the ego's line: so near it is seen that somebody means to cross
 _ON_ITS_WAY = frozenset((Act.SLOW_DOWN, Act.HESITATE, Act.ACCELERATE, Act.TURN_BACK, Act.U_TURN))
 _PACES: dict[Manner | None, str] = {Manner.SLOW: "SLOW", Manner.FAST: "FAST"}
+_AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
 _QUIET = frozenset((Act.STAND, Act.STOP))
 _SEEN = {
@@ -42,7 +44,7 @@ class Actor:
         ledger: What was said, and what became of it.
         found: Where it happens.
         one: Who.
-        ego_speed: What the ego drives at [m/s].
+        ego: How the ego gets on.
         room: How far [m] beyond the first of its place it stands.
         first: In whose row it stands, whose place it shares; None if it is the first.
     """
@@ -50,7 +52,7 @@ class Actor:
     ledger: Ledger
     found: Found
     one: Other
-    ego_speed: float
+    ego: Coming
     room: float = 0.0
     first: Actor | None = None
     numbers: Numbers = field(init=False)
@@ -61,11 +63,18 @@ class Actor:
     def __post_init__(self) -> None:
         row = self.one.kind.row.body.row
         self.numbers = Numbers(self.one.id, row)
+        self.deeds = self.one.does
+        self._bind_speed()
         asked = Asked(
-            situation=self.ledger.situation, found=self.found, one=self.one, numbers=self.numbers, room=self.room
+            situation=self.ledger.situation,
+            found=self.found,
+            one=self.one,
+            numbers=self.numbers,
+            ego=self.ego,
+            room=self.room,
+            first=self.first.stand if self.first is not None else None,
         )
         self.stand = start_of(asked)
-        self.deeds = self.one.does
         self.named = {}
         at = f"others.{self.one.id}"
         self.ledger.take(f"{at}.kind", f"{at}.count", f"{at}.starts.where", f"{at}.starts.side")
@@ -75,7 +84,13 @@ class Actor:
             self.ledger.assume(f"{self.one.id} is a {row.scenic.lower()}, since nothing is built as a {self.one.kind}")
         if self.one.count == SEVERAL:
             self.ledger.assume(f"of {self.one.id} there are {SOME}, since their number was not said")
-        self._bind()
+        if self.stand.meets in (Meets.THROUGH, Meets.ACROSS) and not self.lies:
+            self._between()
+
+    @property
+    def ego_speed(self) -> float:
+        """What the ego drives at [m/s]."""
+        return self.ego.speed
 
     @property
     def path(self) -> str:
@@ -104,7 +119,7 @@ class Actor:
 
     # Numbers
 
-    def _bind(self) -> None:
+    def _bind_speed(self) -> None:
         numbers = self.numbers
         if (paces := {deed.manner for deed in self.deeds if deed.manner in _PACES}) and len(paces) == 1:
             low, high, *_ = numbers.ranges[_PACES[paces.pop()]]
@@ -112,11 +127,12 @@ class Actor:
         start = self.one.starts.speed
         if start is not None and not stands_first(self.one):
             numbers.bind("SPEED", start, self.ego_speed)
+        for k, deed in enumerate(self.deeds):  # it comes as fast as it was said to go on
+            if deed.speed is not None and self._one_speed() and deed.act in _AT_ONE_SPEED:
+                numbers.bind("SPEED", deed.speed, self.ego_speed, f"{self.path}.does.{k}.speed")
         if any(deed.act is Act.SLOW_DOWN for deed in self.deeds):  # to what is seen to be slower than before
             before, *_ = numbers.ranges["SPEED"]
             numbers.narrow("SLOW", 0.3 * before, 0.6 * before)
-        if self.stand.meets in (Meets.THROUGH, Meets.ACROSS):
-            self._between()
 
     def _between(self) -> None:
         """Let it be where the ways meet from when it would touch the ego's tail to when it would just have gone by.
@@ -268,7 +284,8 @@ class Actor:
                 return
         if lasting and (self.stand.meets is Meets.ALONG or self._goes_along()):
             return
-        yield f"{self._waits()} until {self._due()}"
+        if not self.stand.rolls:
+            yield f"{self._waits()} until {self._due()}"
         go = GO if self.stand.meets is not Meets.ACROSS else MOVE
         if self.stand.meets is Meets.ACROSS and deed.act in _ON_ITS_WAY and self.stand.left != "0":
             yield f"{MOVE} until abs(offsetFrom(egoRoute, self)) < {NEAR_LANE}"  # it comes first, and does it then
@@ -285,17 +302,17 @@ class Actor:
     def _waits(self) -> str:
         stands = stands_first(self.one)
         match self.stand.meets:
-            case Meets.ALONG if stands:
+            case Meets.ACROSS if self.stand.rolls or (self.one.starts.where is Where.AHEAD and not stands):
+                return MOVE
+            case _ if self.stand.rolls:
+                return GO
+            case Meets.ALONG | Meets.KERB if stands or self.stand.meets is Meets.KERB:
                 return "Park()"
             case Meets.ALONG:
                 ahead = "-$Y" if self.stand.behind else "$Y"
                 if self.one.kind.row.body.row.manner is Moves.RIDES and not self.one.kind.row.body.row.motorised:
                     return f"PaceOnPath({{p}}, ego, {ahead}, $SPEED, 2)"
                 return f"PaceOnPath({{p}}, ego, {ahead}, 40, {LEAST * self.ego_speed:.3g})"
-            case Meets.KERB:
-                return "Park()"
-            case Meets.ACROSS if self.one.starts.where is Where.AHEAD and not stands:
-                return MOVE  # on foot in the lane
             case _:
                 return "Halt()"
 
@@ -373,7 +390,10 @@ class Actor:
         one = name_of(self.one.id)
         first = one if self.count > 1 else "self"
         text = text.replace("{beside}", f"beside{one}").replace("{ours}", f"ours{one}")
-        text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first)
+        row = name_of(self.first.one.id) if self.first is not None else one
+        text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first).replace("{row}", row)
+        if self.first is not None and self.stand.rolls and not self.numbers.is_said("SPEED"):
+            text = re.sub(r"\$SPEED(?![A-Z0-9_])", self.first.numbers.value("SPEED"), text)  # in a row they go alike
         if self.first is not None:
             text = text.replace("$Y", f"<{self.first.one.id}>")
             return self.numbers.filled(text).replace(f"<{self.first.one.id}>", self.first.numbers.value("Y"))
@@ -408,6 +428,9 @@ class Actor:
 
     def _moving(self, phases: Sequence[str]) -> str:
         """Its speed at first: who goes the ego's way is under way as the ego is."""
+        if phases and self.stand.rolls:
+            self.ledger.take(f"{self.path}.starts.speed")
+            return self.filled(", with speed $SPEED")
         if not phases or self.stand.meets is not Meets.ALONG or stands_first(self.one) or self.lies:
             return ""
         own = (

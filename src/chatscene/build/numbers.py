@@ -119,6 +119,15 @@ class Numbers:
         low, high, *_ = self._range(name)
         return (low + high) / 2
 
+    def range_of(self, name: str) -> tuple[float, float]:
+        """From where to where a parameter may be."""
+        low, high, *_ = self._range(name)
+        return low, high
+
+    def is_said(self, name: str) -> bool:
+        """Whether it was said."""
+        return name in self.bound
+
     def _range(self, name: str) -> tuple[float, float, str, str]:
         """Of a parameter, or of that which it is for one deed alone, as ``BRAKE_1`` is of ``BRAKE``."""
         if name in self.ranges:

@@ -31,6 +31,8 @@ class RouteQuery:
             that is driven for there, and straight on stays in the lane. A roundabout is turned right, left or
             straight through, as seen from its entry.
         lane: Which lane of its direction it starts in, 1 for the outermost.
+        approach: How far [m] it leads up to where its manoeuvre begins, on open road as far beyond; None for as far as
+            is usual there.
     """
 
     maneuver: Maneuver
@@ -42,6 +44,7 @@ class RouteQuery:
     conflicting_from: tuple[str, ...] = ()
     site: Site | None = None
     lane: int | None = None
+    approach: float | None = None
 
     @property
     def slug(self) -> str:
@@ -52,6 +55,7 @@ class RouteQuery:
         parts += ["one-lane" if self.lane_beside == "none" else f"lane-{self.lane_beside}"] if self.lane_beside else []
         parts += [f"from-{side}" for side in self.conflicting_from]
         parts += [self.site, None if self.lane is None else f"lane{self.lane}"]
+        parts += [None if self.approach is None else f"after-{self.approach:g}"]
         return "-".join(part for part in parts if part is not None)
 
 
