@@ -254,8 +254,8 @@ CAR = "others: [{id: A, kind: car, starts: {where: "
             "contact.whom: B",
         ),
         (
-            "road: {kind: four-way}\n" + CAR + "arm, side: left}, does: [{act: go-straight, breaks: stop-sign}]}]",
-            "others.A.does.0.breaks: stop-sign",
+            CAR + "ahead}, does: [{act: brake, breaks: right-of-way}]}]",
+            "others.A.does.0.breaks: right-of-way",
         ),
         (CAR + "kerb, side: right, speed: 36 km/h}, does: [{act: pull-out}]}]", "others.A.starts.speed: 36 km/h"),
     ],

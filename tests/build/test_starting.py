@@ -157,3 +157,20 @@ def test_a_roundabout_has_signs_to_give_way() -> None:
         from_plain(in_roundabout("roundabout-entry") | {"road": {"kind": "roundabout", "control": "yield-sign"}})
     )
     assert made.left_out == ()
+
+
+@pytest.mark.parametrize(
+    ("light", "shown"), [("yellow", "gyr"), ("turns-green", "rg"), ("turns-red", "gyr"), ("red", "r"), ("green", "g")]
+)
+def test_the_light_of_the_ego_is_what_was_said_at_a_junction_that_has_one(light: str, shown: str) -> None:
+    said = someone("arm", "go-straight", side="left") | {"road": {"ego_light": light}}
+    episode = driven(said)
+    own = next(one.state for one in episode.signals if one.role == "ego")
+    assert "".join(dict.fromkeys(own[:120])) == shown
+
+
+@pytest.mark.parametrize(("breach", "control"), [("red-light", "signal"), ("stop-sign", "stop-sign")])
+def test_a_rule_that_is_broken_is_there(breach: str, control: str) -> None:
+    said = someone("arm", "go-straight", side="left")
+    said["others"][0]["does"][0]["breaks"] = breach
+    assert f"control='{control}'" in build(from_plain(said)).program.source

@@ -193,7 +193,7 @@ class Actor:
         match deed.breaks:
             case Breach.RED_LIGHT:
                 with_us = self.one.starts.where in (Where.ONCOMING, Where.EXIT_CROSSING)
-                red = (self.ledger.situation.road.ego_light is EgoLight.RED) == with_us
+                red = (self.ledger.situation.road.ego_light in (EgoLight.RED, EgoLight.TURNS_RED)) == with_us
                 return moves and control == "signal" and (red or with_us)
             case Breach.STOP_SIGN:
                 return moves and control == "stop-sign"

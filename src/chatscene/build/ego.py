@@ -13,7 +13,7 @@ from chatscene.errors import NotBuilt
 from chatscene.maps.routes import TO_LINE
 from chatscene.terms.order import Order
 from chatscene.terms.situation import Deed
-from chatscene.terms.vocabulary import Act, EgoLight, Manner, RightOfWay
+from chatscene.terms.vocabulary import Act, EgoLight, Manner
 
 LINE = 3.5  # [m] before the junction the centre of an ego stands whose nose is at the line
 STAND = 4.0  # [s] that somebody stands who sets off again
@@ -68,16 +68,10 @@ def _written(order: Order) -> str:
 
 
 def _lights(ledger: Ledger, found: Found) -> list[str]:
-    road = ledger.situation.road
-    if road.control is not RightOfWay.SIGNAL and road.ego_light is None:
-        return []
     if found.query.get("control") != "signal":
         return []
-    lights = {None: "ego-green", EgoLight.GREEN: "ego-green", EgoLight.RED: "ego-red"}
-    if road.ego_light not in lights:
-        raise NotBuilt(f"nothing builds yet: road.ego_light: {road.ego_light}")
     ledger.take("road.ego_light")
-    return [f"param signals = '{lights[road.ego_light]}'"]
+    return [f"param signals = 'ego-{ledger.situation.road.ego_light or EgoLight.GREEN}'"]
 
 
 def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) -> Iterator[Order]:

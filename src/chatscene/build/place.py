@@ -20,7 +20,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import CONTROLS, MANEUVERS, PLACES
 from chatscene.terms.scenario import Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
+from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
 from chatscene.world.places import EgoRoute as Route
 from chatscene.world.places import choose_route, lanesBeside, neighbourPath, ownLane
 
@@ -74,7 +74,7 @@ def at_junction(situation: Situation) -> bool:
     return not at_roundabout(situation) and (
         road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
         or situation.ego.route in TURNING
-        or road.control in CONTROLS
+        or control_of(situation) in CONTROLS
         or any(one.starts.where.row.junction for one in others if one.starts.where not in _ROUND)
         or any(deed.act is Act.GO_STRAIGHT for one in others for deed in one.does)
     )
@@ -101,6 +101,19 @@ _SITES_OF: dict[EgoRoute | None, Site] = {
     EgoRoute.EXIT: Site.OFF_RAMP,
 }
 _ROUND = (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY)
+
+
+_RULED = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.STOP_SIGN}
+
+
+def control_of(situation: Situation) -> RightOfWay | None:
+    """What rules the junction: as was said, else what is there since somebody has it or breaks its rule."""
+    if situation.road.control is not None:
+        return situation.road.control
+    if situation.road.ego_light is not None:
+        return RightOfWay.SIGNAL
+    broken = (deed.breaks for one in situation.others for deed in one.does)
+    return next((_RULED[breach] for breach in broken if breach in _RULED), None)
 
 
 def at_roundabout(situation: Situation) -> bool:
@@ -342,8 +355,8 @@ def _at_junction(
     if any(rides_at_edge(one) and one.starts.where in NEXT_LANE for one in others):
         arms.append("oncoming")  # an arm opposite, or there is no straight on
     query = base | {"place": PLACES.get(road.kind or RoadKind.JUNCTION, Place.JUNCTION).value}
-    if road.control is not None and road.control in CONTROLS:
-        query["control"] = CONTROLS[road.control].value
+    if (control := control_of(situation)) is not None and control in CONTROLS:
+        query["control"] = CONTROLS[control].value
     if arms:
         query["crossed"] = tuple(dict.fromkeys(arms))
     if lanes:
