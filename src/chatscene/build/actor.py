@@ -84,7 +84,7 @@ class Actor:
             self.ledger.assume(f"{self.one.id} is a {row.scenic.lower()}, since nothing is built as a {self.one.kind}")
         if self.one.count == SEVERAL:
             self.ledger.assume(f"of {self.one.id} there are {SOME}, since their number was not said")
-        if self.stand.meets in (Meets.THROUGH, Meets.ACROSS) and not self.lies:
+        if (self.stand.meets in (Meets.THROUGH, Meets.ACROSS) or self.stand.rolls) and not self.lies:
             self._between()
 
     @property
@@ -209,7 +209,12 @@ class Actor:
                 raise NotBuilt(
                     f"nothing builds yet: {self.path}: lane-change to the {deed.to}, away from the ego's lane"
                 )
-        if self.one.starts.where is Where.BEHIND and deed.act in _GOING_ON and not self._contact():
+        if (
+            self.stand.behind
+            and self.one.starts.where is Where.BEHIND
+            and deed.act in _GOING_ON
+            and not (self.stand.rolls or self._contact())
+        ):
             table = {**table, deed.act: ALONG[Act.TAILGATE]}  # or it would run into the ego
         if deed.act not in table:
             raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {self.one.starts.where}")
@@ -284,7 +289,7 @@ class Actor:
                 return
         if lasting and (self.stand.meets is Meets.ALONG or self._goes_along()):
             return
-        if not self.stand.rolls:
+        if not self.stand.rolls or self.stand.meets is Meets.ALONG:
             yield f"{self._waits()} until {self._due()}"
         go = GO if self.stand.meets is not Meets.ACROSS else MOVE
         if self.stand.meets is Meets.ACROSS and deed.act in _ON_ITS_WAY and self.stand.left != "0":

@@ -12,11 +12,13 @@ from chatscene.build.timing import Coming, coming, wanted_by
 from chatscene.errors import NotBuilt
 from chatscene.maps.routes import TO_LINE
 from chatscene.terms.order import Order
+from chatscene.terms.routing import BEGINS
 from chatscene.terms.situation import Deed
 from chatscene.terms.vocabulary import Act, EgoLight, Manner
 
 LINE = 3.5  # [m] before the junction the centre of an ego stands whose nose is at the line
 STAND = 4.0  # [s] that somebody stands who sets off again
+BESIDE = 3.0  # [s] that the ego stands beside its lane before it comes into it
 SLOW = 3.0  # [m/s]
 
 
@@ -52,6 +54,9 @@ def ego_of(ledger: Ledger, found: Found) -> BuiltEgo:
     stop = found.route.eventAt - (LINE if junction else 0.0)
     orders = tuple(_orders(ledger, ego.does, stop, speed))
     stands = bool(ego.does) and ego.does[0].act is Act.STAND
+    if ego.route in BEGINS and not ego.does:  # others are to come from behind meanwhile
+        stands, orders = True, (Order(at_most=0, till=BESIDE),)
+        ledger.assume(f"the ego stands beside its lane for {BESIDE:g} s, which was not said")
     params = ["param egoStart = 'at-line'"] if stands and junction else []
     params += _lights(ledger, found)
     moving = "" if stands else f", with speed {speed:.4g}"

@@ -17,7 +17,8 @@ from chatscene.maps.ring_ways import ROUND, ring_ways
 from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
 from chatscene.terms.actors import Manner as Moves
-from chatscene.terms.routing import CONTROLS, MANEUVERS, PLACES
+from chatscene.terms.route import Beside
+from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
 from chatscene.terms.scenario import Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
@@ -71,7 +72,7 @@ def met_first(situation: Situation) -> Other:
 def at_junction(situation: Situation) -> bool:
     """Whether it happens at a junction."""
     road, others = situation.road, situation.others
-    return not at_roundabout(situation) and (
+    return not (at_roundabout(situation) or beside_lane(situation)) and (
         road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
         or situation.ego.route in TURNING
         or control_of(situation) in CONTROLS
@@ -101,6 +102,11 @@ _SITES_OF: dict[EgoRoute | None, Site] = {
     EgoRoute.EXIT: Site.OFF_RAMP,
 }
 _ROUND = (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY)
+
+
+def beside_lane(situation: Situation) -> bool:
+    """Whether the ego's way begins or ends beside its lane."""
+    return situation.ego.route in BEGINS or situation.ego.route in ENDS
 
 
 _RULED = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.STOP_SIGN}
@@ -133,7 +139,7 @@ def rides_at_edge(one: Other) -> bool:
 
 def arm_of(situation: Situation, one: Other, sides: dict[str, Side]) -> str:
     """From where traffic through the ego's junction comes; empty for who comes from none of its arms."""
-    if at_roundabout(situation):
+    if at_roundabout(situation) or from_left(situation, one):
         return ""
     if one.starts.where is Where.ARM:
         return str(one.starts.side or sides[one.id])
@@ -155,6 +161,12 @@ def ring_arms(one: Other, sides: dict[str, Side]) -> tuple[str, ...]:
             return ()
 
 
+def from_left(situation: Situation, one: Other) -> bool:
+    """Whether somebody comes along the road that the ego drives onto out of a driveway, in the lane that it takes."""
+    out = situation.ego.route is EgoRoute.LEAVE_DRIVEWAY
+    return out and one.starts.where is Where.ARM and one.starts.side in (Side.LEFT, None)
+
+
 def way_of(one: Other) -> Maneuver:
     """What somebody who comes through a junction does there."""
     return next((WAYS[deed.act] for deed in one.does if deed.act in WAYS), Maneuver.STRAIGHT)
@@ -172,6 +184,12 @@ def find(ledger: Ledger) -> Found:
     situation = ledger.situation
     if situation.ego.route not in MANEUVERS:
         raise NotBuilt(f"nothing builds yet: ego.route: {situation.ego.route}")
+    for one in situation.others:
+        if beside_lane(situation) and one.starts.where.row.junction and not from_left(situation, one):
+            raise NotBuilt(
+                f"nothing builds yet: others.{one.id}.starts.where: {one.starts.where}, where ego.route is"
+                f" {situation.ego.route}"
+            )
     lacking: list[str] = []
     rooms: dict[str, float] = {}
     for more in _lengths(situation):
@@ -313,6 +331,10 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         for one in others
         if one.starts.where in NEXT_LANE and not rides_at_edge(one)
     ]
+    for name, edges in (("begins", BEGINS), ("ends", ENDS)):
+        if situation.ego.route in edges:
+            base[name] = edges[situation.ego.route].value
+            lanes = []  # beside the ego is its own lane, if it is in none
     if road.lanes is not None:
         base["lanes"] = road.lanes
     if road.ego_lane is not None:
@@ -377,6 +399,7 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     elif straight and road.kind is not None and road.kind in _CURVES:
         query["place"] = PLACES[road.kind].value
     against = any(one.starts.where in (Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE) for one in others)
+    against = against and query.get("ends") != Beside.BACK  # who turns round has them anyway, some lanes away
     if query["maneuver"] == Maneuver.BYPASS:
         several = (road.lanes or 1) > 1 or (bool(lanes) and not against)
         query |= {"lanes": max(2, road.lanes or 2), "opposite": False} if several else {"opposite": True}

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from chatscene.build.place import at_junction, met_first
 from chatscene.terms.acts import Action
-from chatscene.terms.routing import CONTROLS, MANEUVERS
+from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS
 from chatscene.terms.scenario import Maneuver, Occluder, Position, Side, Slots
 from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Manner, UserKind, Where
@@ -57,7 +57,7 @@ OCCLUDERS = {
     UserKind.OBJECT: Occluder.VENDING_MACHINE,
 }
 _PACES = {Manner.SLOW: Action.SLOW, Manner.FAST: Action.FAST}
-_ROUTES = frozenset(MANEUVERS) - {None, EgoRoute.ROUNDABOUT, EgoRoute.MERGE, EgoRoute.EXIT}
+_ROUTES = frozenset(MANEUVERS) - {None, EgoRoute.ROUNDABOUT, EgoRoute.MERGE, EgoRoute.EXIT, *BEGINS, *ENDS}
 
 
 def as_slots(situation: Situation) -> Slots:

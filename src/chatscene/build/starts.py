@@ -7,15 +7,26 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from chatscene.build.numbers import Numbers
-from chatscene.build.place import Found, arm_of, at_junction, at_roundabout, rides_at_edge, ring_arms, way_of
+from chatscene.build.place import (
+    Found,
+    arm_of,
+    at_junction,
+    at_roundabout,
+    beside_lane,
+    from_left,
+    rides_at_edge,
+    ring_arms,
+    way_of,
+)
 from chatscene.build.timing import Coming
 from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import CrossingPath
 from chatscene.maps.ring_ways import ROUND
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, Facing, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Side, Where
 from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
 _EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
@@ -119,6 +130,16 @@ class Asked:
         return str(self.one.starts.side)
 
     @property
+    def begins_beside(self) -> bool:
+        """Whether the ego comes into its lane from beside it, so that who comes along there comes from its left."""
+        return self.situation.ego.route in BEGINS
+
+    @property
+    def lane(self) -> str:
+        """The way of traffic before and behind the ego: its route, or the lane that it leaves."""
+        return "ownLane(egoRoute)" if beside_lane(self.situation) else "ownWay(egoRoute)"
+
+    @property
     def swings_out(self) -> bool:
         """Whether the ego's way swings out round something."""
         return self.found.query["maneuver"] == Maneuver.BYPASS
@@ -182,15 +203,44 @@ def _ahead(asked: Asked) -> Stand:
         asked.ahead(22, 30)
         return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"$Y{asked.more}", aside=aside)
     asked.ahead(*((38, 56) if asked.stands else (11, 19)))
-    return Stand(meets=Meets.ALONG, way="ownWay(egoRoute)", at=f"$Y{asked.more}", aside=aside)
+    return Stand(meets=Meets.ALONG, way=asked.lane, at=f"$Y{asked.more}", aside=aside)
 
 
 def _behind(asked: Asked) -> Stand:
+    if asked.begins_beside:
+        return _comes_along(asked)
     asked.reach(9, 17, "how far behind the ego it is")
-    return Stand(meets=Meets.ALONG, way="extended(egoRoute, 80)", at=f"80 - $Y{asked.less}", behind=True)
+    way = "ownLane(egoRoute)" if beside_lane(asked.situation) else "egoRoute"
+    return Stand(meets=Meets.ALONG, way=f"extended({way}, 80)", at=f"80 - $Y{asked.less}", behind=True)
+
+
+def _comes_along(asked: Asked) -> Stand:
+    """In the lane that the ego comes into, from behind: where the ego is in it when it is."""
+    if asked.side == Side.RIGHT or not asked.rolls or asked.one.starts.distance is not None:
+        raise NotBuilt(
+            f"nothing builds yet: others.{asked.one.id}.starts, of an ego that comes from beside its lane: only who"
+            " comes driving in that lane, from no distance that was said, is timed"
+        )
+    back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoRoute.eventAt', '')})"
+    first = asked.first is None
+    return Stand(
+        meets=Meets.ALONG,
+        way="wholeLane(egoRoute)",
+        at="back{i}" if first else f"back{{row}}{asked.less}",
+        lines=("meet{i} = levelOn(way{i}, egoRoute, egoRoute.eventAt)", *((back,) if first else ())),
+        left="distanceLeft(way{i}, {first}, meet{i})",
+        behind=True,
+        rolls=True,
+    )
 
 
 def _next_lane(asked: Asked) -> Stand:
+    if asked.begins_beside:
+        if asked.one.starts.where is Where.BEHIND_BESIDE:
+            return _comes_along(asked)
+        raise NotBuilt(
+            f"nothing builds yet: others.{asked.one.id}.starts.where: {asked.one.starts.where} of a parked ego"
+        )
     where, back = asked.one.starts.where, asked.one.starts.where is Where.BEHIND_BESIDE
     low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
     if asked.stands and where is Where.AHEAD_BESIDE:
@@ -204,6 +254,8 @@ def _next_lane(asked: Asked) -> Stand:
 
 
 def _through(asked: Asked) -> Stand:
+    if from_left(asked.situation, asked.one):
+        return _comes_along(asked)
     if at_roundabout(asked.situation):
         return _roundabout(asked)
     arm, turn = arm_of(asked.situation, asked.one, asked.found.sides), way_of(asked.one)
@@ -258,10 +310,32 @@ def _in_time(asked: Asked, found: CrossingPath, seconds: float) -> bool:
     return True
 
 
+_HALF_TURN = 14.0, 1.5  # [m] of turning round, and how much later [s] the ego then is for being slow in it
+
+
+def _comes_back(asked: Asked) -> Stand:
+    """In the lane that the ego turns round into, there when the ego is."""
+    level = f"egoRoute.eventAt + {_HALF_TURN[0]:g}"
+    back = (
+        f"back{{i}} = backFrom(meet{{i}}, {asked.way_back(f'({level} + {_HALF_TURN[1] * asked.ego.speed:.3g})', '')})"
+    )
+    first = asked.first is None
+    return Stand(
+        meets=Meets.TOWARD,
+        way="lastLane(egoRoute)",
+        at="back{i}" if first else f"back{{row}}{asked.less}",
+        lines=(f"meet{{i}} = levelOn(way{{i}}, egoRoute, {level})", *((back,) if first else ())),
+        left="distanceLeft(way{i}, {first}, meet{i})",
+        rolls=True,
+    )
+
+
 def _oncoming(asked: Asked) -> Stand:
     if asked.one.starts.where is Where.ONCOMING and (at_junction(asked.situation) or at_roundabout(asked.situation)):
         return _through(asked)
     ours = asked.one.starts.where is Where.ONCOMING_IN_OUR_LANE
+    if asked.situation.ego.route is EgoRoute.U_TURN and not ours and asked.rolls and not asked.one.starts.distance:
+        return _comes_back(asked)
     way = "against(egoRoute)" if ours else 'neighbourPath(egoRoute, "left")'
     if asked.stands:
         asked.ahead(38, 56)

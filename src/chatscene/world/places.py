@@ -27,7 +27,7 @@ from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes, 
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.pace import Pace
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.route import Route, RouteQuery
+from chatscene.terms.route import Beside, Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.world.control import Tracker
 
@@ -92,6 +92,8 @@ def routes_for(
     site: str | None = None,
     lane: int | None = None,
     approach: float | None = None,
+    begins: str | None = None,
+    ends: str | None = None,
 ) -> tuple[Route, ...]:
     """The routes of a map that a geometry asks for, best spread first.
 
@@ -108,6 +110,8 @@ def routes_for(
         site: A `Site`, or None for any.
         lane: Which lane of its direction it starts in, 1 for the outermost; None for any.
         approach: How far [m] it leads up to its manoeuvre; None for as far as is usual.
+        begins: Where it begins beside its lane: a `Beside`, or None.
+        ends: Where it ends beside its lane: a `Beside`, or None.
 
     Raises:
         MapError: The map has no such geometry.
@@ -123,6 +127,8 @@ def routes_for(
         site=None if site is None else Site(site),
         lane=lane,
         approach=approach,
+        begins=None if begins is None else Beside(begins),
+        ends=None if ends is None else Beside(ends),
     )
     return _routes(network, Path(map_path).stem, query)
 
@@ -392,6 +398,16 @@ def ownLane(route: EgoRoute) -> Polyline:  # noqa: N802
     line = lane_runs(route.network)[route.route.lane_ids[0]].line
     level, _, _ = line.project(*route.line.point_at(0.0))
     return line.between(level, line.length)
+
+
+def wholeLane(route: EgoRoute) -> Polyline:  # noqa: N802
+    """The centre line of the lane the ego starts in or beside, from its beginning: where traffic comes from behind."""
+    return lane_runs(route.network)[route.route.lane_ids[0]].line
+
+
+def lastLane(route: EgoRoute) -> Polyline:  # noqa: N802
+    """The centre line of the lane the ego ends in, from its beginning: where traffic there comes from."""
+    return lane_runs(route.network)[route.route.lane_ids[-1]].line
 
 
 def leftAt(route: EgoRoute) -> float:  # noqa: N802
