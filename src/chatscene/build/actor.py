@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
+from chatscene.build.aim import aimed
 from chatscene.build.deeds import ALONG, GO, MOVE, Steps, steps_for
 from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import FIRM, Numbers
@@ -16,7 +17,7 @@ from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, AdversaryKind, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, When
-from chatscene.terms.vocabulary import Act, Breach, EgoLight, Facing, Manner, Role, Side, Striker, UserKind, Where
+from chatscene.terms.vocabulary import Act, Breach, EgoLight, Facing, Manner, Role, Side, UserKind, Where
 
 LEAST = 0.64  # of the ego's speed that whoever keeps its distance goes on at: else both slow down for each other
 SOME = 3  # of a group whose size was not said
@@ -142,11 +143,9 @@ class Actor:
         ego = AdversaryKind.CAR.row.limits
         late = -0.5 * (ego.length + self.limits.length) / self.ego_speed
         early = (ego.width + self.limits.length) / self.numbers.middle("SPEED")
-        contact = self.ledger.situation.contact
-        if contact is not None and contact.striker is not None:
-            late, early = (0.0, early) if contact.striker is Striker.EGO else (late, 0.0)
-            self.ledger.take("contact.striker")
-        self.numbers.narrow("OFFSET", late, early)
+        low, high, *taken = aimed(self.ledger.situation.contact, self.one, late, early)
+        self.ledger.take(*taken)
+        self.numbers.narrow("OFFSET", low, high)
 
     def _of_deed(self, k: int, text: str, steps: Steps) -> str:
         """A phase of a deed, with the numbers that were said of that deed and of no other."""
@@ -181,7 +180,13 @@ class Actor:
             self.ledger.take(
                 f"{self.path}.does.{k}.act", *([f"{self.path}.does.{k}.breaks"] if self._breaks(deed) else [])
             )
-        if self.lies or (self.one.role is Role.HIDES and all(deed.act is Act.STAND for deed in self.deeds)):
+        hides = any(other.hidden_by == self.one.id for other in self.ledger.situation.others)
+        stands = all(deed.act is Act.STAND for deed in self.deeds)
+        if (
+            self.lies
+            or (self.one.role is Role.HIDES and stands)
+            or (self.one.role is Role.SUPPORTING and hides and stands)
+        ):
             return ("Halt()",) if self.one.role is Role.ADVERSARY else ()
         phases = tuple(self._phases())  # all of them first: a later one may bind a number that an earlier one reads
         return tuple(self.filled(text) for text in phases)
@@ -332,9 +337,18 @@ class Actor:
                 return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < 2.2 + $OFFSET"
             case Meets.ALONG if stands_first(self.one) and not stand.behind:
                 return "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0]) < 3.6 + $OFFSET"
+            case _ if (shown := self._shows()) is not None:
+                return f"headway(egoRoute, self, {name_of(shown.id)}) < self.pose[3] * (1 + $LEAD_TIME) + 5"
             case _:
                 ahead = 2.0 if at_junction(self.ledger.situation) else 1.0
                 return f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {ahead:g} + $OFFSET"
+
+    def _shows(self) -> Other | None:
+        """Who stands before it in the ego's lane, if it leaves that and so shows who stands there."""
+        if self.one.starts.where is not Where.AHEAD or not self.deeds or self.deeds[0].act is not Act.CUT_OUT:
+            return None
+        others = (one for one in self.ledger.situation.others if one.id != self.one.id)
+        return next((one for one in others if one.starts.where is Where.AHEAD and stands_first(one)), None)
 
     def _lost(self) -> float:
         """How much later [s] than at its speed from the first it is there after a halt, by its own pedals."""

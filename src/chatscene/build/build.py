@@ -10,13 +10,13 @@ from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import Found, find, met_first, started
 from chatscene.build.possible import impossible
-from chatscene.build.starts import Meets
+from chatscene.build.starts import Meets, stands_first
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
-from chatscene.terms.vocabulary import Role
+from chatscene.terms.vocabulary import Act, Role
 
 ROOM = 3.0  # [m] between who stand in a row
 
@@ -86,11 +86,11 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
     """All others, those who hide somebody after whom they hide; with whom each hides."""
     situation = ledger.situation
     built: dict[str, Actor] = {}
-    rows: dict[tuple[str, str], tuple[Actor, float]] = {}
+    rows: dict[tuple[str, str, bool], tuple[Actor, float]] = {}
     order: list[tuple[Actor, Actor | None]] = []
     for one in sorted(situation.others, key=lambda other: _hides(situation, other) is not None):
         hidden = _hides(situation, one)
-        place = (str(one.starts.where), str(one.starts.side))
+        place = (str(one.starts.where), str(one.starts.side), stands_first(one))
         shares = hidden is None and one.starts.distance is None  # else it stands where it was said to
         first, room = rows.get(place, (None, 0.0)) if shares else (None, 0.0)
         actor = Actor(ledger, found, started(one, found.sides), ego.coming, room, first)
@@ -103,9 +103,10 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
 
 
 def _hides(situation: Situation, one: Other) -> str | None:
-    """The id of whom somebody hides, who only hides."""
+    """The id of whom somebody hides, who only hides or stands."""
     hidden = next((other.id for other in situation.others if other.hidden_by == one.id), None)
-    return hidden if one.role is Role.HIDES else None
+    stands = one.role is Role.SUPPORTING and all(deed.act is Act.STAND for deed in one.does)
+    return hidden if one.role is Role.HIDES or stands else None
 
 
 def _title(situation: Situation) -> str:

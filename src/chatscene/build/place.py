@@ -341,9 +341,27 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         base["lane"] = road.ego_lane
     if road.two_way is not None and not at_junction(situation):
         base["opposite"] = road.two_way
+    if not (lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
+        lanes = [str(side) for one in others if (side := _goes_over(one)) is not None]
     sites = [SITES[one].value for one in road.has if one in SITES and not at_junction(situation)]
+    if any(one.starts.where is Where.BUS_BAY for one in others) and not at_junction(situation):
+        sites = [Site.BUS_BAY.value]
+        base = base | {"site": Site.BUS_BAY.value}
     for here in (*(base | {"site": site} for site in sites), base):
         yield from _on_road(situation, sides, here, lanes)
+
+
+_GOES_OVER = {
+    Act.CUT_OUT: frozenset((Where.AHEAD,)),
+    Act.LANE_CHANGE: frozenset((Where.AHEAD,)),
+    Act.OVERTAKE: frozenset((Where.BEHIND,)),
+}
+
+
+def _goes_over(one: Other) -> Side | None:
+    """On which side of the ego's lane there must be one of its direction, since somebody goes over there."""
+    sides = (deed.to or Side.LEFT for deed in one.does if one.starts.where in _GOES_OVER.get(deed.act, ()))
+    return next(sides, None) if one.kind.moves is not Moves.LIES else None
 
 
 def _on_road(

@@ -26,7 +26,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Side, Where
 from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
 _EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
@@ -406,6 +406,18 @@ def _kerb(asked: Asked) -> Stand:
     )
 
 
+def _bus_bay(asked: Asked) -> Stand:
+    """In a bay beside the lane, some way into it."""
+    asked.reach(6, 14, "how far into the bay it is")
+    edge = 'besideRoad(egoRoute, egoRoute.eventAt + 10, "right", 1.6)'
+    return Stand(
+        meets=Meets.KERB,
+        way=f"ownLane(egoRoute).offset(ownLane(egoRoute).project(*{edge}.coordinates[:2])[1])",
+        at=f"egoRoute.eventAt + $Y{asked.more}",
+        ego_meets="progressOn(egoRoute, self)[0]",
+    )
+
+
 def _exit(asked: Asked) -> Stand:
     asked.reach(6, 14, "how far behind the junction it is")
     return Stand(meets=Meets.ALONG, at=f"egoRoute.exitAt + $Y{asked.more}")
@@ -450,6 +462,7 @@ STARTS: dict[Where, Callable[[Asked], Stand]] = {
     Where.KERB: _kerb,
     Where.DRIVEWAY: _beside_road,
     Where.CROSSING: _beside_road,
+    Where.BUS_BAY: _bus_bay,
     Where.EXIT: _exit,
     Where.EXIT_CROSSING: _beside_road,
     Where.MEDIAN: _median,
@@ -457,6 +470,10 @@ STARTS: dict[Where, Callable[[Asked], Stand]] = {
     Where.IN_ROUNDABOUT: _roundabout,
     Where.ROUNDABOUT_ENTRY: _roundabout,
 }
+
+
+NEAREST = {Where.OFF_RAMP: f"{Where.AHEAD_BESIDE}, on the right, where the road has an {Feature.OFF_RAMP}"}
+"""For places where nobody is put yet: what can be said in their place."""
 
 
 def start_of(asked: Asked) -> Stand:
@@ -467,5 +484,6 @@ def start_of(asked: Asked) -> Stand:
     """
     where = asked.one.starts.where
     if where not in STARTS:
-        raise NotBuilt(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}")
+        near = f"; the nearest is {NEAREST[where]}" if where in NEAREST else ""
+        raise NotBuilt(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}{near}")
     return STARTS[where](asked)

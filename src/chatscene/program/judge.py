@@ -140,6 +140,7 @@ STARTS: dict[Where, Callable[[Seen], bool]] = {
     Where.EXIT_CROSSING: _at(Position.FAR_CORNER),
     Where.KERB: lambda s: s.lead[0] > 0.0 and not _in_lane(s) and abs(s.track.speed[0]) < STANDING,
     Where.EXIT: _at(Position.BEYOND),
+    Where.BUS_BAY: _beside_road,
     Where.MEDIAN: lambda s: s.lead[0] > 0.0 and 1.0 < s.offset[0] < 4.0,
     Where.ON_RAMP: lambda s: s.lead[0] > -12.0 and s.offset[0] < -1.6,
 }
