@@ -15,7 +15,7 @@ from chatscene.maps.off_lane import CURB_RADIUS, DRIVEWAY, KERB
 from chatscene.situations.form import from_plain
 from chatscene.world.places import choose_route, ownLane
 
-EDGES = {
+EDGES: dict[str, tuple[dict[str, Any], float, float]] = {
     "leave-parking": ({"begins": "kerb"}, KERB, 0.0),
     "leave-driveway": ({"begins": "driveway"}, CURB_RADIUS + DRIVEWAY, 0.0),
     "park": ({"ends": "kerb"}, 0.0, KERB),

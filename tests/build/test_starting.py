@@ -123,8 +123,10 @@ def test_a_faster_ego_has_more_road_before_what_happens() -> None:
 ROUND = {"in the ring": "in-roundabout", "at an entry": "roundabout-entry"}
 
 
-def in_roundabout(where: str, route: str = "roundabout", *acts: str, **start: Any) -> dict[str, Any]:
-    return someone(where, *(acts or ("go-along",)), ego={"route": route}, **start) | {"road": {"kind": "roundabout"}}
+def in_roundabout(where: str, route: str = "roundabout", *acts: str, **start: str) -> dict[str, Any]:
+    said = someone(where, *(acts or ("go-along",)), ego={"route": route})
+    said["others"][0]["starts"] |= start
+    return said | {"road": {"kind": "roundabout"}}
 
 
 @pytest.mark.parametrize("where", ROUND.values())
@@ -174,3 +176,21 @@ def test_a_rule_that_is_broken_is_there(breach: str, control: str) -> None:
     said = someone("arm", "go-straight", side="left")
     said["others"][0]["does"][0]["breaks"] = breach
     assert f"control='{control}'" in build(from_plain(said)).program.source
+
+
+@pytest.mark.parametrize("ego", ["idm", "planner"])
+def test_who_yields_stands_until_the_ego_has_gone_by_and_then_goes(ego: str) -> None:
+    episode = driven(someone("arm", "yield", side="right"), ego=ego)
+    there, own = track(episode), episode.ego_track
+    off = int(np.flatnonzero(np.abs(there.speed) < 0.1)[-1])
+    level = (own.x - there.x[off]) * np.cos(own.heading[0]) + (own.y - there.y[off]) * np.sin(own.heading[0])
+    assert level[off] > 3.0
+    assert there.speed[off:].max() > 3.0
+
+
+def test_who_parks_comes_to_stand_at_the_kerb() -> None:
+    episode = driven(someone("ahead", "park"))
+    there, own = track(episode), episode.ego_track
+    aside = (there.x - own.x[0]) * np.sin(own.heading[0]) - (there.y - own.y[0]) * np.cos(own.heading[0])
+    assert aside[-1] > 2.0
+    assert there.speed[-1] < 0.1

@@ -20,6 +20,7 @@ from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, When
 from chatscene.terms.vocabulary import Act, Breach, EgoLight, Facing, Manner, Role, Side, UserKind, Where
 
 LEAST = 0.64  # of the ego's speed that whoever keeps its distance goes on at: else both slow down for each other
+YIELDS = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
 SOME = 3  # of a group whose size was not said
 _STEP = 0.1  # [s], in which setting off is computed
 NEAR_LANE = 2.5  # [m] from the ego's line: so near it is seen that somebody means to cross
@@ -143,6 +144,8 @@ class Actor:
         ego = AdversaryKind.CAR.row.limits
         late = -0.5 * (ego.length + self.limits.length) / self.ego_speed
         early = (ego.width + self.limits.length) / self.numbers.middle("SPEED")
+        if self.deeds and self.deeds[0].act is Act.YIELD:  # who waits for the ego is there well before it
+            late, early = YIELDS
         low, high, *taken = aimed(self.ledger.situation.contact, self.one, late, early)
         self.ledger.take(*taken)
         self.numbers.narrow("OFFSET", low, high)
@@ -262,6 +265,7 @@ class Actor:
             yield f"{pace} until headway(egoRoute, ego, self) > {ahead}"
         for text in phases:
             said = self._of_deed(k, text, steps)
+            said = said.replace("{meets}", self.stand.ego_meets)
             yield said.replace("{aside}", self._aside(deed, k)).replace("{p}", way or "{p}")
         if deed.to is not None and deed.act in (Act.CUT_OUT, Act.LANE_CHANGE, Act.OVERTAKE):
             if self.named.setdefault("side", str(deed.to)) != str(deed.to):

@@ -119,7 +119,7 @@ def control_of(situation: Situation) -> RightOfWay | None:
     if situation.road.ego_light is not None:
         return RightOfWay.SIGNAL
     broken = (deed.breaks for one in situation.others for deed in one.does)
-    return next((_RULED[breach] for breach in broken if breach in _RULED), None)
+    return next((_RULED[breach] for breach in broken if breach is not None and breach in _RULED), None)
 
 
 def at_roundabout(situation: Situation) -> bool:
@@ -332,8 +332,8 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         if one.starts.where in NEXT_LANE and not rides_at_edge(one)
     ]
     for name, edges in (("begins", BEGINS), ("ends", ENDS)):
-        if situation.ego.route in edges:
-            base[name] = edges[situation.ego.route].value
+        if (edge := edges.get(situation.ego.route)) is not None:
+            base[name] = edge.value
             lanes = []  # beside the ego is its own lane, if it is in none
     if road.lanes is not None:
         base["lanes"] = road.lanes

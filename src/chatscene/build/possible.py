@@ -33,6 +33,7 @@ FROM: dict[Act, frozenset[Where]] = {
     Act.LANE_CHANGE: _NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ON_RAMP},
     Act.TURN_LEFT: _NEXT_LANE | _AGAINST | {Where.ARM},
     Act.TURN_RIGHT: _NEXT_LANE | _AGAINST | {Where.ARM},
+    Act.YIELD: _JOINS | _AGAINST | {Where.ARM},
     Act.TURN_BACK: _OFF_ROAD | {Where.AHEAD, Where.ARM},
     Act.DRIFT: frozenset(Where) - _OFF_ROAD - {Where.ONCOMING_IN_OUR_LANE},
 }

@@ -28,8 +28,12 @@ MANEUVERS: dict[EgoRoute | None, Maneuver] = {
 }
 """What a route finder is asked for; for the ways of an ego that are not here, no map is asked."""
 
-BEGINS = {EgoRoute.LEAVE_PARKING: Beside.KERB, EgoRoute.LEAVE_DRIVEWAY: Beside.DRIVEWAY}
-ENDS = {EgoRoute.PARK: Beside.KERB, EgoRoute.ENTER_DRIVEWAY: Beside.DRIVEWAY, EgoRoute.U_TURN: Beside.BACK}
+BEGINS: dict[EgoRoute | None, Beside] = {EgoRoute.LEAVE_PARKING: Beside.KERB, EgoRoute.LEAVE_DRIVEWAY: Beside.DRIVEWAY}
+ENDS: dict[EgoRoute | None, Beside] = {
+    EgoRoute.PARK: Beside.KERB,
+    EgoRoute.ENTER_DRIVEWAY: Beside.DRIVEWAY,
+    EgoRoute.U_TURN: Beside.BACK,
+}
 """Where the ego's way begins or ends beside its lane."""
 
 CONTROLS = {
