@@ -99,7 +99,9 @@ def test_a_speed_for_which_the_road_is_too_short_is_refused_with_the_most() -> N
 def test_who_was_said_to_be_far_ahead_is_so_far_ahead_on_a_longer_road(where: str, metres: float) -> None:
     side = {"side": "right"} if where == "roadside" else {}
     kind, act = ("pedestrian", "cross") if where == "roadside" else ("car", "stand")
-    episode = driven(someone(where, act, kind=kind, distance=f"{metres:g} m", **side))
+    said = someone(where, act, kind=kind, distance=f"{metres:g} m")
+    said["others"][0]["starts"] |= side
+    episode = driven(said)
     there, ego = track(episode), episode.ego_track
     level = abs((there.x[0] - ego.x[0]) * np.cos(ego.heading[0]) + (there.y[0] - ego.y[0]) * np.sin(ego.heading[0]))
     assert level == pytest.approx(metres, abs=1.0)
