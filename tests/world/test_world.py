@@ -84,6 +84,11 @@ def test_crossing_axes_never_have_green_at_once(mode: str) -> None:
 def test_a_held_signal_does_not_change() -> None:
     assert set(signal_states("ego-green", True, 50, DT)) == {"g"}
     assert set(signal_states("ego-red", True, 50, DT)) == {"r"}
+    for mode, shown in (("ego-turns-green", "rg"), ("ego-turns-red", "gyr"), ("ego-yellow", "gyr")):
+        own, other = (signal_states(mode, axis, 150, DT) for axis in (True, False))
+        assert "".join(dict.fromkeys(own)) == shown
+        assert all("r" in pair for pair in zip(own, other, strict=True))
+    assert signal_states("ego-yellow", True, 60, DT)[50] == "y"
 
 
 TOWN = resolve_map("town")

@@ -6,10 +6,11 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from chatscene.build.coming import Coming
 from chatscene.build.deeds import OWN
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
-from chatscene.build.numbers import Numbers
+from chatscene.build.numbers import PACES, Numbers
 from chatscene.build.opening import LANE
 from chatscene.build.phases import Phases
 from chatscene.build.place import Found
@@ -18,11 +19,13 @@ from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import SEVERAL, Deed, Other
-from chatscene.terms.vocabulary import Role, Side, UserKind
+from chatscene.terms.vocabulary import Act, Role, Side, UserKind
 from chatscene.world.places import lanes_beside
 
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
+_AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
+_OFF = frozenset((Act.SET_OFF, Act.STAND))
 
 
 @dataclass(slots=True)
@@ -33,7 +36,7 @@ class Actor:
         ledger: What was said, and what became of it.
         found: Where it happens.
         one: Who.
-        ego_speed: What the ego drives at [m/s].
+        ego: How the ego gets on.
         room: How far [m] beyond the first of its place it stands.
         first: In whose row it stands, whose place it shares; None if it is the first.
         needs: How long [s] the ego must need at least to where they meet.
@@ -44,7 +47,7 @@ class Actor:
     ledger: Ledger
     found: Found
     one: Other
-    ego_speed: float
+    ego: Coming
     room: float = 0.0
     first: Actor | None = None
     numbers: Numbers = field(init=False)
@@ -59,11 +62,18 @@ class Actor:
     def __post_init__(self) -> None:
         row = self.one.kind.row.body.row
         self.numbers = Numbers(self.one.id, row)
+        self.deeds = self.one.does
+        self._bind_speed()
         asked = Asked(
-            situation=self.ledger.situation, found=self.found, one=self.one, numbers=self.numbers, room=self.room
+            situation=self.ledger.situation,
+            found=self.found,
+            one=self.one,
+            numbers=self.numbers,
+            ego=self.ego,
+            room=self.room,
+            first=self.first.stand if self.first is not None else None,
         )
         self.stand = start_of(asked)
-        self.deeds = self.one.does
         self.named = {}
         at = f"others.{self.one.id}"
         self.ledger.take(f"{at}.kind", f"{at}.count", f"{at}.starts.where", f"{at}.starts.side")
@@ -73,6 +83,11 @@ class Actor:
             self.ledger.assume(f"{self.one.id} is a {row.scenic.lower()}, since nothing is built as a {self.one.kind}")
         if self.one.count == SEVERAL:
             self.ledger.assume(f"of {self.one.id} there are {SOME}, since their number was not said")
+
+    @property
+    def ego_speed(self) -> float:
+        """What the ego drives at [m/s]."""
+        return self.ego.speed
 
     @property
     def path(self) -> str:
@@ -99,6 +114,30 @@ class Actor:
         """How many there are."""
         return self.one.count or SOME
 
+    # Numbers
+
+    def _bind_speed(self) -> None:
+        """Let it come as fast as was said of how it begins, or of how it goes on."""
+        numbers, deeds = self.numbers, self.deeds
+        paces = {deed.manner for deed in deeds if deed.manner in PACES}
+        if len(paces) == 1 and any(deed.manner in PACES and deed.act in _AT_ONE_SPEED for deed in deeds):
+            low, high, *_ = numbers.ranges[PACES[paces.pop()]]
+            numbers.narrow("SPEED", low, high)
+        if (start := self.one.starts.speed) is not None and not stands_first(self.one):
+            numbers.bind("SPEED", start, self.ego_speed)
+        for k, deed in enumerate(deeds):
+            if deed.speed is not None and self.one_speed and self.moves_first(k) and deed.act in _AT_ONE_SPEED:
+                numbers.bind("SPEED", deed.speed, self.ego_speed, f"{self.path}.does.{k}.speed")
+
+    @property
+    def one_speed(self) -> bool:
+        """Whether one speed at most was said of it, which then is its speed all the time."""
+        return sum(deed.speed is not None for deed in self.deeds) + (self.one.starts.speed is not None) <= 1
+
+    def moves_first(self, k: int) -> bool:
+        """Whether a deed is the first in which it goes anywhere."""
+        return all(deed.act in _OFF for deed in self.deeds[:k])
+
     # Its plan
 
     def phases(self) -> tuple[str, ...]:
@@ -122,7 +161,10 @@ class Actor:
         one = name_of(self.one.id)
         first = one if self.count > 1 else "self"
         text = text.replace("{beside}", f"beside{one}").replace("{ours}", f"ours{one}")
-        text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first)
+        row = name_of(self.first.one.id) if self.first is not None else one
+        text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first).replace("{row}", row)
+        if self.first is not None and self.stand.rolls and not self.numbers.is_said("SPEED"):
+            text = re.sub(r"\$SPEED(?![A-Z0-9_])", self.first.numbers.value("SPEED"), text)  # in a row they go alike
         if self.first is not None and "$Y" in text:
             text = text.replace("$Y", f"<{self.first.one.id}>")
             return self.numbers.filled(text).replace(f"<{self.first.one.id}>", self.first.numbers.value("Y"))
@@ -172,6 +214,9 @@ class Actor:
 
     def _moving(self, phases: Sequence[str]) -> str:
         """Its speed at first: who goes the ego's way is under way as the ego is."""
+        if phases and self.stand.rolls:
+            self.ledger.take(f"{self.path}.starts.speed")
+            return self.filled(", with speed $SPEED")
         if not phases or self.stand.meets is not Meets.ALONG or stands_first(self.one) or self.lies:
             return ""
         if self.one.starts.speed is not None:

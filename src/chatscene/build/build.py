@@ -10,15 +10,15 @@ from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.place import Found, find, met_first, started
-from chatscene.build.possible import impossible
-from chatscene.build.starts import Meets
+from chatscene.build.possible import OFF_ROAD, impossible
+from chatscene.build.starts import Meets, stands_first
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
-from chatscene.terms.vocabulary import Role, Where
+from chatscene.terms.vocabulary import Act, Role, Where
 
 ROOM = 3.0  # [m] between who stand in a row
 _SAME = {Where.DRIVEWAY: "roadside", Where.IN_ROUNDABOUT: "roundabout-entry"}
@@ -58,8 +58,8 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
     ledger, found, ego, everybody, body = _cast(situation, NOMINAL.speed)
-    slow = min((one.reaches / one.needs for one, _ in everybody if one.needs > 0.0), default=ego.speed)
-    if slow < ego.speed and situation.ego.speed is None:  # it would be there before the others are done
+    slow = min((one.reaches / one.needs for one, _ in everybody if one.needs > 0.0), default=ego.coming.speed)
+    if slow < ego.coming.speed and situation.ego.speed is None:  # it would be there before the others are done
         ledger, found, ego, everybody, body = _cast(situation, max(slow, SLOWEST))
     numbers = sorted((one for actor, _ in everybody for one in actor.numbers.declared(body)), key=lambda one: one.name)
     around = _around(ledger)
@@ -106,14 +106,15 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
     """All others, those who hide somebody after whom they hide; with whom each hides."""
     situation = ledger.situation
     built: dict[str, Actor] = {}
-    rows: dict[tuple[str, str], tuple[Actor, float]] = {}
+    rows: dict[tuple[str, str, bool], tuple[Actor, float]] = {}
     order: list[tuple[Actor, Actor | None]] = []
     for one in sorted(situation.others, key=lambda other: _hides(situation, other) is not None):
         hidden = _hides(situation, one)
-        place = (_SAME.get(one.starts.where, str(one.starts.where)), str(one.starts.side))
+        stands = stands_first(one) and one.starts.where not in OFF_ROAD
+        place = (_SAME.get(one.starts.where, str(one.starts.where)), str(one.starts.side), stands)
         shares = hidden is None and one.starts.distance is None  # else it stands where it was said to
         first, room = rows.get(place, (None, 0.0)) if shares else (None, 0.0)
-        actor = Actor(ledger, found, started(one, found.sides), ego.speed, room, first)
+        actor = Actor(ledger, found, started(one, found.sides), ego.coming, room, first)
         built[one.id] = actor
         if hidden is None:
             long = 2.5 if actor.stand.meets is Meets.ACROSS else actor.count * (actor.limits.length + ROOM)
@@ -123,9 +124,10 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
 
 
 def _hides(situation: Situation, one: Other) -> str | None:
-    """The id of whom somebody hides, who only hides."""
+    """The id of whom somebody hides, who only hides or stands."""
     hidden = next((other.id for other in situation.others if other.hidden_by == one.id), None)
-    return hidden if one.role is Role.HIDES else None
+    stands = one.role is Role.SUPPORTING and all(deed.act is Act.STAND for deed in one.does)
+    return hidden if one.role is Role.HIDES or stands else None
 
 
 def _title(situation: Situation) -> str:

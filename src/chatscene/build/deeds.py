@@ -21,7 +21,9 @@ def _none() -> dict[str, str]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Steps:
-    """How an act is done. In texts ``{p}`` is the line it goes along, ``$NAME`` a parameter.
+    """How an act is done.
+
+    In texts ``{p}`` is the line it goes along, ``$NAME`` a parameter, ``{meets}`` where on the ego's route it meets it.
 
     Attributes:
         does: The phases, where something else follows.
@@ -52,6 +54,7 @@ def _each(acts: Iterable[Act], steps: Steps) -> dict[Act, Steps]:
 
 GO = "DrivePath({p}, $SPEED)"
 BRAKES = f"BrakeOnPath({{p}}, $BRAKE) until {STILL}"
+_BY = "Halt() until progressOn(egoRoute, ego)[0] > {meets} + 6"
 _TURNS = (Act.TURN_LEFT, Act.TURN_RIGHT)
 _GOES = Steps(
     does=(GO + " for $GO_TIME seconds",), last=(GO,), binds={"speed": "SPEED", "time": "GO_TIME"}, lasting=True
@@ -177,6 +180,15 @@ ALONG: dict[Act, Steps] = {
         binds={"speed": "SPEED"},
     ),
     Act.CROSS: replace(_GOES, lasting=False),
+    Act.PARK: Steps(
+        does=("DrivePath({p}, $SLOW, -2.8) for 3 seconds", BRAKES),
+        last=("DrivePath({p}, $SLOW, -2.8) for 3 seconds", BRAKES, "Halt()"),
+        binds={"speed": "SLOW"},
+        still=True,
+        going=True,
+        pace=Pace.STANDS,
+    ),
+    Act.YIELD: Steps(does=(BRAKES, _BY), last=(BRAKES, _BY, GO), still=True, going=True, pace=Pace.STANDS),
 }
 """Of somebody who goes the ego's way, comes through a junction, or leaves the kerb."""
 _INTO_OURS = Steps(

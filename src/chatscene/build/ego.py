@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
+from chatscene.build.coming import Coming, coming, wanted_by
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import Found, at_junction
 from chatscene.errors import NotBuilt
+from chatscene.maps.routes import TO_LINE
+from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL
+from chatscene.terms.routing import BEGINS
 from chatscene.terms.situation import Deed
-from chatscene.terms.vocabulary import Act, EgoLight, Manner, RightOfWay
+from chatscene.terms.vocabulary import Act, EgoLight, Manner
 
 LINE = 3.5  # [m] before the junction the centre of an ego stands whose nose is at the line
 STAND = 4.0  # [s] that somebody stands who sets off again
+BESIDE = 3.0  # [s] that the ego stands beside its lane before it comes into it
 SLOW = 3.0  # [m/s]
 
 
@@ -23,12 +29,12 @@ class BuiltEgo:
 
     Attributes:
         params: Lines before the route is chosen.
-        speed: What it drives at where nothing holds it [m/s].
+        coming: How it gets on.
         properties: What stands behind its place.
     """
 
     params: tuple[str, ...]
-    speed: float
+    coming: Coming
     properties: str
 
 
@@ -45,37 +51,41 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     """
     situation = ledger.situation
     ego, junction = situation.ego, at_junction(situation)
-    speed = at_most
+    speed = wanted_by(situation) if ego.speed is not None else at_most
     if ego.speed is not None:
-        speed = ego.speed.high if ego.speed.high < float("inf") else ego.speed.low
         ledger.take("ego.speed")
     else:  # others are timed by it, so that it is wanted of every ego
         ledger.assume(f"the ego wants {3.6 * speed:.0f} km/h, which was not said")
     wanted = f", with wantedSpeed {speed:.4g}"
     stop = found.route.eventAt - (LINE if junction else 0.0)
-    orders = list(_orders(ledger, ego.does, stop, speed))
+    orders = tuple(_orders(ledger, ego.does, stop, speed))
     stands = bool(ego.does) and ego.does[0].act is Act.STAND
+    if ego.route in BEGINS and not ego.does:  # others are to come from behind meanwhile
+        stands, orders = True, (Order(at_most=0, till=BESIDE),)
+        ledger.assume(f"the ego stands beside its lane for {BESIDE:g} s, which was not said")
     params = ["param egoStart = 'at-line'"] if stands and junction else []
     params += _lights(ledger, found)
     moving = "" if stands else f", with speed {speed:.4g}"
-    given = f", with orders ({', '.join(orders)},)" if orders else ""
-    return BuiltEgo(params=tuple(params), speed=speed, properties=moving + wanted + given)
+    given = f", with orders ({', '.join(map(_written, orders))},)" if orders else ""
+    comes = coming(speed, orders, TO_LINE if stands and junction else found.route.eventAt, stands=stands)
+    return BuiltEgo(params=tuple(params), coming=comes, properties=moving + wanted + given)
+
+
+def _written(order: Order) -> str:
+    """An order as a program has it."""
+    given = {one.name: getattr(order, one.name) for one in fields(Order)}
+    usual = {one.name: one.default for one in fields(Order)}
+    return f"Order({', '.join(f'{name}={value:.4g}' for name, value in given.items() if value != usual[name])})"
 
 
 def _lights(ledger: Ledger, found: Found) -> list[str]:
-    road = ledger.situation.road
-    if road.control is not RightOfWay.SIGNAL and road.ego_light is None:
-        return []
     if found.query.get("control") != "signal":
         return []
-    lights = {None: "ego-green", EgoLight.GREEN: "ego-green", EgoLight.RED: "ego-red"}
-    if road.ego_light not in lights:
-        raise NotBuilt(f"nothing builds yet: road.ego_light: {road.ego_light}")
     ledger.take("road.ego_light")
-    return [f"param signals = '{lights[road.ego_light]}'"]
+    return [f"param signals = 'ego-{ledger.situation.road.ego_light or EgoLight.GREEN}'"]
 
 
-def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) -> Iterator[str]:
+def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) -> Iterator[Order]:
     for k, deed in enumerate(deeds):
         at, then = f"ego.does.{k}", deeds[k + 1].act if k + 1 < len(deeds) else None
         ledger.take(f"{at}.act")
@@ -85,22 +95,21 @@ def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) 
         match deed.act:
             case Act.STAND:
                 wait = _seconds(ledger, deed, at)
-                yield f"Order(at_most=0, till={wait:g})" if again or deed.time is not None else "Order(at_most=0)"
+                yield Order(at_most=0, till=wait if again or deed.time is not None else math.inf)
             case Act.STOP:
                 till = max(stop, 0.0) / speed + speed / 6.0 + _seconds(ledger, deed, at)
-                braking = _braking(ledger, deed, at, 3.0)
-                ending = f", till={till:.1f}" if again or deed.time is not None else ""
-                yield f"Order(at_most=0, place={stop:.1f}{braking}{ending})"
+                ends = round(till, 1) if again or deed.time is not None else math.inf
+                yield Order(at_most=0, place=round(stop, 1), till=ends, braking=_braking(ledger, deed, at, 3.0))
             case Act.SLOW_DOWN | Act.BRAKE:
                 hard = deed.act is Act.BRAKE
                 to = deed.speed.high if deed.speed is not None else 1.0 if hard else SLOW
                 if deed.speed is not None:
                     ledger.take(f"{at}.speed")
                 braking = _braking(ledger, deed, at, 6.0 if hard else 2.5)
-                yield f"Order(at_most={to:.4g}, place={stop:.1f}{braking})"
+                yield Order(at_most=to, place=round(stop, 1), braking=braking)
             case Act.GO_ALONG if deed.manner is Manner.SLOW or deed.speed is not None:
                 ledger.take(f"{at}.speed" if deed.speed is not None else f"{at}.manner")
-                yield f"Order(at_most={deed.speed.high if deed.speed is not None else SLOW:.4g})"
+                yield Order(at_most=deed.speed.high if deed.speed is not None else SLOW)
             case Act.GO_ALONG | Act.SET_OFF | Act.YIELD | Act.FOLLOW:
                 pass  # which is left to the ego
             case _:
@@ -114,8 +123,8 @@ def _seconds(ledger: Ledger, deed: Deed, at: str) -> float:
     return deed.time.low if deed.time.low > 0 else deed.time.high
 
 
-def _braking(ledger: Ledger, deed: Deed, at: str, usual: float) -> str:
+def _braking(ledger: Ledger, deed: Deed, at: str, usual: float) -> float:
     if deed.acceleration is None:
-        return f", braking={usual:g}"
+        return usual
     ledger.take(f"{at}.acceleration")
-    return f", braking={deed.acceleration.within(0.5, max(usual, deed.acceleration.low))[0]:.4g}"
+    return deed.acceleration.within(0.5, max(usual, deed.acceleration.low))[0]

@@ -6,12 +6,13 @@ import math
 from typing import TYPE_CHECKING
 
 from chatscene.build.opening import LANE
+from chatscene.build.place import ring_arms
 from chatscene.build.starts import Meets
 from chatscene.errors import MapError, NotBuilt
 from chatscene.terms.situation import Deed
 from chatscene.terms.vocabulary import Act, Breach, EgoLight, Where
 from chatscene.world.control import curve_speeds
-from chatscene.world.places import line_of, trafficFrom
+from chatscene.world.places import line_of, ringTraffic
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -26,7 +27,7 @@ def breaks(actor: Actor, deed: Deed) -> bool:
     match deed.breaks:
         case Breach.RED_LIGHT:
             with_us = actor.one.starts.where in (Where.ONCOMING, Where.EXIT_CROSSING)
-            red = (actor.ledger.situation.road.ego_light is EgoLight.RED) == with_us
+            red = (actor.ledger.situation.road.ego_light in (EgoLight.RED, EgoLight.TURNS_RED)) == with_us
             return moves and control == "signal" and (red or with_us)
         case Breach.STOP_SIGN:
             return moves and control == "stop-sign"
@@ -44,7 +45,7 @@ def check_round(actor: Actor, k: int) -> None:
     if said is None or said.than_ego:
         return
     try:
-        way = trafficFrom(actor.found.route, "left")[0]
+        way = ringTraffic(actor.found.route, *ring_arms(actor.one, actor.found.sides))
     except MapError as error:
         raise NotBuilt(f"no map has such a place: {error}") from error
     line = line_of(way)

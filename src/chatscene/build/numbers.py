@@ -132,6 +132,10 @@ class Numbers:
         low, high, *_ = self.range_of(name)
         return (low + high) / 2
 
+    def is_said(self, name: str) -> bool:
+        """Whether it was said."""
+        return name in self.bound
+
     def range_of(self, name: str) -> tuple[float, float, str, str]:
         """The range of a parameter, or of that which it is for one deed alone, as ``BRAKE_1`` is of ``BRAKE``."""
         if name in self.ranges:

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from chatscene.build.deeds import GO
+from chatscene.build.deeds import GO, MOVE
+from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace
 from chatscene.build.place import at_junction
 from chatscene.build.starts import Meets, stands_first
@@ -53,12 +54,14 @@ class Opening:
         lasting = all(one.lasting for one in steps)
         if lasting and (actor.stand.meets is Meets.ALONG or self._goes_along()):
             return
-        self._make_room()
+        if not actor.stand.rolls:
+            self._make_room()
         if deed.act is Act.STAND and deed.time is not None:
             return  # it stands so long from the beginning
         if stands_first(actor.one):
             yield f"{waits} for {STOOD:g} seconds"
-        yield f"{waits} until {self._due()}"
+        if not actor.stand.rolls or actor.stand.meets is Meets.ALONG:
+            yield f"{waits} until {self._due()}"
         if actor.stand.meets is Meets.TOWARD and not steps[self.first].lasting:
             seconds = f"($LEAD_TIME + {self.ahead.seconds:.1f})" if self.ahead.seconds else "$LEAD_TIME"
             yield f"{self._go()} until gap(self, ego) < (self.pose[3] + ego.pose[3]) * {seconds}"
@@ -135,21 +138,27 @@ class Opening:
     def _waits(self) -> str:
         actor = self.phases.actor
         stands = stands_first(actor.one)
+        if actor.stand.rolls:
+            return MOVE if actor.stand.meets is Meets.ACROSS else GO
         match actor.stand.meets:
             case Meets.ALONG | Meets.KERB if stands or actor.stand.meets is Meets.KERB:
                 return "Park()"
             case Meets.ALONG:
-                speed = self.phases.paces.before[self.first]
-                if speed.name and self.phases.keeps_distance:  # at a speed that the ego has not
-                    return GO.replace("$SPEED", f"${speed.name}")
-                ahead = "-$Y" if actor.stand.behind else "$Y"
-                if not self.phases.keeps_distance:
-                    return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, 2)"
-                return f"PaceOnPath({{p}}, ego, {ahead}, 40, {self.phases.follows:.3g})"
+                return self._keeps_pace()
             case Meets.ACROSS if actor.one.starts.where is Where.AHEAD and not stands:
                 return f"MoveAhead(${self._speed()})"  # on foot in the lane
             case _:
                 return "Halt()"
+
+    def _keeps_pace(self) -> str:
+        """It goes as fast as the ego, or at a speed that the ego has not."""
+        speed = self.phases.paces.before[self.first]
+        if speed.name and self.phases.keeps_distance:
+            return GO.replace("$SPEED", f"${speed.name}")
+        ahead = "-$Y" if self.phases.actor.stand.behind else "$Y"
+        if not self.phases.keeps_distance:
+            return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, 2)"
+        return f"PaceOnPath({{p}}, ego, {ahead}, 40, {self.phases.follows:.3g})"
 
     def _due(self) -> str:
         """When the first deed is due: when the ego needs so many seconds more than it does to where they meet."""
@@ -168,8 +177,18 @@ class Opening:
             case Meets.ALONG if stands_first(self.phases.actor.one) and not stand.behind:
                 there = "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0])"
                 return f"{there} < {wait:.2f} + $OFFSET" + self._or_yields()
+            case _ if (shown := self._shows()) is not None:
+                return f"headway(egoRoute, self, {name_of(shown.id)}) < self.pose[3] * (1 + $LEAD_TIME) + 5"
             case _:
                 return f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
+
+    def _shows(self) -> Other | None:
+        """Who stands before it in the ego's lane, if it leaves that and so shows who stands there."""
+        actor = self.phases.actor
+        if actor.one.starts.where is not Where.AHEAD or not actor.deeds or actor.deeds[0].act is not Act.CUT_OUT:
+            return None
+        others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
+        return next((one for one in others if one.starts.where is Where.AHEAD and stands_first(one)), None)
 
     def _or_yields(self) -> str:
         """An ego that stops for who stands in or beside its lane would wait for it as long as it waits for the ego."""

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+from chatscene.build.aim import aimed
 from chatscene.build.deeds import (
     ALONG,
     BRAKES,
@@ -30,11 +31,12 @@ from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Role, Side, Striker, Where
+from chatscene.terms.vocabulary import Act, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
+YIELDS = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
 PASSES = 1.2  # times as fast as the ego is who gets by it before the road ends
 FOLLOWS = 0.64  # of the ego's speed
 BACK, DRIFTS = 1.5, 8.0  # [m] that somebody goes back; that it goes on while it drifts by a third
@@ -73,7 +75,9 @@ class Phases:
         for k, deed in enumerate(deeds):
             broken = [f"{actor.path}.does.{k}.breaks"] if breaks(actor, deed) else []
             actor.ledger.take(f"{actor.path}.does.{k}.act", *broken)
-        if actor.lies or (one.role is Role.HIDES and all(deed.act is Act.STAND for deed in deeds)):
+        hides = any(other.hidden_by == one.id for other in actor.ledger.situation.others)
+        hides = one.role is Role.HIDES or (hides and one.role is Role.SUPPORTING)
+        if actor.lies or (hides and all(deed.act is Act.STAND for deed in deeds)):
             return ("Halt()",) if one.role is Role.ADVERSARY else ()
         self.body = Body(actor.limits, actor.walks)
         self.steps = [self._steps_of(k) for k in range(len(deeds))]
@@ -85,7 +89,7 @@ class Phases:
         for k, steps in enumerate(self.steps):
             if steps.binds.get("speed") == "FAST" and deeds[k].act is Act.OVERTAKE:
                 self._overtakes(k)
-        if actor.stand.meets in (Meets.THROUGH, Meets.ACROSS):
+        if actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) or actor.stand.rolls:
             self._between()
         return tuple(self._all())
 
@@ -131,7 +135,8 @@ class Phases:
     def keeps_distance(self) -> bool:
         """Whether it goes as fast as the ego until its first deed is due."""
         row = self.actor.one.kind.row.body.row
-        return self.actor.stand.meets is Meets.ALONG and row.motorised
+        stand = self.actor.stand
+        return stand.meets is Meets.ALONG and row.motorised and not stand.rolls
 
     def _said_speed(self, k: int) -> tuple[str, tuple[float, float] | None]:
         """The parameter of the speed of a deed, and what was said of it."""
@@ -141,7 +146,7 @@ class Phases:
         own = f"{general}_{k}"
         bound = steps.binds.get("speed") == general
         if bound and deed.speed is not None:
-            own = general if general == "SPEED" and self._one_speed() and self._first_to_move(k) else own
+            own = general if general == "SPEED" and actor.one_speed and actor.moves_first(k) else own
             numbers.bind(own, deed.speed, actor.ego_speed, f"{at}.speed")
             low, high, *_ = numbers.ranges[own]
             if steps.pace is Pace.KEEPS and self.body.falls_short(low):
@@ -155,9 +160,6 @@ class Phases:
             numbers.narrow(own, low, high)
             return own, (low, high)
         return own, None
-
-    def _first_to_move(self, k: int) -> bool:
-        return all(deed.act in _OFF for deed in self.actor.deeds[:k])
 
     def _overtakes(self, k: int) -> None:
         """Let it be so much faster than the ego that it gets by.
@@ -185,11 +187,6 @@ class Phases:
         metres = (actor.numbers.middle("Y") if actor.stand.behind else 0.0) + actor.limits.length
         return (metres + actor.numbers.middle("AHEAD")) / max(faster, 0.5)
 
-    def _one_speed(self) -> bool:
-        """Whether one speed at most was said of it, which then is its speed all the time."""
-        actor = self.actor
-        return sum(deed.speed is not None for deed in actor.deeds) + (actor.one.starts.speed is not None) <= 1
-
     def _between(self) -> None:
         """Let it be where the ways meet from when it would touch the ego's tail to when it would just have gone by.
 
@@ -198,11 +195,12 @@ class Phases:
         actor, ego = self.actor, AdversaryKind.CAR.row.limits
         late = -0.5 * (ego.length + actor.limits.length) / actor.ego_speed
         early = (ego.width + actor.limits.length) / actor.numbers.middle("SPEED")
-        contact = actor.ledger.situation.contact
-        if contact is not None and contact.striker is not None:
-            late, early = (0.0, early) if contact.striker is Striker.EGO else (late, 0.0)
-            actor.ledger.take("contact.striker")
-        if actor.one.role is Role.SUPPORTING:  # who is not met comes before the ego, which can still brake for it
+        yields = bool(actor.deeds) and actor.deeds[0].act is Act.YIELD
+        if yields:  # who waits for the ego is there well before it
+            late, early = YIELDS
+        late, early, *taken = aimed(actor.ledger.situation.contact, actor.one, late, early)
+        actor.ledger.take(*taken)
+        if actor.one.role is Role.SUPPORTING and not yields:  # not met: before the ego, which can still brake for it
             late, early = early + 0.5 * actor.ego_speed / GENTLE, early + actor.ego_speed / GENTLE
         actor.numbers.narrow("OFFSET", late, early)
 
@@ -219,7 +217,8 @@ class Phases:
                 raise NotBuilt(
                     f"nothing builds yet: {actor.path}: lane-change to the {deed.to}, away from the ego's lane"
                 )
-        if where is Where.BEHIND and deed.act in _GOING_ON and not self._contact():
+        follows = actor.stand.behind and not actor.stand.rolls and not self._contact()
+        if where is Where.BEHIND and deed.act in _GOING_ON and follows:
             table = {**table, deed.act: ALONG[Act.TAILGATE]}  # or it would run into the ego
         if deed.act in _ASIDE and where in (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY):
             table = {}  # which nobody sees on a road that bends all the time
@@ -347,21 +346,22 @@ class Phases:
     def _stands(self) -> bool:
         """Whether it stands before its first deed."""
         meets, where = self.actor.stand.meets, self.actor.one.starts.where
-        return (
-            stands_first(self.actor.one) or meets is Meets.KERB or (meets is Meets.ACROSS and where is not Where.AHEAD)
-        )
+        waits = meets is Meets.KERB or (meets is Meets.ACROSS and where is not Where.AHEAD)
+        return stands_first(self.actor.one) or (waits and not self.actor.stand.rolls)
 
     def _gets_going(self, k: int, first: int, go: str) -> Iterator[str]:
         """It gets under way, and if it comes over the road, near to the ego's lane."""
         gets = self._at(k, f"{go} until {UNDER_WAY}", before=True)
         yield gets
         actor, deed = self.actor, self.actor.deeds[k].act
-        if "$X" not in actor.stand.point or k != first or any(steps.comes_in for steps in self.steps[k:]):
+        rolls = actor.stand.rolls and actor.stand.meets is Meets.ACROSS
+        if not (rolls or "$X" in actor.stand.point) or k != first or any(one.comes_in for one in self.steps[k:]):
             return
-        metres = course([gets], actor.numbers, self.body).metres
-        if metres > RUN_UP:
-            return
-        actor.numbers.move("X", metres)
+        if not rolls:
+            metres = course([gets], actor.numbers, self.body).metres
+            if metres > RUN_UP:
+                return
+            actor.numbers.move("X", metres)
         near = RESTS if deed in (Act.STOP, Act.BRAKE) else f"{MOVE} until abs(offsetFrom(egoRoute, self)) < {OUTSIDE}"
         yield self._at(k, near, before=True)
 
@@ -410,6 +410,7 @@ class Phases:
             yield f"{pace} until headway(egoRoute, ego, self) > {ahead}"
         for text in phases:
             said = self._of_deed(k, text, steps)
+            said = said.replace("{meets}", actor.stand.ego_meets)
             yield said.replace("{aside}", self._aside(deed, k)).replace("{p}", way or "{p}")
         if deed.to is not None and deed.act in (Act.CUT_OUT, Act.LANE_CHANGE, Act.OVERTAKE):
             if actor.named.setdefault("side", str(deed.to)) != str(deed.to):

@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from chatscene.build.coming import further
 from chatscene.build.ledger import Ledger
 from chatscene.errors import MapError, NotBuilt
 from chatscene.maps.crossings import conflicting_paths
 from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.ring_ways import ROUND, ring_ways
+from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
+from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
 from chatscene.terms.actors import Manner as Moves
-from chatscene.terms.routing import CONTROLS, MANEUVERS, PLACES
+from chatscene.terms.route import Beside
+from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
 from chatscene.terms.scenario import Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RoadKind, Setting, Side, Where
+from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
 from chatscene.world.places import EgoRoute as Route
-from chatscene.world.places import choose_route, lanesBeside
+from chatscene.world.places import choose_route, lanesBeside, neighbourPath, ownLane
 
 SITES = {
     Feature.CROSSWALK: Site.CROSSWALK,
@@ -42,12 +48,14 @@ class Found:
         query: What the program asks the map for, as `selectRoute` takes it.
         route: The first route that the map answers with.
         sides: For each of others whose side was left open, the one that was chosen.
+        further: By how much more road than usual leads up to what happens.
     """
 
     map: str
     query: dict[str, Any]
     route: Route
     sides: dict[str, Side]
+    further: float = 1.0
 
 
 def met_first(situation: Situation) -> Other:
@@ -64,10 +72,10 @@ def met_first(situation: Situation) -> Other:
 def at_junction(situation: Situation) -> bool:
     """Whether it happens at a junction."""
     road, others = situation.road, situation.others
-    return (
+    return not (at_roundabout(situation) or beside_lane(situation)) and (
         road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
         or situation.ego.route in TURNING
-        or road.control in CONTROLS
+        or control_of(situation) in CONTROLS
         or any(one.starts.where.row.junction for one in others if one.starts.where not in _ROUND)
         or any(deed.act is Act.GO_STRAIGHT for one in others for deed in one.does)
     )
@@ -96,8 +104,28 @@ _SITES_OF: dict[EgoRoute | None, Site] = {
 _ROUND = (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY)
 
 
-def _in_roundabout(others: Sequence[Other]) -> bool:
-    return any(one.starts.where in _ROUND for one in others)
+def beside_lane(situation: Situation) -> bool:
+    """Whether the ego's way begins or ends beside its lane."""
+    return situation.ego.route in BEGINS or situation.ego.route in ENDS
+
+
+_RULED = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.STOP_SIGN}
+
+
+def control_of(situation: Situation) -> RightOfWay | None:
+    """What rules the junction: as was said, else what is there since somebody has it or breaks its rule."""
+    if situation.road.control is not None:
+        return situation.road.control
+    if situation.road.ego_light is not None:
+        return RightOfWay.SIGNAL
+    broken = (deed.breaks for one in situation.others for deed in one.does)
+    return next((_RULED[breach] for breach in broken if breach is not None and breach in _RULED), None)
+
+
+def at_roundabout(situation: Situation) -> bool:
+    """Whether it happens at a roundabout."""
+    named = situation.road.kind is RoadKind.ROUNDABOUT or situation.ego.route is EgoRoute.ROUNDABOUT
+    return named or any(one.starts.where in _ROUND for one in situation.others)
 
 
 def rides_at_edge(one: Other) -> bool:
@@ -111,9 +139,32 @@ def rides_at_edge(one: Other) -> bool:
 
 def arm_of(situation: Situation, one: Other, sides: dict[str, Side]) -> str:
     """From where traffic through the ego's junction comes; empty for who comes from none of its arms."""
+    if at_roundabout(situation) or from_left(situation, one):
+        return ""
     if one.starts.where is Where.ARM:
         return str(one.starts.side or sides[one.id])
     return "oncoming" if one.starts.where is Where.ONCOMING and at_junction(situation) else ""
+
+
+def ring_arms(one: Other, sides: dict[str, Side]) -> tuple[str, ...]:
+    """From where traffic in the ego's roundabout comes, best first; nothing for who is elsewhere."""
+    match one.starts.where:
+        case Where.IN_ROUNDABOUT:
+            return (ROUND,)
+        case Where.ROUNDABOUT_ENTRY:
+            return ("right", "left", "oncoming")  # which the ego comes past, or which comes past the ego
+        case Where.ARM:
+            return (str(one.starts.side or sides[one.id]),)
+        case Where.ONCOMING:
+            return ("oncoming",)
+        case _:
+            return ()
+
+
+def from_left(situation: Situation, one: Other) -> bool:
+    """Whether somebody comes along the road that the ego drives onto out of a driveway, in the lane that it takes."""
+    out = situation.ego.route is EgoRoute.LEAVE_DRIVEWAY
+    return out and one.starts.where is Where.ARM and one.starts.side in (Side.LEFT, None)
 
 
 def way_of(one: Other) -> Maneuver:
@@ -133,15 +184,99 @@ def find(ledger: Ledger) -> Found:
     situation = ledger.situation
     if situation.ego.route not in MANEUVERS:
         raise NotBuilt(f"nothing builds yet: ego.route: {situation.ego.route}")
+    for one in situation.others:
+        if beside_lane(situation) and one.starts.where.row.junction and not from_left(situation, one):
+            raise NotBuilt(
+                f"nothing builds yet: others.{one.id}.starts.where: {one.starts.where}, where ego.route is"
+                f" {situation.ego.route}"
+            )
     lacking: list[str] = []
-    for sides in _open_sides(situation.others):
-        for name in (situation.map,) if situation.map else PACKAGED:
-            for query in _queries(situation, sides):
-                if found := _answered(situation, name, query, sides, lacking):
-                    _take(ledger, found)
-                    return found
+    rooms: dict[str, float] = {}
+    for more in _lengths(situation):
+        for sides in _open_sides(situation.others):
+            for name in (situation.map,) if situation.map else PACKAGED:
+                for query in _queries(situation, sides):
+                    if found := _answered(situation, name, _longer(query, more), sides, lacking, rooms):
+                        _take(ledger, found)
+                        return replace(found, further=min(more, further(situation)))
+    if rooms:
+        raise NotBuilt(
+            "; ".join(f"{fact}: the longest road there is leads {room:.0f} m" for fact, room in rooms.items())
+        )
     said = "; ".join(dict.fromkeys(lacking))
     raise NotBuilt(f"no map has such a place: {said}")
+
+
+_MORE = 1.15  # by which routes that are looked for get shorter, the longest first
+_ROOM_BEYOND = 10.0  # [m] of road beyond somebody whose distance was said
+_BEFORE = frozenset(
+    (
+        Where.AHEAD,
+        Where.AHEAD_BESIDE,
+        Where.ROADSIDE,
+        Where.KERB,
+        Where.DRIVEWAY,
+        Where.MEDIAN,
+        Where.BUS_BAY,
+        Where.ONCOMING_IN_OUR_LANE,
+    )
+)
+
+
+def _usual(query: Mapping[str, Any]) -> float:
+    """How far [m] a route usually leads up to what happens."""
+    site = query.get("site")
+    if site == Site.ROUNDABOUT:
+        return ENTRIES[0]
+    if site in (Site.CROSSWALK, Site.PARKING, Site.BUS_BAY):
+        return PAST[0]
+    if _through(query):
+        return APPROACHES[0]
+    if query["maneuver"] == Maneuver.BYPASS:
+        return BLOCKER_AT
+    return OPEN_ROAD / 2 if query["maneuver"] == Maneuver.STRAIGHT else CHANGE_AT
+
+
+def _through(query: Mapping[str, Any]) -> bool:
+    """Whether a route is asked for that leads through a junction."""
+    return query.get("place") in (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY) or "crossed" in query
+
+
+def _longer(query: dict[str, Any], more: float) -> dict[str, Any]:
+    """The same query, with so many times as much road as usual."""
+    if more <= 1.0 or (query.get("site") in AT_JUNCTIONS and query["site"] != Site.ROUNDABOUT):
+        return query
+    return query | {"approach": round(more * _usual(query), 1)}
+
+
+def _lengths(situation: Situation) -> Iterator[float]:
+    """How many times as much road as usual is looked for: as the ego's speed asks for, then less."""
+    more = max(further(situation), *(_far(one) / OPEN_ROAD * 2.5 for one in situation.others), 1.0)
+    while more > 1.0:
+        yield more
+        more /= _MORE
+    yield 1.0
+
+
+def _said_distance(one: Other) -> float:
+    """How far away [m] somebody was said to be."""
+    return one.starts.distance.low if one.starts.distance is not None else 0.0
+
+
+def _far(one: Other) -> float:
+    """How far ahead [m] on the ego's own way somebody was said to be."""
+    return _said_distance(one) if one.starts.where in _BEFORE else 0.0
+
+
+def _room(route: Route, one: Other) -> float:
+    """How far ahead [m] somebody can be on a route at most, in a place that lies ahead."""
+    if one.starts.where is Where.ONCOMING and route.route.junction is None:
+        if not any(against for _, against in lanesBeside(route)):
+            return math.inf  # which the map is asked for elsewhere
+        return ownLane(route).project(*neighbourPath(route, "left").point_at(0.0))[0]
+    if one.starts.where not in _BEFORE:
+        return math.inf
+    return route.eventAt if route.route.junction is not None else route.line.length - _ROOM_BEYOND
 
 
 def _open_sides(others: Sequence[Other]) -> Iterator[dict[str, Side]]:
@@ -153,7 +288,12 @@ def _open_sides(others: Sequence[Other]) -> Iterator[dict[str, Side]]:
 
 
 def _answered(
-    situation: Situation, name: str, query: dict[str, Any], sides: dict[str, Side], lacking: list[str]
+    situation: Situation,
+    name: str,
+    query: dict[str, Any],
+    sides: dict[str, Side],
+    lacking: list[str],
+    rooms: dict[str, float],
 ) -> Found | None:
     path = str(resolve_map(name))
     network = load_network(path)
@@ -162,6 +302,17 @@ def _answered(
     except MapError as error:
         lacking.append(str(error))
         return None
+    for one in situation.others:
+        if _said_distance(one) > (room := _room(route, one)):
+            fact = f"others.{one.id}.starts.distance: {one.starts.distance}"
+            rooms[fact] = max(room, rooms.get(fact, 0.0))
+            return None
+    if query.get("site") == Site.ROUNDABOUT:
+        there = {way.from_side for way in ring_ways(network, route.route)}
+        for one in situation.others:
+            if (arms := ring_arms(one, sides)) and not there & set(arms):
+                lacking.append(f"nobody from the {' or '.join(arms)} meets the ego's way in the roundabout of {name!r}")
+                return None
     there = {(way.from_side, way.turn.value) for way in conflicting_paths(network, route.route)}
     needs = {(arm, str(way_of(one))) for one in situation.others if (arm := arm_of(situation, one, sides))}
     if missing := needs - there:
@@ -180,15 +331,37 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         for one in others
         if one.starts.where in NEXT_LANE and not rides_at_edge(one)
     ]
+    for name, edges in (("begins", BEGINS), ("ends", ENDS)):
+        if (edge := edges.get(situation.ego.route)) is not None:
+            base[name] = edge.value
+            lanes = []  # beside the ego is its own lane, if it is in none
     if road.lanes is not None:
         base["lanes"] = road.lanes
     if road.ego_lane is not None:
         base["lane"] = road.ego_lane
     if road.two_way is not None and not at_junction(situation):
         base["opposite"] = road.two_way
+    if not (lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
+        lanes = [str(side) for one in others if (side := _goes_over(one)) is not None]
     sites = [SITES[one].value for one in road.has if one in SITES and not at_junction(situation)]
+    if any(one.starts.where is Where.BUS_BAY for one in others) and not at_junction(situation):
+        sites = [Site.BUS_BAY.value]
+        base = base | {"site": Site.BUS_BAY.value}
     for here in (*(base | {"site": site} for site in sites), base):
         yield from _on_road(situation, sides, here, lanes)
+
+
+_GOES_OVER = {
+    Act.CUT_OUT: frozenset((Where.AHEAD,)),
+    Act.LANE_CHANGE: frozenset((Where.AHEAD,)),
+    Act.OVERTAKE: frozenset((Where.BEHIND,)),
+}
+
+
+def _goes_over(one: Other) -> Side | None:
+    """On which side of the ego's lane there must be one of its direction, since somebody goes over there."""
+    sides = (deed.to or Side.LEFT for deed in one.does if one.starts.where in _GOES_OVER.get(deed.act, ()))
+    return next(sides, None) if one.kind.moves is not Moves.LIES else None
 
 
 def _on_road(
@@ -198,8 +371,8 @@ def _on_road(
     road, route, others = situation.road, situation.ego.route, situation.others
     if at_junction(situation):
         yield from _at_junction(situation, sides, base, lanes)
-    elif road.kind is RoadKind.ROUNDABOUT or route is EgoRoute.ROUNDABOUT or _in_roundabout(others):
-        yield base | {"site": Site.ROUNDABOUT.value}
+    elif at_roundabout(situation):
+        yield from _round(situation, base)
     elif any(one.starts.where is Where.ON_RAMP for one in others):
         yield base | {"site": Site.PAST_ON_RAMP.value, "beside": "right"}
     elif route is EgoRoute.EXIT:
@@ -222,8 +395,8 @@ def _at_junction(
     if any(rides_at_edge(one) and one.starts.where in NEXT_LANE for one in others):
         arms.append("oncoming")  # an arm opposite, or there is no straight on
     query = base | {"place": PLACES.get(road.kind or RoadKind.JUNCTION, Place.JUNCTION).value}
-    if road.control is not None and road.control in CONTROLS:
-        query["control"] = CONTROLS[road.control].value
+    if (control := control_of(situation)) is not None and control in CONTROLS:
+        query["control"] = CONTROLS[control].value
     if arms:
         query["crossed"] = tuple(dict.fromkeys(arms))
     if lanes:
@@ -244,6 +417,7 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     elif straight and road.kind is not None and road.kind in _CURVES:
         query["place"] = PLACES[road.kind].value
     against = any(one.starts.where in (Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE) for one in others)
+    against = against and query.get("ends") != Beside.BACK  # who turns round has them anyway, some lanes away
     if query["maneuver"] == Maneuver.BYPASS:
         several = (road.lanes or 1) > 1 or (bool(lanes) and not against)
         query |= {"lanes": max(2, road.lanes or 2), "opposite": False} if several else {"opposite": True}
@@ -256,6 +430,13 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     elif straight and road.lanes in (None, 1) and any(_at_kerb(one) for one in others):
         yield query | {"beside": "none"}  # the outermost lane, or there is no kerb beside it
     yield query
+
+
+def _round(situation: Situation, base: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Queries for a way through a roundabout; where no exit was said, one behind the entries of others."""
+    for way in (Maneuver.STRAIGHT, Maneuver.LEFT_TURN) if situation.ego.route is EgoRoute.ROUNDABOUT else ():
+        yield base | {"site": Site.ROUNDABOUT.value, "maneuver": way.value}
+    yield base | {"site": Site.ROUNDABOUT.value}
 
 
 def _at_kerb(one: Other) -> bool:
@@ -283,7 +464,8 @@ def _as_said(situation: Situation, found: Found) -> Iterator[str]:
         "road.lanes": road.lanes == _lanes_there(found),
         "road.ego_lane": query.get("lane") == road.ego_lane,
         "road.kind": _is_kind(road.kind, found),
-        "road.control": road.control in CONTROLS and "control" in query,
+        "road.control": (road.control in CONTROLS and "control" in query)
+        or (road.control is RightOfWay.YIELD_SIGN and site == Site.ROUNDABOUT),
         "road.two_way": road.two_way is against,
         "road.setting": road.setting is not None and settings.get(road.setting, False),
     }

@@ -14,7 +14,7 @@ from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, Where
 
 _NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
-_OFF_ROAD = frozenset(
+OFF_ROAD = frozenset(
     (Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.EXIT_CROSSING, Where.MEDIAN, Where.KERB, Where.BUS_BAY)
 )
 _JOINS = frozenset((Where.ON_RAMP, Where.ROUNDABOUT_ENTRY))
@@ -24,17 +24,18 @@ FROM: dict[Act, frozenset[Where]] = {
     Act.PULL_OUT: frozenset((Where.KERB, Where.DRIVEWAY, Where.BUS_BAY)),
     Act.CUT_IN: _NEXT_LANE | _JOINS | _AGAINST,
     Act.MERGE: _NEXT_LANE | _JOINS,
-    Act.ENTER: _NEXT_LANE | _JOINS | _OFF_ROAD | _AGAINST | {Where.ARM, Where.IN_ROUNDABOUT},
+    Act.ENTER: _NEXT_LANE | _JOINS | OFF_ROAD | _AGAINST | {Where.ARM, Where.IN_ROUNDABOUT},
     Act.OVERTAKE: frozenset((Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE, Where.ONCOMING)),
     Act.TAILGATE: frozenset((Where.BEHIND,)),
     Act.KEEP_LEVEL: _NEXT_LANE,
-    Act.CROSS: _OFF_ROAD | {Where.ARM},
+    Act.CROSS: OFF_ROAD | {Where.ARM},
     Act.CUT_OUT: frozenset((Where.AHEAD,)),
     Act.LANE_CHANGE: _NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ON_RAMP},
     Act.TURN_LEFT: _NEXT_LANE | _AGAINST | {Where.ARM},
     Act.TURN_RIGHT: _NEXT_LANE | _AGAINST | {Where.ARM},
-    Act.TURN_BACK: _OFF_ROAD | {Where.AHEAD, Where.ARM},
-    Act.DRIFT: frozenset(Where) - _OFF_ROAD - {Where.ONCOMING_IN_OUR_LANE},
+    Act.YIELD: _JOINS | _AGAINST | {Where.ARM},
+    Act.TURN_BACK: OFF_ROAD | {Where.AHEAD, Where.ARM},
+    Act.DRIFT: frozenset(Where) - OFF_ROAD - {Where.ONCOMING_IN_OUR_LANE},
 }
 """Where an act can be begun from."""
 COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
@@ -74,7 +75,7 @@ def _comes_in_twice(one: Other, at: str) -> Iterator[Fault]:
     """Who came into the ego's lane from beside it must be outside again before it can come in again."""
     came: Act | None = None
     for k, deed in enumerate(one.does):
-        over = deed.act is Act.GO_STRAIGHT and one.starts.where in _OFF_ROAD
+        over = deed.act is Act.GO_STRAIGHT and one.starts.where in OFF_ROAD
         if deed.act in COMES_IN or over:
             if came is not None:
                 yield Fault((f"{at}.{k}.act",), f"after {came} it is in our lane or over it, and cannot {deed.act}")

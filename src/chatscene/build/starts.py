@@ -3,16 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
+from chatscene.build.coming import Coming
 from chatscene.build.numbers import Numbers
-from chatscene.build.place import Found, arm_of, at_junction, rides_at_edge, way_of
+from chatscene.build.place import (
+    Found,
+    arm_of,
+    at_junction,
+    at_roundabout,
+    beside_lane,
+    from_left,
+    rides_at_edge,
+    ring_arms,
+    way_of,
+)
 from chatscene.errors import NotBuilt
+from chatscene.maps.crossings import CrossingPath
+from chatscene.maps.ring_ways import ROUND
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, Facing, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Side, Where
+from chatscene.world.places import ringTraffic, trafficFrom, wayOf
+
+_EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
 
 
 class Meets(StrEnum):
@@ -42,6 +59,7 @@ class Stand:
         behind: Whether it is behind the ego.
         faces: Whether it faces as was said.
         anywhere: Whether ``$Y`` is how far along the ego's route it is, which may be any number.
+        rolls: Whether it comes driving from the first, so that it is there in time without waiting.
     """
 
     meets: Meets
@@ -56,6 +74,7 @@ class Stand:
     behind: bool = False
     faces: bool = False
     anywhere: bool = False
+    rolls: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,14 +86,18 @@ class Asked:
         found: Where it happens.
         one: Who.
         numbers: Its parameters.
+        ego: How the ego gets on.
         room: How far [m] beyond the first of its place it stands, where others stand there already.
+        first: Where that stands.
     """
 
     situation: Situation
     found: Found
     one: Other
     numbers: Numbers
+    ego: Coming
     room: float = 0.0
+    first: Stand | None = None
 
     @property
     def walks(self) -> bool:
@@ -92,14 +115,48 @@ class Asked:
         return stands_first(self.one)
 
     @property
+    def rolls(self) -> bool:
+        """Whether it comes driving from the first: nothing has it wait, and it is known when the ego comes."""
+        first = self.one.does[0] if self.one.does else None
+        waits = first is not None and first.when is not None and first.act.row.lasting
+        in_row = self.first is not None and not self.first.rolls
+        return not (self.stands or waits or in_row or self.one.hidden_by) and self.ego.late is not None
+
+    @property
+    def comes(self) -> bool:
+        """Whether it rolls, and does nothing before its last deed that takes it longer to where it meets the ego.
+
+        Who gains or loses speed on its way is timed from a stand, by when it must set off.
+        """
+        return self.rolls and all(deed.act.row.lasting for deed in self.one.does[:-1])
+
+    def way_back(self, meets: str, own: str) -> str:
+        """How far [m] it has to where it meets the ego, if it is there in time, by where that is on the ego's way."""
+        return f"{own}$SPEED * ({self.ego.seconds(meets)} - $OFFSET)"
+
+    @property
     def side(self) -> str:
         """Its side of the ego."""
         return str(self.one.starts.side)
 
     @property
+    def begins_beside(self) -> bool:
+        """Whether the ego comes into its lane from beside it, so that who comes along there comes from its left."""
+        return self.situation.ego.route in BEGINS
+
+    @property
+    def lane(self) -> str:
+        """The way of traffic before and behind the ego: its route, or the lane that it leaves."""
+        return "ownLane(egoRoute)" if beside_lane(self.situation) else "ownWay(egoRoute)"
+
+    @property
     def swings_out(self) -> bool:
         """Whether the ego's way swings out round something."""
         return self.found.query["maneuver"] == Maneuver.BYPASS
+
+    def ahead(self, low: float, high: float) -> None:
+        """From where to where [m] ahead it may be, if that was not said: farther where the ego comes faster."""
+        self.reach(low * self.found.further, high * self.found.further)
 
     def reach(self, low: float, high: float, meaning: str = "how far ahead of the ego it is") -> None:
         """From where to where [m] it may be, if that was not said."""
@@ -139,7 +196,7 @@ def _faces(asked: Asked, there: str, usual: Facing, side: str) -> str:
 
 def _ahead(asked: Asked) -> Stand:
     if asked.walks:
-        asked.reach(30, 50)
+        asked.ahead(30, 50)
         there = f"$Y{asked.more}"
         return Stand(
             meets=Meets.ACROSS,
@@ -154,23 +211,51 @@ def _ahead(asked: Asked) -> Stand:
         asked.reach(-2, 2, "how far beyond where the ego swings out it stands")
         return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"egoRoute.eventAt + $Y{asked.more}", aside=aside)
     if asked.swings_out:  # who is passed while it goes: it is there when the ego is
-        asked.reach(22, 30)
+        asked.ahead(22, 30)
         return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"$Y{asked.more}", aside=aside)
-    asked.reach(*((38, 56) if asked.stands else (11, 19)))
-    way = "ownWay(egoRoute)"
-    return Stand(meets=Meets.ALONG, way=way, at=f"$Y{asked.more}", aside=aside, anywhere=asked.stands)
+    asked.ahead(*((38, 56) if asked.stands else (11, 19)))
+    return Stand(meets=Meets.ALONG, way=asked.lane, at=f"$Y{asked.more}", aside=aside, anywhere=asked.stands)
 
 
 def _behind(asked: Asked) -> Stand:
+    if asked.begins_beside:
+        return _comes_along(asked)
     asked.reach(9, 17, "how far behind the ego it is")
-    return Stand(meets=Meets.ALONG, way="extended(egoRoute, 80)", at=f"80 - $Y{asked.less}", behind=True)
+    way = "ownLane(egoRoute)" if beside_lane(asked.situation) else "egoRoute"
+    return Stand(meets=Meets.ALONG, way=f"extended({way}, 80)", at=f"80 - $Y{asked.less}", behind=True)
+
+
+def _comes_along(asked: Asked) -> Stand:
+    """In the lane that the ego comes into, from behind: where the ego is in it when it is."""
+    if asked.side == Side.RIGHT or not asked.rolls or asked.one.starts.distance is not None:
+        raise NotBuilt(
+            f"nothing builds yet: others.{asked.one.id}.starts, of an ego that comes from beside its lane: only who"
+            " comes driving in that lane, from no distance that was said, is timed"
+        )
+    back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoRoute.eventAt', '')})"
+    first = asked.first is None
+    return Stand(
+        meets=Meets.ALONG,
+        way="wholeLane(egoRoute)",
+        at="back{i}" if first else f"back{{row}}{asked.less}",
+        lines=("meet{i} = levelOn(way{i}, egoRoute, egoRoute.eventAt)", *((back,) if first else ())),
+        left="distanceLeft(way{i}, {first}, meet{i})",
+        behind=True,
+        rolls=True,
+    )
 
 
 def _next_lane(asked: Asked) -> Stand:
+    if asked.begins_beside:
+        if asked.one.starts.where is Where.BEHIND_BESIDE:
+            return _comes_along(asked)
+        raise NotBuilt(
+            f"nothing builds yet: others.{asked.one.id}.starts.where: {asked.one.starts.where} of a parked ego"
+        )
     where, back = asked.one.starts.where, asked.one.starts.where is Where.BEHIND_BESIDE
     low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
     if asked.stands and where is Where.AHEAD_BESIDE:
-        low, high = 38.0, 56.0
+        low, high = 38.0 * asked.found.further, 56.0 * asked.found.further
     asked.reach(low, high, "how far behind the ego it is" if back else "how far ahead of the ego it is")
     at = f"60 {'-' if back else '+'} $Y{asked.more}"
     if asked.rides:
@@ -180,34 +265,107 @@ def _next_lane(asked: Asked) -> Stand:
 
 
 def _through(asked: Asked) -> Stand:
-    arm = arm_of(asked.situation, asked.one, asked.found.sides)
+    if from_left(asked.situation, asked.one):
+        return _comes_along(asked)
+    if at_roundabout(asked.situation):
+        return _roundabout(asked)
+    arm, turn = arm_of(asked.situation, asked.one, asked.found.sides), way_of(asked.one)
+    way = f'wayOf(trafficFrom(egoRoute, "{arm}"), "{turn}")'
+    found = wayOf(trafficFrom(asked.found.route, arm), turn)
+    return _on_its_way(asked, way, found, f"maximum(2, way{{i}}.entry - $Y{asked.less})")
+
+
+def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> Stand:
+    """On a way that meets the ego's: driving from the first, so far back that it is there in time, else waiting."""
     asked.reach(10, 25, "how far before the junction it is")
-    return Stand(
+    stand = Stand(
         meets=Meets.THROUGH,
-        way=f'wayOf(trafficFrom(egoRoute, "{arm}"), "{way_of(asked.one)}")',
-        at=f"maximum(2, way{{i}}.entry - $Y{asked.less})",
+        way=way,
+        at=waits_at,
         lines=("meet{i} = way{i}.meets_at", "egoMeet{i} = way{i}.ego_meets_at"),
         ego_meets="egoMeet{i}",
         left="distanceLeft(way{i}, {first}, meet{i})",
     )
+    said = asked.one.starts
+    if not asked.comes or (said.distance is not None and said.speed is None):
+        return stand
+    seconds = found.ego_meets_at / asked.ego.speed + (asked.ego.late or 0.0)
+    if said.distance is not None:
+        return replace(stand, rolls=_in_time(asked, found, seconds))
+    if asked.numbers.range_of("SPEED")[1] * (seconds + _LATE) > found.meets_at:
+        if asked.numbers.is_said("SPEED"):
+            most = found.meets_at / (seconds + _LATE)
+            raise NotBuilt(f"others.{asked.one.id}: the road by which it comes is too short for over {most:.1f} m/s")
+        return stand
+    if asked.first is not None:
+        return replace(stand, at=f"back{{row}}{asked.less}", rolls=True)
+    back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoMeet{i}', '')})"
+    return replace(stand, at="back{i}", lines=(*stand.lines, back), rolls=True)
+
+
+def _in_time(asked: Asked, found: CrossingPath, seconds: float) -> bool:
+    """Whether who comes from so far at such a speed is where the ways meet when the ego is.
+
+    Raises:
+        NotBuilt: It is there much sooner or later.
+    """
+    (near, far), (low, high) = (asked.numbers.range_of(name)[:2] for name in ("Y", "SPEED"))
+    within = found.meets_at - found.entry
+    soonest, latest = (near + within) / high, (far + within) / low
+    if latest < seconds - _EARLY or soonest > seconds + _LATE:
+        raise NotBuilt(
+            f"others.{asked.one.id}.starts.distance: {asked.one.starts.distance}: at that speed it is where they meet"
+            f" after {soonest:.1f} s, the ego after {seconds:.1f} s; it would have to start"
+            f" {max(seconds * low - within, 0.0):.0f} to {seconds * high - within:.0f} m before the junction"
+        )
+    return True
+
+
+_HALF_TURN = 14.0, 1.5  # [m] of turning round, and how much later [s] the ego then is for being slow in it
+
+
+def _comes_back(asked: Asked) -> Stand:
+    """In the lane that the ego turns round into, there when the ego is."""
+    level = f"egoRoute.eventAt + {_HALF_TURN[0]:g}"
+    back = (
+        f"back{{i}} = backFrom(meet{{i}}, {asked.way_back(f'({level} + {_HALF_TURN[1] * asked.ego.speed:.3g})', '')})"
+    )
+    first = asked.first is None
+    return Stand(
+        meets=Meets.TOWARD,
+        way="lastLane(egoRoute)",
+        at="back{i}" if first else f"back{{row}}{asked.less}",
+        lines=(f"meet{{i}} = levelOn(way{{i}}, egoRoute, {level})", *((back,) if first else ())),
+        left="distanceLeft(way{i}, {first}, meet{i})",
+        rolls=True,
+    )
 
 
 def _oncoming(asked: Asked) -> Stand:
-    if asked.one.starts.where is Where.ONCOMING and at_junction(asked.situation):
+    if asked.one.starts.where is Where.ONCOMING and (at_junction(asked.situation) or at_roundabout(asked.situation)):
         return _through(asked)
     ours = asked.one.starts.where is Where.ONCOMING_IN_OUR_LANE
+    if asked.situation.ego.route is EgoRoute.U_TURN and not ours and asked.rolls and not asked.one.starts.distance:
+        return _comes_back(asked)
     way = "against(egoRoute)" if ours else 'neighbourPath(egoRoute, "left")'
     if asked.stands:
-        asked.reach(38, 56)
+        asked.ahead(38, 56)
         return Stand(meets=Meets.TOWARD, way=way, at=f"levelOn(way{{i}}, egoRoute, $Y{asked.more})")
-    asked.reach(75, 95)
-    return Stand(
+    asked.ahead(75, 95)
+    stand = Stand(
         meets=Meets.TOWARD,
         way=way,
         at=f"levelOn(way{{i}}, egoRoute, $Y{asked.more})",
         lines=("meet{i} = levelOn(way{i}, egoRoute, egoRoute.eventAt)",),
         left="distanceLeft(way{i}, {first}, meet{i})",
+        rolls=asked.comes,
     )
+    if not asked.swings_out or asked.one.starts.distance is not None or not asked.comes:
+        return stand
+    if asked.first is not None:  # who meets an ego that swings out is there when it does
+        return replace(stand, at=f"back{{row}}{asked.less}")
+    back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoRoute.eventAt', '')})"
+    return replace(stand, at="back{i}", lines=(*stand.lines, back))
 
 
 def _beside_road(asked: Asked) -> Stand:
@@ -223,12 +381,16 @@ def _beside_road(asked: Asked) -> Stand:
         asked.reach(-2, 2, "how far beyond the crosswalk it is")
         level = "egoRoute.eventAt + $Y"
     else:
-        asked.reach(34, 50)
+        asked.ahead(34, 50)
         level = "shortOfJunction(egoRoute, $Y)"
     there = f"level{{i}}{asked.more}"
+    point = f'besideRoad(egoRoute, {there}, "{asked.side}", $X)'
+    if rolls := asked.comes and asked.one.starts.speed is not None and asked.one.starts.facing in (None, Facing.ACROSS):
+        point = f'asideOf(egoRoute, {there}, "{asked.side}", {asked.way_back(there, "1 + ")})'
     return Stand(
         meets=Meets.ACROSS,
-        point=f'besideRoad(egoRoute, {there}, "{asked.side}", $X)',
+        point=point,
+        rolls=rolls,
         facing=_faces(asked, there, Facing.ACROSS, asked.side),
         faces=True,
         lines=(f"level{{i}} = {level}",),
@@ -241,7 +403,7 @@ def _beside_road(asked: Asked) -> Stand:
 def _kerb(asked: Asked) -> Stand:
     if asked.walks or asked.rides:
         return _beside_road(asked)
-    asked.reach(*((-2, 2) if asked.swings_out else (30, 44)))
+    asked.reach(-2, 2) if asked.swings_out else asked.ahead(30, 44)
     level = f"{'egoRoute.eventAt + ' if asked.swings_out else ''}$Y{asked.more}"
     if asked.side == Side.RIGHT:
         edge = 'besideRoad(egoRoute, 20, "right", 1.3)'
@@ -257,13 +419,25 @@ def _kerb(asked: Asked) -> Stand:
     )
 
 
+def _bus_bay(asked: Asked) -> Stand:
+    """In a bay beside the lane, some way into it."""
+    asked.reach(6, 14, "how far into the bay it is")
+    edge = 'besideRoad(egoRoute, egoRoute.eventAt + 10, "right", 1.6)'
+    return Stand(
+        meets=Meets.KERB,
+        way=f"ownLane(egoRoute).offset(ownLane(egoRoute).project(*{edge}.coordinates[:2])[1])",
+        at=f"egoRoute.eventAt + $Y{asked.more}",
+        ego_meets="progressOn(egoRoute, self)[0]",
+    )
+
+
 def _exit(asked: Asked) -> Stand:
     asked.reach(6, 14, "how far behind the junction it is")
     return Stand(meets=Meets.ALONG, at=f"egoRoute.exitAt + $Y{asked.more}")
 
 
 def _median(asked: Asked) -> Stand:
-    asked.reach(34, 50)
+    asked.ahead(34, 50)
     return Stand(
         meets=Meets.ACROSS,
         point=f"pointOn(egoRoute, $Y{asked.more}, 1.9)",
@@ -280,14 +454,13 @@ def _on_ramp(asked: Asked) -> Stand:
 
 
 def _roundabout(asked: Asked) -> Stand:
-    return Stand(
-        meets=Meets.THROUGH,
-        way='trafficFrom(egoRoute, "left")[0]',
-        at=f"way{{i}}.entry - 2{asked.less}",
-        lines=("meet{i} = way{i}.meets_at", "egoMeet{i} = way{i}.ego_meets_at"),
-        ego_meets="egoMeet{i}",
-        left="distanceLeft(way{i}, self, meet{i})",
+    arms = ring_arms(asked.one, asked.found.sides)
+    found = ringTraffic(asked.found.route, *arms)
+    way = f"ringTraffic(egoRoute, {', '.join(repr(arm) for arm in arms)})"
+    waits = (
+        f"meet{{i}} - $Y{asked.less}" if found.from_side == ROUND else f"maximum(2, way{{i}}.entry - $Y{asked.less})"
     )
+    return _on_its_way(asked, way, found, waits)
 
 
 STARTS: dict[Where, Callable[[Asked], Stand]] = {
@@ -303,6 +476,7 @@ STARTS: dict[Where, Callable[[Asked], Stand]] = {
     Where.KERB: _kerb,
     Where.DRIVEWAY: _beside_road,
     Where.CROSSING: _beside_road,
+    Where.BUS_BAY: _bus_bay,
     Where.EXIT: _exit,
     Where.EXIT_CROSSING: _beside_road,
     Where.MEDIAN: _median,
@@ -310,6 +484,10 @@ STARTS: dict[Where, Callable[[Asked], Stand]] = {
     Where.IN_ROUNDABOUT: _roundabout,
     Where.ROUNDABOUT_ENTRY: _roundabout,
 }
+
+
+NEAREST = {Where.OFF_RAMP: f"{Where.AHEAD_BESIDE}, on the right, where the road has an {Feature.OFF_RAMP}"}
+"""For places where nobody is put yet: what can be said in their place."""
 
 
 def start_of(asked: Asked) -> Stand:
@@ -320,5 +498,6 @@ def start_of(asked: Asked) -> Stand:
     """
     where = asked.one.starts.where
     if where not in STARTS:
-        raise NotBuilt(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}")
+        near = f"; the nearest is {NEAREST[where]}" if where in NEAREST else ""
+        raise NotBuilt(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}{near}")
     return STARTS[where](asked)

@@ -75,7 +75,7 @@ def _crossing(network: Any, maneuver: Any, route: Route) -> CrossingPath | None:
     if turn is None:
         return None
     line, enters = _way(network, maneuver)
-    side = _from_side(line.heading_at(enters - 1.0) - route.line.heading_at(route.event_at - 1.0))
+    side = from_side_of(line.heading_at(enters - 1.0) - route.line.heading_at(route.event_at - 1.0))
     if side is None:
         return None
     entry, ego_entry = int(enters), int(route.event_at)
@@ -104,7 +104,7 @@ def _way(network: Any, maneuver: Any) -> tuple[Polyline, float]:
     return line.resampled(1.0), before.length
 
 
-def _from_side(difference: float) -> str | None:
+def from_side_of(difference: float) -> str | None:
     """Where somebody comes from whose heading differs from the ego's by so much [rad]."""
     turned = math.degrees((difference + math.pi) % (2 * math.pi) - math.pi)
     if abs(turned) > 135:

@@ -26,9 +26,10 @@ from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, arms, junction_kinds
 from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.maps.network import map_with
+from chatscene.maps.off_lane import TIGHTEST, begun, ended, has_kerb, turned_back
 from chatscene.maps.sites import AT_JUNCTIONS, along, routes_at, windows_past
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.route import Route, RouteQuery
+from chatscene.terms.route import Beside, Route, RouteQuery
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, Site, includes
 
 __all__ = ["BASE_SCENARIO_QUERIES", "CrossingPath", "conflicting_paths", "find_routes", "from_line", "lacking"]
@@ -44,6 +45,13 @@ FIRST_ONSET, ONSET_STEP, BEND_STEP, FINE_STEP = 10.0, 35.0, 15.0, 2.0
 CHANGE_AT, CHANGE_OVER = 30.0, 25.0  # [m], where a lane change begins and how long it takes
 # [m], a bypass: the blocker, swinging out and in, passing beside
 BLOCKER_AT, SWING, PASSING = 50.0, 22.0, 10.0
+FROM_BEHIND = 70.0  # [m] of road behind where a route comes into its lane from beside it, for traffic there
+# [m] of road beyond where a manoeuvre on open road begins; as much as before it, where that is not here
+BEYOND = {
+    Maneuver.BYPASS: OPEN_ROAD - BLOCKER_AT,
+    Maneuver.LANE_CHANGE_LEFT: OPEN_ROAD - CHANGE_AT,
+    Maneuver.LANE_CHANGE_RIGHT: OPEN_ROAD - CHANGE_AT,
+}
 
 _LATERAL = 1.2  # [m] a straight road may move aside: where a lane shifts by more, the ego seems to change lanes
 _SEAM = 0.1  # [m]
@@ -122,6 +130,13 @@ def find_routes(network: Any, map_name: str, query: RouteQuery, count: int = 10)
     return tuple(replace(route, id=f"{slug}-{number:02d}", site=site) for number, route in enumerate(chosen))
 
 
+_ENDS = {
+    Beside.KERB: "a kerb to end at",
+    Beside.DRIVEWAY: "a driveway to end in",
+    Beside.BACK: f"lanes of the other direction {2 * TIGHTEST:.0f} m away to turn into",
+}
+
+
 def _needs_junction(query: RouteQuery) -> bool:
     return (
         query.place in (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
@@ -171,6 +186,9 @@ def _in_words(query: RouteQuery) -> list[str]:
         words.append(f"a lane of the ego's direction to its {query.lane_beside}")
     words += [f"the {site}" for site in (query.site,) if site is not None]
     words += [f"lane {query.lane} from the outermost"] * (query.lane is not None)
+    words += [f"a {query.begins} to begin at" for _ in (query.begins,) if query.begins is not None]
+    words += [_ENDS[query.ends] for _ in (query.ends,) if query.ends is not None]
+    words += [f"{query.approach:.0f} m of road before it" for _ in (query.approach,) if query.approach is not None]
     if query.conflicting_from:
         words.append(f"traffic from {' and '.join(query.conflicting_from)} that crosses the ego's way")
     if query.site is None:
@@ -213,7 +231,8 @@ def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: 
             continue
         maneuvers = [m for m in intersection.maneuvers if TURNS.get(m.type.name) is query.maneuver]
         for maneuver in sorted(maneuvers, key=lambda m: (m.startLane.uid, m.endLane.uid)):
-            route = _junction_route(network, maneuver, map_name, place, control, APPROACHES[variant])
+            approach = APPROACHES[variant] * (1.0 if query.approach is None else query.approach / APPROACHES[0])
+            route = _junction_route(network, maneuver, map_name, place, control, approach)
             if route is None or not _offers(maneuver.startLane, query):
                 continue
             if not query.conflicting_from or set(query.conflicting_from) <= {
@@ -297,10 +316,10 @@ def _turned(line: Polyline, start: float, end: float) -> float:
 def _along_roads(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[_Candidate]:
     wanted = query.place or Place.ROAD
     for run in dict.fromkeys(lane_runs(network).values()):
-        window = next(islice(_windows(network, run, wanted, query.site), variant, None), None)
+        window = next(islice(_windows(network, run, wanted, query), variant, None), None)
         if window is None or not _offers(run.lane_at(window[0]), query):
             continue
-        found = _on_road(run, *window, query)
+        found = _on_road(network, run, *window, query)
         if found is not None:
             line, lanes, event_at = found
             route = Route(
@@ -317,20 +336,21 @@ def _along_roads(network: Any, map_name: str, query: RouteQuery, variant: int) -
 
 
 def _windows(
-    network: Any, run: LaneRun, wanted: Place, site: Site | None
+    network: Any, run: LaneRun, wanted: Place, query: RouteQuery
 ) -> Iterator[tuple[float, float, float | None]]:
     """Where a route may start and end on a run [m], and what it leads past lies.
 
-    Only if no long one fits, short ones are looked for closely.
+    Only if no long one fits, short ones are looked for closely; but none that is shorter than was asked for.
     """
+    site = query.site
     if site is Site.CROSSWALK or site is Site.PARKING or site is Site.BUS_BAY:
-        for start, end, past in windows_past(network, run, site):
+        for start, end, past in windows_past(network, run, site, query.approach):
             if (shape := _shape(run.line, start, end)) is not None and includes(wanted, shape):
                 yield start, end, past
         return
     if site is not None and not along(network, run, site):
         return
-    long, short = MOTORWAYS if site is Site.MOTORWAY else (OPEN_ROAD, SHORT_ROAD)
+    long, short = _lengths(query)
     apart = BEND_STEP if includes(Place.CURVE, wanted) else ONSET_STEP
     found = False
     for length, first, step in ((long, FIRST_ONSET, apart), (short, FINE_STEP, FINE_STEP)):
@@ -341,6 +361,14 @@ def _windows(
             if shape is not None and includes(wanted, shape) and wide_at(run, onset) and wide_at(run, onset + length):
                 found = True
                 yield onset, onset + length, None
+
+
+def _lengths(query: RouteQuery) -> tuple[float, float]:
+    """How much of a run a route takes [m], and how much it may take where nothing longer fits."""
+    long, short = MOTORWAYS if query.site is Site.MOTORWAY else (OPEN_ROAD, SHORT_ROAD)
+    if query.approach is not None:
+        long = short = max(query.approach + BEYOND.get(query.maneuver, query.approach), SHORT_ROAD)
+    return (long, short) if query.begins is None else (long + FROM_BEHIND, short + FROM_BEHIND)
 
 
 def _shape(line: Polyline, start: float, end: float) -> Place | None:
@@ -363,16 +391,19 @@ def _aside(line: Polyline, start: float, end: float) -> float:
 
 
 def _on_road(
-    run: LaneRun, onset: float, end: float, past: float | None, query: RouteQuery
+    network: Any, run: LaneRun, onset: float, end: float, past: float | None, query: RouteQuery
 ) -> tuple[Polyline, tuple[str, ...], float] | None:
     """Line, lanes and event of a route that starts in a run of lanes and does the query's manoeuvre."""
     own = run.line.between(onset, end)
+    if query.begins is not None or query.ends is not None:
+        return _beside_lane(network, run, onset, end, query)
     if query.maneuver is Maneuver.STRAIGHT:
         return own, run.ids_between(onset, end), own.length / 2 if past is None else past - onset
     bypass = query.maneuver is Maneuver.BYPASS
     into = query.maneuver is Maneuver.LANE_CHANGE_LEFT and query.opposite_lane is True  # the lane of oncoming traffic
     against = into or (bypass and query.opposite_lane is not False)
-    leaves, returns = (BLOCKER_AT - PASSING - SWING, BLOCKER_AT + PASSING) if bypass else (CHANGE_AT, None)
+    event = query.approach or (BLOCKER_AT if bypass else CHANGE_AT)
+    leaves, returns = (event - PASSING - SWING, event + PASSING) if bypass else (event, None)
     side = -1 if query.maneuver is Maneuver.LANE_CHANGE_RIGHT else 1
     used = np.linspace(onset + leaves, onset + returns + SWING if returns else end, 5).tolist()
     beside = [neighbour(run, s, side) for s in used]
@@ -383,7 +414,26 @@ def _on_road(
     shift = side * abs(centre_line(beside[0]).project(*own.point_at(leaves))[1])
     over = SWING if bypass else MOTORWAY_CHANGE if query.site is Site.MOTORWAY else CHANGE_OVER
     lanes = (*run.ids_between(onset, used[0] + over), *dict.fromkeys(lane.uid for lane in beside))
-    return shifted(own, shift, leaves, returns, over), lanes, BLOCKER_AT if bypass else CHANGE_AT
+    return shifted(own, shift, leaves, returns, over), lanes, event
+
+
+def _beside_lane(
+    network: Any, run: LaneRun, onset: float, end: float, query: RouteQuery
+) -> tuple[Polyline, tuple[str, ...], float] | None:
+    """The same of a route that begins or ends beside its lane."""
+    own, event = run.line.between(onset, end), query.approach or OPEN_ROAD / 2
+    if query.ends is Beside.BACK:
+        found = turned_back(network, run, onset, onset + event)
+        if found is None:
+            return None
+        line, lane = found
+        return line, (*run.ids_between(onset, onset + event), lane.uid), event
+    if not (has_kerb(run, onset) and has_kerb(run, onset + event)):
+        return None
+    if query.ends is not None:
+        return ended(own, query.ends, event), run.ids_between(onset, onset + event), event
+    line, event = begun(run.line.between(onset + FROM_BEHIND, end), query.begins or Beside.KERB)
+    return line, run.ids_between(onset + FROM_BEHIND, end), event
 
 
 def _offers(lane: Any, query: RouteQuery) -> bool:

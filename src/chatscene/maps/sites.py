@@ -47,7 +47,8 @@ Found = tuple[str, Route]  # what to spread over, and the route, without an id
 def routes_at(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[Found]:
     """The routes of a map at a site that is one of `AT_JUNCTIONS`; later variants begin elsewhere."""
     if query.site is Site.ROUNDABOUT:
-        ways = _round(network, ENTRIES[variant])
+        further = 1.0 if query.approach is None else query.approach / ENTRIES[0]
+        ways = _round(network, ENTRIES[variant] * further)
     elif query.site is Site.LANE_DROP:
         ways = _out_of_ending_lanes(network, query.maneuver, variant)
     elif query.site is Site.PAST_ON_RAMP or query.site is Site.PAST_OFF_RAMP:
@@ -290,17 +291,20 @@ def _ids_to(run: LaneRun, line: Polyline) -> tuple[str, ...]:
 # Along roads
 
 
-def windows_past(network: Any, run: LaneRun, site: Site) -> list[tuple[float, float, float]]:
+def windows_past(
+    network: Any, run: LaneRun, site: Site, approach: float | None = None
+) -> list[tuple[float, float, float]]:
     """Where a route along a run may start and end, and what it leads past lies, all in arc lengths of the run [m]."""
     if site is Site.CROSSWALK:
         marks = _crosswalks_on(network, run)
     else:
         marks = _bays_beside(network, run, Stand.PARKING if site is Site.PARKING else Stand.BUS)
+    further = 1.0 if approach is None else approach / PAST[0]
     return [
-        (at - before, at - before + ROAD, at)
-        for before in PAST
+        (at - before, at - before + ROAD * further, at)
+        for before in (further * one for one in PAST)
         for at in marks
-        if at - before >= 2.0 and at - before + ROAD < run.line.length
+        if at - before >= 2.0 and at - before + ROAD * further < run.line.length
     ]
 
 

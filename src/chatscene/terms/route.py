@@ -6,9 +6,18 @@ Paper: section 3.1 ("Route"), section 4.2 (ten routes per base scenario).
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import StrEnum
 
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
+
+
+class Beside(StrEnum):
+    """Where a route begins or ends that does not do so in its lane."""
+
+    KERB = "kerb"
+    DRIVEWAY = "driveway"
+    BACK = "back"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,6 +40,10 @@ class RouteQuery:
             that is driven for there, and straight on stays in the lane. A roundabout is turned right, left or
             straight through, as seen from its entry.
         lane: Which lane of its direction it starts in, 1 for the outermost.
+        approach: How far [m] it leads up to where its manoeuvre begins, on open road as far beyond; None for as far as
+            is usual there.
+        begins: Where it begins beside its lane: at the ``kerb`` or in a ``driveway`` on its right.
+        ends: Where it ends beside its lane: at the kerb, in a driveway, or ``back`` in a lane of the other direction.
     """
 
     maneuver: Maneuver
@@ -42,6 +55,9 @@ class RouteQuery:
     conflicting_from: tuple[str, ...] = ()
     site: Site | None = None
     lane: int | None = None
+    approach: float | None = None
+    begins: Beside | None = None
+    ends: Beside | None = None
 
     @property
     def slug(self) -> str:
@@ -52,6 +68,9 @@ class RouteQuery:
         parts += ["one-lane" if self.lane_beside == "none" else f"lane-{self.lane_beside}"] if self.lane_beside else []
         parts += [f"from-{side}" for side in self.conflicting_from]
         parts += [self.site, None if self.lane is None else f"lane{self.lane}"]
+        parts += [None if self.approach is None else f"after-{self.approach:g}"]
+        parts += [None if self.begins is None else f"out-of-{self.begins}"]
+        parts += [None if self.ends is None else f"into-{self.ends}"]
         return "-".join(part for part in parts if part is not None)
 
 

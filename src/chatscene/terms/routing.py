@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from chatscene.terms.route import Beside
 from chatscene.terms.scenario import Control, Maneuver, Place
 from chatscene.terms.vocabulary import EgoRoute, RightOfWay, RoadKind
 
@@ -19,8 +20,21 @@ MANEUVERS: dict[EgoRoute | None, Maneuver] = {
     EgoRoute.ROUNDABOUT: Maneuver.STRAIGHT,
     EgoRoute.MERGE: Maneuver.LANE_CHANGE_LEFT,
     EgoRoute.EXIT: Maneuver.LANE_CHANGE_RIGHT,
+    EgoRoute.LEAVE_PARKING: Maneuver.STRAIGHT,
+    EgoRoute.LEAVE_DRIVEWAY: Maneuver.STRAIGHT,
+    EgoRoute.PARK: Maneuver.STRAIGHT,
+    EgoRoute.ENTER_DRIVEWAY: Maneuver.STRAIGHT,
+    EgoRoute.U_TURN: Maneuver.STRAIGHT,
 }
 """What a route finder is asked for; for the ways of an ego that are not here, no map is asked."""
+
+BEGINS: dict[EgoRoute | None, Beside] = {EgoRoute.LEAVE_PARKING: Beside.KERB, EgoRoute.LEAVE_DRIVEWAY: Beside.DRIVEWAY}
+ENDS: dict[EgoRoute | None, Beside] = {
+    EgoRoute.PARK: Beside.KERB,
+    EgoRoute.ENTER_DRIVEWAY: Beside.DRIVEWAY,
+    EgoRoute.U_TURN: Beside.BACK,
+}
+"""Where the ego's way begins or ends beside its lane."""
 
 CONTROLS = {
     RightOfWay.SIGNAL: Control.SIGNAL,

@@ -17,11 +17,11 @@ from scenic.domains.driving.model import *
 from chatscene.world.actions import DriveAction, WalkAction
 from chatscene.world.actors import Driven, Lying, Placed, Walking
 from chatscene.world.behaviors import *
-from chatscene.world.places import (adjacentPath, against, besideRoad, brakingDistance, choose_route as _choose_route,
-    crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, leftAt, levelOn, lineThrough,
-    maximum, neighbourPath, offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, route_along as _route_along,
+from chatscene.world.places import (adjacentPath, against, asideOf, backFrom, besideRoad, brakingDistance, choose_route as _choose_route,
+    crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, lastLane, leftAt, levelOn, lineThrough,
+    maximum, neighbourPath, offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, ringTraffic, route_along as _route_along,
     secondsTo, shortOfJunction, straightOn, trafficFrom,
-    unplaced as _unplaced, waitingTraffic, wayOf, wheelbase_of as _wheelbase_of)
+    unplaced as _unplaced, waitingTraffic, wayOf, wholeLane, wheelbase_of as _wheelbase_of)
 from chatscene.terms.actors import LIMITS as _LIMITS
 from chatscene.terms.order import Order
 from scenic.core.vectors import globalOrientation as _NORTH
@@ -46,14 +46,14 @@ from chatscene.world.stock import stock_simulator as _stock_simulator
 simulator _stock_simulator(globalParameters.simulator, globalParameters.map)
 
 def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, beside=None, crossed=(), site=None,
-        lane=None):
+        lane=None, approach=None, begins=None, ends=None):
     """The ego's route: number `globalParameters.route` of those the map has for this geometry.
 
     With `param egoStart = 'at-line'` it begins right before the junction, if it leads through one.
     """
     return _choose_route(network, globalParameters.map, int(globalParameters.route), maneuver=maneuver,
         place=place, control=control, lanes=lanes, opposite=opposite, beside=beside, crossed=crossed, site=site, lane=lane,
-        at_line=globalParameters.egoStart == 'at-line')
+        approach=approach, begins=begins, ends=ends, at_line=globalParameters.egoStart == 'at-line')
 
 def routeThrough(*points):
     """The ego's route along points [m], map frame, in driving order."""

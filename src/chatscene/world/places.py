@@ -22,11 +22,12 @@ from chatscene.errors import MapError
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
 from chatscene.maps.onward import route_through
+from chatscene.maps.ring_ways import ring_ways
 from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes, from_line
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.pace import Pace
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.route import Route, RouteQuery
+from chatscene.terms.route import Beside, Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.world.control import Tracker
 
@@ -90,6 +91,9 @@ def routes_for(
     crossed: tuple[str, ...] = (),
     site: str | None = None,
     lane: int | None = None,
+    approach: float | None = None,
+    begins: str | None = None,
+    ends: str | None = None,
 ) -> tuple[Route, ...]:
     """The routes of a map that a geometry asks for, best spread first.
 
@@ -105,6 +109,9 @@ def routes_for(
         crossed: From where another vehicle must be able to cross: ``left``, ``right``, ``oncoming``.
         site: A `Site`, or None for any.
         lane: Which lane of its direction it starts in, 1 for the outermost; None for any.
+        approach: How far [m] it leads up to its manoeuvre; None for as far as is usual.
+        begins: Where it begins beside its lane: a `Beside`, or None.
+        ends: Where it ends beside its lane: a `Beside`, or None.
 
     Raises:
         MapError: The map has no such geometry.
@@ -119,6 +126,9 @@ def routes_for(
         conflicting_from=tuple(crossed),
         site=None if site is None else Site(site),
         lane=lane,
+        approach=approach,
+        begins=None if begins is None else Beside(begins),
+        ends=None if ends is None else Beside(ends),
     )
     return _routes(network, Path(map_path).stem, query)
 
@@ -248,6 +258,23 @@ def levelOn(path: Any, route: EgoRoute, ahead: float) -> float:  # noqa: N802
 
 
 @_deferred
+def backFrom(to: float, metres: float) -> float:  # noqa: N802
+    """Arc length [m] on a path so many metres before another; where the path begins later, the draw is rejected."""
+    if metres > to:
+        raise RejectionException(f"a way begins {to:.0f} m before where it was to be met, not {metres:.0f} m")
+    return to - metres
+
+
+@_deferred
+def asideOf(route: EgoRoute, ahead: float, side: str, metres: float) -> Vector:  # noqa: N802
+    """The point so many metres to a side of the ego's route; where that lies on a lane, the draw is rejected."""
+    point = pointOn(route, ahead, metres if side == "left" else -metres)
+    if shapely.intersects_xy(route.network.drivableRegion.polygons, point.x, point.y):
+        raise RejectionException(f"{metres:.0f} m to the {side} of the ego's route there is still a lane")
+    return point
+
+
+@_deferred
 def maximum(a: float, b: float) -> float:
     """The larger of two numbers, of which either may be sampled."""
     return max(a, b)
@@ -267,6 +294,24 @@ def trafficFrom(route: EgoRoute, side: str) -> tuple[CrossingPath, ...]:  # noqa
     if not found:
         raise MapError(f"route {route.route.id!r} has no traffic from the {side} that meets it")
     return found
+
+
+def ringTraffic(route: EgoRoute, *sides: str) -> CrossingPath:  # noqa: N802
+    """The way of somebody in the roundabout of the ego's route that meets it; from the first side where there is one.
+
+    Args:
+        route: The ego's.
+        sides: From where: ``round`` of who goes round in it already, or from its arm to the ``left`` or ``right`` of
+            the ego's entry or ``oncoming``; best first.
+
+    Raises:
+        MapError: Nobody from there meets the ego's route.
+    """
+    ways = {way.from_side: way for way in reversed(ring_ways(route.network, route.route))}
+    for side in sides:
+        if side in ways:
+            return ways[side]
+    raise MapError(f"route {route.route.id!r} has no traffic {' or '.join(sides)} in a roundabout that meets it")
 
 
 def wayOf(traffic: tuple[CrossingPath, ...], turns: str | tuple[str, ...]) -> CrossingPath:  # noqa: N802
@@ -353,6 +398,16 @@ def ownLane(route: EgoRoute) -> Polyline:  # noqa: N802
     line = lane_runs(route.network)[route.route.lane_ids[0]].line
     level, _, _ = line.project(*route.line.point_at(0.0))
     return line.between(level, line.length)
+
+
+def wholeLane(route: EgoRoute) -> Polyline:  # noqa: N802
+    """The centre line of the lane the ego starts in or beside, from its beginning: where traffic comes from behind."""
+    return lane_runs(route.network)[route.route.lane_ids[0]].line
+
+
+def lastLane(route: EgoRoute) -> Polyline:  # noqa: N802
+    """The centre line of the lane the ego ends in, from its beginning: where traffic there comes from."""
+    return lane_runs(route.network)[route.route.lane_ids[-1]].line
 
 
 def leftAt(route: EgoRoute) -> float:  # noqa: N802

@@ -1,11 +1,13 @@
 """Traffic signals on a clock, or held by the program.
 
 A junction's approaches fall into two axes: the ego's own and the one across it. On the clock the axes take turns;
-a program can hold them with ``param signals``: ``ego-green`` (the ego's axis has green, crossing traffic red) or
-``ego-red`` (the reverse).
+a program can hold them with ``param signals``: ``ego-green`` (the ego's axis has green, crossing traffic red),
+``ego-red`` (the reverse), or have them change once, while it happens (`CHANGES`).
 """
 
 from __future__ import annotations
+
+import math
 
 GREEN, YELLOW, RED = "g", "y", "r"
 COLOURS = {"green": GREEN, "yellow": YELLOW, "red": RED}
@@ -14,7 +16,19 @@ YELLOW_TIME = 3.0  # [s]
 ALL_RED_TIME = 1.0  # [s]
 _HALF = GREEN_TIME + YELLOW_TIME + ALL_RED_TIME
 
-MODES = ("clock", "ego-green", "ego-red")
+Held = tuple[tuple[float, str], ...]
+"""Until when [s] a signal is what; the last for good."""
+CHANGES: dict[str, tuple[Held, Held]] = {
+    "ego-green": (((math.inf, GREEN),), ((math.inf, RED),)),
+    "ego-red": (((math.inf, RED),), ((math.inf, GREEN),)),
+    # An ego that comes at its usual speed is at the line after 5 s.
+    "ego-yellow": (((3.5, GREEN), (6.5, YELLOW), (math.inf, RED)), ((7.5, RED), (math.inf, GREEN))),
+    "ego-turns-green": (((4.0, RED), (math.inf, GREEN)), ((0.0, GREEN), (3.0, YELLOW), (math.inf, RED))),
+    "ego-turns-red": (((0.5, GREEN), (3.5, YELLOW), (math.inf, RED)), ((4.5, RED), (math.inf, GREEN))),
+}
+"""What a program can hold the signals of the ego's junction to: those of the ego's axis, then those across it."""
+
+MODES = ("clock", *CHANGES)
 
 
 def signal_states(mode: str, own_axis: bool, steps: int, dt: float) -> str:
@@ -26,8 +40,9 @@ def signal_states(mode: str, own_axis: bool, steps: int, dt: float) -> str:
         steps: How many states.
         dt: Step [s].
     """
-    if mode != "clock":
-        return (GREEN if own_axis == (mode == "ego-green") else RED) * steps
+    if mode in CHANGES:
+        held = CHANGES[mode][0 if own_axis else 1]
+        return "".join(next(state for until, state in held if step * dt < until) for step in range(steps))
     return "".join(state_on_clock(step * dt, own_axis) for step in range(steps))
 
 

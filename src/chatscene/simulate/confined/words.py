@@ -17,6 +17,7 @@ from importlib.resources import files
 
 from chatscene.terms.scene import OWN_MODEL
 from chatscene.terms.surroundings import Light, Surface, Weather
+from chatscene.world.signals import MODES
 
 
 def _set(words: str) -> frozenset[str]:
@@ -186,7 +187,7 @@ RESERVED = _set("globalParameters network simulation workspace model param new r
 """Names that mean something to Scenic, which a program may not define anew."""
 
 PARAMETERS = {
-    "signals": frozenset(("clock", "ego-green", "ego-red")),
+    "signals": frozenset(MODES),
     "egoStart": frozenset(("approach", "at-line")),
     "light": frozenset(str(one) for one in Light),
     "weather": frozenset(str(one) for one in Weather),

@@ -1,0 +1,84 @@
+"""Which part of whom is met: the window of time in which somebody crosses the ego's way so that it is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from chatscene.terms.situation import Contact, Other
+from chatscene.terms.vocabulary import Part, Side, Striker
+
+NEAR_MISS = 1.0  # [s] before the ego at most that somebody has gone by where there is no contact
+Window = tuple[float, float]
+
+EGO: Mapping[Part, Window] = {
+    Part.FRONT: (0.0, 1.0),
+    Part.LEFT_FRONT: (-0.35, 0.3),
+    Part.RIGHT_FRONT: (-0.35, 0.3),
+    Part.LEFT: (-0.8, -0.2),
+    Part.RIGHT: (-0.8, -0.2),
+    Part.LEFT_REAR: (-1.0, -0.55),
+    Part.RIGHT_REAR: (-1.0, -0.55),
+    Part.REAR: (-1.0, -0.75),
+}
+OTHER: Mapping[Part, Window] = {
+    Part.FRONT: (-1.0, 0.0),
+    Part.LEFT_FRONT: (-0.3, 0.35),
+    Part.RIGHT_FRONT: (-0.3, 0.35),
+    Part.LEFT: (0.2, 0.8),
+    Part.RIGHT: (0.2, 0.8),
+    Part.LEFT_REAR: (0.55, 1.0),
+    Part.RIGHT_REAR: (0.55, 1.0),
+    Part.REAR: (0.75, 1.0),
+}
+STRIKER: Mapping[Striker, Window] = {Striker.EGO: (0.0, 1.0), Striker.OTHER: (-1.0, 0.0)}
+"""For a part of the ego or of who crosses its way, and for who strikes: the share of the window in which that is met.
+
+At -1 the other touches the ego's tail, at 0 both noses are there at once, at 1 the other has just gone by.
+"""
+_LEFT = frozenset((Part.LEFT, Part.LEFT_FRONT, Part.LEFT_REAR))
+_RIGHT = frozenset((Part.RIGHT, Part.RIGHT_FRONT, Part.RIGHT_REAR))
+
+
+def aimed(contact: Contact | None, one: Other, late: float, early: float) -> tuple[float, float, *tuple[str, ...]]:
+    """When somebody is where the ways meet, and the facts that this has.
+
+    Args:
+        contact: What was said of the contact.
+        one: Who crosses the ego's way.
+        late: How much sooner than the ego [s] it is there if it touches the ego's tail; below 0.
+        early: The same if it has just gone by.
+
+    Returns:
+        How much sooner than the ego it is there, from and to, then the paths of what is aimed at. A part that cannot be
+        met together with what stands before it is not aimed at.
+    """
+    if contact is None or contact.whom not in (None, one.id):
+        return late, early
+    if not contact.happens:
+        return early, early + NEAR_MISS, "contact.happens"
+    low, high, taken = -1.0, 1.0, list[str]()
+    for path, window in _windows(contact, one):
+        if (least := max(low, window[0])) < (most := min(high, window[1])):
+            low, high = least, most
+            taken.append(path)
+    return _at(low, late, early), _at(high, late, early), *taken
+
+
+def _windows(contact: Contact, one: Other) -> list[tuple[str, Window]]:
+    turned = {Side.LEFT: _RIGHT, Side.RIGHT: _LEFT}
+    away = turned[one.starts.side] if one.starts.side is not None else frozenset[Part]()
+    windows: list[tuple[str, Window]] = []
+    if contact.striker is not None:
+        windows.append(("contact.striker", STRIKER[contact.striker]))
+    if contact.ego is not None and contact.ego not in away:
+        windows.append(("contact.ego", EGO[contact.ego]))
+    if contact.other is not None and (one.starts.side is None or contact.other in away or contact.other in _ENDS):
+        windows.append(("contact.other", OTHER[contact.other]))
+    return windows
+
+
+_ENDS = frozenset((Part.FRONT, Part.REAR))
+
+
+def _at(share: float, late: float, early: float) -> float:
+    return -share * late if share < 0 else share * early

@@ -1,0 +1,65 @@
+"""How fast the ego comes, and how much road that takes: what encounters are timed by."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from chatscene.terms.order import Order
+from chatscene.terms.pace import NOMINAL
+from chatscene.terms.situation import Situation
+
+_STEP = 0.1  # [s], in which a drive on an empty road is computed
+_LONGEST = 60.0  # [s] of it
+
+
+@dataclass(frozen=True, slots=True)
+class Coming:
+    """How an ego that nobody meets gets on.
+
+    Attributes:
+        speed: What it drives at where nothing holds it [m/s].
+        late: How much later [s] than at that speed from the first it is where the others meet it; None if it never is.
+    """
+
+    speed: float
+    late: float | None
+
+    def seconds(self, metres: str) -> str:
+        """When it is so many metres on its way, as a text of Scenic.
+
+        Raises:
+            ValueError: It never is.
+        """
+        if self.late is None:
+            raise ValueError("it never gets there")
+        return f"{metres} / {self.speed:.4g}" + (f" + {self.late:.2f}" if self.late > _STEP else "")
+
+
+def wanted_by(situation: Situation) -> float:
+    """What the ego drives at where nothing holds it [m/s]: as was said, else the nominal speed."""
+    said = situation.ego.speed
+    if said is None:
+        return NOMINAL.speed
+    return said.high if said.high < float("inf") else said.low
+
+
+def further(situation: Situation) -> float:
+    """By how much more road than usual the ego's way leads up to what happens; 1 at the nominal speed or below."""
+    return max(1.0, wanted_by(situation) / NOMINAL.speed)
+
+
+def coming(speed: float, orders: tuple[Order, ...], metres: float, *, stands: bool) -> Coming:
+    """How an ego gets on that wants a speed and has orders.
+
+    Args:
+        speed: What it wants [m/s].
+        orders: What it is held to.
+        metres: How far it is to where the others meet it.
+        stands: Whether it stands at first.
+    """
+    at, time, now = 0.0, 0.0, 0.0 if stands else speed
+    while at < metres and time < _LONGEST:
+        allowed = min(speed, *(order.allows(time, at) for order in orders), speed)
+        now = min(allowed, now + NOMINAL.gain * _STEP)
+        at, time = at + now * _STEP, time + _STEP
+    return Coming(speed, max(0.0, time - metres / speed) if at >= metres else None)

@@ -1,0 +1,91 @@
+"""Routes that begin or end beside their lane: at the kerb, in a driveway, or in the lanes of the other direction."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from chatscene.maps.lane_changes import neighbour, shifted, wide_at
+from chatscene.maps.lane_runs import LaneRun, lane_runs
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.route import Beside
+
+KERB = 3.05  # [m] beside the middle of a lane somebody is parked: 1.3 m outside a lane of 3.5 m
+OVER = 14.0  # [m] along the road within which a car is at the kerb or gone from there
+STRAIGHT = 2.0  # [m] along the kerb at first
+CURB_RADIUS = 6.0  # [m] of the bend into a driveway, as the design manuals of streets have for passenger cars
+DRIVEWAY = 7.0  # [m] of it that is driven
+TIGHTEST = 4.0  # [m] of radius at least, on which a car turns round
+BACK = 45.0  # [m] driven after that
+_ARC = 12  # points of a quarter of a circle
+
+
+def begun(line: Polyline, begins: Beside) -> tuple[Polyline, float]:
+    """A line along a lane with another beginning, and where it is in the lane [m]."""
+    if begins is Beside.KERB:
+        fine = line.resampled(1.0)
+        return shifted(fine.offset(-KERB), KERB, STRAIGHT, None, OVER), STRAIGHT + OVER / 2
+    angle = np.linspace(0.0, math.pi / 2, _ARC)
+    along = np.concatenate(([0.0], CURB_RADIUS * (1.0 - np.cos(angle))))
+    left = np.concatenate(([-CURB_RADIUS - DRIVEWAY], CURB_RADIUS * (np.sin(angle) - 1.0)))
+    bend = _beside(line, 0.0, along, left)
+    return Polyline.join(bend, line.between(CURB_RADIUS, line.length)), DRIVEWAY + CURB_RADIUS / 2
+
+
+def ended(line: Polyline, ends: Beside, at: float) -> Polyline:
+    """A line along a lane that leaves it at an arc length [m] for the kerb or a driveway on its right."""
+    if ends is Beside.KERB:
+        return shifted(line.between(0.0, at + OVER + 4.0), -KERB, at, None, OVER)
+    angle = np.linspace(0.0, math.pi / 2, _ARC)
+    along = np.concatenate((CURB_RADIUS * np.sin(angle), [CURB_RADIUS]))
+    left = np.concatenate((CURB_RADIUS * (np.cos(angle) - 1.0), [-CURB_RADIUS - DRIVEWAY]))
+    return Polyline.join(line.between(0.0, at), _beside(line, at, along, left))
+
+
+def turned_back(network: Any, run: LaneRun, start: float, at: float) -> tuple[Polyline, Any] | None:
+    """A way along a run that turns round to the left, into the outermost lane of the other direction.
+
+    Args:
+        network: Scenic's road network.
+        run: The lanes that it goes along.
+        start: Where it begins on them [m].
+        at: Where it turns [m].
+
+    Returns:
+        The way and that lane; None if there is none, or it lies too near to turn into.
+    """
+    group = run.lane_at(at).group._opposite
+    if group is None:
+        return None
+    runs = lane_runs(network)
+    point, found = run.line.point_at(at), None
+    for lane in group.lanes:
+        other = runs[lane.uid]
+        aside = abs(other.line.project(*point)[1])
+        if wide_at(other, other.line.project(*point)[0]) and (found is None or aside > found[0]):
+            found = aside, other
+    if found is None or (radius := found[0] / 2) < TIGHTEST:
+        return None
+    other = found[1]
+    angle = np.linspace(0.0, math.pi, 2 * _ARC)
+    half = _beside(run.line, at, radius * np.sin(angle), radius * (1.0 - np.cos(angle)))
+    level = other.line.project(*half.points[-1].tolist())[0]
+    end = min(level + BACK, other.line.length)
+    if end - level < BACK / 2:
+        return None
+    line = Polyline.join(run.line.between(start, at), half, other.line.between(level, end))
+    return line, other.lane_at(level)
+
+
+def has_kerb(run: LaneRun, at: float) -> bool:
+    """Whether a run is the outermost of its direction at an arc length [m]."""
+    return neighbour(run, at, -1) is None
+
+
+def _beside(line: Polyline, at: float, along: Any, left: Any) -> Polyline:
+    """Points so far along a line from one on it, and beside it, where the line goes straight on."""
+    (x, y), heading = line.point_at(at), line.heading_at(at)
+    ahead, aside = np.array((math.cos(heading), math.sin(heading))), np.array((-math.sin(heading), math.cos(heading)))
+    return Polyline(np.array((x, y)) + np.outer(along, ahead) + np.outer(left, aside))
