@@ -13,9 +13,9 @@ from pathlib import Path
 
 from chatscene.errors import NothingFits, SettingsError
 from chatscene.files.bounded import check_file
+from chatscene.interpret.asked import heard
 from chatscene.interpret.decide import weigh
 from chatscene.read.decompose import LONGEST
-from chatscene.read.reading import read
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.conflict import Conflict
 from chatscene.terms.scenario import Slots
@@ -123,7 +123,7 @@ def _joined(before: list[str], passage: str, left_out: list[str]) -> str:
 
 
 def _read(passage: str, settings: RetrievalSettings) -> _Passage:
-    frame = read(passage, settings)
+    frame = heard(passage, settings)
     if frame.reader:
         tells = frame.outright.adversary is not None and bool(frame.outright.actions)
         return _Passage(passage, tells, _says_of_ego(frame.outright))

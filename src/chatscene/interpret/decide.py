@@ -33,11 +33,10 @@ _ORDER = {why: place for place, why in enumerate(Why)}
 
 
 def scenario_of(text: str, settings: RetrievalSettings | None = None) -> Scenario:
-    """Read a sentence and decide its facts.
+    """Read a sentence without a language model, and decide its facts.
 
     Raises:
-        SettingsError: The text is empty or too long, or there is no such language model.
-        MissingExtra: The language model's package is missing.
+        SettingsError: The text is empty or too long.
     """
     settings = settings or RetrievalSettings()
     return decide(as_worded(read(text, settings), settings), settings)

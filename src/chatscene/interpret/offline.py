@@ -6,7 +6,7 @@ Everything that reads without a language model stands behind this one class (`ch
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from chatscene.interpret.decide import trusted
 from chatscene.interpret.readings import as_read, understand
@@ -43,7 +43,7 @@ class OfflineReader:
         Raises:
             SettingsError: The text is empty or too long, or what the user stated does not go with it.
         """
-        frame = read(text, replace(self.settings, language_model=OFFLINE))
+        frame = read(text, self.settings)
         scenario = understand(frame, self.settings, served=self._is_built)
         first = _ranked(scenario, sure(scenario, self.settings))
         others = (_ranked(as_read(frame, one.slots), one.probability) for one in scenario.readings)

@@ -33,11 +33,11 @@ class Retrieved(Exploring):
 
     def read(self, text: str, settings: RetrievalSettings) -> Scenario:
         """Step 2: any sentence; one of the benchmark says what is listed of it, whatever it reads like."""
+        from chatscene.interpret.asked import heard
         from chatscene.interpret.readings import as_read, understand  # no sentence is read for a replayed scene
-        from chatscene.read.reading import read
         from chatscene.sentences.plain import told
 
-        frame = read(text, settings)
+        frame = heard(text, settings)
         facts = None if settings.stated or settings.reading else _facts().get(frame.canonical)
         scenario = understand(frame, settings) if facts is None else as_read(frame, facts, frame.notes)
         readings = tuple(replace(one, told=told(one.slots)) for one in scenario.readings)

@@ -1,0 +1,59 @@
+"""What a text says as a frame, where a language model reads it: the facts of the situation that the model fills.
+
+Who chooses snippets (the paper's way, a library of one's own) takes a frame, whoever read it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from chatscene.errors import LanguageModelError
+from chatscene.files.caches import cache_folder
+from chatscene.interpret.slots_of import facts_of, parties_of
+from chatscene.models.language.protocol import load_language_model
+from chatscene.read.by_model import LIMITS, ModelReader
+from chatscene.read.reading import read
+from chatscene.settings import OFFLINE, RetrievalSettings
+from chatscene.terms.conclusions import concluded
+from chatscene.terms.frame import About, Frame, Note, certain
+from chatscene.terms.scenario import Quantity, Slots, Why
+
+
+def heard(text: str, settings: RetrievalSettings) -> Frame:
+    """Read a text, offline or by the language model that the settings name.
+
+    The model's facts are sure; what it gives no situation for says nothing. Notes say who read it, and where the two
+    readers differ.
+
+    Raises:
+        SettingsError: The text is empty or too long, or there is no such language model.
+        MissingExtra: The language model's package is missing.
+    """
+    frame = read(text, settings)
+    if settings.language_model == OFFLINE:
+        return frame
+    model = load_language_model(settings.language_model, limits=LIMITS, cache=cache_folder("replies"))
+    try:
+        read_so = ModelReader(model).read(text)
+    except LanguageModelError as error:
+        return replace(frame, notes=(*frame.notes, Note(about=About.OFFLINE, said=(str(error),))))
+    parties = parties_of(read_so.ranked[0].situation) if read_so.ranked else None
+    facts = facts_of(read_so.ranked[0].situation, parties) if parties is not None else None
+    slots = concluded(facts.slots) if facts is not None else Slots()
+    numbers = [one for several in facts.numbers.values() for one in several] if facts is not None else []
+    differ = [
+        Note(about=About.DIFFERENT, said=(name, model.name, str(new), "the offline reader", str(old)))
+        for name, new in slots.said().items()
+        if (old := frame.beliefs.likeliest(name)) not in (None, new)
+    ]
+    return replace(
+        frame,
+        outright=slots,
+        beliefs=certain(slots, frame.beliefs),
+        quantities=tuple(one for one in numbers if isinstance(one, Quantity)),
+        surroundings=facts.surroundings if facts is not None else frame.surroundings,
+        unused=tuple(one for one in frame.unused if one.why not in (Why.WORDS, Why.LANGUAGE)),  # it knows more
+        notes=(Note(about=About.READER, said=(model.name,)), *differ),
+        reader=model.name,
+        whole=False,
+    )
