@@ -43,7 +43,6 @@ if TYPE_CHECKING:
     from chatscene.learn.env import DrivingEnv
     from chatscene.learn.finetune import Finetuned, FinetuneSettings
     from chatscene.learn.train import Trained
-    from chatscene.report.filled import Filled
     from chatscene.report.stated import Stated
     from chatscene.report.summary import Summary
     from chatscene.report.understood import Understood
@@ -229,10 +228,7 @@ class Run:
         follow(self._repeated, egos_of=[self._workspace], simulators_of=[self._workspace], reading_of=[self._workspace])
         situation, by_default = None, False
         if isinstance(made, Stated):
-            situation, map_name = _recorded(made.situation, None)
-            told = record.situation
-            read_by = told.read_by if told is not None else made.reader
-            situation = situation.model_copy(update={"read_by": read_by, "left_out": list(made.not_said)})
+            situation, map_name = made.record, made.built.map
         else:
             assert isinstance(made, Edited)
             by_default = record.map_name == map_with(made.before.scenario.slots.site)
@@ -495,13 +491,17 @@ def run(
     chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading)
     if report is not None:
         text = _only_conflict(report, chosen)
-    from chatscene.report.filled import filled, is_filled, read_already
+    from chatscene.report.filled import explain_text, is_filled, read_already
+    from chatscene.report.stated import Stated, explain_stated, stated
 
-    given, read = (text, None) if isinstance(text, Situation) else (None, None)
-    if not isinstance(text, Situation) and is_filled(str(text), chosen):
-        read = filled(str(text), chosen, set, None if map is None else str(map))
-        given, set, chosen = read.situation, None, read_already(chosen)  # noqa: A001
-    elif given is None:
+    edits, made = _names(edit or ()), None
+    on = None if map is None else str(map)
+    if isinstance(text, Situation):
+        made = explain_stated(stated(text, set, on), edits=edits)
+    elif is_filled(str(text), chosen):
+        made = explain_text(str(text), replace(settings, retrieval=chosen), facts=set, edits=edits, map_name=on)
+        chosen = read_already(chosen)
+    else:
         chosen = _reading(chosen, stated=set)
     looking = _changed(
         settings.search, scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable, sampler=sampler
@@ -514,16 +514,18 @@ def run(
             map = own.map_path  # noqa: A001
         else:
             progress(f"the program's map {own.map_path.name} is not there; it runs on {map or TOWN}", 0, 0)
-    situation, where_built = (None, map) if given is None else _situation(given, set, edit or (), map, read)
+    situation = made.record if isinstance(made, Stated) else None
+    if isinstance(made, Stated):
+        map = made.built.map  # noqa: A001
     asked = runs.asked_run(
         "" if isinstance(text, Situation) else text,
         program=None if own is None else runs.ProgramRecord(name=own.program.scenario_id, source=own.program.source),
         settings=replace(settings, search=looking, simulation=simulation, retrieval=chosen),
         situation=situation,
-        map_name=None if where_built is None else str(where_built),
+        map_name=None if map is None else str(map),
         ego=str(ego),
         generator=_generator_of(situation, own, trusted=trust, as_written=as_written),
-        edits=_names(edit or ()),
+        edits=edits,
     )
     pipeline.run(asked, where, workers=Workers(jobs, executor), progress=progress)
     return Run(where, ego=ego, simulator=simulation.simulator, library=chosen.library or ())
@@ -1134,43 +1136,6 @@ def _names(names: Names) -> tuple[str, ...]:
 def _sources(scenes: Run | Name | Sequence[Run | Name]) -> list[Path]:
     every = [scenes] if isinstance(scenes, Run | str | Path) else scenes
     return [one.folder if isinstance(one, Run) else _path(one) for one in every]
-
-
-def _situation(
-    given: Situation,
-    facts: Mapping[str, object] | None,
-    edits: Names,
-    map_name: Name | None,
-    read: Filled | None = None,
-) -> tuple[runs.SituationRecord, Name]:
-    """A situation as a run keeps it, and the map that it is built on."""
-    from chatscene.interpret.edited import edited
-    from chatscene.report.filled import editor_of
-    from chatscene.report.stated import stated
-
-    made, unused = stated(given, facts), list[str]()
-    editor = (editor_of(read.reader) if read is not None else None) or edited
-    for one in _names(edits):
-        after = editor(made, one)
-        made, unused = after.after, [*unused, *after.unused]
-    return _recorded(made, None if map_name is None else str(map_name), read, unused)
-
-
-def _recorded(
-    made: Situation, map_name: str | None, read: Filled | None = None, unused: Sequence[str] = ()
-) -> tuple[runs.SituationRecord, Name]:
-    from chatscene.search.generators.situated import on_its_map
-    from chatscene.situations.file import to_yaml
-    from chatscene.situations.words import title
-
-    made = on_its_map(made, map_name)
-    record = runs.SituationRecord(
-        name=made.about or title(made),
-        text=to_yaml(made),
-        read_by=read.reader if read is not None else "",
-        left_out=[*(read.left_out if read is not None else ()), *(f"{one}: no scene shows it" for one in unused)],
-    )
-    return record, made.map or TOWN
 
 
 def _generator_of(situation: object | None, own: ForeignProgram | None, *, trusted: bool, as_written: bool) -> str:

@@ -15,12 +15,13 @@ from chatscene.report.accounting import in_words, parts_of
 from chatscene.situations.facts import with_fact
 from chatscene.situations.file import read_file, to_yaml
 from chatscene.situations.form import to_plain
-from chatscene.situations.words import told
+from chatscene.situations.words import title, told
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Evidence, Situation
 
 if TYPE_CHECKING:
+    from chatscene.runs.record import SituationRecord
     from chatscene.situations.edited import Edited
 
 Editor = Callable[[Situation, str], "Edited"]
@@ -67,6 +68,18 @@ class Stated:
         from chatscene.settings import RetrievalSettings
 
         return Situated().read(to_yaml(replace(self.situation, map=self.built.map)), RetrievalSettings())
+
+    @property
+    def record(self) -> SituationRecord:
+        """The situation as a run keeps it."""
+        from chatscene.runs.record import SituationRecord
+
+        return SituationRecord(
+            name=self.situation.about or title(self.situation),
+            text=to_yaml(replace(self.situation, map=self.built.map)),
+            read_by=self.reader,
+            left_out=list(self.not_said),
+        )
 
     def edit(self, text: str) -> Changed:
         """The same situation but for what an edit in words names, such as "make it a truck, from the left".

@@ -35,14 +35,16 @@ from chatscene.maps.network import load_network, map_with, resolve_map
 from chatscene.measure.drive import Ran
 from chatscene.report.animation import still
 from chatscene.report.coverage import coverage_page
+from chatscene.report.filled import explain_text
+from chatscene.report.stated import Stated
+from chatscene.report.understood import Understood
 from chatscene.report.viewer import ranked
 from chatscene.runs.atomic import write_bytes, write_json
 from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
 from chatscene.search.climb import climb, simulator_of
-from chatscene.search.generator import Written
-from chatscene.search.generators.retrieved import Retrieved
+from chatscene.search.generator import load_generator
 from chatscene.settings import Settings
 from chatscene.simulate.simulator import Simulator, check_jobs, routes_of
 from chatscene.studies.catalogue import slug
@@ -122,7 +124,6 @@ class _Desk:
 
     def __init__(self, asked: Asked) -> None:
         self._asked = asked
-        self._generator = Retrieved()
         self._simulators: dict[Path, Simulator] = {}
         self._egos: dict[str, EgoPolicy] = {}
         if asked.scenes:
@@ -136,16 +137,14 @@ class _Desk:
         row = Covered(catalogue=catalogue, entry=entry, answer=Answer.OUT_OF_REACH, reasons=(entry.reason,), slots={})
         if not entry.sentence:
             return row
-        reading = self._asked.settings.retrieval
-        scenario = self._generator.read(entry.sentence, reading)
-        row = replace(row, slots=_in_words(scenario), unused=tuple(grouped(scenario.unused).values()))
         try:
-            written = self._generator.write(scenario, reading)
-            row = replace(row, answer=Answer.SERVED, reasons=(), **_chosen(scenario, written))
+            understood = explain_text(entry.sentence, self._asked.settings, map_name=self._asked.map_name)
+            scenario = understood.scenario
+            row = replace(row, slots=_in_words(scenario), answer=Answer.SERVED, reasons=(), **_chosen(understood))
             if self._asked.scenes:
-                row = self._driven(row, scenario, written)
+                row = self._driven(row, understood)
             if self._asked.folder:
-                row = self._searched(row, self._asked.folder)
+                row = self._searched(row, understood, self._asked.folder)
         except (NothingFits, MeansSomethingElse) as refusal:
             reasons = refusal.reasons if isinstance(refusal, NothingFits) else (str(refusal),)
             return replace(row, answer=Answer.REFUSED, reasons=reasons, **_NO_CHOICE)
@@ -155,9 +154,11 @@ class _Desk:
             return replace(row, answer=Answer.FAILED, reasons=(f"{type(error).__name__}: {error}",), **_NO_CHOICE)
         return row
 
-    def _driven(self, row: Covered, scenario: Scenario, first: Written) -> Covered:
+    def _driven(self, row: Covered, understood: Understood | Stated) -> Covered:
         """What drawn scenes show, once the program, or the next best, stands on the ladder."""
-        settings, generator, map_path = self._asked.settings, self._generator, self._map_of(scenario)
+        settings, map_path = self._asked.settings, self._map_of(understood)
+        scenario, generator = understood.scenario, load_generator(understood.generator)
+        first = generator.write(scenario, settings.retrieval)
         if map_path not in self._simulators:
             self._simulators[map_path] = simulator_of(generator, map_path, settings)
         simulator = self._simulators[map_path]
@@ -170,7 +171,7 @@ class _Desk:
             looking = replace(settings.search, scenes=count, block=count, sampler="random")
             for name, ego in self._egos.items():
                 for block in generator.explore(
-                    written.program, scenario.slots, route, simulator=simulator, ego=ego, settings=looking, done=()
+                    written.program, scenario.said, route, simulator=simulator, ego=ego, settings=looking, done=()
                 ):
                     drives[name] += block.ran
         every = [ran for own in drives.values() for ran in own]
@@ -178,24 +179,28 @@ class _Desk:
         missed = Counter(failure for ran in every for failure in ran.meaning)
         return replace(
             row,
-            **_chosen(scenario, written),
             fared=tuple(_fared(name, own) for name, own in drives.items()),
             missed=tuple(missed.most_common()),
             picture=_still(best.episode, map_path) if best and self._asked.folder else b"",
         )
 
-    def _map_of(self, scenario: Scenario) -> Path:
-        return resolve_map(self._asked.map_name or map_with(scenario.slots.site))
+    def _map_of(self, understood: Understood | Stated) -> Path:
+        built_on = understood.built.map if isinstance(understood, Stated) else map_with(understood.scenario.slots.site)
+        return resolve_map(self._asked.map_name or built_on)
 
-    def _searched(self, row: Covered, folder: Path) -> Covered:
+    def _searched(self, row: Covered, understood: Understood | Stated, folder: Path) -> Covered:
         """The row with its run, which is made or gone on with if that is asked for."""
         name = folder_of(row)
         run = runs.Workspace(folder / name)
         if self._asked.fill:
+            situation = understood.record if isinstance(understood, Stated) else None
+            built_on = understood.built.map if isinstance(understood, Stated) else self._asked.map_name
             record = runs.asked_run(
                 row.entry.sentence,
+                situation=situation,
+                generator=understood.generator,
                 settings=self._asked.settings,
-                map_name=self._asked.map_name,
+                map_name=built_on,
                 ego=self._asked.egos[0],
             )
             if _is_finished(run):
@@ -243,8 +248,11 @@ def _in_words(scenario: Scenario) -> dict[str, str]:
     }
 
 
-def _chosen(scenario: Scenario, written: Written) -> dict[str, Any]:
-    retrieval = written.retrieval
+def _chosen(understood: Understood | Stated) -> dict[str, Any]:
+    """What of a sentence is not shown, and the snippets that serve it, if any are chosen."""
+    if isinstance(understood, Stated):
+        return {"unused": understood.told_first}
+    scenario, retrieval = understood.scenario, understood.retrieval
     assert isinstance(retrieval, Retrieval)  # whoever retrieves says so
     ids = tuple(snippet.id for snippet in retrieval.snippets)
     return {

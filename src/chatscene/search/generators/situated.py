@@ -77,17 +77,6 @@ class Situated(Exploring):
         return True
 
 
-def on_its_map(situation: Situation, map_name: str | None) -> Situation:
-    """A situation with the map on which it is built: the one that is named, or the first that has such a place.
-
-    Raises:
-        NotBuilt: No map has such a place, or a fact of it cannot be built.
-        MapError: There is no such map.
-    """
-    named = replace(situation, map=map_name) if map_name is not None else situation
-    return replace(named, map=build(named, name=NAME).map)
-
-
 def on_any_map(situation: Situation) -> Situation:
     """A situation without the name of a packaged map, so that another one may serve what changes; a file stays."""
     return replace(situation, map=None) if situation.map in PACKAGED else situation
