@@ -86,15 +86,19 @@ def words_of(situation: Situation, text: str) -> tuple[Word, ...]:
     return tuple(told)
 
 
+def words_told(situation: Situation) -> tuple[Word, ...]:
+    """What became of each word of the text that a situation is called by; none where it was not read in that text."""
+    quoted, text = situation.evidence.quoted.values(), situation.about
+    return words_of(situation, text) if quoted and all(_spans(words, text) for words in quoted) else ()
+
+
 def _says_nothing(word: str) -> bool:
     return word.lower().replace("\u2019", "'") in _FUNCTION_WORDS
 
 
 def left_over(situation: Situation) -> tuple[str, ...]:
     """The words that gave no fact, of a situation that is called by the text it was read in; else none."""
-    quoted = situation.evidence.quoted.values()
-    text = situation.about
-    return unread(situation, text) if quoted and all(_spans(words, text) for words in quoted) else ()
+    return unread(situation, situation.about) if words_told(situation) else ()
 
 
 def not_in_words(situation: Situation) -> tuple[str, ...]:

@@ -46,13 +46,14 @@ def heading(record: RunRecord, explanation: Row, around: str) -> Markup:
         around: Light, weather and road (`chatscene.report.surroundings`).
     """
     facts = "; ".join(f"{_words(name)}: {_slot(value)}" for name, value in facts_of(explanation))
+    told = " ".join(scenario.get("told", "") for scenario in explanation.get("scenarios", []))
     own = record.program is not None
     return fill_section(
         "heading",
         record.title,
         own,
         told_first(explanation, record),
-        facts,
+        told.removesuffix(".") or facts,
         around,
         _BANNERS.get(record.status),
         record.reason,

@@ -51,11 +51,16 @@ def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]
     from chatscene.interpret.otherwise import otherwise
     from chatscene.interpret.readings import offered  # who reads an explanation again reads no sentence
     from chatscene.read.accounting import words_of
+    from chatscene.read.quotes import words_told
+    from chatscene.situations.words import told
 
     words = [one.as_dict() for one in words_of(scenario, retrieval.unused if retrieval else ())]
+    if scenario.situation is not None:
+        words = [one.as_dict() for one in words_told(scenario.situation)]
     return {
         "scenario_id": scenario.id,
-        "text": scenario.text,
+        "text": scenario.text if scenario.situation is None else scenario.situation.about,
+        "told": told(scenario.situation) if scenario.situation is not None else "",
         "base": scenario.base.value if scenario.base else None,
         "parts": {component.value: scenario.parts[component] for component in Component},
         "slots": {name: _plain(value) for name, value in scenario.slots.said().items()},
