@@ -6,18 +6,22 @@ the words of a situation. What a situation has no word for is listed, never drop
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import takewhile
 from typing import Any
 
-from chatscene.read.accounting import words_of
-from chatscene.read.quotes import without_words
-from chatscene.situations.facts import GAP, is_said
+from chatscene.read.accounting import CONTACT, JOINS, words_of
+from chatscene.read.kinds import kind_named, number_in
+from chatscene.read.lexicon import KINDS as KINDS_HEARD
+from chatscene.read.quotes import says_nothing, without_words
+from chatscene.situations.facts import GAP, is_said, said_in, within
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Speed
 from chatscene.terms.conclusions import JUNCTIONS
+from chatscene.terms.frame import Word
 from chatscene.terms.scenario import (
     Control,
     Distance,
@@ -32,7 +36,7 @@ from chatscene.terms.scenario import (
     Site,
     Slots,
 )
-from chatscene.terms.situation import Around, Deed, Ego, Evidence, Other, Road, Situation, Start, When
+from chatscene.terms.situation import SEVERAL, Around, Contact, Deed, Ego, Evidence, Other, Road, Situation, Start, When
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 from chatscene.terms.vocabulary import (
     Act,
@@ -200,12 +204,25 @@ def situation_of(scenario: Scenario) -> Told:
     if Action.DIAGONAL in slots.actions:
         left_out.append("at a slant: whoever crosses goes straight over")
     left_out += [f"{one}: more others than are read" for one in slots.others[len(BESIDE) :]]
-    quoted = _quoted(scenario, made)
+    words = tuple(_told_of(scenario))
+    if any(word.fact == CONTACT for word, _ in words):
+        made = replace(made, contact=Contact())
+    quoted = _quoted(scenario, made, words)
+    made = replace(made, others=tuple(_as_named(one, quoted) for one in made.others))
     if made.ego.route is EgoRoute.STRAIGHT and "ego.route" not in quoted:  # which follows where nothing else is said
         made = replace(made, ego=replace(made.ego, route=None))
     made = replace(made, about=scenario.text, evidence=Evidence(quoted=quoted))
     evidence = replace(made.evidence, assumed=without_words(made))
     return Told(situation=replace(made, evidence=evidence), left_out=tuple(left_out))
+
+
+def _as_named(one: Other, quoted: Mapping[str, str]) -> Other:
+    """Somebody as what the words say, where they say more than the reader's kinds: a van, a child, three of them."""
+    path = f"others.{one.id}"
+    words = quoted.get(f"{path}.kind", quoted.get(path, ""))
+    kind = kind_named(words, one.kind.row.body) or one.kind
+    count = number_in(words) if one.count == SEVERAL else None
+    return replace(one, kind=kind, count=one.count if count is None else count)
 
 
 def in_a_situation(slots: Slots, numbers: Sequence[Quantity], around: Surroundings) -> Situation:
@@ -417,7 +434,7 @@ _PATHS: dict[str, tuple[str, ...]] = {
     "adversary": (f"others.{WHO}.kind",),
     "actions": (f"others.{WHO}.does",),
     "position": (f"others.{WHO}.starts.where", f"others.{WHO}.starts"),
-    "side": (f"others.{WHO}.starts.side", f"others.{WHO}.starts"),
+    "side": (f"others.{WHO}.starts.side", *(f"others.{WHO}.does.{i}.to" for i in range(4)), f"others.{WHO}.starts"),
     "distance": (f"others.{WHO}.starts.distance",),
     "group": (f"others.{WHO}.count",),
     "maneuver": ("ego.route",),
@@ -429,6 +446,7 @@ _PATHS: dict[str, tuple[str, ...]] = {
     "two_way": ("road.two_way",),
     "site": ("road",),
     "occluder": (f"others.{HIDES}",),
+    CONTACT: ("contact.happens",),
     "leader": (f"others.{LEADS}",),
     "blocker": (f"others.{BLOCKS}",),
     "others": (f"others.{BESIDE[0]}",),
@@ -444,26 +462,42 @@ _PATHS: dict[str, tuple[str, ...]] = {
 """Where the fact stands that a word gave, the first that is there."""
 _A = f"others.{WHO}"
 _TOLD_WITH: dict[str, tuple[str, ...]] = {
-    "road.control": ("road.kind",),
-    "road.kind": ("road.control", "ego.route"),
+    "road.control": ("road.kind", "ego.does", f"{_A}.does"),
+    "road.kind": ("road.control", "ego.route", f"{_A}.does", "ego.does"),
+    "road.ego_light": ("road.control", "ego.does"),
     f"{_A}.hidden_by": (f"others.{HIDES}",),
-    f"{_A}.starts.where": (f"{_A}.starts.side", f"{_A}.does", f"{_A}.kind"),
-    f"{_A}.starts.side": (f"{_A}.starts.where", f"{_A}.does"),
-    f"{_A}.starts.distance": (f"{_A}.starts.where",),
-    f"{_A}.does": (f"{_A}.kind",),
     f"others.{HIDES}.starts.side": (f"{_A}.starts.side",),
     f"others.{LEADS}": (f"others.{BESIDE[0]}",),
     f"others.{BLOCKS}": ("ego.route",),
 }
 """Facts that the words of another one tell as well, where none of their own do."""
+_OF_EACH = {
+    "count": ("kind",),
+    "starts.where": ("starts.side", "does", "kind"),
+    "starts.side": ("starts.where", "does"),
+    "starts.distance": ("starts.where",),
+    "does": ("kind",),
+}
+"""The same, of everybody who does something."""
 
 
-def _quoted(scenario: Scenario, made: Situation) -> dict[str, str]:
+def _told_with(made: Situation) -> Iterator[tuple[str, tuple[str, ...]]]:
+    yield from _TOLD_WITH.items()
+    for one in made.others:
+        for path, others in _OF_EACH.items():
+            yield f"others.{one.id}.{path}", tuple(f"others.{one.id}.{other}" for other in others)
+
+
+def _quoted(scenario: Scenario, made: Situation, words: Iterable[tuple[Word, str]]) -> dict[str, str]:
     """The words that gave each fact: those that follow each other as they stand, others parted by a gap."""
     text = scenario.frame.text if scenario.frame is not None else ""
     runs: dict[str, list[tuple[int, int]]] = {}
-    for word in words_of(scenario):
-        path = next((one for one in _PATHS.get(word.fact, ()) if is_said(made, one)), None)
+    path = None
+    for word, who in words:
+        joins = word.besides == JOINS and not says_nothing(word.text)  # the light of "we wait at a red light"
+        if not joins or (path or "").endswith(".does"):  # behind an act it may say how that is done
+            of_whom = (one.replace(f"others.{WHO}.", f"others.{who}.") for one in _PATHS.get(word.fact, ()))
+            path = next((one for one in of_whom if is_said(made, one)), None)
         if path is not None:
             spans = runs.setdefault(path, [])
             if spans and not text[spans[-1][1] : word.start].strip():
@@ -471,8 +505,23 @@ def _quoted(scenario: Scenario, made: Situation) -> dict[str, str]:
             else:
                 spans.append((word.start, word.end))
     found = {path: GAP.join(text[start:end] for start, end in spans) for path, spans in runs.items()}
-    for path, others in _TOLD_WITH.items():
+    for path, others in _told_with(made):
         told = next((found[one] for one in others if one in found), "")
-        if path not in found and told and is_said(made, path):
+        if path not in found and told and any(within(one, (path,)) for one, _ in said_in(made)):
             found[path] = told
     return found
+
+
+def _told_of(scenario: Scenario) -> Iterator[tuple[Word, str]]:
+    """Each word with the id of whom it tells: of several who do something, of whom was spoken last."""
+    slots, told, who, last = scenario.slots, words_of(scenario), WHO, ""
+    kinds = {WHO: slots.adversary, **{name: one.adversary for name, one in zip(BESIDE, slots.others, strict=False)}}
+    spoken: set[str] = set()
+    for i, word in enumerate(told):
+        if word.fact == "adversary" and last != "adversary" and len(kinds) > 1:
+            run = " ".join(one.text for one in takewhile(lambda one: one.fact == "adversary", told[i:]))
+            named = [one for one, kind in kinds.items() if kind is not None and KINDS_HEARD[kind].search(run.lower())]
+            who = next((one for one in named if one not in spoken), next(iter(named), who))
+            spoken.add(who)
+        last = word.fact
+        yield word, who

@@ -27,7 +27,7 @@ from chatscene.terms.scenario import Scenario, Unused, Why
 
 EGO = "the ego"
 CONTACT = "contact"
-_JOINS = "says nothing alone"
+JOINS = "says nothing alone"
 _OF_EDIT = "an edit, read by itself"
 _UNSAID = (Action.FOLLOW, Action.STAND, Action.ONCOMING, Action.BLOCK, Action.STOP, Action.SLOW)
 """Acts that other facts may hold as well, so that they need not stand among those that were decided on."""
@@ -120,7 +120,7 @@ def words_of(scenario: Scenario, unused: Iterable[Unused] = ()) -> tuple[Word, .
             told.append(Word(text=match[0], start=span[0], end=span[1], fact="", besides=_OF_EDIT))
             continue
         if span in stops:
-            told.append(Word(text=match[0], start=span[0], end=span[1], fact="", besides=_JOINS))
+            told.append(Word(text=match[0], start=span[0], end=span[1], fact="", besides=JOINS))
             continue
         name = next((name for name, other in around if _within(span, other)), "")
         fact, besides = read.get(span[0], ("", ""))
@@ -131,7 +131,7 @@ def words_of(scenario: Scenario, unused: Iterable[Unused] = ()) -> tuple[Word, .
         if not name and not besides:
             nothing = without_effect(text, span)
             if nothing in ALWAYS or not fact:
-                fact, besides = "", nothing or (_JOINS if PLAIN.fullmatch(match[0].lower()) else "")
+                fact, besides = "", nothing or (JOINS if PLAIN.fullmatch(match[0].lower()) else "")
         fact = name or fact
         told.append(Word(text=match[0], start=span[0], end=span[1], fact=fact, besides="" if fact else besides))
     return tuple(map(_joined, told, [*told[1:], None]))
@@ -140,7 +140,7 @@ def words_of(scenario: Scenario, unused: Iterable[Unused] = ()) -> tuple[Word, .
 def _joined(word: Word, after: Word | None) -> Word:
     """A word, of which nothing is left if it is an article before a word that is without effect."""
     alone = word.text.lower() in ("a", "an", "the") and after is not None and after.besides in ALWAYS
-    return replace(word, fact="", besides=_JOINS) if alone else word
+    return replace(word, fact="", besides=JOINS) if alone else word
 
 
 def _decided(scenario: Scenario) -> set[str]:
@@ -229,7 +229,7 @@ def _told(block: Iterable[_Found]) -> tuple[str, str]:
     """What the words tell that stand for a written one."""
     block = list(block)
     fact = next((one.fact for one in block if one.fact), "")
-    return fact, _JOINS if not fact and block and all(one.plain for one in block) else ""
+    return fact, JOINS if not fact and block and all(one.plain for one in block) else ""
 
 
 def _plainly(word: str) -> str:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from chatscene.read.kinds import is_named
 from chatscene.read.without_effect import without_effect
 from chatscene.situations.facts import GAP, is_said, said_in, within
+from chatscene.situations.phrases import KINDS
 from chatscene.terms.frame import Word
 from chatscene.terms.situation import Situation
 
@@ -61,7 +63,7 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
         told = all(read[word.start() : word.end()])
         open_run = open_run and not told and not text[end : word.start()].strip()
         end = word.end()
-        if told or _says_nothing(word[0]) or without_effect(text, word.span()):
+        if told or says_nothing(word[0]) or without_effect(text, word.span()):
             continue
         if open_run:
             runs[-1] = (runs[-1][0], end)
@@ -80,7 +82,7 @@ def words_of(situation: Situation, text: str) -> tuple[Word, ...]:
     told: list[Word] = []
     for word in _WORD.finditer(text):
         start, end = word.span()
-        besides = without_effect(text, (start, end)) or ("says nothing alone" if _says_nothing(word[0]) else "")
+        besides = without_effect(text, (start, end)) or ("says nothing alone" if says_nothing(word[0]) else "")
         fact = facts.get(start, "")
         told.append(Word(text=word[0], start=start, end=end, fact=fact, besides="" if fact else besides))
     return tuple(told)
@@ -92,7 +94,8 @@ def words_told(situation: Situation) -> tuple[Word, ...]:
     return words_of(situation, text) if quoted and all(_spans(words, text) for words in quoted) else ()
 
 
-def _says_nothing(word: str) -> bool:
+def says_nothing(word: str) -> bool:
+    """Whether a word is one of the closed classes, which alone tells no fact."""
     return word.lower().replace("\u2019", "'") in _FUNCTION_WORDS
 
 
@@ -105,7 +108,21 @@ def not_in_words(situation: Situation) -> tuple[str, ...]:
     """What a situation lacks of its text, and what it has beyond it, in lines for a person."""
     over = ", ".join(map(repr, left_over(situation)))
     facts = ", ".join(f"{path}: {value}" for path, value in said_in(situation) if path in situation.evidence.assumed)
-    return (*([f"not read: {over}"] if over else []), *([f"no words of the text say {facts}"] if facts else []))
+    return (
+        *([f"not read: {over}"] if over else []),
+        *_otherwise_named(situation),
+        *([f"no words of the text say {facts}"] if facts else []),
+    )
+
+
+def _otherwise_named(situation: Situation) -> Iterator[str]:
+    """Whose words name no kind that they are."""
+    quoted = situation.evidence.quoted
+    for one in situation.others:
+        path = f"others.{one.id}"
+        words = quoted.get(f"{path}.kind", quoted.get(path, ""))
+        if words and not is_named(one.kind, words):
+            yield f"{words!r} is read as {KINDS[one.kind].one}"
 
 
 def _spans(words: str, text: str) -> list[tuple[int, int]]:

@@ -232,6 +232,9 @@ ROLES: Mapping[Role, str | None] = {
     Role.HIDES: "only [block/blocks] the view",
 }
 
+NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
+"""Numbers in words, from 0 on."""
+
 SIDES: Mapping[Side, str] = {Side.LEFT: "left", Side.RIGHT: "right"}
 
 _ON = "< on {egos} {side}>"

@@ -21,6 +21,7 @@ from chatscene.situations.phrases import (
     KINDS,
     LIGHTS,
     MANNERS,
+    NUMBERS,
     PARTS,
     PLACES,
     ROADS,
@@ -42,7 +43,6 @@ from chatscene.terms.vocabulary import Manner, Striker
 
 W = TypeVar("W")
 TITLE = 200
-_NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 _BOUNDS = re.compile(r"at (?P<which>most|least) (?P<amount>.*)")
 _THAN = re.compile(r" (?P<more>more|less) than the ego$")
@@ -478,7 +478,7 @@ def _form(one: Other) -> Form:
 
 
 def _number(number: int) -> str:
-    return _NUMBERS[number] if number < len(_NUMBERS) else str(number)
+    return NUMBERS[number] if number < len(NUMBERS) else str(number)
 
 
 def _ordinal(rank: int) -> str:

@@ -1,0 +1,64 @@
+"""What a kind of road user is called: the nouns of its meaning and of how it is told, held against words of a text."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+from chatscene.situations.phrases import KINDS, NUMBERS
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.vocabulary import UserKind
+
+_PARTED = re.compile(r", not said.*|, (?:with|electric) .*| or |, |\|")
+_BEFORE = re.compile(r"^(?:somebody (?:on|in|who stands on) )?(?:(?:another|an?|the|with) )?")
+_BEHIND = re.compile(r" (?:of any|on|in|with) .*|:.*")
+_ANYBODY = frozenset(("somebody", "person", "child", "boy", "man", "woman", "rider"))
+"""What those are called who may be of several kinds."""
+
+
+def kind_named(words: str, body: AdversaryKind) -> UserKind | None:
+    """The kind that words name, of those that have a body; None if they name none of them.
+
+    Args:
+        words: Such as ``a delivery van``.
+        body: As what the kind is driven.
+    """
+    named = [(len(noun), kind) for kind in _of(body) for noun in nouns_of(kind) if _has(words, noun)]
+    return max(named, key=lambda one: one[0])[1] if named else None
+
+
+def is_named(kind: UserKind, words: str) -> bool:
+    """Whether words have a noun of a kind in them."""
+    return any(_has(words, noun) for noun in nouns_of(kind))
+
+
+def number_in(words: str) -> int | None:
+    """How many words say that there are, up to twelve; None if they do not."""
+    for word in re.findall(r"[a-z]+|\d+", words.lower()):
+        if word.isdecimal() or word in NUMBERS[2:]:
+            return int(word) if word.isdecimal() else NUMBERS.index(word)
+    return None
+
+
+@lru_cache(maxsize=64)
+def nouns_of(kind: UserKind) -> frozenset[str]:
+    """What a kind is called.
+
+    Of a body that several kinds have, a noun of the body may be that of another of them, so that it is none of these.
+    """
+    told = KINDS[kind]
+    listed = [told.one, told.many, kind.value.replace("-", " "), *_PARTED.split(kind.meaning)]
+    if len([one for one in _of(kind.row.body) if not one.row.general]) == 1 and not kind.row.general:
+        listed += _PARTED.split(kind.row.body.row.nouns.replace("\n", "|"))
+    bare = (_BEHIND.sub("", _BEFORE.sub("", one.strip().lower())) for one in listed)
+    return frozenset(one for one in bare if one) - (_ANYBODY if kind is not UserKind.CHILD else frozenset())
+
+
+@lru_cache(maxsize=32)
+def _of(body: AdversaryKind) -> tuple[UserKind, ...]:
+    return tuple(kind for kind in UserKind if kind.row.body is body)
+
+
+def _has(words: str, noun: str) -> bool:
+    pattern = re.escape(noun).replace(r"\ ", r"[\s-]+")
+    return re.search(rf"(?<!\w){pattern}(?:s|es)?(?!\w)", words.replace("_", " "), re.IGNORECASE) is not None
