@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-import chatscene
 from chatscene.errors import NothingFits
+from chatscene.report.understood import understand
 
 
 @pytest.mark.parametrize(
@@ -27,7 +27,7 @@ from chatscene.errors import NothingFits
     ],
 )
 def test_who_was_misread_is_served_as_told(text: str, behavior: str, spawn: str) -> None:
-    retrieval = chatscene.explain(text).retrieval
+    retrieval = understand(text).retrieval
     assert retrieval is not None
     assert behavior in retrieval.behavior.snippet.id
     assert spawn in retrieval.spawn.snippet.id
@@ -42,4 +42,4 @@ def test_who_was_misread_is_served_as_told(text: str, behavior: str, spawn: str)
 )
 def test_who_was_served_from_the_other_side_is_refused_for_it(text: str) -> None:
     with pytest.raises(NothingFits, match="side: said"):
-        chatscene.explain(text)
+        understand(text)

@@ -8,15 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-import chatscene
 from chatscene.errors import NothingFits, SnippetError
 from chatscene.interpret.decide import understood
 from chatscene.library.bind import Triple, bound, distances, narrowed, out_of_reach
 from chatscene.library.load import load_library, names_of
 from chatscene.read.decompose import hear
 from chatscene.read.quantities import quantities_of
+from chatscene.report.understood import understand
 from chatscene.search.generator import Choice, load_generator
-from chatscene.settings import RetrievalSettings
+from chatscene.settings import RetrievalSettings, Settings
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.frame import Frame
 from chatscene.terms.scenario import FAR, NEAR, NEAR_ONCOMING, Distance, Measure, Quantity, Scenario, Slots, Unused, Why
@@ -124,7 +124,8 @@ def test_nobody_swerves_to_a_side_whose_swerve_is_the_egos_denied_or_to_both(tex
     ],
 )
 def test_an_edit_keeps_turns_or_drops_the_side_of_a_swerve(edit: str, sides: list[float]) -> None:
-    edited = chatscene.explain("A cyclist ahead of us swerves suddenly to the right.", edit=(edit,)).scenario.frame
+    said = "A cyclist ahead of us swerves suddenly to the right."
+    edited = understand(said, Settings(), edits=(edit,)).scenario.frame
     assert edited is not None
     assert [one.value for one in edited.quantities if one.measure is Measure.ASIDE] == sides
 

@@ -50,6 +50,7 @@ from chatscene.report.tracks import NEVER, called, extent, pack_beside, pack_dra
 from chatscene.report.viewer import write_report
 from chatscene.runs import (
     ProgramRecord,
+    SituationRecord,
     Status,
     create,
     metrics_of,
@@ -347,8 +348,18 @@ def _caught(words: Sequence[str], monkeypatch: pytest.MonkeyPatch) -> dict[str, 
     """What `chatscene run` would start with these words."""
     caught: dict[str, Any] = {}
 
-    def ask(text: str, *, settings: Settings, map_name: str, ego: str, edits: Sequence[str], **_: Any) -> None:
+    def ask(
+        text: str,
+        *,
+        settings: Settings,
+        map_name: str,
+        ego: str,
+        edits: Sequence[str],
+        situation: SituationRecord | None = None,
+        **_: Any,
+    ) -> None:
         caught.update(text=text, settings=asdict(settings), map_name=map_name, egos=[ego], edits=[*edits])
+        caught.update(situation=situation)
         raise SystemExit
 
     monkeypatch.setattr(runs, "asked_run", ask)
@@ -365,8 +376,10 @@ def _other(option: click.Option) -> list[str]:
         return [option.opts[0], "outskirts"]
     if option.is_flag:
         return [option.opts[0]]
+    if option.name == "edit":
+        return [option.opts[0], "make it a truck", option.opts[0], "at night"]
     if option.multiple:
-        return [option.opts[0], "side=left", option.opts[0], "actions=brake,stop"]
+        return [option.opts[0], "side=left", option.opts[0], "actions=cut-in,stop"]
     if isinstance(option.type, click.Choice):
         return [option.opts[0], next(choice for choice in option.type.choices if choice != option.default)]
     return [option.opts[0], str(option.default + 1) if isinstance(option.default, int) else "some 'thing else"]
@@ -381,12 +394,22 @@ def test_the_command_to_run_it_again_leaves_out_no_option(
     option: click.Option, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     there = ["--map", "town"]  # the one that is taken for this text
-    first = _caught(["run", "it's a car", *there, *_other(option), "--out", str(tmp_path / "x")], monkeypatch)
-    assert first != _caught(["run", "it's a car", *there, "--out", str(tmp_path / "x")], monkeypatch)
+    text = "it's a car" if option.name == "reading" else "a car cuts in"  # which is not sure enough to be read alone
+    first = _caught(["run", text, *there, *_other(option), "--out", str(tmp_path / "x")], monkeypatch)
+    assert first
+    assert first != _caught(["run", text, *there, "--out", str(tmp_path / "x")], monkeypatch)
     run = create(tmp_path / "run", asked(**first))
     words = shlex.split(command(read_record(run)))
     assert words[0] == "chatscene"
-    assert _caught([*words[1:], "--out", str(tmp_path / "x")], monkeypatch) == first
+    if (situation := first["situation"]) is None:  # a text for which snippets are chosen
+        assert _caught([*words[1:], "--out", str(tmp_path / "x")], monkeypatch) == first
+        return
+    monkeypatch.chdir(run.path)
+    Path("situation.yaml").write_text(situation.text, encoding="utf-8")  # with its edits, and all that was stated
+    again = _caught([*words[1:], "--out", str(tmp_path / "x")], monkeypatch)
+    assert again["situation"].text == situation.text
+    own = ("text", "edits", "situation")
+    assert {name: again[name] for name in again if name not in own} == {n: first[n] for n in first if n not in own}
 
 
 @pytest.mark.parametrize("trusted", [True, False])

@@ -44,13 +44,13 @@ def test_what_is_assumed_is_said_and_a_density_has_its_source(folder: Path, tmp_
     uniform = CliRunner().invoke(main, ["rate", str(folder), "--scenes", "0"], catch_exceptions=False)
     assert "Assumed, not measured" in uniform.output
     speeds = tmp_path / "speeds.toml"
-    speeds.write_text('[OPT_ADV_SPEED]\nshape = "normal"\nmean = 8\ndeviation = 3\nsource = "a count in our street"\n')
+    speeds.write_text('[OPT_A_SPEED]\nshape = "normal"\nmean = 8\ndeviation = 3\nsource = "a count in our street"\n')
     told = ["rate", str(folder), "--scenes", "0", "--exposure", str(speeds)]
     known = CliRunner().invoke(main, told, catch_exceptions=False)
-    assert "OPT_ADV_SPEED: normal" in known.output
+    assert "OPT_A_SPEED: normal" in known.output
     assert "a count in our street" in known.output
     as_json = json.loads(CliRunner().invoke(main, [*told, "--json"], catch_exceptions=False).output)
-    assert {row["parameter"]: row["shape"] for row in as_json["exposure"]}["OPT_ADV_SPEED"] == "normal"
+    assert {row["parameter"]: row["shape"] for row in as_json["exposure"]}["OPT_A_SPEED"] == "normal"
 
 
 def test_of_a_search_that_begins_with_uniform_draws_only_these_are_counted(tmp_path: Path) -> None:

@@ -48,8 +48,9 @@ def test_the_orders_are_explained_and_kept(folder: Path) -> None:
     run = open_run(folder)
     told = read_explanation(run)["scenarios"][0]
     assert told["slots"]["ego"] == "stands"
-    assert "the ego is under orders: it is held where it stands, all the time" in told["notes"]
-    assert "it is held where it stands" in (folder / "report.html").read_text(encoding="utf-8")
+    assert "We stand still." in told["told"]
+    assert [word["fact"] for word in told["words"] if word["text"] == "wait"] == ["road.ego_light"]  # and that it stands
+    assert "We stand still." in (folder / "report.html").read_text(encoding="utf-8")
     scenario, program = rebuild(run)
     assert scenario.slots.ego is EgoState.STANDS
     assert "with orders (Order(at_most=0),)" in program.source

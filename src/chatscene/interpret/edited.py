@@ -11,7 +11,7 @@ from dataclasses import fields, replace
 from typing import Any
 
 from chatscene.errors import EditRefused
-from chatscene.interpret.situation_of import WHO, in_a_situation
+from chatscene.interpret.situation_of import WHO, as_named, in_a_situation
 from chatscene.interpret.slots_of import POSITIONS, facts_of, parties_of
 from chatscene.read.edit import hear_edit
 from chatscene.situations.edited import Edited
@@ -38,7 +38,7 @@ def edited(situation: Situation, text: str) -> Edited:
     if parties is None:
         raise EditRefused("nobody meets the ego here, so that there is nobody an edit could be about")
     facts = facts_of(situation, parties)
-    edit = hear_edit(text, facts)
+    edit = hear_edit(text, facts, may_stay=True)
     names = parties.names
     settled, shifts = _settled(edit)
     ours = _with_changes(_renamed(situation, names), _made(facts), _made(settled))
@@ -46,11 +46,21 @@ def edited(situation: Situation, text: str) -> Edited:
         at = next(i for i, one in enumerate(ours.others) if one.id == WHO)
         shown = _WITHOUT_NUMBER[shift.measure](ours.others[at], more=shift.more)
         ours = replace(ours, others=(*ours.others[:at], shown, *ours.others[at + 1 :]))
-    made = _renamed(ours, {name: one for one, name in names.items()})
+    made = _renamed(_as_called(ours, edit), {name: one for one, name in names.items()})
     made = replace(made, about=situation.about, evidence=still_evident(situation, made))
     if made == situation:
         raise EditRefused(f"nothing to change: this is so already ({', '.join(edit.named)})")
     return Edited(text=edit.text, before=situation, after=made, unused=tuple(str(one.said) for one in edit.unused))
+
+
+def _as_called(made: Situation, edit: Edit) -> Situation:
+    """A situation in which whom an edit names is what it says, where that is more than the facts: a van, three."""
+    if not {"adversary", "group"} & set(edit.named):
+        return made
+    others = tuple(
+        as_named(one, edit.text, anew="adversary" in edit.named) if one.id == WHO else one for one in made.others
+    )
+    return replace(made, others=others)
 
 
 def _made(facts: Facts) -> Situation:

@@ -6,6 +6,7 @@ the words of a situation. What a situation has no word for is listed, never drop
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import takewhile
@@ -36,7 +37,7 @@ from chatscene.terms.scenario import (
     Site,
     Slots,
 )
-from chatscene.terms.situation import SEVERAL, Around, Contact, Deed, Ego, Evidence, Other, Road, Situation, Start, When
+from chatscene.terms.situation import Around, Contact, Deed, Ego, Evidence, Other, Road, Situation, Start, When
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 from chatscene.terms.vocabulary import (
     Act,
@@ -174,6 +175,9 @@ _ALONG = (Act.GO_ALONG, Act.GO_STRAIGHT)
 _ALL_ALONG = frozenset((*MANNERS, Action.RUN_LIGHT, Action.FOLLOW, Action.ONCOMING, Action.WRONG_WAY, Action.DIAGONAL))
 """Acts that say how or where another is done, if there is another."""
 
+_OF_ACTS = re.compile(r"^others\..*\.does$")
+_NEAR_MISS = re.compile(r"(?i)\b(?:nearly|almost|narrowly|miss\w*|avoid\w*)\b")
+"""Says of a contact that there is none; the words stay unread then, as no search is for what does not happen."""
 _AMOUNTS: dict[Measure, tuple[str, type[Amount]]] = {
     Measure.SPEED: ("speed", Speed),
     Measure.TIME: ("time", Duration),
@@ -205,7 +209,8 @@ def situation_of(scenario: Scenario) -> Told:
         left_out.append("at a slant: whoever crosses goes straight over")
     left_out += [f"{one}: more others than are read" for one in slots.others[len(BESIDE) :]]
     words = tuple(_told_of(scenario))
-    if any(word.fact == CONTACT for word, _ in words):
+    touch = " ".join(word.text for word, _ in words if word.fact == CONTACT)
+    if touch and not _NEAR_MISS.search(touch):
         made = replace(made, contact=Contact())
     quoted = _quoted(scenario, made, words)
     made = replace(made, others=tuple(_as_named(one, quoted) for one in made.others))
@@ -217,12 +222,21 @@ def situation_of(scenario: Scenario) -> Told:
 
 
 def _as_named(one: Other, quoted: Mapping[str, str]) -> Other:
-    """Somebody as what the words say, where they say more than the reader's kinds: a van, a child, three of them."""
     path = f"others.{one.id}"
-    words = quoted.get(f"{path}.kind", quoted.get(path, ""))
-    kind = kind_named(words, one.kind.row.body) or one.kind
-    count = number_in(words) if one.count == SEVERAL else None
-    return replace(one, kind=kind, count=one.count if count is None else count)
+    return as_named(one, quoted.get(f"{path}.kind", quoted.get(path, "")))
+
+
+def as_named(one: Other, words: str, *, anew: bool = True) -> Other:
+    """Somebody as what words say, where they say more than the reader's kinds: a van, a child, three of them.
+
+    Args:
+        one: As the reader has it.
+        words: Those for it.
+        anew: Whether they say what kind it is.
+    """
+    kind = kind_named(words, one.kind.row.body) if anew else None
+    count = number_in(words) if one.count != 1 else None
+    return replace(one, kind=kind or one.kind, count=one.count if count is None else count)
 
 
 def in_a_situation(slots: Slots, numbers: Sequence[Quantity], around: Surroundings) -> Situation:
@@ -495,7 +509,7 @@ def _quoted(scenario: Scenario, made: Situation, words: Iterable[tuple[Word, str
     path = None
     for word, who in words:
         joins = word.besides == JOINS and not says_nothing(word.text)  # the light of "we wait at a red light"
-        if not joins or (path or "").endswith(".does"):  # behind an act it may say how that is done
+        if not joins or _OF_ACTS.search(path or ""):  # behind an act it may say how that is done
             of_whom = (one.replace(f"others.{WHO}.", f"others.{who}.") for one in _PATHS.get(word.fact, ()))
             path = next((one for one in of_whom if is_said(made, one)), None)
         if path is not None:

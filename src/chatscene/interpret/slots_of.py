@@ -28,7 +28,18 @@ from chatscene.interpret.situation_of import (
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Amount
 from chatscene.terms.edit import Facts
-from chatscene.terms.scenario import Control, EgoState, Maneuver, Measure, Place, Position, Quantity, Site, Slots
+from chatscene.terms.scenario import (
+    Control,
+    EgoState,
+    Maneuver,
+    Measure,
+    Occluder,
+    Place,
+    Position,
+    Quantity,
+    Site,
+    Slots,
+)
 from chatscene.terms.scenario import Side as Aside
 from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
@@ -170,10 +181,13 @@ def _actions(one: Other) -> Iterator[Action]:
             yield manners[deed.manner]
 
 
-def _occluder(hides: Other | None) -> object:
+def _occluder(hides: Other | None) -> Occluder | None:
+    """What hides somebody; a van that does is a parked car."""
     if hides is None:
         return None
-    return next((one for one, (kind, _) in HIDING.items() if kind is hides.kind), None)
+    exact = (one for one, (kind, _) in HIDING.items() if kind is hides.kind)
+    alike = (one for one, (kind, _) in HIDING.items() if not kind.row.prop and kind.row.body is hides.kind.row.body)
+    return next(exact, next(alike, None))
 
 
 def _ego_state(does: tuple[Deed, ...]) -> EgoState | None:

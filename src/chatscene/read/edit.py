@@ -50,12 +50,13 @@ _DEFINITE = "the"
 _PARKED = "parked-"  # what hides somebody where it is parked: of a car, a truck, a bus
 
 
-def hear_edit(text: str, facts: Facts) -> Edit:
+def hear_edit(text: str, facts: Facts, *, may_stay: bool = False) -> Edit:
     """What an edit makes of facts.
 
     Args:
         text: English.
         facts: Those at hand.
+        may_stay: Whether they may be what they are, for one who holds more than they say.
 
     Raises:
         EditRefused: It has words that mean nothing here, contradicts itself or what stays, or changes nothing.
@@ -64,19 +65,19 @@ def hear_edit(text: str, facts: Facts) -> Edit:
     if not plain or len(plain) > LONGEST:
         raise EditRefused(f"say what is to be changed, in at most {LONGEST} characters, such as 'make it a truck'")
     try:
-        return _heard(text, plain, (), facts)
+        return _heard(text, plain, (), facts, may_stay)
     except EditRefused:
         rest, comments = without_comments(plain)
         if not comments or not rest:
             raise
         try:
-            return _heard(text, rest, comments, facts)
+            return _heard(text, rest, comments, facts, may_stay)
         except EditRefused:
             pass  # what is told of all of it is to be known
         raise
 
 
-def _heard(text: str, plain: str, comments: tuple[str, ...], facts: Facts) -> Edit:
+def _heard(text: str, plain: str, comments: tuple[str, ...], facts: Facts, may_stay: bool) -> Edit:
     """What an edit makes of facts, read in plain words beside which there are comments."""
     words, unread = scanned(plain, facts.slots)
     if unread:
@@ -90,7 +91,7 @@ def _heard(text: str, plain: str, comments: tuple[str, ...], facts: Facts) -> Ed
     wishes = _Hearing(plain, words, facts.slots).wishes()
     wishes.unused.extend(Unused(said=one, why=Why.BESIDES) for one in comments)
     after = edited(facts, wishes)
-    if after == facts:
+    if after == facts and not (may_stay and wishes.named()):
         raise EditRefused(f"nothing to change: this is so already ({', '.join(wishes.named()) or 'no fact is named'})")
     return Edit(text=" ".join(text.split()), facts=after, named=wishes.named(), unused=tuple(wishes.unused))
 

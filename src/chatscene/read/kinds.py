@@ -12,6 +12,10 @@ from chatscene.terms.vocabulary import UserKind
 _PARTED = re.compile(r", not said.*|, (?:with|electric) .*| or |, |\|")
 _BEFORE = re.compile(r"^(?:somebody (?:on|in|who stands on) )?(?:(?:another|an?|the|with) )?")
 _BEHIND = re.compile(r" (?:of any|on|in|with) .*|:.*")
+_COUNTED = re.compile(
+    rf"\b(?:{'|'.join(NUMBERS[2:])}|\d{{1,2}})\b(?![.,]\d)(?! ?(?:m|km|s|sec|mph|kph|g|ft|met|sec|yard|feet)\w*\b)"
+)
+"""A number of somebody, and none of a measure."""
 _ANYBODY = frozenset(("somebody", "person", "child", "boy", "man", "woman", "rider"))
 """What those are called who may be of several kinds."""
 
@@ -23,21 +27,21 @@ def kind_named(words: str, body: AdversaryKind) -> UserKind | None:
         words: Such as ``a delivery van``.
         body: As what the kind is driven.
     """
-    named = [(len(noun), kind) for kind in _of(body) for noun in nouns_of(kind) if _has(words, noun)]
-    return max(named, key=lambda one: one[0])[1] if named else None
+    named = {kind: max(len(noun) for noun in nouns) for kind in _of(body) if (nouns := _named(kind, words))}
+    return max(named, key=lambda kind: named[kind]) if named else None
 
 
 def is_named(kind: UserKind, words: str) -> bool:
     """Whether words have a noun of a kind in them."""
-    return any(_has(words, noun) for noun in nouns_of(kind))
+    return bool(_named(kind, words))
 
 
 def number_in(words: str) -> int | None:
     """How many words say that there are, up to twelve; None if they do not."""
-    for word in re.findall(r"[a-z]+|\d+", words.lower()):
-        if word.isdecimal() or word in NUMBERS[2:]:
-            return int(word) if word.isdecimal() else NUMBERS.index(word)
-    return None
+    found = _COUNTED.search(words.lower())
+    if found is None:
+        return None
+    return int(found[0]) if found[0].isdecimal() else NUMBERS.index(found[0])
 
 
 @lru_cache(maxsize=64)
@@ -57,6 +61,10 @@ def nouns_of(kind: UserKind) -> frozenset[str]:
 @lru_cache(maxsize=32)
 def _of(body: AdversaryKind) -> tuple[UserKind, ...]:
     return tuple(kind for kind in UserKind if kind.row.body is body)
+
+
+def _named(kind: UserKind, words: str) -> list[str]:
+    return [noun for noun in nouns_of(kind) if _has(words, noun)]
 
 
 def _has(words: str, noun: str) -> bool:

@@ -24,6 +24,7 @@ _FUNCTION = """
     just also too very there here
 """
 _FUNCTION_WORDS = frozenset(_FUNCTION.split())
+_DENIES = re.compile(r"(?i)(?:n['\u2019]t|\bnot|\bnever|\bno)$")
 _WORD = re.compile(r"[^\W_]+(?:[-.,:/][^\W_]+)*|['\u2019][^\W\d_]+")
 _APOSTROPHES = "['\u2019\u2018]"
 
@@ -58,12 +59,16 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
             read[start:end] = b"\1" * (end - start)
     runs: list[tuple[int, int]] = []
     open_run = False  # whether all words since the last run are unread and only white space lies between
-    end = 0
+    end, denied = 0, False
     for word in _WORD.finditer(text):
         told = all(read[word.start() : word.end()])
         open_run = open_run and not told and not text[end : word.start()].strip()
         end = word.end()
-        if told or says_nothing(word[0]) or without_effect(text, word.span()):
+        besides = without_effect(text, word.span()) and not (
+            open_run and denied
+        )  # "seen" tells nothing, "not seen" does
+        denied = _DENIES.search(word[0]) is not None
+        if told or says_nothing(word[0]) or besides:
             continue
         if open_run:
             runs[-1] = (runs[-1][0], end)

@@ -51,7 +51,6 @@ def system() -> str:
     return "\n".join((_RULES, "", told_words()))
 
 
-@cache
 def told_words() -> str:
     """Every field and word with its meaning."""
     return "\n".join(("Fields:", *_fields(), *_which(), "", "Words:", *_words()))

@@ -80,7 +80,9 @@ def told_first(explanation: Mapping[str, Any], record: RunRecord | None = None) 
     """
     told: list[str] = []
     for one in explanation.get("scenarios", []):
-        unread = unread_in_words(one["text"], one.get("words", []))
+        unread = (
+            unread_in_words(one["text"], one.get("words", [])) if "said" not in one else ""
+        )  # else told in otherwise
         told += [*([unread] if unread else []), *one.get("otherwise", [])]
     if record is None:
         return told

@@ -218,8 +218,9 @@ def understanding(explanation: Row) -> Markup:
 def _scenario(scenario: Row) -> Row:
     facts = scenario.get("slots", {}) | scenario.get("surroundings", {})
     return {
-        "text": scenario["text"],
-        "parts": parts_of(scenario["text"], scenario.get("words", [])) if scenario.get("words") else [],
+        "text": scenario.get("said", scenario["text"]),
+        "told": scenario.get("told", ""),
+        "parts": parts_of(scenario.get("said", scenario["text"]), scenario["words"]) if scenario.get("words") else [],
         "confidence": scenario.get("confidence"),
         "base": scenario.get("base"),
         "slots": [(_words(name), _slot(value)) for name, value in facts.items()],

@@ -18,6 +18,7 @@ from chatscene.runs.workspace import Workspace, read_record, write_program
 from chatscene.search.generator import Choice, Written
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scenario import BaseScenario, Component, Scenario, Slots, SubDescriptions
+from chatscene.terms.situation import Situation
 from chatscene.terms.snippet import Match, Retrieval
 from chatscene.terms.surroundings import Surroundings
 
@@ -51,16 +52,13 @@ def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]
     from chatscene.interpret.otherwise import otherwise
     from chatscene.interpret.readings import offered  # who reads an explanation again reads no sentence
     from chatscene.read.accounting import words_of
-    from chatscene.read.quotes import words_told
-    from chatscene.situations.words import told
 
     words = [one.as_dict() for one in words_of(scenario, retrieval.unused if retrieval else ())]
     if scenario.situation is not None:
-        words = [one.as_dict() for one in words_told(scenario.situation)]
+        return _built(scenario, scenario.situation)
     return {
         "scenario_id": scenario.id,
-        "text": scenario.text if scenario.situation is None else scenario.situation.about,
-        "told": told(scenario.situation) if scenario.situation is not None else "",
+        "text": scenario.text,
         "base": scenario.base.value if scenario.base else None,
         "parts": {component.value: scenario.parts[component] for component in Component},
         "slots": {name: _plain(value) for name, value in scenario.slots.said().items()},
@@ -74,6 +72,28 @@ def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]
             for one in (*scenario.unused, *(retrieval.unused if retrieval else ()))
         ],
     } | (_retrieval(retrieval) if retrieval else {})
+
+
+def _built(scenario: Scenario, situation: Situation) -> dict[str, Any]:
+    """What is explained of a situation: it is told in words, and so is what became of those that it was read in."""
+    from chatscene.read.quotes import words_told
+    from chatscene.situations.words import told
+
+    return {
+        "scenario_id": scenario.id,
+        "text": scenario.text,
+        "said": situation.about,
+        "told": told(situation),
+        "base": scenario.base.value if scenario.base else None,
+        "parts": {component.value: scenario.parts[component] for component in Component},
+        "slots": {name: _plain(value) for name, value in scenario.slots.said().items()},
+        "surroundings": {name: value.value for name, value in scenario.surroundings.said().items()},
+        "words": [one.as_dict() for one in words_told(situation)],
+        "otherwise": [],
+        "readings": [],
+        "notes": [],
+        "unused": [],
+    }
 
 
 def _retrieval(retrieval: Retrieval) -> dict[str, Any]:
