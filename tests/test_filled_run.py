@@ -14,10 +14,8 @@ import chatscene
 from chatscene import runs
 from chatscene.commands.main import main
 from chatscene.errors import LanguageModelError, NotBuilt, NothingFits, SettingsError, SituationError
-from chatscene.read.asking import EXAMPLES
 from chatscene.report.sections import command
-from chatscene.report.stated import Stated
-from chatscene.report.understood import Understood
+from chatscene.report.stated import Changed, Stated
 from chatscene.runs import read_record
 from chatscene.runs.workspace import Workspace
 from chatscene.situations.file import read_file
@@ -25,7 +23,7 @@ from chatscene.situations.form import from_plain
 from chatscene.talk import Shown, Talk
 
 TEXT = "A blue van on the right pulls out at 25 km/h, and we brake."
-TOLD = ("not read: 'blue', 'brake'", "no words of the text say around.light: night")
+TOLD = ("not read: 'brake'", "no words of the text say around.light: night")
 
 
 def answer(**facts: Any) -> dict[str, Any]:
@@ -107,7 +105,8 @@ def test_it_is_explained_without_running(tmp_path: Path) -> None:
     made = json.loads(told.stdout)
     assert made["situation"]["others"][0]["kind"] == "truck"
     assert "new Truck at" in made["program"]
-    assert made["not_read"] == ["blue", "brake"]
+    assert made["not_read"] == ["brake"]
+    assert [word["besides"] for word in made["words"] if word["text"] == "blue"] == ["a colour"]
     assert made["reader"] == model
     shown = invoked("explain", TEXT, "--language-model", model).output
     assert shown.startswith(TOLD[0])
@@ -161,13 +160,28 @@ def test_there_are_no_more_readings_than_the_model_gives_and_facts_are_set_by_pa
         chatscene.explain(TEXT, language_model=model, set={"side": "left"})
 
 
-def test_what_is_edited_in_words_and_talked_about_is_still_read_into_slots(tmp_path: Path) -> None:
-    text = EXAMPLES[-1].text
-    old = json.loads(EXAMPLES[-1].reply)
-    edited = chatscene.explain(text, language_model=says(tmp_path, old), edit="make it a truck")
-    assert isinstance(edited, Understood)
-    talk = Talk({"language_model": says(tmp_path, old)}, {}, tmp_path)
-    assert isinstance(talk.hear(text), Shown)
+def test_what_is_edited_in_words_is_edited_by_the_model_that_read_it(tmp_path: Path) -> None:
+    truck = answer(evidence={"quoted": {"others.A.kind": "a truck"}})
+    truck["situation"]["others"][0]["kind"] = "truck"
+    edited = chatscene.explain(TEXT, language_model=says(tmp_path, answer(), truck), edit="make it a truck")
+    assert isinstance(edited, Changed)
+    assert edited.edited.in_words() == ["others.A.kind: van \u2192 truck"]
+    assert edited.situation.about == TEXT
+    talk = Talk({"language_model": says(tmp_path, answer(), truck)}, {}, tmp_path)
+    assert isinstance(talk.hear(TEXT), Shown)
+    assert isinstance(heard := talk.hear("make it a truck"), Changed)
+    assert heard.situation == edited.situation
+
+
+def test_a_run_that_a_model_read_is_edited_without_it(finished: Path) -> None:
+    edited = chatscene.Run(finished).edit("make it a truck", finished.parent / "truck")
+    kept = read_file(edited.folder / "situation.yaml")
+    assert kept["A"].kind == "truck"
+    assert kept.evidence.quoted["others.A.does"] == "pulls out at 25 km/h"
+    record = read_record(Workspace(edited.folder))
+    assert (record.title, record.edits) == (f"{TEXT} (edited: make it a truck)", ["make it a truck"])
+    assert record.situation is not None
+    assert record.situation.read_by.startswith("scripted:")
 
 
 def test_what_a_person_calls_a_situation_is_held_against_its_quotes_only_if_it_has_them_all() -> None:

@@ -18,8 +18,8 @@ from chatscene.report.stated import Stated
 from chatscene.runs import read_record
 from chatscene.runs.workspace import Workspace
 from chatscene.situations.file import read_file
-from chatscene.situations.form import schema
-from chatscene.terms.vocabulary import UserKind
+from chatscene.situations.form import schema, to_plain
+from chatscene.terms.vocabulary import Side, UserKind
 
 WRITTEN = """\
 about: a van pulls out in front of us
@@ -69,9 +69,16 @@ def test_its_scenes_are_replayed_and_the_run_taken_up_again(finished: Path) -> N
     assert again.summary.counts == run.summary.counts
 
 
-def test_a_run_of_a_situation_is_not_edited_in_words(finished: Path) -> None:
-    with pytest.raises(EditRefused, match="is a run of a situation"):
-        chatscene.Run(finished / "run").edit("make it a truck")
+def test_a_run_of_a_situation_is_edited_in_words(finished: Path) -> None:
+    run = chatscene.Run(finished / "run")
+    edited = run.edit("make it a truck, from the left", finished / "truck")
+    before, after = (read_file(one.folder / "situation.yaml") for one in (run, edited))
+    starts = replace(before["A"].starts, side=Side.LEFT)
+    assert after.others == (replace(before["A"], kind=UserKind.TRUCK, starts=starts),)
+    assert replace(after, others=before.others) == before  # what no edit names stays, whatever it is
+    assert edited.edited_from.folder == run.folder.resolve()
+    with pytest.raises(EditRefused, match="this is so already"):
+        edited.edit("make it a truck")
 
 
 def test_a_situation_is_explained_without_running_and_its_facts_are_set_by_path(finished: Path) -> None:
@@ -153,10 +160,17 @@ def test_another_situation_does_not_go_on_in_the_folder_of_one(finished: Path) -
         chatscene.run(other, finished / "run", scenes=4, set={"others.A.kind": "truck"})
 
 
-def test_an_edit_in_words_of_a_situation_is_refused_wherever_it_is_asked(finished: Path) -> None:
-    for verb in ("explain", "run"):
-        refused = CliRunner().invoke(main, [verb, str(finished / "van.yaml"), "--edit", "make it a truck"])
-        assert "an edit in words is of a sentence" in " ".join(refused.output.split())
+def test_an_edit_in_words_of_a_situation_is_applied_wherever_it_is_asked(finished: Path, tmp_path: Path) -> None:
+    asked = [str(finished / "van.yaml"), "--edit", "make it a truck", "--edit", "at night"]
+    told = CliRunner().invoke(main, ["explain", *asked, "--json"])
+    made = json.loads(told.stdout)["situation"]
+    done = CliRunner().invoke(main, ["run", *asked, "--scenes", "1", "--out", str(tmp_path / "run")])
+    assert done.exit_code == 0, done.output
+    kept = to_plain(read_file(tmp_path / "run" / "situation.yaml"))
+    assert kept == {**made, "map": "town"}
+    assert (made["others"][0]["kind"], made["around"]) == ("truck", {"light": "night"})
+    refused = CliRunner().invoke(main, ["explain", str(finished / "van.yaml"), "--edit", "make it a dragon"])
+    assert (refused.exit_code, "not understood: 'dragon'" in refused.output) == (3, True)
 
 
 def test_a_map_that_no_path_can_name_is_refused_in_words(finished: Path) -> None:

@@ -105,7 +105,7 @@ def test_explain_shows_every_conflict_and_what_was_left_out(tmp_path: Path) -> N
     path = tmp_path / "log.txt"
     path.write_text(LOG, encoding="utf-8")
     told = json.loads(command("explain", "--report", str(path), "--json").stdout)
-    assert [one["text"][:3] for one in told["conflicts"]] == ["The", "A p"]
+    assert [one["situation"]["about"][:3] for one in told["conflicts"]] == ["The", "A p"]
     assert told["left_out"][-1] == "Signed: P. Miller"
     answer = command("explain", "--report", str(path))
     assert "log.txt tells 2 conflicts" in answer.stderr
@@ -132,7 +132,7 @@ def test_a_run_keeps_from_which_report_it_is_and_what_was_left_out() -> None:
 def test_python_reads_a_report_of_one_conflict_and_names_what_takes_several(tmp_path: Path) -> None:
     path = tmp_path / "claim.txt"
     path.write_text("Dear all,\n\nthe car ahead of us brakes hard.\n", encoding="utf-8")
-    assert chatscene.explain(report=path).scenario.text == "the car ahead of us brakes hard."
+    assert chatscene.explain(report=path).situation.about == "the car ahead of us brakes hard."
     path.write_text(LOG, encoding="utf-8")
     with pytest.raises(SettingsError, match=r"tells 2 conflicts; run them one by one: \[chatscene.run\(one\) for one"):
         chatscene.run(report=path)

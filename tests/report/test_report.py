@@ -376,10 +376,9 @@ def _other(option: click.Option) -> list[str]:
         return [option.opts[0], "outskirts"]
     if option.is_flag:
         return [option.opts[0]]
-    if option.name == "edit":
-        return [option.opts[0], "make it a truck", option.opts[0], "at night"]
     if option.multiple:
-        return [option.opts[0], "side=left", option.opts[0], "actions=cut-in,stop"]
+        values = {"edit": ("make it a truck", "at night"), "set": ("side=left", "actions=cut-in,stop")}
+        return [word for value in values[str(option.name)] for word in (option.opts[0], value)]
     if isinstance(option.type, click.Choice):
         return [option.opts[0], next(choice for choice in option.type.choices if choice != option.default)]
     return [option.opts[0], str(option.default + 1) if isinstance(option.default, int) else "some 'thing else"]

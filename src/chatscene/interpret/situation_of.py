@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from itertools import takewhile
 from typing import Any
 
-from chatscene.read.accounting import CONTACT, JOINS, words_of
+from chatscene.read.accounting import CONTACT, JOINS, PART, words_of
 from chatscene.read.kinds import kind_named, number_in
 from chatscene.read.lexicon import KINDS as KINDS_HEARD
 from chatscene.read.quotes import says_nothing, without_words
@@ -460,7 +460,7 @@ _PATHS: dict[str, tuple[str, ...]] = {
     "two_way": ("road.two_way",),
     "site": ("road",),
     "occluder": (f"others.{HIDES}",),
-    CONTACT: ("contact.happens",),
+    **dict.fromkeys((CONTACT, PART), ("contact.happens",)),
     "leader": (f"others.{LEADS}",),
     "blocker": (f"others.{BLOCKS}",),
     "others": (f"others.{BESIDE[0]}",),

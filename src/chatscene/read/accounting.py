@@ -26,7 +26,7 @@ from chatscene.terms.frame import Word
 from chatscene.terms.scenario import Scenario, Unused, Why
 
 EGO = "the ego"
-CONTACT = "contact"
+CONTACT, PART = "contact", "a part that is touched"
 JOINS = "says nothing alone"
 _OF_EDIT = "an edit, read by itself"
 _UNSAID = (Action.FOLLOW, Action.STAND, Action.ONCOMING, Action.BLOCK, Action.STOP, Action.SLOW)
@@ -39,7 +39,7 @@ _OF_SORT = {
 }  # fmt: skip
 _OF_KIND = {
     **dict.fromkeys((Kind.STRUCK, Kind.HIT, Kind.EGO_HITS, Kind.CONTACT, Kind.BY), CONTACT),
-    **dict.fromkeys((Kind.OUR_PART, Kind.PART_OF), CONTACT),
+    **dict.fromkeys((Kind.OUR_PART, Kind.PART_OF), PART),
     **dict.fromkeys((Kind.ACT, Kind.RESUMES, Kind.WAYWARD, Kind.ENTERS, Kind.NOUN, Kind.BARE, Kind.TARGET), "actions"),
     **dict.fromkeys((Kind.HEADING, Kind.COMPASS_SIDE, Kind.WHERE, Kind.AHEAD, Kind.OWN_SIDE), "position"),
     **dict.fromkeys((Kind.BYPASSES, Kind.EGO_TURNS, Kind.EGO_CHANGES_LANE, Kind.TURNING, Kind.PAST), "maneuver"),
@@ -149,7 +149,14 @@ def _decided(scenario: Scenario) -> set[str]:
     does = {act for one in (slots, *slots.others) for act in one.actions}
     does |= {Action(brought) for act in does for brought in act.row.brings} | set(_UNSAID)
     numbers = frame.quantities if frame else ()
-    return {*slots.said(), *(f"actions={act}" for act in does), *(one.measure.value for one in numbers), EGO, CONTACT}
+    return {
+        *slots.said(),
+        *(f"actions={act}" for act in does),
+        *(one.measure.value for one in numbers),
+        EGO,
+        CONTACT,
+        PART,
+    }
 
 
 # The text as it is read

@@ -24,7 +24,7 @@ _FUNCTION = """
     just also too very there here
 """
 _FUNCTION_WORDS = frozenset(_FUNCTION.split())
-_DENIES = re.compile(r"(?i)(?:n['\u2019]t|\bnot|\bnever|\bno)$")
+_DENIES = re.compile(r"(?i)^(?:['\u2019]t|not|never|no)$")
 _WORD = re.compile(r"[^\W_]+(?:[-.,:/][^\W_]+)*|['\u2019][^\W\d_]+")
 _APOSTROPHES = "['\u2019\u2018]"
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import platform
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
+from itertools import zip_longest
 from pathlib import Path
 from typing import Annotated, Any, TypeVar, overload
 from urllib.parse import quote, unquote
@@ -151,19 +152,32 @@ def create(folder: Path, asked: Record) -> Workspace:
 
 
 def _other(before: Record, asked: Record) -> tuple[str, Any, Any] | None:
-    """The first of what was asked for that is asked for otherwise now: its name, then and now."""
+    """The first of what was asked for that is asked for otherwise now: its name, then and now.
+
+    Of whole files the first line that differs is told, and only where nothing else does.
+    """
     fields = set(asked.asked())
     then, now = (one.model_dump(mode="json", include=fields) for one in (before, asked))
-    return _first_difference(then, now)
+    found = list(_differences(then, now))
+    plain = (one for one in found if not _is_file(one[1]) and not _is_file(one[2]))
+    if not found or (first := next(plain, None)) is not None:
+        return first if found else None
+    name, old, new = found[0]
+    lines = ((a, b) for a, b in zip_longest(str(old).splitlines(), str(new).splitlines(), fillvalue="") if a != b)
+    return name, *next(lines, (old, new))
 
 
-def _first_difference(then: Any, now: Any, name: str = "") -> tuple[str, Any, Any] | None:
-    """Where two JSON values first differ, by its path; None if nowhere."""
-    if not (isinstance(then, dict) and isinstance(now, dict)):
-        return None if then == now else (name, then, now)
-    names: dict[str, None] = dict.fromkeys((*then, *now))
-    found = (_first_difference(then.get(n), now.get(n), f"{name}.{n}" if name else n) for n in names)
-    return next((difference for difference in found if difference is not None), None)
+def _differences(then: Any, now: Any, name: str = "") -> Iterator[tuple[str, Any, Any]]:
+    """Where two JSON values differ, by their paths."""
+    if isinstance(then, dict) and isinstance(now, dict):
+        for one in dict.fromkeys((*then, *now)):
+            yield from _differences(then.get(one), now.get(one), f"{name}.{one}" if name else str(one))
+    elif then != now:
+        yield name, then, now
+
+
+def _is_file(value: object) -> bool:
+    return isinstance(value, str) and "\n" in value
 
 
 def _of_a_refused_run(run: Workspace) -> list[Path]:
