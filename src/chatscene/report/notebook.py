@@ -35,7 +35,7 @@ def understanding_frame(scenario: Scenario, explanation: Mapping[str, Any]) -> s
     page = fill(
         "understanding.html",
         style=asset("viewer.css"),
-        text=scenario.text,
+        text=scenario.text if scenario.situation is None else scenario.situation.about or scenario.id,
         understanding=sections.understanding(explanation),
         unused=list(grouped(scenario.unused).values()),
         programs=sections.programs({scenario.id: explanation["program"]}),

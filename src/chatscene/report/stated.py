@@ -93,7 +93,7 @@ class Stated:
         made = (self.editor or edited)(self.situation, text)
         return Changed(
             situation=made.after,
-            built=build(made.after),
+            built=_built(made.after),
             reader=self.reader,
             not_said=(*self.not_said, *(f"{one}: no scene shows it" for one in made.unused)),
             editor=self.editor,
@@ -130,6 +130,16 @@ class Stated:
         words = in_words(parts_of(self.situation.about, self._words())) if self.reader else ""
         told = filter(None, (self.told, words, facts))
         return "\n".join((*self.told_first, *told, f"built on map {self.built.map}"))
+
+    def _repr_html_(self) -> str:
+        """For a notebook, as the report shows it."""
+        from chatscene import runs
+        from chatscene.report.notebook import understanding_frame
+
+        scenario = self.scenario
+        explained = runs.explain(self.situation.about, [(scenario, None)])
+        explained["scenarios"][0]["notes"] = list(self.told_first)
+        return understanding_frame(scenario, {**explained, "program": self.program.source})
 
     def _words(self) -> list[dict[str, Any]]:
         return [word.as_dict() for word in words_of(self.situation, self.situation.about)] if self.reader else []
@@ -172,6 +182,12 @@ class Changed(Stated):
                 *(f"  {line}" for line in self.difference),
             )
         )
+
+
+def _built(situation: Situation) -> Built:
+    from chatscene.search.generators.situated import scenario_id
+
+    return build(situation, name=scenario_id(situation))
 
 
 def lines_changed(before: str, after: str) -> tuple[str, ...]:
@@ -219,7 +235,7 @@ def explain_stated(
         NotBuilt: A fact of it cannot be built.
         EditRefused: An edit was not understood.
     """
-    made = Stated(situation=situation, built=build(situation), reader=reader, not_said=tuple(not_said), editor=editor)
+    made = Stated(situation=situation, built=_built(situation), reader=reader, not_said=tuple(not_said), editor=editor)
     for one in edits:
         made = made.edit(one)
     return made

@@ -48,7 +48,7 @@ class Situated(Exploring):
             raise NotBuilt("nobody meets the ego: others: nobody has the role adversary")
         facts = facts_of(situation, parties)
         return Scenario(
-            id=named(situation.about) if situation.evidence.quoted else NAME,
+            id=scenario_id(situation),
             text=text,
             base=base_of(concluded(facts.slots)),
             parts=_PARTS,
@@ -75,6 +75,11 @@ class Situated(Exploring):
     def is_trusted(self, settings: RetrievalSettings) -> bool:  # noqa: ARG002
         """Yes: its program is ours, whoever stated the facts."""
         return True
+
+
+def scenario_id(situation: Situation) -> str:
+    """What its program is called: after the text that it was read in, or what it is."""
+    return named(situation.about) if situation.evidence.quoted else NAME
 
 
 def on_any_map(situation: Situation) -> Situation:
