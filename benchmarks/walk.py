@@ -1,8 +1,9 @@
-"""The rooms that a sentence and a scene go through, and how often one is entered again.
+"""The rooms and files that a sentence goes through, the rooms of a scene, and how often one is entered again.
 
 A room is a folder of the package; nouns, settings, errors, plug-ins and files are everybody's and no rooms here. A stay
 begins where a function of one room calls one of another. Whoever hands things on goes through each door once or calls
 through it again and again; a room with two doors is one that somebody returned to who did not come from the same place.
+A sentence goes through a file if a function in it runs; everybody's files count as well.
 
     python benchmarks/walk.py
 """
@@ -18,14 +19,13 @@ from types import FrameType
 from typing import Any
 
 import chatscene
-from chatscene import pipeline, runs
-from chatscene.pipeline import understand
+from chatscene import runs
 from chatscene.runs.searching import Desk
-from chatscene.settings import SearchSettings, Settings
 
 ROOT = Path(chatscene.__file__).parent
 EVERYBODYS = {"terms", "settings.py", "errors.py", "plugins.py", "files"}
 SENTENCE = "A cyclist rides out from the left and stops in front of us."
+Stay = tuple[str, str, str]
 
 
 def room_of(frame: FrameType | None) -> str:
@@ -40,9 +40,14 @@ def room_of(frame: FrameType | None) -> str:
     return ""
 
 
-def walked(work: Callable[[], object]) -> list[tuple[str, str, str]]:
-    """The stays in order: from which room, into which, by which function; equal ones in a row are one."""
-    stays: list[tuple[str, str, str]] = []
+def walked(work: Callable[[], object], files: set[str] | None = None) -> list[Stay]:
+    """The stays in order: from which room, into which, by which function; equal ones in a row are one.
+
+    Args:
+        work: What is watched.
+        files: Takes the files of which a function ran, below the package.
+    """
+    stays: list[Stay] = []
     known: dict[str, str] = {}
 
     def look(frame: FrameType, event: str, _argument: Any) -> None:
@@ -51,6 +56,8 @@ def walked(work: Callable[[], object]) -> list[tuple[str, str, str]]:
             return
         if not known[name] or frame.f_code.co_name.startswith("<"):
             return
+        if files is not None:
+            files.add(str(Path(name).relative_to(ROOT)))
         here, there = room_of(frame), room_of(frame.f_back)
         own = Path(name).relative_to(ROOT).parts[0]
         if own == here and here != there and (not stays or stays[-1][:2] != (there, here)):
@@ -64,7 +71,7 @@ def walked(work: Callable[[], object]) -> list[tuple[str, str, str]]:
     return stays
 
 
-def show(title: str, stays: list[tuple[str, str, str]]) -> None:
+def show(title: str, stays: list[Stay]) -> None:
     """Print a walk: each door from one room to another when it is first gone through, and how often it was."""
     print(f"\n{title}")
     doors = Counter(stay[:2] for stay in stays)
@@ -79,14 +86,24 @@ def show(title: str, stays: list[tuple[str, str, str]]) -> None:
     print(f"{len(opened)} rooms, {len(doors)} doors, {len(stays)} stays")
 
 
+def show_files(files: set[str]) -> None:
+    """Print how many files were gone through, and which, by room."""
+    rooms: dict[str, list[str]] = {}
+    for path in sorted(files):
+        room, _, name = path.partition("/")
+        rooms.setdefault(room, []).append((name or room).removesuffix(".py"))
+    for room, names in rooms.items():
+        print(f"  {room:<12} {len(names):>3}  {', '.join(names)}")
+    print(f"{len(files)} files")
+
+
 def main() -> None:
-    understand("A truck ahead brakes hard.")  # what is loaded and compiled once is no part of a walk
-    show(f"sentence: {SENTENCE}", walked(lambda: understand(SENTENCE)))
-    small = Settings(search=SearchSettings(scenes=1, block=1, keep=1))
+    chatscene.explain("A truck ahead brakes hard.")  # what is loaded and compiled once is no part of a walk
+    files: set[str] = set()
+    show(f"sentence: {SENTENCE}", walked(lambda: chatscene.explain(SENTENCE), files))
+    show_files(files)
     with tempfile.TemporaryDirectory() as folder:
-        asked = runs.asked_run(SENTENCE, settings=small)
-        pipeline.run(asked, Path(folder) / "first")
-        blocks: list[list[tuple[str, str, str]]] = []
+        blocks: list[list[Stay]] = []
         plain = Desk.block
 
         def watched(self: Any, *given: Any) -> Any:
@@ -94,8 +111,9 @@ def main() -> None:
             blocks.append(walked(lambda: kept.append(plain(self, *given))))
             return kept[0]
 
+        chatscene.run(SENTENCE, Path(folder) / "first", scenes=1)
         Desk.block = watched
-        pipeline.run(asked, Path(folder) / "second")
+        chatscene.run(SENTENCE, Path(folder) / "second", scenes=1)
         show("scene: one block of one scene", blocks[0])
         assert runs.read_scenes(runs.open_run(Path(folder) / "second"))
 

@@ -65,9 +65,12 @@ def test_the_notebook_goes_from_a_sentence_to_a_step_in_ten_lines(tmp_path: Path
     lines = ["".join(cell["source"]) for cell in code]
     assert sum(bool(line.strip()) for cell in lines for line in cell.splitlines()) <= 10
     assert "env.step(" in lines[-1]
-    # A notebook shows what the last line of a cell gives.
-    shown = ["\n".join([*cell.splitlines()[:-1], f"({cell.splitlines()[-1]})._repr_html_()"]) for cell in lines[:-1]]
-    ran("\n".join([*shown, lines[-1]]), tmp_path)
+
+    def shown(cell: str) -> str:  # a notebook shows what the last line of a cell gives, if that does not print
+        *before, last = cell.splitlines()
+        return "\n".join([*before, last if last.startswith("print(") else f"({last})._repr_html_()"])
+
+    ran("\n".join([*map(shown, lines[:-1]), lines[-1]]), tmp_path)
 
 
 @pytest.mark.parametrize("path", TUTORIALS, ids=lambda path: path.stem)
