@@ -63,7 +63,8 @@ def edit(
 ) -> None:
     """Change what EDIT names in the situation of RUN, show the difference, and run it with the same settings.
 
-    RUN is the folder of a finished run of a sentence, and stays as it is; run.json of the new one names it.
+    RUN is the folder of a finished run of a sentence or a situation, and stays as it is; run.json of the new one names
+    it.
 
     \b
     chatscene edit runs/cyclist "make it a truck, from the right, and slower"
@@ -100,8 +101,8 @@ def edit(
 def chat(map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpack[Reading]) -> None:
     """Talk about a situation: the first line says it, each further line changes it.
 
-    Lines come from the keyboard or a pipe. Besides edits they may be: show (the facts and the snippets), undo (the last
-    edit), reading N (of those that are offered), set SLOT=VALUE (a fact), run [DIR] (search it for scenes), new TEXT
+    Lines come from the keyboard or a pipe. Besides edits they may be: show (the situation and its facts), undo (the last
+    edit), reading N (of those that are offered), set FACT=VALUE (a fact), run [DIR] (search it for scenes), new TEXT
     (another situation), quit. What is refused changes nothing.
 
     \b

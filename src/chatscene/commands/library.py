@@ -82,7 +82,7 @@ class Reading(TypedDict):
 def READING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - a decorator, like those of click
     """Options that say how sentences are read."""
     own = click.option(
-        "--library", default="", metavar="DIR", help="Folder of your own snippets, beside the packaged ones."
+        "--library", default="", metavar="DIR", help="Folder of your own snippets; with it, snippets serve TEXT."
     )
     embedder = click.option("--embedder", default="minilm", show_default=True, help="Measures wording.")
     model = click.option(
@@ -96,7 +96,7 @@ READER = click.option(
     type=click.Choice(READERS),
     default=READERS[0],
     show_default=True,
-    help="By typed facts, or by wording alone, as in the paper, where nothing is refused.",
+    help="By typed facts, or by wording alone, as in the paper, where snippets serve and nothing is refused.",
 )
 
 
@@ -114,7 +114,7 @@ def CHOOSING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 -
         "--reading",
         type=click.IntRange(0, MOST_READINGS),
         default=0,
-        help="Take the reading of this number whole, of those that explain shows.",
+        help="Take the reading of this number whole, of those that a refusal offers.",
     )
     stated = click.option(
         "--set",
@@ -122,7 +122,7 @@ def CHOOSING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 -
         default=(),
         metavar="FACT=VALUE",
         callback=_facts,
-        help="A fact beside TEXT, which is sure: side=left; repeat.",
+        help="A fact beside TEXT, by its path: others.A.starts.side=left; or, offline, by its name: side=left. Repeat.",
     )
     return READER(taken(stated(command)))
 

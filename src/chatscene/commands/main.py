@@ -1,6 +1,6 @@
 """The command line: one verb per command, the same words as the Python functions.
 
-Exit status: 0 done, 1 error, 2 usage, 3 refused because nothing in the library fits or an edit was not understood.
+Exit status: 0 done, 1 error, 2 usage, 3 refused because a text or an edit was not understood, or cannot be built.
 """
 
 from __future__ import annotations
@@ -213,7 +213,7 @@ def run(
     chatscene run "a pedestrian steps out from behind a bus stop and freezes in front of us"
     chatscene run "an oncoming car turns left across our path" --routes 10 --out runs/left
     chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
-    chatscene run "a van cuts in" --set side=left
+    chatscene run "a van cuts in" --set side=left --set ego.speed="40 km/h"
     chatscene run --report claim.txt --out runs/claim
     chatscene run situation.yaml --set others.A.kind=truck
     chatscene run --program mine.scenic --routes 4
@@ -658,7 +658,9 @@ def explain(
     as_json: bool,
     **reading: Unpack[Chosen],
 ) -> None:
-    """Show how TEXT is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
+    """Show how TEXT is understood: the situation in words, the words of each fact, the facts. Runs nothing.
+
+    What was not read, assumed or left out stands first. --program prints the program that is built.
 
     TEXT is a sentence, or the .yaml or .json file of a situation.
 
