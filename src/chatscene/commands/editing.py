@@ -101,9 +101,9 @@ def edit(
 def chat(map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpack[Reading]) -> None:
     """Talk about a situation: the first line says it, each further line changes it.
 
-    Lines come from the keyboard or a pipe. Besides edits they may be: show (the situation and its facts), undo (the last
-    edit), reading N (of those that are offered), set FACT=VALUE (a fact), run [DIR] (search it for scenes), new TEXT
-    (another situation), quit. What is refused changes nothing.
+    Lines come from the keyboard or a pipe. Besides edits they may be: show (the situation and its facts), undo (the
+    last edit), reading N (of those that are offered), set FACT=VALUE (a fact), run [DIR] (search it for scenes), new
+    TEXT (another situation), quit. What is refused changes nothing.
 
     \b
     chatscene chat
