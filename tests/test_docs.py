@@ -19,6 +19,7 @@ from chatscene.simulate.confined.words import world_words
 from chatscene.terms.scenario import BaseScenario, Component
 from fake_run import finished
 from notebooks import TUTORIALS, held, printed
+from pages import Written, steps_of
 from places import ROOT
 
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
@@ -49,9 +50,14 @@ def ran(code: str, folder: Path) -> None:
     assert done.returncode == 0, f"{code}\n{done.stdout}\n{done.stderr}"
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/python.md", "docs/howto/rl-researcher.md"])
+@pytest.mark.parametrize(
+    "page", ["README.md", "docs/python.md", "docs/edit.md", "docs/situation.md", "docs/howto/rl-researcher.md"]
+)
 def test_the_python_of_a_page_runs(page: str, tmp_path: Path) -> None:
     pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
+    for step in steps_of(ROOT / page):
+        if isinstance(step, Written):
+            (tmp_path / step.name).write_text(step.content, encoding="utf-8")
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), re.DOTALL)
     assert any("import chatscene" in block for block in blocks)
     ran("\n".join(blocks), tmp_path)
