@@ -38,7 +38,7 @@ from chatscene.terms.scenario import (
     Slots,
 )
 from chatscene.terms.situation import Around, Contact, Deed, Ego, Evidence, Other, Road, Situation, Start, When
-from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
+from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
 from chatscene.terms.vocabulary import (
     Act,
     Breach,
@@ -178,6 +178,7 @@ _ALL_ALONG = frozenset((*MANNERS, Action.RUN_LIGHT, Action.FOLLOW, Action.ONCOMI
 _OF_ACTS = re.compile(r"^others\..*\.does$")
 _NEAR_MISS = re.compile(r"(?i)\b(?:nearly|almost|narrowly|miss\w*|avoid\w*)\b")
 """Says of a contact that there is none; the words stay unread then, as no search is for what does not happen."""
+_ROUNDED = 0.01  # of SI units, to which a number is rounded when it is read
 _AMOUNTS: dict[Measure, tuple[str, type[Amount]]] = {
     Measure.SPEED: ("speed", Speed),
     Measure.TIME: ("time", Duration),
@@ -276,7 +277,7 @@ def _around(said: Surroundings) -> Around:
     return Around(
         light=said.light if said.light is not Light.DAY else None,
         weather=said.weather if said.weather is not Weather.CLEAR else None,
-        surface=said.surface if said.surface is not Surface.DRY else None,
+        surface=said.surface if said.surface not in (Surface.DRY, FOLLOWS.get(said.weather)) else None,
     )
 
 
@@ -423,12 +424,16 @@ def _numbered(deeds: tuple[Deed, ...], numbers: Sequence[Quantity]) -> tuple[Dee
 
 
 def _amount(kind: type[Amount], number: Quantity) -> Any:
-    """A number as it was said, if its words are an amount; its value was rounded when it was read."""
-    try:
-        said = kind.of(number.said)
-    except ValueError:
-        return kind(number.value, number.value)
-    return said if said.exact and abs(said.low - number.value) < 0.01 else kind(number.value, number.value)
+    """A number as it was said, if its words end in an amount; its value was rounded when it was read."""
+    words = number.said.split()
+    for at in range(len(words)):
+        try:
+            said = kind.of(" ".join(words[at:]))
+        except ValueError:
+            continue
+        if said.exact and abs(said.low - number.value) < _ROUNDED:
+            return said
+    return kind(number.value, number.value)
 
 
 def _is_set(who: Other, one: Quantity) -> bool:

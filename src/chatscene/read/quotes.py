@@ -83,7 +83,7 @@ def words_of(situation: Situation, text: str) -> tuple[Word, ...]:
     facts: dict[int, str] = {}
     for path, words in situation.evidence.quoted.items():
         for start, end in _spans(words, text):
-            facts |= {at: path for at in range(start, end) if len(path) > len(facts.get(at, ""))}
+            facts |= {at: path for at in range(start, end) if at not in facts or within(path, (facts[at],))}
     told: list[Word] = []
     for word in _WORD.finditer(text):
         start, end = word.span()
