@@ -8,6 +8,7 @@ import runpy
 import subprocess
 import sys
 import tomllib
+from functools import partial
 from typing import Any
 
 import pytest
@@ -63,7 +64,7 @@ def test_a_sentence_goes_through_the_doors_that_the_page_tells_and_through_no_mo
     walk = runpy.run_path(str(ROOT / "benchmarks" / "walk.py"))
     chatscene.explain("A truck ahead brakes hard.")
     files: set[str] = set()
-    stays = walk["walked"](lambda: chatscene.explain(walk["SENTENCE"]), files)
+    stays = walk["walked"](partial(chatscene.explain, walk["SENTENCE"]), files)
     for room in ("read", "interpret", "library", "build"):
         assert len({there for there, here, _ in stays if here == room}) == 1
     assert not {"search", "program", "simulate"} & {here for _, here, _ in stays}
