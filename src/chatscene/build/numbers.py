@@ -7,8 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from chatscene.errors import NotBuilt
-from chatscene.simulate.embedded.dynamics import REVERSE_SPEED
-from chatscene.terms.actors import RoadUser
+from chatscene.terms.actors import REVERSE_SPEED, RoadUser
 from chatscene.terms.amount import Amount
 from chatscene.terms.snippet import ParameterRange
 from chatscene.terms.vocabulary import Manner

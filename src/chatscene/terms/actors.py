@@ -588,6 +588,8 @@ class AdversaryKind(StrEnum):
 
 
 BY_CLASS: dict[str, AdversaryKind] = {kind.row.scenic: kind for kind in AdversaryKind}
+REVERSE_SPEED = 6.0  # [m/s], the most that a body with wheels drives backwards
+
 PROPS: dict[str, Limits] = {
     "BusStop": Limits(length=3.6, width=1.4),
     "VendingMachine": Limits(length=1.2, width=0.9),
