@@ -184,7 +184,8 @@ class Phases:
         """How long [s] it takes to get by the ego."""
         actor = self.actor
         faster = actor.numbers.middle(f"FAST_{k}") - actor.ego_speed
-        metres = (actor.numbers.middle("Y") if actor.stand.behind and "Y" in actor.numbers.ranges else 0.0) + actor.limits.length
+        behind = actor.stand.behind and "Y" in actor.numbers.ranges  # else it is placed by when it comes
+        metres = (actor.numbers.middle("Y") if behind else 0.0) + actor.limits.length
         return (metres + actor.numbers.middle("AHEAD")) / max(faster, 0.5)
 
     def _between(self) -> None:
