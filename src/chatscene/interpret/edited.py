@@ -12,7 +12,7 @@ from typing import Any
 
 from chatscene.errors import EditRefused
 from chatscene.interpret.situation_of import WHO, as_named, in_a_situation
-from chatscene.interpret.slots_of import POSITIONS, facts_of, parties_of
+from chatscene.interpret.slots_of import ACTIONS, POSITIONS, facts_of, parties_of
 from chatscene.read.edit import hear_edit
 from chatscene.situations.edited import Edited
 from chatscene.situations.facts import still_evident
@@ -41,7 +41,8 @@ def edited(situation: Situation, text: str) -> Edited:
     edit = hear_edit(text, facts, may_stay=True)
     names = parties.names
     settled, shifts = _settled(edit)
-    ours = _with_changes(_renamed(situation, names), _made(facts), _made(settled))
+    was = replace(facts, slots=concluded(facts.slots))  # what followed before is no change
+    ours = _with_changes(_renamed(situation, names), _made(was), _made(settled))
     for shift in shifts:
         at = next(i for i, one in enumerate(ours.others) if one.id == WHO)
         shown = _WITHOUT_NUMBER[shift.measure](ours.others[at], more=shift.more)
@@ -204,14 +205,35 @@ def _part(ours: Any, before: Any, after: Any) -> Any:
 
 
 def _deeds(mine: tuple[Deed, ...], was: tuple[Deed, ...], now: tuple[Deed, ...]) -> tuple[Deed, ...]:
-    """Deeds with what differs: in each that stays what is another one of it, else those that are there now."""
-    if [one.act for one in was] == [one.act for one in now] and len(mine) == len(was):
-        return tuple(_part(*three) for three in zip(mine, was, now, strict=True))
-    left = list(mine)
-    made: list[Deed] = []
-    for one in now:
-        same = next((deed for deed in left if deed.act is one.act), None)
-        if same is not None:
-            left.remove(same)
-        made.append(same if same is not None and one in was else one)
-    return tuple(made)
+    """Deeds with what differs between two others; those of which neither knows stay behind what they stood behind."""
+    at = _matched(was, mine)  # where each that was stands in them
+    there = _matched(now, was)
+    known = {*at.values()}
+    unknown = [i for i in range(len(mine)) if i not in known]
+    made: list[tuple[int, Deed]] = []
+    for k, one in enumerate(now):
+        if k in there and there[k] in at:
+            place = at[there[k]]
+            made.append((place, _part(mine[place], was[there[k]], one)))
+        else:
+            same = next((i for i in unknown if _action(mine[i]) == _action(one)), None)
+            made.append((len(mine), one) if same is None else (same, mine[same]))
+            unknown = [i for i in unknown if i != same]
+    for i in unknown:
+        behind = max((n for n, (place, _) in enumerate(made) if place < i), default=-1)
+        made.insert(behind + 1, (i, mine[i]))
+    return tuple(deed for _, deed in made)
+
+
+def _matched(some: tuple[Deed, ...], among: tuple[Deed, ...]) -> dict[int, int]:
+    """Where each of some deeds stands among others, by its act."""
+    found: dict[int, int] = {}
+    for k, one in enumerate(some):
+        fits = (i for i, deed in enumerate(among) if _action(deed) == _action(one) and i not in found.values())
+        if (place := next(fits, None)) is not None:
+            found[k] = place
+    return found
+
+
+def _action(deed: Deed) -> object:
+    return ACTIONS.get(deed.act, deed.act)

@@ -433,7 +433,8 @@ def _amount(kind: type[Amount], number: Quantity) -> Any:
             continue
         if said.exact and abs(said.low - number.value) < _ROUNDED:
             return said
-    return kind(number.value, number.value)
+    read = round(3.6 * number.value, 1) / 3.6 if kind is Speed else round(number.value, 2)  # as finely as it is said
+    return kind(read, read)
 
 
 def _is_set(who: Other, one: Quantity) -> bool:
