@@ -14,6 +14,7 @@ from chatscene.read.by_model import LIMITS
 from chatscene.read.edit_by_model import EXAMPLES, edited_by
 from chatscene.situations.form import from_plain, to_plain
 from chatscene.terms.situation import Situation
+from chatscene.terms.vocabulary import UserKind
 
 VAN: dict[str, Any] = {
     "id": "A",
@@ -80,7 +81,9 @@ def test_what_cannot_be_built_or_changes_nothing_or_has_faults_is_sent_back_and_
 
     def bus_only(situation: Situation) -> str:
         asked.append(situation["A"].kind)
-        return "" if situation["A"].kind == "bus" else f"nothing builds yet: others.A.kind: {situation['A'].kind}"
+        return (
+            "" if situation["A"].kind is UserKind.BUS else f"nothing builds yet: others.A.kind: {situation['A'].kind}"
+        )
 
     made = edited_by(scripted(tmp_path, same, reply(LEFT), reply({**LEFT, "kind": "bus"})), bus_only)(READ, "a bus")
     assert asked == ["van", "bus"]  # what is as it was is not even tried

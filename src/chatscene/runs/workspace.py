@@ -159,12 +159,13 @@ def _other(before: Record, asked: Record) -> tuple[str, Any, Any] | None:
     fields = set(asked.asked())
     then, now = (one.model_dump(mode="json", include=fields) for one in (before, asked))
     found = list(_differences(then, now))
-    plain = (one for one in found if not _is_file(one[1]) and not _is_file(one[2]))
-    if not found or (first := next(plain, None)) is not None:
-        return first if found else None
+    plain = [one for one in found if not _is_file(one[1]) and not _is_file(one[2])]
+    if plain or not found:
+        return plain[0] if plain else None
     name, old, new = found[0]
     lines = ((a, b) for a, b in zip_longest(str(old).splitlines(), str(new).splitlines(), fillvalue="") if a != b)
-    return name, *next(lines, (old, new))
+    then, now = next(lines, (old, new))
+    return name, then, now
 
 
 def _differences(then: Any, now: Any, name: str = "") -> Iterator[tuple[str, Any, Any]]:
