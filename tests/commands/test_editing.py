@@ -172,8 +172,7 @@ def test_python_edits_what_was_understood() -> None:
     edited = chatscene.explain(WALKS).edit("from the left").edit("hidden by a hedge")
     assert edited.situation["A"].hidden_by == "H"
     assert edited.situation["H"].starts == Start(where=Where.ROADSIDE, side=Side.LEFT)
-    assert any("with role 'occluder'" in line for line in edited.difference)
-    assert "left out: that what hides it is a hedge: no scene shows it" in edited.told_first
+    assert any("new Hedge at" in line and "with role 'occluder'" in line for line in edited.difference)
     assert chatscene.explain(WALKS, edit=("from the left", "hidden by a hedge")).program == edited.program
 
 

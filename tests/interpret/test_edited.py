@@ -13,7 +13,7 @@ from chatscene.situations.edited import Edited
 from chatscene.situations.file import read_text
 from chatscene.situations.form import from_plain
 from chatscene.terms.situation import Situation
-from chatscene.terms.vocabulary import Act, Role
+from chatscene.terms.vocabulary import Act, Role, UserKind
 
 WALKS = "A pedestrian crosses the road from the right."
 BRAKES = "The car ahead of us brakes hard."
@@ -59,8 +59,7 @@ def changed(made: Edited) -> dict[str, tuple[object, object]]:
             "at night in the rain",
             {
                 "around.light": (None, "night"),
-                "around.weather": (None, "rain"),
-                "around.surface": (None, "wet"),  # as it is in rain
+                "around.weather": (None, "rain"),  # in which the road is wet without a word
             },
         ),
         (BRAKES, "make it a truck", {"others.A.kind": ("car", "truck")}),
@@ -75,14 +74,13 @@ def test_what_an_edit_names_changes_and_nothing_else(
     assert made.after.about == made.before.about
 
 
-def test_what_hides_somebody_comes_with_an_id_and_is_told_where_it_is_only_a_thing() -> None:
+def test_what_hides_somebody_comes_with_an_id_and_is_what_it_is_called() -> None:
     made = edited(said(WALKS), "hidden by a hedge")
     assert made.after["A"].hidden_by == "H"
     assert made.after["H"].starts == replace(made.after["A"].starts)
-    assert made.unused == ("that what hides it is a hedge",)
+    assert made.after["H"].kind is UserKind.HEDGE
     stop = edited(made.after, "behind a bus stop")
-    assert changed(stop) == {"road.has.0": (None, "bus-stop")}
-    assert stop.unused == ()
+    assert changed(stop) == {"others.H.kind": ("hedge", "bus-shelter")}
 
 
 @pytest.mark.parametrize(
