@@ -169,7 +169,9 @@ def test_a_conversation_goes_line_by_line(tmp_path: Path) -> None:
 
 
 def test_python_edits_what_was_understood() -> None:
-    edited = chatscene.explain(WALKS).edit("from the left").edit("hidden by a hedge")
+    heard = chatscene.explain(WALKS)
+    assert isinstance(heard, Stated)
+    edited = heard.edit("from the left").edit("hidden by a hedge")
     assert edited.situation["A"].hidden_by == "H"
     assert edited.situation["H"].starts == Start(where=Where.ROADSIDE, side=Side.LEFT)
     assert any("new Hedge at" in line and "with role 'occluder'" in line for line in edited.difference)

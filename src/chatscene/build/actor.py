@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from chatscene.build.anyway import said_anyway
 from chatscene.build.coming import Coming
 from chatscene.build.deeds import OWN
 from chatscene.build.ledger import Ledger
@@ -78,6 +79,7 @@ class Actor:
         self.named = {}
         at = f"others.{self.one.id}"
         self.ledger.take(f"{at}.kind", f"{at}.count", f"{at}.starts.where", f"{at}.starts.side")
+        self.ledger.take(*said_anyway(self.one, self.stand.meets))
         if self.stand.faces:
             self.ledger.take(f"{at}.starts.facing")
         if self.one.kind.row.stands_in:

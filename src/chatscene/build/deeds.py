@@ -132,7 +132,7 @@ ALONG: dict[Act, Steps] = {
     ),
     Act.SWERVE: Steps(
         does=("SwerveOnPath({p}, $SPEED, {aside} * $SWERVE) for $SWERVE_TIME seconds",),
-        binds={"speed": "SPEED", "time": "SWERVE_TIME"},
+        binds={"speed": "SPEED", "time": "SWERVE_TIME", "distance": "SWERVE"},
     ),
     Act.DRIFT: Steps(
         does=tuple(
@@ -142,7 +142,7 @@ ALONG: dict[Act, Steps] = {
             *(f"DrivePath({{p}}, $SPEED, {{aside}} * {k} * $DRIFT) for {{drift}} seconds" for k in (0.3, 0.6, 0.9)),
             "DrivePath({p}, $SPEED, {aside} * $DRIFT)",
         ),
-        binds={"speed": "SPEED"},
+        binds={"speed": "SPEED", "distance": "DRIFT"},
     ),
     Act.KEEP_LEVEL: Steps(
         does=("PaceOnPath({p}, ego, $LEVEL, 25, 2) for $PACE_TIME seconds",),

@@ -14,6 +14,7 @@ from chatscene.errors import MapError, NotBuilt
 from chatscene.maps.crossings import conflicting_paths
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.ring_ways import ROUND, ring_ways
+from chatscene.situations.check import COMES_OVER
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
@@ -150,7 +151,8 @@ def ring_arms(one: Other, sides: dict[str, Side]) -> tuple[str, ...]:
         case Where.IN_ROUNDABOUT:
             return (ROUND,)
         case Where.ROUNDABOUT_ENTRY:
-            return ("right", "left", "oncoming")  # which the ego comes past, or which comes past the ego
+            side = one.starts.side
+            return (str(side),) if side is not None else ("right", "left", "oncoming")  # the ego comes past, or it does
         case Where.ARM:
             return (str(one.starts.side or sides[one.id]),)
         case Where.ONCOMING:
@@ -208,9 +210,15 @@ def find(ledger: Ledger) -> Found:
 def _open_sides(others: Sequence[Other]) -> Iterator[dict[str, Side]]:
     """Ways to choose the sides that were left open: where two lanes have one side, all are tried on that first."""
     open_ones = [one.id for one in others if one.starts.where.row.sided and one.starts.side is None]
-    orders = ((Side.RIGHT, Side.LEFT), (Side.LEFT, Side.RIGHT)) if open_ones else ((Side.RIGHT,),)
-    for order in orders:
-        yield dict.fromkeys(open_ones, order[0])
+    told = {one.id: side for one in others if one.id in open_ones and (side := comes_from(one)) is not None}
+    for first in (Side.RIGHT, Side.LEFT) if len(open_ones) > len(told) else (Side.RIGHT,):
+        yield dict.fromkeys(open_ones, first) | told
+
+
+def comes_from(one: Other) -> Side | None:
+    """From which side somebody comes of whom the side was said to which it goes."""
+    to = next((deed.to for deed in one.does if deed.act in COMES_OVER and deed.to is not None), None)
+    return None if to is None else Side.LEFT if to is Side.RIGHT else Side.RIGHT
 
 
 def _answered(
@@ -374,6 +382,8 @@ def _take(ledger: Ledger, found: Found) -> None:
     situation = ledger.situation
     ledger.take(*_as_said(situation, found))
     for name, side in found.sides.items():
+        if comes_from(situation[name]) is side:
+            continue  # which was said
         ledger.assume(f"{name} is on the {side}, which was not said")
     if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
         ledger.assume(f"the ego's {situation.ego.route} is to the left, which was not said")

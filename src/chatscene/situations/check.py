@@ -84,18 +84,26 @@ def _too_many(situation: Situation) -> Iterator[Fault]:
             yield Fault(path, f"{len(does)} deeds are more than {MOST}")
 
 
+COMES_OVER = frozenset((Act.CROSS, Act.CUT_IN))
+"""Acts that lead from where somebody is at first to the other side."""
+
+
 def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
     if one.count > MOST:
         yield Fault((*at, "count"), f"{one.count} is more than {MOST}, the most of a kind; 0 is several")
     if one.count < 0:
         yield Fault((*at, "count"), f"{one.count} is no number of road users; 0 is several")
-    if one.starts.side is not None and not one.starts.where.row.sided:
-        yield Fault((*at, "starts", "side"), f"{one.starts.where!s} has no side")
+    where = one.starts.where
+    if one.starts.side is not None and not where.row.sided and one.starts.side not in where.row.sides:
+        lies = f"lies on the {' or the '.join(where.row.sides)}" if where.row.sides else "has no side"
+        yield Fault((*at, "starts", "side"), f"{where!s} {lies}")
     if one.hidden_by is not None:
         yield from _somebody(situation, one.hidden_by, (*at, "hidden_by"), ego=False)
         if one.hidden_by == one.id:
             yield Fault((*at, "hidden_by"), "nobody hides itself")
     for k, deed in enumerate(one.does):
+        if deed.act in COMES_OVER and deed.to is not None and deed.to is one.starts.side:
+            yield Fault((*at, "does", k, "to"), f"it is on the {deed.to} at first, and comes to the other side")
         if one.kind.moves not in deed.act.row.by:
             yield Fault((*at, "does", k, "act"), f"{one.kind!s} {_WAYS[one.kind.moves]}, and cannot {deed.act!s}")
         yield from _of_deed(situation, deed, (*at, "does", k))

@@ -257,11 +257,11 @@ PLACES: Mapping[Where, str] = {
     Where.EXIT: f"in {{egos}} new lane beyond the junction{_AWAY}",
     Where.EXIT_CROSSING: f"at the crosswalk just after {{egos}} turn{_ON}{_AWAY}",
     Where.MEDIAN: f"on the median{_IN_FRONT}",
-    Where.ON_RAMP: f"on an on-ramp{_AWAY}",
+    Where.ON_RAMP: f"on an on-ramp{_ON}{_AWAY}",
     Where.OFF_RAMP: f"on an off-ramp{_AWAY}",
     Where.IN_ROUNDABOUT: f"in the roundabout{_AWAY}",
-    Where.ROUNDABOUT_ENTRY: f"at another entry of the roundabout{_AWAY}",
-    Where.BUS_BAY: f"in a bus bay{_IN_FRONT}",
+    Where.ROUNDABOUT_ENTRY: f"at another entry of the roundabout{_ON}{_AWAY}",
+    Where.BUS_BAY: f"in a bus bay{_ON}{_IN_FRONT}",
 }
 
 FACINGS: Mapping[Facing, str] = {
@@ -309,7 +309,7 @@ class Doing:
     time: str = " for {time}"
 
 
-_TO, _OVER, _GAP = " to {speed}", " over {time}", " with a gap of {distance}"
+_TO, _OVER, _GAP, _BY = " to {speed}", " over {time}", " with a gap of {distance}", " by {distance}"
 
 ACTS: Mapping[Act, Doing] = {
     Act.STAND: Doing(does="[stand/stands/standing] still"),
@@ -333,8 +333,8 @@ ACTS: Mapping[Act, Doing] = {
     Act.CUT_OUT: Doing(does="[move/moves/moving] out of {egos} lane", time=_OVER),
     Act.MERGE: Doing(does="[merge/merges/merging] into {egos} lane"),
     Act.OVERTAKE: Doing(does="[overtake/overtakes/overtaking] {whom}", distance=_GAP),
-    Act.DRIFT: Doing(does="[drift/drifts/drifting]", time=_OVER),
-    Act.SWERVE: Doing(does="[swerve/swerves/swerving]", time=_OVER),
+    Act.DRIFT: Doing(does="[drift/drifts/drifting]", time=_OVER, distance=_BY),
+    Act.SWERVE: Doing(does="[swerve/swerves/swerving]", time=_OVER, distance=_BY),
     Act.WEAVE: Doing(does="[weave/weaves/weaving] from side to side"),
     Act.KEEP_LEVEL: Doing(does="[stay/stays/staying] level with {whom}"),
     Act.FOLLOW: Doing(does="[follow/follows/following] {whom}", distance=" at a distance of {distance}"),

@@ -241,10 +241,12 @@ class WhereRow:
 
     Attributes:
         sided: Whether it has a side, said or not.
+        sides: Of a place that need not have one, the sides that may be said of it.
         junction: Whether it is one of a junction.
     """
 
     sided: bool = False
+    sides: tuple[Side, ...] = ()
     junction: bool = False
 
 
@@ -272,11 +274,15 @@ class Where(RowWord):
         WhereRow(sided=True, junction=True),
     )
     MEDIAN = ("median", "between the two directions, in front", WhereRow())
-    ON_RAMP = ("on-ramp", "on a ramp that joins the ego's road", WhereRow())
+    ON_RAMP = ("on-ramp", "on a ramp that joins the ego's road", WhereRow(sides=(Side.RIGHT,)))
     OFF_RAMP = ("off-ramp", "on a ramp that leaves the ego's road", WhereRow())
     IN_ROUNDABOUT = ("in-roundabout", "goes round in the roundabout", WhereRow(junction=True))
-    ROUNDABOUT_ENTRY = ("roundabout-entry", "at another entry of the roundabout", WhereRow(junction=True))
-    BUS_BAY = ("bus-bay", "in a bus bay beside the lane, in front", WhereRow())
+    ROUNDABOUT_ENTRY = (
+        "roundabout-entry",
+        "at another entry of the roundabout",
+        WhereRow(sides=(Side.LEFT, Side.RIGHT), junction=True),
+    )
+    BUS_BAY = ("bus-bay", "in a bus bay beside the lane, in front", WhereRow(sides=(Side.RIGHT,)))
 
 
 class Facing(Word):
@@ -341,7 +347,7 @@ class Act(RowWord):
     TURN_LEFT = ("turn-left", "turns to its own left at a junction or off the road", _act(_WHEELS, "speed"))
     TURN_RIGHT = ("turn-right", "turns to its own right at a junction or off the road", _act(_WHEELS, "speed"))
     U_TURN = ("u-turn", "turns round on the road", _act(_WHEELS, "speed"))
-    CROSS = ("cross", "crosses the ego's way from beside the road to the other side", _act(_ALL, "speed"))
+    CROSS = ("cross", "crosses the ego's way from beside the road to the other side", _act(_ALL, "speed", sided=True))
     ENTER = ("enter", "comes into the ego's lane from beside the road, and stays in it", _act(_ALL, "speed"))
     SET_OFF = ("set-off", "starts to move after it stood", _act(_ALL, "speed acceleration", ego=True))
     ACCELERATE = ("accelerate", "gains speed", _act(_ALL, "speed acceleration time", ego=True))
@@ -354,14 +360,14 @@ class Act(RowWord):
     CUT_IN = (
         "cut-in",
         "comes from the next lane into the ego's, close in front",
-        _act(_WHEELS, "speed distance time", whom=True),
+        _act(_WHEELS, "speed distance time", sided=True, whom=True),
     )
     LANE_CHANGE = ("lane-change", "changes lanes in any other way", _act(_WHEELS, "speed time", sided=True))
     CUT_OUT = ("cut-out", "leaves the ego's lane, and so shows what is ahead", _act(_WHEELS, "speed time", sided=True))
     MERGE = ("merge", "comes from a ramp or a lane that ends into the ego's lane", _act(_WHEELS, "speed"))
-    OVERTAKE = ("overtake", "passes somebody and is ahead then", _act(_WHEELS, "speed distance", whom=True))
-    DRIFT = ("drift", "leaves its line gradually, not meaning to", _act(_WHEELS, "speed time", sided=True))
-    SWERVE = ("swerve", "leaves its line abruptly", _act(_WHEELS, "speed time", sided=True))
+    OVERTAKE = ("overtake", "passes somebody and is ahead then", _act(_WHEELS, "speed distance", sided=True, whom=True))
+    DRIFT = ("drift", "leaves its line gradually, not meaning to", _act(_WHEELS, "speed time distance", sided=True))
+    SWERVE = ("swerve", "leaves its line abruptly", _act(_WHEELS, "speed time distance", sided=True))
     WEAVE = ("weave", "swings from side to side", _act(_ALL, "speed time"))
     KEEP_LEVEL = ("keep-level", "stays level with somebody", _act(_WHEELS, "time", whom=True, lasting=True))
     FOLLOW = (
