@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from chatscene.build.aim import time_meeting
+from chatscene.build.aim import aimed
 from chatscene.build.deeds import (
     ALONG,
     BRAKES,
@@ -21,23 +21,26 @@ from chatscene.build.deeds import (
     steps_for,
 )
 from chatscene.build.local import breaks, check_round, check_turn
-from chatscene.build.numbers import FIRM, PACES
+from chatscene.build.numbers import FIRM, MOST, PACES
 from chatscene.build.opening import Opening
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed
-from chatscene.build.passing import choose_passing_speed, seconds_to_pass
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.stand import Meets, stands_first
 from chatscene.build.timing import Body, Course, course
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import Act, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
+YIELDS = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
+PASSES = 1.2  # times as fast as the ego is who gets by it before the road ends
 FOLLOWS = 0.64  # of the ego's speed
 BACK, DRIFTS = 1.5, 8.0  # [m] that somebody goes back; that it goes on while it drifts by a third
+GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
 WAVE = 20.0  # [m], five times as far as a tracker looks ahead: a shorter wave is cut
 GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 NEARLY, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
@@ -85,9 +88,9 @@ class Phases:
             actor.numbers.narrow("GO_TIME", least, least + 1.0)
         for k, steps in enumerate(self.steps):
             if steps.binds.get("speed") == "FAST" and deeds[k].act is Act.OVERTAKE:
-                choose_passing_speed(actor, k)
+                self._overtakes(k)
         if actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) or actor.stand.rolls:
-            time_meeting(actor)
+            self._between()
         return tuple(self._all())
 
     # Speeds
@@ -158,6 +161,50 @@ class Phases:
             return own, (low, high)
         return own, None
 
+    def _overtakes(self, k: int) -> None:
+        """Let it be so much faster than the ego that it gets by.
+
+        Raises:
+            NotBuilt: It is not, or no such body is.
+        """
+        actor, deed = self.actor, self.actor.deeds[k]
+        least, name = PASSES * actor.ego_speed, f"FAST_{k}"
+        if deed.speed is not None:
+            actor.numbers.bind(name, deed.speed, actor.ego_speed, f"{actor.path}.does.{k}.speed")
+        low, high, *_ = actor.numbers.range_of(name)
+        most = high if deed.speed is not None else MOST * actor.limits.top_speed
+        if most < least:
+            raise NotBuilt(
+                f"{actor.path}.does.{k}: a {actor.one.kind} at {3.6 * most:.0f} km/h does not overtake an ego at "
+                f"{3.6 * actor.ego_speed:.0f} km/h; say {3.6 * least:.0f} km/h at least, or a slower ego"
+            )
+        actor.numbers.narrow(name, max(low, least), max(high, least))
+
+    def _passing(self, k: int) -> float:
+        """How long [s] it takes to get by the ego."""
+        actor = self.actor
+        faster = actor.numbers.middle(f"FAST_{k}") - actor.ego_speed
+        behind = actor.stand.behind and "Y" in actor.numbers.ranges  # else it is placed by when it comes
+        metres = (actor.numbers.middle("Y") if behind else 0.0) + actor.limits.length
+        return (metres + actor.numbers.middle("AHEAD")) / max(faster, 0.5)
+
+    def _between(self) -> None:
+        """Let it be where the ways meet from when it would touch the ego's tail to when it would just have gone by.
+
+        Whoever comes later strikes the other.
+        """
+        actor, ego = self.actor, AdversaryKind.CAR.row.limits
+        late = -0.5 * (ego.length + actor.limits.length) / actor.ego_speed
+        early = (ego.width + actor.limits.length) / actor.numbers.middle("SPEED")
+        yields = bool(actor.deeds) and actor.deeds[0].act is Act.YIELD
+        if yields:  # who waits for the ego is there well before it
+            late, early = YIELDS
+        late, early, *taken = aimed(actor.ledger.situation.contact, actor.one, late, early)
+        actor.ledger.take(*taken)
+        if actor.one.role is Role.SUPPORTING and not yields:  # not met: before the ego, which can still brake for it
+            late, early = early + 0.5 * actor.ego_speed / GENTLE, early + actor.ego_speed / GENTLE
+        actor.numbers.narrow("OFFSET", late, early)
+
     # Steps
 
     def _steps_of(self, k: int) -> Steps:
@@ -218,7 +265,7 @@ class Phases:
                 reached = course([gets], actor.numbers, self.body, begins)
                 begins = replace(begins, seconds=min(reached.seconds, begins.seconds + LONGEST))
         passing = sum(
-            seconds_to_pass(actor, k)
+            self._passing(k)
             for k, deed in enumerate(actor.deeds)
             if f"FAST_{k}" in actor.numbers.ranges and deed.act is Act.OVERTAKE
         )
