@@ -23,8 +23,7 @@ import click
 from chatscene.build.build import build
 from chatscene.build.deeds import Steps, steps_for
 from chatscene.build.possible import impossible
-from chatscene.build.stand import Meets
-from chatscene.build.starts import STARTS
+from chatscene.build.starts import STARTS, Meets
 from chatscene.commands.situations import SUFFIXES
 from chatscene.ego.policy import load_ego, wanting
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt

@@ -15,8 +15,7 @@ from chatscene.build.numbers import PACES, Numbers
 from chatscene.build.opening import LANE
 from chatscene.build.phases import Phases
 from chatscene.build.place import Found
-from chatscene.build.stand import Asked, Meets, Stand, stands_first
-from chatscene.build.starts import start_of
+from chatscene.build.starts import Asked, Meets, Stand, stands_first, start_of
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, Limits
 from chatscene.terms.actors import Manner as Moves

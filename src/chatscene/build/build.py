@@ -11,7 +11,7 @@ from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.place import Found, find, met_first, started
 from chatscene.build.possible import OFF_ROAD, impossible
-from chatscene.build.stand import Meets, stands_first
+from chatscene.build.starts import Meets, stands_first
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
 from chatscene.terms.pace import NOMINAL

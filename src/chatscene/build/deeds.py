@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 from chatscene.build.paces import Pace
-from chatscene.build.stand import Meets
+from chatscene.build.starts import Meets
 from chatscene.terms.vocabulary import Act
 
 STILL = "self.pose[3] < 0.05"

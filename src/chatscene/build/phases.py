@@ -25,7 +25,7 @@ from chatscene.build.numbers import FIRM, MOST, PACES
 from chatscene.build.opening import Opening
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed
 from chatscene.build.place import NEXT_LANE
-from chatscene.build.stand import Meets, stands_first
+from chatscene.build.starts import Meets, stands_first
 from chatscene.build.timing import Body, Course, course
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
