@@ -14,9 +14,9 @@ from chatscene.errors import MapError, NotBuilt
 from chatscene.maps.crossings import conflicting_paths
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.ring_ways import ROUND, ring_ways
-from chatscene.situations.check import COMES_OVER
 from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
+from chatscene.situations.check import COMES_OVER
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
