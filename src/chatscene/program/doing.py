@@ -201,5 +201,37 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.YIELD: ACTIONS[Action.STOP],
 }
 """When somebody is seen to do something; for those that are not here, no track tells."""
+FOLLOWS = 40.0  # [m] behind somebody: who is farther does not follow
+
+
+def _follows(s: Seen) -> Iterator[Act]:
+    """It goes behind somebody for a while."""
+    behind = (s.lead < 0.0) & (s.lead > -FOLLOWS) & (_speed(s) > STANDING)
+    run = np.flatnonzero(behind)
+    if run.size >= FOLLOWED:
+        yield Act(int(run[0]), int(run[FOLLOWED - 1]))
+
+
+FOLLOWED = 15  # [steps]
+TO_SOMEBODY: dict[Said, Callable[[Seen], Iterable[Act]]] = {
+    Said.FOLLOW: _follows,
+    Said.TAILGATE: ACTIONS[Action.TAILGATE],
+    Said.KEEP_LEVEL: ACTIONS[Action.PACE],
+    Said.OVERTAKE: ACTIONS[Action.OVERTAKE],
+}
+"""What is done to another than the ego, seen with that one in the place of the ego."""
+
+
+def gone_back(s: Seen, once: Act) -> Array:
+    """(1,) [m], how far somebody backs up since a deed began."""
+    return -s.track.speed[once.began :].clip(max=0.0).sum(keepdims=True) * s.dt
+
+
+def room_left(s: Seen, once: Act) -> Array:
+    """(T,) [m], the room between the ego and who comes in before it, about when it is there."""
+    done = once.done or 0
+    return s.lead[done : done + HALT] - (s.ego.length + s.track.length) / 2
+
+
 COMES_IN = frozenset((Said.CROSS, Said.ENTER, Said.PULL_OUT))
 """What is done by whoever is outside the ego's lane and comes into it: begun before, and done when it is in."""
