@@ -14,6 +14,7 @@ from chatscene.build.deeds import (
     LOSES_SLOWLY,
     OFF,
     Steps,
+    gets_by,
     steps_for,
     turning_off,
     yielding_to,
@@ -21,7 +22,7 @@ from chatscene.build.deeds import (
 from chatscene.build.local import check_round
 from chatscene.build.naming import name_of
 from chatscene.build.paces import Pace
-from chatscene.build.place import NEXT_LANE, at_junction
+from chatscene.build.place import NEXT_LANE, at_junction, rides_at_edge
 from chatscene.build.starts import Meets
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
@@ -67,6 +68,9 @@ def _table(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
     follows = actor.stand.behind and not actor.stand.rolls and not _touches(actor)
     if where is Where.BEHIND and deed.act in _GOING_ON and follows:
         yield deed.act, ALONG[Act.TAILGATE]  # or it would run into the ego
+    if deed.act is Act.OVERTAKE and along and where in NEXT_LANE:  # in the lane, or at the edge, where it is
+        at_edge = rides_at_edge(actor.one, actor.ledger.situation.ego.route)
+        yield Act.OVERTAKE, gets_by(comes_back=not at_edge)
     if done_to(deed) != EGO:
         yield from _to_another(actor, deed)
 

@@ -165,7 +165,7 @@ ALONG: dict[Act, Steps] = {
     ),
     Act.OVERTAKE: Steps(
         does=(
-            "DrivePath({beside}, $FAST) until headway(egoRoute, ego, self) > $AHEAD",
+            "DrivePath({beside}, $FAST) until headway(egoRoute, ego, self) > (ego.length + self.length) / 2 + $AHEAD",
             f"DrivePath({OWN}, $SPEED) until abs(offsetFrom({OWN}, self)) < 1",
         ),
         way=OWN,
@@ -215,6 +215,15 @@ def turning_off(act: Act, *, junction: bool) -> Steps:
     there = f"DrivePath({{p}}, $SLOW) until progressOn(egoRoute, self)[0] > egoRoute.eventAt + {_ENTRY[act]:g}"
     does = (there, OFF[act]) if junction else (OFF[act],)
     return Steps(does=does, last=(*does, "MoveAhead($SLOW)"), binds={"speed": "SLOW"})
+
+
+def gets_by(*, comes_back: bool) -> Steps:
+    """How somebody beside the ego gets by, along its own line; perhaps into the ego's lane then."""
+    row = ALONG[Act.OVERTAKE]
+    passes = row.does[0].replace("{beside}", "{p}")
+    if comes_back:
+        return replace(row, does=(passes, *row.does[1:]))
+    return replace(row, does=(passes,), last=(passes, GO), way="")
 
 
 def yielding_to(name: str) -> Steps:

@@ -54,7 +54,9 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     speed = wanted_by(situation) if ego.speed is not None else at_most
     if ego.speed is not None:
         ledger.take("ego.speed")
-    else:  # others are timed by it, so that it is wanted of every ego
+    if held := [one.at_most for one in _orders(Ledger(situation), ego.does[:1], 0.0, speed) if _all_along(one)]:
+        speed = min(speed, *held)  # which is as fast as it ever is
+    elif ego.speed is None:  # others are timed by it, so that it is wanted of every ego
         ledger.assume(f"the ego wants {3.6 * speed:.0f} km/h, which was not said")
     wanted = f", with wantedSpeed {speed:.4g}"
     stop = found.route.eventAt - (LINE if junction else 0.0)
@@ -69,6 +71,11 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     given = f", with orders ({', '.join(map(_written, orders))},)" if orders else ""
     comes = coming(speed, orders, TO_LINE if stands and junction else found.route.eventAt, stands=stands)
     return BuiltEgo(params=tuple(params), coming=comes, properties=moving + wanted + given)
+
+
+def _all_along(order: Order) -> bool:
+    """Whether an order lets the ego drive, and holds from the beginning to the end."""
+    return order.at_most > 0.0 and order == Order(at_most=order.at_most)
 
 
 def _written(order: Order) -> str:

@@ -17,6 +17,7 @@ _MIDDLES = "(ego.length + self.length) / 2 + "
 """What is between the middles of two who leave so much room."""
 _COMES_BEFORE = frozenset((Act.CUT_IN, Act.TURN_LEFT, Act.TURN_RIGHT))
 NEARLY = 1.0  # [m] of a gap that was said
+GAINS = 5.0  # [m/s] that somebody is faster than the ego on the average who gets before it
 BACKS = 1.5  # [m/s] that somebody backs up at, of whom only the way was said
 
 
@@ -37,8 +38,7 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
     deed = actor.deeds[k]
     if deed.act not in _COMES_BEFORE:
         return
-    passed = any(one.act is Act.OVERTAKE for one in actor.deeds[:k])
-    from_behind = actor.stand.behind and not passed
+    from_behind = _from_behind(actor, k)
     if gap_is_said(deed):
         ahead = f"{_MIDDLES}${_bound(actor, k)}"
         there = f"abs(headway(egoRoute, ego, self) - ({ahead})) < {NEARLY:g}"
@@ -48,6 +48,20 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
         yield to_whom(f"PaceOnPath({way}, ego, {ahead} + 2, 40) until headway(egoRoute, ego, self) > {ahead}", deed)
     elif from_behind and k and actor.one.starts.where is Where.BEHIND:
         yield f"PaceOnPath({way}, ego, {_MIDDLES}$AHEAD, 40) until headway(egoRoute, ego, self) > {_MIDDLES}$AHEAD - 2"
+
+
+def _from_behind(actor: Actor, k: int) -> bool:
+    """Whether somebody is still behind the ego when it is to come in before it."""
+    passed = any(one.act is Act.OVERTAKE for one in actor.deeds[:k])
+    return actor.deeds[k].act in _COMES_BEFORE and actor.stand.behind and not passed and done_to(actor.deeds[k]) == EGO
+
+
+def seconds_to_get_ahead(actor: Actor, k: int) -> float:
+    """How long [s] it takes somebody who is behind the ego to get before it, if it must."""
+    first = k == 0 and actor.deeds[k].act is not Act.CUT_IN
+    if first or not _from_behind(actor, k):
+        return 0.0
+    return (actor.numbers.middle("Y") + 2 * actor.limits.length) / GAINS
 
 
 def comes_in(actor: Actor, k: int) -> str:

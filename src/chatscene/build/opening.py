@@ -109,7 +109,7 @@ class Opening:
             low, high = min(low, most - 2 * NEAREST), min(high, most)
             if actor.found.route.route.junction is not None:  # on the road that the ego comes along
                 low, high = min(low, actor.found.route.eventAt - NEAREST), min(high, actor.found.route.eventAt)
-        elif stand.behind and goes:
+        elif stand.behind and goes and actor.deeds[self.first].act is not Act.OVERTAKE:  # which gains only then
             speeds = (self.phases.paces.before[self.first], self.phases.paces.after[self.first])
             fastest = max((speed.high for speed in speeds if speed.name), default=0.0)
             gains = max(0.0, fastest - actor.ego_speed) * actor.found.route.eventAt / actor.ego_speed
@@ -180,7 +180,8 @@ class Opening:
             case _ if (shown := self._shows()) is not None:
                 return f"headway(egoRoute, self, {name_of(shown.id)}) < self.pose[3] * (1 + $LEAD_TIME) + 5"
             case _:
-                return f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
+                due = f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
+                return due + (self._or_yields() if self.phases.actor.ego.stands else "")
 
     def _shows(self) -> Other | None:
         """Who stands before it in the ego's lane, if it leaves that and so shows who stands there."""
@@ -194,7 +195,8 @@ class Opening:
         """An ego that stops for who stands in or beside its lane would wait for it as long as it waits for the ego."""
         situation, stand = self.phases.actor.ledger.situation, self.phases.actor.stand
         controlled = situation.road.ego_light is not None or situation.road.control is not None
-        held = stand.meets is Meets.THROUGH or situation.ego.does or controlled
+        waits_for_it = situation.ego.does and not self.phases.actor.ego.stands
+        held = stand.meets is Meets.THROUGH or waits_for_it or (controlled and not self.phases.actor.ego.stands)
         return "" if held else f" or ego.pose[3] < {YIELDS:g}"
 
     def _takes(self) -> float:

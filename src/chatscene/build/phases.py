@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.aim import aimed
 from chatscene.build.choosing import steps_of
 from chatscene.build.deeds import GO, MOVE, RESTS, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
-from chatscene.build.gaps import backs_by, comes_in, gap_is_said, gets_ahead
+from chatscene.build.gaps import backs_by, comes_in, gap_is_said, gets_ahead, seconds_to_get_ahead
 from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbers import FIRM, MOST, PACES
 from chatscene.build.opening import Opening
@@ -171,7 +171,8 @@ class Phases:
         """How long [s] it takes to get by the ego."""
         actor = self.actor
         faster = actor.numbers.middle(f"FAST_{k}") - actor.ego_speed
-        metres = (actor.numbers.middle("Y") if actor.stand.behind else 0.0) + actor.limits.length
+        metres = actor.numbers.middle("Y") if actor.stand.behind else 0.0
+        metres += 0.5 * (actor.limits.length + AdversaryKind.CAR.row.limits.length)
         return (metres + actor.numbers.middle("AHEAD")) / max(faster, 0.5)
 
     def _between(self) -> None:
@@ -226,6 +227,7 @@ class Phases:
             for k, deed in enumerate(actor.deeds)
             if f"FAST_{k}" in actor.numbers.ranges and deed.act is Act.OVERTAKE
         )
+        passing += sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds)))
         begins = replace(begins, seconds=begins.seconds + passing)
         near = self._comes_near(first, bodies)
         yield from Opening(self, first, begins, near).texts()

@@ -16,6 +16,7 @@ from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.ring_ways import ROUND, ring_ways
 from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
@@ -128,13 +129,23 @@ def at_roundabout(situation: Situation) -> bool:
     return named or any(one.starts.where in _ROUND for one in situation.others)
 
 
-def rides_at_edge(one: Other) -> bool:
-    """Whether it is on two wheels without a motor: then beside the ego is at the edge of the ego's own lane."""
-    return (
-        one.kind.moves is Moves.RIDES
-        and not one.kind.row.body.row.motorised
-        and one.kind.row.body.acts_as.value == "bicycle"
-    )
+_TWO_WHEELS = (AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)
+_TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
+
+
+def rides_at_edge(one: Other, route: EgoRoute | None = None) -> bool:
+    """Whether it is on two wheels, and beside the ego at the edge of the ego's own lane.
+
+    Who has no motor always is; who has one is where the ego turns to that side, out of the lane at the edge.
+
+    Args:
+        one: Who.
+        route: The ego's.
+    """
+    if one.kind.moves is not Moves.RIDES or one.kind.row.body.acts_as not in _TWO_WHEELS:
+        return False
+    turned_to = route in _TO_SIDE and one.starts.side is _TO_SIDE[route]
+    return turned_to or not one.kind.row.body.row.motorised
 
 
 def arm_of(situation: Situation, one: Other, sides: dict[str, Side]) -> str:
@@ -329,7 +340,7 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
     lanes = [
         str(one.starts.side or sides[one.id])
         for one in others
-        if one.starts.where in NEXT_LANE and not rides_at_edge(one)
+        if one.starts.where in NEXT_LANE and not rides_at_edge(one, situation.ego.route)
     ]
     for name, edges in (("begins", BEGINS), ("ends", ENDS)):
         if (edge := edges.get(situation.ego.route)) is not None:
@@ -392,7 +403,7 @@ def _at_junction(
 ) -> Iterator[dict[str, Any]]:
     road, others = situation.road, situation.others
     arms = [arm for one in others if (arm := arm_of(situation, one, sides))]
-    if any(rides_at_edge(one) and one.starts.where in NEXT_LANE for one in others):
+    if any(rides_at_edge(one, situation.ego.route) and one.starts.where in NEXT_LANE for one in others):
         arms.append("oncoming")  # an arm opposite, or there is no straight on
     query = base | {"place": PLACES.get(road.kind or RoadKind.JUNCTION, Place.JUNCTION).value}
     if (control := control_of(situation)) is not None and control in CONTROLS:

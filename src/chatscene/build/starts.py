@@ -106,8 +106,8 @@ class Asked:
 
     @property
     def rides(self) -> bool:
-        """Whether it is on a bicycle or the like, which keeps to the edge."""
-        return rides_at_edge(self.one)
+        """Whether it is on two wheels that keep to the edge."""
+        return rides_at_edge(self.one, self.situation.ego.route)
 
     @property
     def stands(self) -> bool:
@@ -213,14 +213,16 @@ def _ahead(asked: Asked) -> Stand:
     if asked.swings_out:  # who is passed while it goes: it is there when the ego is
         asked.ahead(22, 30)
         return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"$Y{asked.more}", aside=aside)
-    asked.ahead(*((38, 56) if asked.stands else (11, 19)))
-    return Stand(meets=Meets.ALONG, way=asked.lane, at=f"$Y{asked.more}", aside=aside, anywhere=asked.stands)
+    far = asked.stands and not asked.ego.stands  # so that it has done what it does when the ego is there
+    asked.ahead(*((38, 56) if far else (11, 19)))
+    return Stand(meets=Meets.ALONG, way=asked.lane, at=f"$Y{asked.more}", aside=aside, anywhere=far)
 
 
 def _behind(asked: Asked) -> Stand:
     if asked.begins_beside:
         return _comes_along(asked)
-    asked.reach(9, 17, "how far behind the ego it is")
+    low, high = (28.0, 45.0) if asked.ego.stands and not asked.stands else (9.0, 17.0)
+    asked.reach(low, high, "how far behind the ego it is")
     way = "ownLane(egoRoute)" if beside_lane(asked.situation) else "egoRoute"
     return Stand(meets=Meets.ALONG, way=f"extended({way}, 80)", at=f"80 - $Y{asked.less}", behind=True)
 
@@ -254,6 +256,8 @@ def _next_lane(asked: Asked) -> Stand:
         )
     where, back = asked.one.starts.where, asked.one.starts.where is Where.BEHIND_BESIDE
     low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
+    if where is Where.BESIDE and any(deed.act is Act.OVERTAKE for deed in asked.one.does[:1]):
+        low, high = -5.0, -0.5  # not yet ahead of it
     if asked.stands and where is Where.AHEAD_BESIDE:
         low, high = 38.0 * asked.found.further, 56.0 * asked.found.further
     asked.reach(low, high, "how far behind the ego it is" if back else "how far ahead of the ego it is")
