@@ -15,6 +15,7 @@ from chatscene.build.opening import LANE
 from chatscene.build.phases import Phases
 from chatscene.build.place import Found
 from chatscene.build.starts import Asked, Meets, Stand, stands_first, start_of
+from chatscene.build.towards import is_passed
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, Limits
 from chatscene.terms.actors import Manner as Moves
@@ -22,6 +23,7 @@ from chatscene.terms.situation import SEVERAL, Deed, Other
 from chatscene.terms.vocabulary import Act, Role, Side, UserKind
 from chatscene.world.places import lanes_beside
 
+PASSED = (0.55, 0.75)  # of the ego's speed: of who is passed by another
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
 _AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
@@ -119,6 +121,8 @@ class Actor:
     def _bind_speed(self) -> None:
         """Let it come as fast as was said of how it begins, or of how it goes on."""
         numbers, deeds = self.numbers, self.deeds
+        if is_passed(self.ledger.situation.others, self.one):
+            numbers.narrow("SPEED", *(min(share * self.ego_speed, numbers.middle("SPEED")) for share in PASSED))
         paces = {deed.manner for deed in deeds if deed.manner in PACES}
         if len(paces) == 1 and any(deed.manner in PACES and deed.act in _AT_ONE_SPEED for deed in deeds):
             low, high, *_ = numbers.ranges[PACES[paces.pop()]]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -181,7 +181,7 @@ class _Judge:
         for k, deed in enumerate(ego.does):
             yield from self._of_ego(f"ego.does.{k}.act", deed, speed)
         done: dict[str, Act] = {}
-        for one in self.situation.others:
+        for one in sorted(self.situation.others, key=_waits_for_others):  # who is waited for first
             yield from self._of_other(one, done)
         for path, when, once, seen in self.waits:  # once it is known when everybody did what
             yield from self._when(path, when, once, seen, done)
@@ -286,7 +286,7 @@ class _Judge:
                     told = f"said {before}, then {act}, but it does it the other way round"
                 yield Finding(path=f"{path}.act", shown=False, told=told)
                 continue
-            once = self._fitting(path, deed, after, seen)
+            once = self._fitting(path, deed, [one for one in after if _due(deed, one, done, seen)] or after, seen)
             mine.append(once)  # one time seen is one deed
             done[f"{one.id}.{k}"] = once
             done.setdefault(f"{one.id}.{act}", once)
@@ -438,6 +438,20 @@ class _Judge:
             striker = _striker(self.episode.ego_track, other, collision.step)
             right = striker is said.striker
             yield Finding(path="contact.striker", shown=right, told=f"said {said.striker}, it is {striker}")
+
+
+def _waits_for_others(one: Other) -> bool:
+    """Whether a deed of somebody waits for one of somebody else."""
+    waits = (deed.when for deed in one.does if deed.when is not None)
+    named = (name for when in waits for name in (when.after, when.during) if name is not None)
+    return any(name.partition(".")[0] not in (one.id, EGO) for name in named)
+
+
+def _due(deed: Deed, once: Act, done: Mapping[str, Act], seen: Seen) -> bool:
+    """Whether a time that a deed is seen is one at which it was due, by what it waits for."""
+    references = (deed.when.after, deed.when.during) if deed.when is not None else ()
+    others = (done[one] for one in references if one is not None and one in done)
+    return all(once.began >= other.began - TOGETHER / seen.dt for other in others)
 
 
 def _way_of(deed: Deed, once: Act, seen: Seen) -> tuple[str, Amount, Array, float] | None:
