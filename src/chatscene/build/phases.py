@@ -15,14 +15,14 @@ from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbers import FIRM, MOST, PACES
 from chatscene.build.opening import Opening
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed
-from chatscene.build.starts import Meets, stands_first
+from chatscene.build.starts import OVER, Meets, stands_first
 from chatscene.build.timing import Body, Course, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import Deed
-from chatscene.terms.vocabulary import Act, Role, Side, Where
+from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -61,6 +61,8 @@ class Phases:
         one, deeds = actor.one, actor.deeds
         for k, deed in enumerate(deeds):
             broken = [f"{actor.path}.does.{k}.breaks"] if breaks(actor, deed) else []
+            if actor.stand.slants and deed.manner is Manner.SLANTING and deed.act in OVER:
+                actor.ledger.take(f"{actor.path}.does.{k}.manner")
             actor.ledger.take(f"{actor.path}.does.{k}.act", *broken)
         hides = any(other.hidden_by == one.id for other in actor.ledger.situation.others)
         hides = one.role is Role.HIDES or (hides and one.role is Role.SUPPORTING)

@@ -26,7 +26,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Manner, Side, Where
 from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
 _EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
@@ -60,6 +60,7 @@ class Stand:
         faces: Whether it faces as was said.
         anywhere: Whether ``$Y`` is how far along the ego's route it is, which may be any number.
         rolls: Whether it comes driving from the first, so that it is there in time without waiting.
+        slants: Whether it heads over the road at a slant.
     """
 
     meets: Meets
@@ -75,6 +76,7 @@ class Stand:
     faces: bool = False
     anywhere: bool = False
     rolls: bool = False
+    slants: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -372,6 +374,22 @@ def _oncoming(asked: Asked) -> Stand:
     return replace(stand, at="back{i}", lines=(*stand.lines, back))
 
 
+_LONGER = 1.25  # times as far as straight over is a way at the middle slant
+
+
+def _slanting(asked: Asked, stand: Stand, side: str) -> Stand:
+    """The same, facing forward as well as across if it is to cross at a slant."""
+    slants = any(deed.manner is Manner.SLANTING and deed.act in OVER for deed in asked.one.does)
+    if not slants or asked.one.starts.facing not in (None, Facing.ACROSS):
+        return stand
+    turned = f"{stand.facing} {'-' if side == Side.RIGHT else '+'} $SLANT"
+    return replace(stand, facing=turned, left=f"{_LONGER:g} * {stand.left}", slants=True)
+
+
+OVER = frozenset((Act.CROSS, Act.ENTER, Act.GO_STRAIGHT))
+"""What is done at a slant, if it is."""
+
+
 def _beside_road(asked: Asked) -> Stand:
     """On foot or on two wheels beside the road, or in a driveway: it faces the road."""
     where = asked.one.starts.where
@@ -391,7 +409,7 @@ def _beside_road(asked: Asked) -> Stand:
     point = f'besideRoad(egoRoute, {there}, "{asked.side}", $X)'
     if rolls := asked.comes and asked.one.starts.speed is not None and asked.one.starts.facing in (None, Facing.ACROSS):
         point = f'asideOf(egoRoute, {there}, "{asked.side}", {asked.way_back(there, "1 + ")})'
-    return Stand(
+    stand = Stand(
         meets=Meets.ACROSS,
         point=point,
         rolls=rolls,
@@ -402,6 +420,7 @@ def _beside_road(asked: Asked) -> Stand:
         left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
         anywhere=level.startswith("shortOf"),
     )
+    return stand if rolls else _slanting(asked, stand, asked.side)
 
 
 def _kerb(asked: Asked) -> Stand:
@@ -442,7 +461,7 @@ def _exit(asked: Asked) -> Stand:
 
 def _median(asked: Asked) -> Stand:
     asked.ahead(34, 50)
-    return Stand(
+    stand = Stand(
         meets=Meets.ACROSS,
         point=f"pointOn(egoRoute, $Y{asked.more}, 1.9)",
         facing=f'crossingDirection(egoRoute, $Y{asked.more}, "left")',
@@ -450,6 +469,7 @@ def _median(asked: Asked) -> Stand:
         left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
         anywhere=True,
     )
+    return _slanting(asked, stand, Side.LEFT)
 
 
 def _on_ramp(asked: Asked) -> Stand:

@@ -45,7 +45,7 @@ from chatscene.terms.routing import CONTROLS, PLACES
 from chatscene.terms.scenario import EgoState, Maneuver, Position
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation, When
 from chatscene.terms.vocabulary import Act as Said
-from chatscene.terms.vocabulary import Breach, EgoRoute, Part, RoadKind, Side, Striker, Where
+from chatscene.terms.vocabulary import Breach, EgoRoute, Manner, Part, RoadKind, Side, Striker, Where
 
 SLACK = 0.15  # of a number that was said: what a watcher does not see
 SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
@@ -298,6 +298,9 @@ class _Judge:
                 right = (left > 0) == (deed.to is Side.LEFT)
                 yield Finding(path=f"{path}.to", shown=right, told=f"said {deed.to}, it goes to the {_side(left)}")
             yield from self._amounts(path, deed, once, seen)
+            if deed.manner is Manner.SLANTING:
+                slants = any(True for _ in ACTIONS[Action.DIAGONAL](seen))
+                yield Finding(path=f"{path}.manner", shown=slants, told="said slanting, it goes straight over")
             if deed.breaks is Breach.RED_LIGHT:
                 ran = any(True for _ in ACTIONS[Action.RUN_LIGHT](seen))
                 yield Finding(
