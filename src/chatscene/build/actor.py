@@ -23,6 +23,9 @@ from chatscene.terms.situation import SEVERAL, Deed, Other
 from chatscene.terms.vocabulary import Act, Role, Side, UserKind
 from chatscene.world.places import lanes_beside
 
+BETWEEN = 1.2  # [m] between things in a row
+BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
+SEEN_FROM = 25.0  # [m] before it, about where the ego is from which somebody is hidden
 PASSED = (0.55, 0.75)  # of the ego's speed: of who is passed by another
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
@@ -195,7 +198,7 @@ class Actor:
         )
         lines = list(named)
         for n in range(self.count):
-            place, facing = self._hides(hidden) if hidden is not None else self._place(n)
+            place, facing = self._hides(hidden, n) if hidden is not None else self._place(n)
             said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
             said += f", with label '{self.one.id}'" + self._role()
             lines.append(said + self._moving(phases) + (f", with behavior Does{one}()" if phases else ""))
@@ -249,19 +252,22 @@ class Actor:
         sign = "+" if stand.meets is Meets.ALONG and not stand.behind else "-"  # away from the ego
         at = self.filled(stand.at) + (f" {sign} {n * (length + 2.5):g}" if n else "")
         aside = f", {stand.aside:g}" if stand.aside else ""
-        return f"pointOn(way{one}, {at}{aside})", f"directionOn(way{one}, {at})"
+        turn = f", {stand.turn:g}" if stand.turn else ""
+        return f"pointOn(way{one}, {at}{aside})", f"directionOn(way{one}, {at}{turn})"
 
-    def _hides(self, hidden: Actor) -> tuple[str, str]:
-        """Where it stands between the ego and whom it hides."""
+    def _hides(self, hidden: Actor, n: int) -> tuple[str, str]:
+        """Where the n-th of it stands between the ego and whom it hides: nearer to the ego and farther in turn."""
         if hidden.stand.meets is not Meets.ACROSS or "level" not in hidden.stand.point:
             raise NotBuilt(f"nothing builds yet: {self.one.id}, which hides somebody who is {hidden.one.starts.where}")
-        if self.count > 1 or self.one.starts.side not in (None, hidden.one.starts.side):
-            raise NotBuilt(f"nothing builds yet: {self.path}, which hides {hidden.one.id} alone and from its side")
-        self.ledger.take(f"{hidden.path}.hidden_by")
-        back = 2.6 + 0.5 * (self.limits.length or 1.2)
-        one = name_of(hidden.one.id)
         side = str(hidden.one.starts.side)
-        at = f"level{one} - {back:g}"
+        if self.one.starts.side not in (None, side):
+            raise NotBuilt(f"nothing builds yet: {self.path}, which hides {hidden.one.id} from its side")
+        self.ledger.take(f"{hidden.path}.hidden_by")
+        length = self.limits.length or 1.2
+        away = 2.6 + 0.5 * length + n // 2 * (length + BETWEEN)
+        if (aside := hidden.numbers.middle("X")) > BEYOND and n % 2 == 0:  # it comes from farther off the road
+            away = max(away, SEEN_FROM * (1.0 - (LANE / 2 + BEYOND) / (LANE / 2 + aside)))
+        at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
         return f'besideRoad(egoRoute, {at}, "{side}", 1.2)', f"directionOn(egoRoute, {at})"
 
     def said(self) -> str:

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
 _ASIDE = frozenset((Act.WEAVE, Act.DRIFT, Act.SWERVE, Act.LANE_CHANGE, Act.CUT_OUT))
 _OFF = frozenset((Act.SET_OFF, Act.STAND))
+_COMES_BACK = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE))
 _ROUND = (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY)
 
 
@@ -90,6 +91,9 @@ def _by_numbers(actor: Actor, k: int, steps: Steps) -> Steps:
     brakes = deed.act is Act.BRAKE or (deed.act is Act.SLOW_DOWN and deed.acceleration is not None)
     if brakes and not across and deed.speed is not None:
         return BRAKES_TO
+    if deed.act is Act.OVERTAKE and then in _COMES_BACK and actor.stand.meets is Meets.ALONG:
+        way = "{beside}" if "{beside}" in steps.does[0] else ""
+        return replace(steps, does=steps.does[:1], last=(), way=way)  # what comes then says how it comes back
     if deed.act is Act.BRAKE and across and deed.speed is not None:
         return LOSES_SLOWLY
     if deed.act is Act.BRAKE and not across and deed.time is None and then in _OFF:

@@ -316,8 +316,15 @@ ACROSS: dict[Act, Steps] = {
 }
 """Of somebody who heads over the road."""
 LOSES_SLOWLY = ACROSS[Act.SLOW_DOWN]
+_BACK_OVER = "ReverseStraight($SPEED) until "
 ACROSS_RIDING = {
     **ACROSS,
+    Act.REVERSE: Steps(
+        does=(_BACK_OVER + "abs(offsetFrom(egoRoute, self)) < 1",),
+        last=(_BACK_OVER + "restsWithin(egoRoute, self, 0.5)", "Halt()"),
+        binds={"speed": "SPEED"},
+        comes_in=True,
+    ),
     Act.TURN_BACK: Steps(
         does=(_AROUND, MOVE + " for {back} seconds"), last=(_AROUND, MOVE), binds={"speed": "SPEED"}, going=True
     ),

@@ -116,6 +116,8 @@ def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) 
                 begins += till if till < math.inf else 0.0
             case Act.GO_ALONG if deed.time is not None and then is not None:
                 begins += _lasts(ledger, deed, at)
+            case Act.GO_ALONG if deed.time is not None and deed.time.low * speed <= stop:
+                ledger.take(f"{at}.time")  # its way leads so far before anything happens
             case Act.GO_ALONG | Act.SET_OFF | Act.YIELD | Act.FOLLOW:
                 pass  # which is left to the ego
             case _:

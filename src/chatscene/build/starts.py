@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -61,6 +62,7 @@ class Stand:
         anywhere: Whether ``$Y`` is how far along the ego's route it is, which may be any number.
         rolls: Whether it comes driving from the first, so that it is there in time without waiting.
         slants: Whether it heads over the road at a slant.
+        turn: How far [rad] it is turned to the left of its way, who stands.
     """
 
     meets: Meets
@@ -77,6 +79,7 @@ class Stand:
     anywhere: bool = False
     rolls: bool = False
     slants: bool = False
+    turn: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -135,6 +138,12 @@ class Asked:
     def way_back(self, meets: str, own: str) -> str:
         """How far [m] it has to where it meets the ego, if it is there in time, by where that is on the ego's way."""
         return f"{own}$SPEED * ({self.ego.seconds(meets)} - $OFFSET)"
+
+    @property
+    def backs(self) -> bool:
+        """Whether it comes backwards onto the road."""
+        first = next((deed.act for deed in self.one.does if deed.act is not Act.STAND), None)
+        return first is Act.REVERSE and not self.walks
 
     @property
     def side(self) -> str:
@@ -374,6 +383,7 @@ def _oncoming(asked: Asked) -> Stand:
     return replace(stand, at="back{i}", lines=(*stand.lines, back))
 
 
+BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
 _LONGER = 1.25  # times as far as straight over is a way at the middle slant
 
 
@@ -409,11 +419,15 @@ def _beside_road(asked: Asked) -> Stand:
     point = f'besideRoad(egoRoute, {there}, "{asked.side}", $X)'
     if rolls := asked.comes and asked.one.starts.speed is not None and asked.one.starts.facing in (None, Facing.ACROSS):
         point = f'asideOf(egoRoute, {there}, "{asked.side}", {asked.way_back(there, "1 + ")})'
+    away = ""
+    if asked.backs:
+        asked.numbers.narrow("SPEED", *BACKS)
+        away = " + 3.14159"
     stand = Stand(
         meets=Meets.ACROSS,
         point=point,
         rolls=rolls,
-        facing=_faces(asked, there, Facing.ACROSS, asked.side),
+        facing=_faces(asked, there, Facing.ACROSS, asked.side) + away,
         faces=True,
         lines=(f"level{{i}} = {level}",),
         ego_meets="progressOn(egoRoute, self)[0]",
@@ -444,12 +458,18 @@ def _kerb(asked: Asked) -> Stand:
 
 def _bus_bay(asked: Asked) -> Stand:
     """In a bay beside the lane, some way into it."""
-    asked.reach(6, 14, "how far into the bay it is")
+    if (said := asked.one.starts.distance) is not None:
+        begins = asked.found.route.eventAt
+        if said.high < begins:
+            raise NotBuilt(f"others.{asked.one.id}.starts.distance: {said}: the bay begins {begins:.0f} m ahead")
+        asked.reach(begins, begins + 14)
+    else:
+        asked.reach(6, 14, "how far into the bay it is")
     edge = 'besideRoad(egoRoute, egoRoute.eventAt + 10, "right", 1.6)'
     return Stand(
         meets=Meets.KERB,
         way=f"ownLane(egoRoute).offset(ownLane(egoRoute).project(*{edge}.coordinates[:2])[1])",
-        at=f"egoRoute.eventAt + $Y{asked.more}",
+        at=f"{'egoRoute.eventAt + ' if said is None else ''}$Y{asked.more}",
         ego_meets="progressOn(egoRoute, self)[0]",
     )
 
@@ -524,4 +544,22 @@ def start_of(asked: Asked) -> Stand:
     if where not in STARTS:
         near = f"; the nearest is {NEAREST[where]}" if where in NEAREST else ""
         raise NotBuilt(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}{near}")
-    return STARTS[where](asked)
+    return _turned(asked, STARTS[where](asked))
+
+
+_TURNS = {Facing.ALONG: 0.0, Facing.AGAINST: math.pi, Facing.ACROSS: math.pi / 2}
+
+
+def _turned(asked: Asked, stand: Stand) -> Stand:
+    """The same, facing as was said: who stands any way, who goes somewhere the way it goes."""
+    facing = asked.one.starts.facing
+    if facing is None or stand.faces or stand.point:
+        return stand
+    turn = _TURNS[facing]
+    if stand.meets is Meets.TOWARD:
+        turn = math.pi - turn
+    elif facing is Facing.ACROSS and asked.side == Side.LEFT:
+        turn = -turn
+    stays = asked.stands and all(deed.act is Act.STAND for deed in asked.one.does)
+    goes_so = turn == 0.0 and stand.meets is not Meets.THROUGH
+    return replace(stand, turn=turn, faces=True) if stays or goes_so else stand

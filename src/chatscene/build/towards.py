@@ -46,7 +46,7 @@ def at_distance(ledger: Ledger, one: Other) -> Other:
     """Somebody at the distance at which the ego follows it from the first, if that was said."""
     for k, deed in enumerate(ledger.situation.ego.does):
         follows = deed.act is Act.FOLLOW and deed.whom in (one.id, None) and deed.distance is not None
-        if follows and one.starts.distance is None and one.starts.where is Where.AHEAD:
+        if follows and one.starts.distance in (None, deed.distance) and one.starts.where is Where.AHEAD:
             ledger.take(f"ego.does.{k}.distance")
             return replace(one, starts=replace(one.starts, distance=deed.distance))
     return one

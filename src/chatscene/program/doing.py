@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, Act
+from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, Act, comes_in
 from chatscene.program.watching import Seen
 from chatscene.terms.actors import BY_CLASS, AdversaryKind
 from chatscene.terms.acts import Action
@@ -162,9 +162,17 @@ def _drifts(s: Seen) -> Iterable[Act]:
         yield Act(int(near[-1]) if near.size else 0, done)
 
 
+def _cuts_in(s: Seen) -> Iterable[Act]:
+    """It comes into the lane that the ego was in at first, or on a road that bends into that of its route."""
+    found = tuple(ACTIONS[Action.CUT_IN](s))
+    yield from found
+    if all(once.done is None for once in found):
+        yield from comes_in(s.offset, outside=1.9, there=np.abs(s.offset) < 1.3, dt=s.dt)
+
+
 def _any_change(s: Seen) -> Iterable[Act]:
     yield from ACTIONS[Action.CHANGE_LANE](s)
-    yield from ACTIONS[Action.CUT_IN](s)
+    yield from _cuts_in(s)
 
 
 ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
@@ -186,7 +194,7 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.HESITATE: ACTIONS[Action.HESITATE],
     Said.REVERSE: ACTIONS[Action.REVERSE],
     Said.PULL_OUT: ACTIONS[Action.PULL_OUT],
-    Said.CUT_IN: ACTIONS[Action.CUT_IN],
+    Said.CUT_IN: _cuts_in,
     Said.LANE_CHANGE: _any_change,
     Said.CUT_OUT: ACTIONS[Action.CHANGE_LANE],
     Said.MERGE: _any_change,

@@ -39,7 +39,7 @@ from chatscene.program.watching import Seen, watch
 from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Amount, Duration
-from chatscene.terms.episode import Array, Episode, Track
+from chatscene.terms.episode import Array, Episode, Track, contact_point
 from chatscene.terms.route import Route
 from chatscene.terms.routing import CONTROLS, PLACES
 from chatscene.terms.scenario import EgoState, Maneuver, Position
@@ -50,6 +50,7 @@ from chatscene.terms.vocabulary import Breach, EgoRoute, Manner, Part, RoadKind,
 SLACK = 0.15  # of a number that was said: what a watcher does not see
 SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
 BACK_SLACK = 0.7  # [m]
+NOSE = 0.5  # [m] behind the foremost point of somebody that are its nose
 OVER = 5  # [steps] over which a deceleration is seen
 
 
@@ -438,7 +439,7 @@ class _Judge:
             yield Finding(path="contact.ego", shown=right, told=f"said {said.ego}, it is the {collision.side}")
         other = next((t for t in self.episode.tracks if t.actor == collision.other), None)
         if said.striker is not None and other is not None:
-            striker = _striker(self.episode.ego_track, other, collision.step)
+            striker = _striker(self.episode, other)
             right = striker is said.striker
             yield Finding(path="contact.striker", shown=right, told=f"said {said.striker}, it is {striker}")
 
@@ -482,9 +483,16 @@ _SIDES_OF: dict[Part, tuple[str, ...]] = {
 }
 
 
-def _striker(ego: Track, other: Track, step: int) -> Striker:
-    """Who comes nearer by the own motion, at the contact."""
-    before = max(step - 2, 0)
+def _striker(episode: Episode, other: Track) -> Striker:
+    """Who runs into whom: whose nose touches a flank or a tail, else who comes nearer by the own motion."""
+    collision, ego = episode.collision, episode.ego_track
+    assert collision is not None
+    before = max(collision.step - 2, 0)
+    noses = collision.side == "front", _touches_with_nose(episode, other)
+    if noses == (True, False) and ego.speed[before] > MOVING:
+        return Striker.EGO
+    if noses == (False, True) and abs(other.speed[before]) > MOVING:
+        return Striker.OTHER
     dx, dy = float(other.x[before] - ego.x[before]), float(other.y[before] - ego.y[before])
     far = math.hypot(dx, dy) or 1.0
 
@@ -493,6 +501,18 @@ def _striker(ego: Track, other: Track, step: int) -> Striker:
         return sign * speed * (math.cos(heading) * dx + math.sin(heading) * dy) / far
 
     return Striker.EGO if toward(ego, 1.0) >= toward(other, -1.0) else Striker.OTHER
+
+
+def _touches_with_nose(episode: Episode, other: Track) -> bool:
+    """Whether the nose of the other is where it touches the ego."""
+    collision = episode.collision
+    assert collision is not None
+    x, y = contact_point(episode, collision)
+    step = min(collision.step, len(other.x) - 1)
+    heading = float(other.heading[step])
+    dx, dy = x - float(other.x[step]), y - float(other.y[step])
+    ahead = dx * math.cos(heading) + dy * math.sin(heading)
+    return ahead > other.length / 2 - NOSE
 
 
 def _stands(seen: Seen, once: Act) -> tuple[int, int]:
