@@ -25,7 +25,7 @@ from chatscene.world.places import lanes_beside
 
 BETWEEN = 1.2  # [m] between things in a row
 BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
-SEEN_FROM = 25.0  # [m] before it, about where the ego is from which somebody is hidden
+SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
 PASSED = (0.55, 0.75)  # of the ego's speed: of who is passed by another
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
@@ -265,10 +265,12 @@ class Actor:
         self.ledger.take(f"{hidden.path}.hidden_by")
         length = self.limits.length or 1.2
         away = 2.6 + 0.5 * length + n // 2 * (length + BETWEEN)
-        if (aside := hidden.numbers.middle("X")) > BEYOND and n % 2 == 0:  # it comes from farther off the road
-            away = max(away, SEEN_FROM * (1.0 - (LANE / 2 + BEYOND) / (LANE / 2 + aside)))
+        beyond, aside = 1.2, hidden.numbers.middle("X")
+        if aside > BEYOND and n % 2 == 0:  # it comes from farther off the road, and what hides it stands there, too
+            beyond = aside - BEYOND
+            away = max(away, BEYOND / (LANE / 2 + aside) * SEEN_FROM * hidden.numbers.middle("Y"))
         at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
-        return f'besideRoad(egoRoute, {at}, "{side}", 1.2)', f"directionOn(egoRoute, {at})"
+        return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
 
     def said(self) -> str:
         """What it is and does, for a comment."""
