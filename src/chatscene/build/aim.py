@@ -30,7 +30,7 @@ OTHER: Mapping[Part, Window] = {
     Part.RIGHT_REAR: (0.55, 1.0),
     Part.REAR: (0.75, 1.0),
 }
-STRIKER: Mapping[Striker, Window] = {Striker.EGO: (0.4, 1.0), Striker.OTHER: (-1.0, -0.2)}
+STRIKER: Mapping[Striker, Window] = {Striker.EGO: (0.0, 1.0), Striker.OTHER: (-1.0, 0.0)}
 """For a part of the ego or of who crosses its way, and for who strikes: the share of the window in which that is met.
 
 At -1 the other touches the ego's tail, at 0 both noses are there at once, at 1 the other has just gone by.

@@ -23,6 +23,8 @@ LANE = 3.5  # [m], a lane's width
 NEAREST = 4.0  # [m] before a junction: who is nearer is in it
 STOOD = 0.6  # [s]: who stands so long before it sets off is seen to stand
 YIELDS = 1.0  # [m/s]: an ego that goes no faster yields
+LATEST = 12.0  # [s] that somebody goes with the ego before it does anything
+LEAST = 2.0  # [m/s] that somebody goes at least who goes with an ego that is faster
 SHORT = 25.0  # [m] before the end of a road, or before a junction: nobody is placed farther
 
 
@@ -157,7 +159,8 @@ class Opening:
             return GO.replace("$SPEED", f"${speed.name}")
         ahead = "-$Y" if self.phases.actor.stand.behind else "$Y"
         if not self.phases.keeps_distance:
-            return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, 2)"
+            least = min(LEAST, 0.8 * self.phases.actor.ego_speed)
+            return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, {least:.3g})"
         return f"PaceOnPath({{p}}, ego, {ahead}, 40, {self.phases.follows:.3g})"
 
     def _due(self) -> str:
@@ -229,8 +232,9 @@ class Opening:
                 return self.phases.body.covers(actor.limits.length + LANE, self._wish()) + more
             case Meets.ALONG if stands_first(actor.one) and not stand.behind:
                 return 3.6 + more
-            case _:
-                return (2.0 if at_junction(actor.ledger.situation) else 1.0) + more
+            case _:  # of a slow ego, which is long in coming, long before it is there
+                soon = max(0.0, actor.found.route.eventAt / actor.ego_speed - LATEST)
+                return (2.0 if at_junction(actor.ledger.situation) else 1.0) + more + soon
 
     def _to_meet(self) -> float:
         """How far [m] it has about to where it meets the ego."""

@@ -352,19 +352,22 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         base["lane"] = road.ego_lane
     if road.two_way is not None and not at_junction(situation):
         base["opposite"] = road.two_way
+    over: list[str] = []
     if not (lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
-        lanes = [str(side) for one in others if (side := _goes_over(one)) is not None]
+        over = [str(side) for one in others if (side := _goes_over(one)) is not None]
     sites = [SITES[one].value for one in road.has if one in SITES and not at_junction(situation)]
     if any(one.starts.where is Where.BUS_BAY for one in others) and not at_junction(situation):
         sites = [Site.BUS_BAY.value]
         base = base | {"site": Site.BUS_BAY.value}
     for here in (*(base | {"site": site} for site in sites), base):
-        yield from _on_road(situation, sides, here, lanes)
+        if over:
+            yield from _on_road(situation, sides, here, over)
+        yield from _on_road(situation, sides, here, lanes)  # who goes over then goes where others come
 
 
 _GOES_OVER = {
     Act.CUT_OUT: frozenset((Where.AHEAD,)),
-    Act.LANE_CHANGE: frozenset((Where.AHEAD,)),
+    Act.LANE_CHANGE: frozenset((Where.AHEAD, Where.BEHIND)),
     Act.OVERTAKE: frozenset((Where.BEHIND,)),
 }
 
