@@ -226,3 +226,22 @@ def test_an_opened_door_is_not_called_impossible_of_who_stands_but_is_not_built(
 def test_a_bus_nearer_than_any_bay_is_refused() -> None:
     with pytest.raises(NotBuilt, match="the bay begins"):
         build(others(car("A", "bus-bay", deed("stand"), deed("pull-out"), kind="bus", distance="5 m")))
+
+
+@pytest.mark.parametrize("facing", ["along", "against"])
+@pytest.mark.parametrize("does", [("cross",), ("go-along", "cross")])
+def test_who_faces_along_the_road_turns_to_cross_it(facing: str, does: tuple[str, ...]) -> None:
+    start = {"where": "roadside", "side": "left", "facing": facing}
+    one = {"id": "A", "kind": "pedestrian", "starts": start, "does": [deed(act) for act in does]}
+    assert unseen(from_plain({"others": [one]})) == ()
+
+
+@pytest.mark.parametrize("striker", ["ego", "other"])
+def test_who_comes_over_from_beside_strikes_or_is_struck_as_was_said(striker: str) -> None:
+    said = others(car("A", "beside", deed("lane-change"), side="left"), contact={"striker": striker})
+    assert all(unseen(said, seed) == () for seed in SEEDS)
+
+
+def test_who_goes_over_goes_where_others_come_if_there_is_no_other_lane() -> None:
+    said = others(car("A", "behind", deed("overtake")), car("B", "oncoming", deed("go-along")), road={"two_way": True})
+    assert build(said).program.source

@@ -366,6 +366,8 @@ class Phases:
             and actor.deeds[k - 1].time is not None
         ):
             return  # which it does already
+        if deed.act in OVER and all(one.act not in OVER for one in actor.deeds[:k]) and actor.stand.over:
+            phases = (phases[0].replace(MOVE, f"MoveAhead($SPEED, {actor.stand.over})"), *phases[1:])
         yield from gets_ahead(actor, k, way or "{p}", last=last)
         if gap_is_said(deed) and deed.speed is None:
             phases = (comes_in(actor, k), *phases[1:])

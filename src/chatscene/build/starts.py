@@ -27,7 +27,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Manner, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Manner, Side, Striker, Where
 from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
 _EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
@@ -62,6 +62,7 @@ class Stand:
         anywhere: Whether ``$Y`` is how far along the ego's route it is, which may be any number.
         rolls: Whether it comes driving from the first, so that it is there in time without waiting.
         slants: Whether it heads over the road at a slant.
+        over: How far [rad] it turns to the left to cross, if it faces along the road at first.
         turn: How far [rad] it is turned to the left of its way, who stands.
     """
 
@@ -79,6 +80,7 @@ class Stand:
     anywhere: bool = False
     rolls: bool = False
     slants: bool = False
+    over: str = ""
     turn: float = 0.0
 
 
@@ -258,6 +260,10 @@ def _comes_along(asked: Asked) -> Stand:
     )
 
 
+BESIDE_TO_STRIKE = {Striker.EGO: (2.5, 5.0), Striker.OTHER: (-2.5, 0.8)}
+"""How far [m] ahead of the ego somebody beside it is who comes over, by who runs into whom."""
+
+
 def _next_lane(asked: Asked) -> Stand:
     if asked.begins_beside:
         if asked.one.starts.where is Where.BEHIND_BESIDE:
@@ -267,6 +273,10 @@ def _next_lane(asked: Asked) -> Stand:
         )
     where, back = asked.one.starts.where, asked.one.starts.where is Where.BEHIND_BESIDE
     low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
+    contact = asked.situation.contact
+    strikes = contact is not None and contact.happens and contact.whom in (None, asked.one.id)
+    if where is Where.BESIDE and strikes and contact is not None and contact.striker is not None:
+        low, high = BESIDE_TO_STRIKE[contact.striker]
     if where is Where.BESIDE and any(deed.act is Act.OVERTAKE for deed in asked.one.does[:1]):
         low, high = -5.0, -0.5  # not yet ahead of it
     if asked.stands and where is Where.AHEAD_BESIDE:
@@ -390,7 +400,13 @@ _LONGER = 1.25  # times as far as straight over is a way at the middle slant
 def _slanting(asked: Asked, stand: Stand, side: str) -> Stand:
     """The same, facing forward as well as across if it is to cross at a slant."""
     slants = any(deed.manner is Manner.SLANTING and deed.act in OVER for deed in asked.one.does)
-    if not slants or asked.one.starts.facing not in (None, Facing.ACROSS):
+    facing = asked.one.starts.facing
+    if facing in (Facing.ALONG, Facing.AGAINST):  # it turns when it crosses
+        over = "(1.5708 - $SLANT)" if slants else "1.5708"
+        return replace(
+            stand, over=over if (side == Side.RIGHT) == (facing is Facing.ALONG) else f"-{over}", slants=slants
+        )
+    if not slants:
         return stand
     turned = f"{stand.facing} {'-' if side == Side.RIGHT else '+'} $SLANT"
     return replace(stand, facing=turned, left=f"{_LONGER:g} * {stand.left}", slants=True)
