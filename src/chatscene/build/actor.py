@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from chatscene.build.asked import Asked, Meets, Stand, stands_first
 from chatscene.build.coming import Coming
 from chatscene.build.deeds import OWN
 from chatscene.build.ledger import Ledger
@@ -14,7 +15,7 @@ from chatscene.build.numbers import PACES, Numbers
 from chatscene.build.opening import LANE
 from chatscene.build.phases import Phases
 from chatscene.build.place import Found
-from chatscene.build.starts import Asked, Meets, Stand, stands_first, start_of
+from chatscene.build.starts import start_of
 from chatscene.build.towards import is_passed
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, Limits

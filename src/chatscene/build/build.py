@@ -6,12 +6,12 @@ import textwrap
 from dataclasses import dataclass
 
 from chatscene.build.actor import Actor
+from chatscene.build.asked import Meets, stands_first
 from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.place import Found, find, met_first, started
 from chatscene.build.possible import OFF_ROAD, impossible
-from chatscene.build.starts import Meets, stands_first
 from chatscene.build.towards import at_distance, in_rows
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from chatscene.build.asked import Meets
 from chatscene.build.deeds import (
     ALONG,
     BEHIND_ANOTHER,
@@ -23,7 +24,6 @@ from chatscene.build.local import check_round
 from chatscene.build.naming import name_of
 from chatscene.build.paces import Pace
 from chatscene.build.place import NEXT_LANE, at_junction, rides_at_edge
-from chatscene.build.starts import Meets
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
+from chatscene.build.asked import Meets
 from chatscene.build.paces import Pace
-from chatscene.build.starts import Meets
 from chatscene.terms.vocabulary import Act
 
 STILL = "self.pose[3] < 0.05"

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from chatscene.build.asked import Meets, stands_first
 from chatscene.build.deeds import GO, MOVE
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace
 from chatscene.build.place import at_junction
-from chatscene.build.starts import Meets, stands_first
 from chatscene.build.timing import Course
 from chatscene.build.waiting import when_of
 from chatscene.terms.situation import Other

@@ -8,14 +8,15 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.aim import aimed
+from chatscene.build.asked import Meets, stands_first
 from chatscene.build.choosing import steps_of
 from chatscene.build.deeds import GO, MOVE, RESTS, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
+from chatscene.build.facing import OVER
 from chatscene.build.gaps import backs_by, comes_in, gap_is_said, gets_ahead, seconds_to_get_ahead
 from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbers import FIRM, MOST, PACES
 from chatscene.build.opening import Opening
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed
-from chatscene.build.starts import OVER, Meets, stands_first
 from chatscene.build.timing import Body, Course, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of

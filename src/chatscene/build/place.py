@@ -144,7 +144,7 @@ def rides_at_edge(one: Other, route: EgoRoute | None = None) -> bool:
     """
     if one.kind.moves is not Moves.RIDES or one.kind.row.body.acts_as not in _TWO_WHEELS:
         return False
-    turned_to = route in _TO_SIDE and one.starts.side is _TO_SIDE[route]
+    turned_to = route is not None and one.starts.side is not None and one.starts.side is _TO_SIDE.get(route)
     return turned_to or not one.kind.row.body.row.motorised
 
 

@@ -2,209 +2,20 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from enum import StrEnum
+from dataclasses import replace
 
-from chatscene.build.coming import Coming
-from chatscene.build.numbers import Numbers
-from chatscene.build.place import (
-    Found,
-    arm_of,
-    at_junction,
-    at_roundabout,
-    beside_lane,
-    from_left,
-    rides_at_edge,
-    ring_arms,
-    way_of,
-)
+from chatscene.build.asked import Asked, Meets, Stand
+from chatscene.build.facing import faces, slanting, turned
+from chatscene.build.place import arm_of, at_junction, at_roundabout, beside_lane, from_left, ring_arms, way_of
 from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import CrossingPath
 from chatscene.maps.ring_ways import ROUND
-from chatscene.terms.actors import Manner as Moves
-from chatscene.terms.routing import BEGINS
-from chatscene.terms.scenario import Maneuver
-from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Manner, Side, Striker, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Side, Striker, Where
 from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
+BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
 _EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
-
-
-class Meets(StrEnum):
-    """How somebody comes to meet the ego: what its deeds are made of, and when the first is due."""
-
-    ALONG = "along"  # goes the ego's way
-    TOWARD = "toward"  # comes against it
-    THROUGH = "through"  # comes through a junction
-    ACROSS = "across"  # heads over the road
-    KERB = "kerb"  # stands at the kerb
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Stand:
-    """Where somebody stands at first. In texts ``{i}`` is its name, ``$NAME`` a parameter of it.
-
-    Attributes:
-        meets: How it comes to meet the ego.
-        way: The line it goes along.
-        at: Arc length [m] on that.
-        aside: How far [m] to the left of it.
-        point: Where it is instead of on its way.
-        facing: Which way it faces there.
-        lines: What is named before.
-        ego_meets: Arc length [m] on the ego's route where they would meet.
-        left: How far [m] it has to there.
-        behind: Whether it is behind the ego.
-        faces: Whether it faces as was said.
-        anywhere: Whether ``$Y`` is how far along the ego's route it is, which may be any number.
-        rolls: Whether it comes driving from the first, so that it is there in time without waiting.
-        slants: Whether it heads over the road at a slant.
-        over: How far [rad] it turns to the left to cross, if it faces along the road at first.
-        turn: How far [rad] it is turned to the left of its way, who stands.
-    """
-
-    meets: Meets
-    way: str = "egoRoute"
-    at: str = ""
-    aside: float = 0.0
-    point: str = ""
-    facing: str = ""
-    lines: tuple[str, ...] = ()
-    ego_meets: str = "egoRoute.eventAt"
-    left: str = "0"
-    behind: bool = False
-    faces: bool = False
-    anywhere: bool = False
-    rolls: bool = False
-    slants: bool = False
-    over: str = ""
-    turn: float = 0.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Asked:
-    """Of whom a start is asked.
-
-    Attributes:
-        situation: What was said.
-        found: Where it happens.
-        one: Who.
-        numbers: Its parameters.
-        ego: How the ego gets on.
-        room: How far [m] beyond the first of its place it stands, where others stand there already.
-        first: Where that stands.
-    """
-
-    situation: Situation
-    found: Found
-    one: Other
-    numbers: Numbers
-    ego: Coming
-    room: float = 0.0
-    first: Stand | None = None
-
-    @property
-    def walks(self) -> bool:
-        """Whether it is on foot."""
-        return self.one.kind.moves is Moves.WALKS
-
-    @property
-    def rides(self) -> bool:
-        """Whether it is on two wheels that keep to the edge."""
-        return rides_at_edge(self.one, self.situation.ego.route)
-
-    @property
-    def stands(self) -> bool:
-        """Whether it stands at first."""
-        return stands_first(self.one)
-
-    @property
-    def rolls(self) -> bool:
-        """Whether it comes driving from the first: nothing has it wait, and it is known when the ego comes."""
-        first = self.one.does[0] if self.one.does else None
-        waits = first is not None and first.when is not None and first.act.row.lasting
-        in_row = self.first is not None and not self.first.rolls
-        return not (self.stands or waits or in_row or self.one.hidden_by) and self.ego.late is not None
-
-    @property
-    def comes(self) -> bool:
-        """Whether it rolls, and does nothing before its last deed that takes it longer to where it meets the ego.
-
-        Who gains or loses speed on its way is timed from a stand, by when it must set off.
-        """
-        return self.rolls and all(deed.act.row.lasting for deed in self.one.does[:-1])
-
-    def way_back(self, meets: str, own: str) -> str:
-        """How far [m] it has to where it meets the ego, if it is there in time, by where that is on the ego's way."""
-        return f"{own}$SPEED * ({self.ego.seconds(meets)} - $OFFSET)"
-
-    @property
-    def backs(self) -> bool:
-        """Whether it comes backwards onto the road."""
-        first = next((deed.act for deed in self.one.does if deed.act is not Act.STAND), None)
-        return first is Act.REVERSE and not self.walks
-
-    @property
-    def side(self) -> str:
-        """Its side of the ego."""
-        return str(self.one.starts.side)
-
-    @property
-    def begins_beside(self) -> bool:
-        """Whether the ego comes into its lane from beside it, so that who comes along there comes from its left."""
-        return self.situation.ego.route in BEGINS
-
-    @property
-    def lane(self) -> str:
-        """The way of traffic before and behind the ego: its route, or the lane that it leaves."""
-        return "ownLane(egoRoute)" if beside_lane(self.situation) else "ownWay(egoRoute)"
-
-    @property
-    def swings_out(self) -> bool:
-        """Whether the ego's way swings out round something."""
-        return self.found.query["maneuver"] == Maneuver.BYPASS
-
-    def ahead(self, low: float, high: float) -> None:
-        """From where to where [m] ahead it may be, if that was not said: farther where the ego comes faster."""
-        self.reach(low * self.found.further, high * self.found.further)
-
-    def reach(self, low: float, high: float, meaning: str = "how far ahead of the ego it is") -> None:
-        """From where to where [m] it may be, if that was not said."""
-        if (said := self.one.starts.distance) is not None:
-            low, high = said.within(low, max(high, said.low)) if not said.exact else (said.low, said.low)
-        path = f"others.{self.one.id}.starts.distance" if said is not None else ""
-        self.numbers.measure("Y", low, max(low, high), "m", meaning, path)
-
-    @property
-    def more(self) -> str:
-        """The room that is added to a place ahead."""
-        return f" + {self.room:g}" if self.room else ""
-
-    @property
-    def less(self) -> str:
-        """The room that is taken off a place behind."""
-        return f" - {self.room:g}" if self.room else ""
-
-
-def stands_first(one: Other) -> bool:
-    """Whether somebody stands when it begins."""
-    first = one.does[0].act if one.does else None
-    still = one.starts.speed is not None and one.starts.speed.high <= 0.0
-    return still or first in (Act.STAND, Act.SET_OFF, Act.PULL_OUT) or one.kind.moves is Moves.LIES
-
-
-def _faces(asked: Asked, there: str, usual: Facing, side: str) -> str:
-    """Which way somebody faces, level with a place on the ego's route; from a side, where it faces across."""
-    match asked.one.starts.facing or usual:
-        case Facing.ALONG:
-            return f"directionOn(egoRoute, {there})"
-        case Facing.AGAINST:
-            return f"directionOn(egoRoute, {there}, 3.14159)"
-        case Facing.ACROSS:
-            return f'crossingDirection(egoRoute, {there}, "{side}")'
 
 
 def _ahead(asked: Asked) -> Stand:
@@ -214,7 +25,7 @@ def _ahead(asked: Asked) -> Stand:
         return Stand(
             meets=Meets.ACROSS,
             point=f"pointOn(egoRoute, {there})",
-            facing=_faces(asked, there, Facing.ALONG, Side.RIGHT),
+            facing=faces(asked, there, Facing.ALONG, Side.RIGHT),
             ego_meets="progressOn(egoRoute, self)[0]",
             faces=True,
             anywhere=True,
@@ -393,29 +204,6 @@ def _oncoming(asked: Asked) -> Stand:
     return replace(stand, at="back{i}", lines=(*stand.lines, back))
 
 
-BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
-_LONGER = 1.25  # times as far as straight over is a way at the middle slant
-
-
-def _slanting(asked: Asked, stand: Stand, side: str) -> Stand:
-    """The same, facing forward as well as across if it is to cross at a slant."""
-    slants = any(deed.manner is Manner.SLANTING and deed.act in OVER for deed in asked.one.does)
-    facing = asked.one.starts.facing
-    if facing in (Facing.ALONG, Facing.AGAINST):  # it turns when it crosses
-        over = "(1.5708 - $SLANT)" if slants else "1.5708"
-        return replace(
-            stand, over=over if (side == Side.RIGHT) == (facing is Facing.ALONG) else f"-{over}", slants=slants
-        )
-    if not slants:
-        return stand
-    turned = f"{stand.facing} {'-' if side == Side.RIGHT else '+'} $SLANT"
-    return replace(stand, facing=turned, left=f"{_LONGER:g} * {stand.left}", slants=True)
-
-
-OVER = frozenset((Act.CROSS, Act.ENTER, Act.GO_STRAIGHT))
-"""What is done at a slant, if it is."""
-
-
 def _beside_road(asked: Asked) -> Stand:
     """On foot or on two wheels beside the road, or in a driveway: it faces the road."""
     where = asked.one.starts.where
@@ -443,14 +231,14 @@ def _beside_road(asked: Asked) -> Stand:
         meets=Meets.ACROSS,
         point=point,
         rolls=rolls,
-        facing=_faces(asked, there, Facing.ACROSS, asked.side) + away,
+        facing=faces(asked, there, Facing.ACROSS, asked.side) + away,
         faces=True,
         lines=(f"level{{i}} = {level}",),
         ego_meets="progressOn(egoRoute, self)[0]",
         left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
         anywhere=level.startswith("shortOf"),
     )
-    return stand if rolls else _slanting(asked, stand, asked.side)
+    return stand if rolls else slanting(asked, stand, asked.side)
 
 
 def _kerb(asked: Asked) -> Stand:
@@ -505,7 +293,7 @@ def _median(asked: Asked) -> Stand:
         left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
         anywhere=True,
     )
-    return _slanting(asked, stand, Side.LEFT)
+    return slanting(asked, stand, Side.LEFT)
 
 
 def _on_ramp(asked: Asked) -> Stand:
@@ -560,22 +348,4 @@ def start_of(asked: Asked) -> Stand:
     if where not in STARTS:
         near = f"; the nearest is {NEAREST[where]}" if where in NEAREST else ""
         raise NotBuilt(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}{near}")
-    return _turned(asked, STARTS[where](asked))
-
-
-_TURNS = {Facing.ALONG: 0.0, Facing.AGAINST: math.pi, Facing.ACROSS: math.pi / 2}
-
-
-def _turned(asked: Asked, stand: Stand) -> Stand:
-    """The same, facing as was said: who stands any way, who goes somewhere the way it goes."""
-    facing = asked.one.starts.facing
-    if facing is None or stand.faces or stand.point:
-        return stand
-    turn = _TURNS[facing]
-    if stand.meets is Meets.TOWARD:
-        turn = math.pi - turn
-    elif facing is Facing.ACROSS and asked.side == Side.LEFT:
-        turn = -turn
-    stays = asked.stands and all(deed.act is Act.STAND for deed in asked.one.does)
-    goes_so = turn == 0.0 and stand.meets is not Meets.THROUGH
-    return replace(stand, turn=turn, faces=True) if stays or goes_so else stand
+    return turned(asked, STARTS[where](asked))
