@@ -20,10 +20,11 @@ from typing import Any
 
 import click
 
+from chatscene.build.asked import Meets
 from chatscene.build.build import build
 from chatscene.build.deeds import Steps, steps_for
 from chatscene.build.possible import impossible
-from chatscene.build.starts import STARTS, Meets
+from chatscene.build.starts import STARTS
 from chatscene.commands.situations import SUFFIXES
 from chatscene.ego.policy import load_ego, wanting
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt

@@ -157,7 +157,7 @@ def test_bounds_and_differences_to_the_ego_narrow_what_is_searched() -> None:
         ({"road": {"kind": "rail-crossing"}}, "road.kind: rail-crossing"),
         ({"road": {"lanes": 7}}, "no map has such a place"),
         ({"others": []}, "nobody meets the ego"),
-        (ahead({"act": "brake", "speed": "5 km/h"}), "others.A.does.0.speed: 5 km/h"),
+        (ahead({"act": "stop", "distance": "5 m"}), "others.A.does.0.distance: 5 m"),
     ],
 )  # fmt: skip
 def test_a_fact_that_cannot_be_built_is_refused_by_its_path(changed: dict[str, Any], told: str) -> None:

@@ -16,6 +16,7 @@ from chatscene.commands.main import main
 from chatscene.errors import EditRefused, RunError
 from chatscene.report import caption
 from chatscene.report.animation import write_gif
+from chatscene.report.stated import Stated
 from chatscene.terms.situation import Start
 from chatscene.terms.vocabulary import Side, Where
 from fake_run import finished

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from chatscene.build.anyway import said_anyway
+from chatscene.build.asked import Asked, Meets, Stand, stands_first
 from chatscene.build.coming import Coming
 from chatscene.build.deeds import OWN
 from chatscene.build.ledger import Ledger
@@ -15,7 +16,8 @@ from chatscene.build.numbers import PACES, Numbers
 from chatscene.build.opening import LANE
 from chatscene.build.phases import Phases
 from chatscene.build.place import Found
-from chatscene.build.starts import Asked, Meets, Stand, stands_first, start_of
+from chatscene.build.starts import start_of
+from chatscene.build.towards import is_passed
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, Limits
 from chatscene.terms.actors import Manner as Moves
@@ -23,6 +25,10 @@ from chatscene.terms.situation import SEVERAL, Deed, Other
 from chatscene.terms.vocabulary import Act, Role, Side, UserKind
 from chatscene.world.places import lanes_beside
 
+BETWEEN = 1.2  # [m] between things in a row
+BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
+SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
+PASSED = (0.55, 0.75)  # of the ego's speed: of who is passed by another
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
 _AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
@@ -121,6 +127,8 @@ class Actor:
     def _bind_speed(self) -> None:
         """Let it come as fast as was said of how it begins, or of how it goes on."""
         numbers, deeds = self.numbers, self.deeds
+        if is_passed(self.ledger.situation.others, self.one):
+            numbers.narrow("SPEED", *(min(share * self.ego_speed, numbers.middle("SPEED")) for share in PASSED))
         paces = {deed.manner for deed in deeds if deed.manner in PACES}
         if len(paces) == 1 and any(deed.manner in PACES and deed.act in _AT_ONE_SPEED for deed in deeds):
             low, high, *_ = numbers.ranges[PACES[paces.pop()]]
@@ -193,7 +201,7 @@ class Actor:
         )
         lines = list(named)
         for n in range(self.count):
-            place, facing = self._hides(hidden) if hidden is not None else self._place(n)
+            place, facing = self._hides(hidden, n) if hidden is not None else self._place(n)
             said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
             said += f", with label '{self.one.id}'" + self._role()
             lines.append(said + self._moving(phases) + (f", with behavior Does{one}()" if phases else ""))
@@ -247,20 +255,25 @@ class Actor:
         sign = "+" if stand.meets is Meets.ALONG and not stand.behind else "-"  # away from the ego
         at = self.filled(stand.at) + (f" {sign} {n * (length + 2.5):g}" if n else "")
         aside = f", {stand.aside:g}" if stand.aside else ""
-        return f"pointOn(way{one}, {at}{aside})", f"directionOn(way{one}, {at})"
+        turn = f", {stand.turn:g}" if stand.turn else ""
+        return f"pointOn(way{one}, {at}{aside})", f"directionOn(way{one}, {at}{turn})"
 
-    def _hides(self, hidden: Actor) -> tuple[str, str]:
-        """Where it stands between the ego and whom it hides."""
+    def _hides(self, hidden: Actor, n: int) -> tuple[str, str]:
+        """Where the n-th of it stands between the ego and whom it hides: nearer to the ego and farther in turn."""
         if hidden.stand.meets is not Meets.ACROSS or "level" not in hidden.stand.point:
             raise NotBuilt(f"nothing builds yet: {self.one.id}, which hides somebody who is {hidden.one.starts.where}")
-        if self.count > 1 or self.one.starts.side not in (None, hidden.one.starts.side):
-            raise NotBuilt(f"nothing builds yet: {self.path}, which hides {hidden.one.id} alone and from its side")
-        self.ledger.take(f"{hidden.path}.hidden_by")
-        back = 2.6 + 0.5 * (self.limits.length or 1.2)
-        one = name_of(hidden.one.id)
         side = str(hidden.one.starts.side)
-        at = f"level{one} - {back:g}"
-        return f'besideRoad(egoRoute, {at}, "{side}", 1.2)', f"directionOn(egoRoute, {at})"
+        if self.one.starts.side not in (None, side):
+            raise NotBuilt(f"nothing builds yet: {self.path}, which hides {hidden.one.id} from its side")
+        self.ledger.take(f"{hidden.path}.hidden_by")
+        length = self.limits.length or 1.2
+        away = 2.6 + 0.5 * length + n // 2 * (length + BETWEEN)
+        beyond, aside = 1.2, hidden.numbers.middle("X")
+        if aside > BEYOND and n % 2 == 0:  # it comes from farther off the road, and what hides it stands there, too
+            beyond = aside - BEYOND
+            away = max(away, BEYOND / (LANE / 2 + aside) * SEEN_FROM * hidden.numbers.middle("Y"))
+        at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
+        return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
 
     def said(self) -> str:
         """What it is and does, for a comment."""

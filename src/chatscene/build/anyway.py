@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from chatscene.build.starts import Meets
+from chatscene.build.asked import Meets
 from chatscene.situations.check import COMES_OVER
 from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import Facing

@@ -6,12 +6,13 @@ import textwrap
 from dataclasses import dataclass
 
 from chatscene.build.actor import Actor
+from chatscene.build.asked import Meets, stands_first
 from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.place import Found, find, met_first, started
 from chatscene.build.possible import OFF_ROAD, impossible
-from chatscene.build.starts import Meets, stands_first
+from chatscene.build.towards import at_distance, in_rows
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
 from chatscene.terms.pace import NOMINAL
@@ -108,7 +109,8 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
     built: dict[str, Actor] = {}
     rows: dict[tuple[str, str, bool], tuple[Actor, float]] = {}
     order: list[tuple[Actor, Actor | None]] = []
-    for one in sorted(situation.others, key=lambda other: _hides(situation, other) is not None):
+    others = [at_distance(ledger, one) for one in in_rows(situation.others)]
+    for one in sorted(others, key=lambda other: _hides(situation, other) is not None):
         hidden = _hides(situation, one)
         stands = stands_first(one) and one.starts.where not in OFF_ROAD
         place = (_SAME.get(one.starts.where, str(one.starts.where)), str(one.starts.side), stands)

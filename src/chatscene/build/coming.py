@@ -19,10 +19,12 @@ class Coming:
     Attributes:
         speed: What it drives at where nothing holds it [m/s].
         late: How much later [s] than at that speed from the first it is where the others meet it; None if it never is.
+        stands: Whether it stands, from the first on and all the time.
     """
 
     speed: float
     late: float | None
+    stands: bool = False
 
     def seconds(self, metres: str) -> str:
         """When it is so many metres on its way, as a text of Scenic.
@@ -62,4 +64,4 @@ def coming(speed: float, orders: tuple[Order, ...], metres: float, *, stands: bo
         allowed = min(speed, *(order.allows(time, at) for order in orders), speed)
         now = min(allowed, now + NOMINAL.gain * _STEP)
         at, time = at + now * _STEP, time + _STEP
-    return Coming(speed, max(0.0, time - metres / speed) if at >= metres else None)
+    return Coming(speed, max(0.0, time - metres / speed) if at >= metres else None, stands=at <= 0.0)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
+from chatscene.build.asked import Meets
 from chatscene.build.paces import Pace
-from chatscene.build.starts import Meets
 from chatscene.terms.vocabulary import Act
 
 STILL = "self.pose[3] < 0.05"
@@ -165,7 +165,7 @@ ALONG: dict[Act, Steps] = {
     ),
     Act.OVERTAKE: Steps(
         does=(
-            "DrivePath({beside}, $FAST) until headway(egoRoute, ego, self) > $AHEAD",
+            "DrivePath({beside}, $FAST) until headway(egoRoute, ego, self) > (ego.length + self.length) / 2 + $AHEAD",
             f"DrivePath({OWN}, $SPEED) until abs(offsetFrom({OWN}, self)) < 1",
         ),
         way=OWN,
@@ -206,6 +206,47 @@ TOWARD: dict[Act, Steps] = {
 """Of somebody who comes against the ego."""
 OFF = {Act.TURN_LEFT: "TurnOff(1.4, $SLOW, 7)", Act.TURN_RIGHT: "TurnOff(-1.4, $SLOW, 7)"}
 """Of somebody who goes along beside the ego and turns off across its way."""
+_ENTRY = {Act.TURN_LEFT: 6.0, Act.TURN_RIGHT: 1.5}
+"""How far [m] behind the entry of a junction a turn begins."""
+
+
+def turning_off(act: Act, *, junction: bool) -> Steps:
+    """How somebody before or behind the ego turns off: at the junction, or off the road wherever it is."""
+    there = f"DrivePath({{p}}, $SLOW) until progressOn(egoRoute, self)[0] > egoRoute.eventAt + {_ENTRY[act]:g}"
+    does = (there, OFF[act]) if junction else (OFF[act],)
+    return Steps(does=does, last=(*does, "MoveAhead($SLOW)"), binds={"speed": "SLOW"})
+
+
+def gets_by(*, comes_back: bool) -> Steps:
+    """How somebody beside the ego gets by, along its own line; perhaps into the ego's lane then."""
+    row = ALONG[Act.OVERTAKE]
+    passes = row.does[0].replace("{beside}", "{p}")
+    if comes_back:
+        return replace(row, does=(passes, *row.does[1:]))
+    return replace(row, does=(passes,), last=(passes, GO), way="")
+
+
+def yielding_to(name: str) -> Steps:
+    """How somebody lets another by: until that came over its line, and is off it."""
+    by = tuple(f"Halt() until abs(offsetFrom({{p}}, {name})) {sign}" for sign in ("< 2.5", "> 3"))
+    return Steps(does=(BRAKES, *by), last=(BRAKES, *by, GO), still=True, going=True, pace=Pace.STANDS)
+
+
+BEHIND_ANOTHER = Steps(
+    does=("PaceOnPath({p}, ego, -(ego.length + self.length) / 2 - $ROOM, 25) for $PACE_TIME seconds",),
+    last=("PaceOnPath({p}, ego, -(ego.length + self.length) / 2 - $ROOM, 25)",),
+    binds={"distance": "ROOM", "time": "PACE_TIME"},
+    lasting=True,
+)
+"""Of somebody who follows another: ``ego`` is then whom it follows."""
+BRAKES_TO = Steps(
+    does=("BrakeOnPath({p}, $BRAKE) until self.pose[3] < $SLOW", "DrivePath({p}, $SLOW) for 2 seconds"),
+    last=("BrakeOnPath({p}, $BRAKE) until self.pose[3] < $SLOW", "DrivePath({p}, $SLOW)"),
+    binds={"acceleration": "BRAKE", "speed": "SLOW"},
+    going=True,
+    pace=Pace.LOSES,
+)
+"""Of somebody who brakes to a speed."""
 BESIDE: dict[Act, Steps] = {
     **ALONG,
     **{act: Steps(does=(off,), last=(off, "MoveAhead($SLOW)"), binds={"speed": "SLOW"}) for act, off in OFF.items()},
@@ -274,8 +315,16 @@ ACROSS: dict[Act, Steps] = {
     ),
 }
 """Of somebody who heads over the road."""
+LOSES_SLOWLY = ACROSS[Act.SLOW_DOWN]
+_BACK_OVER = "ReverseStraight($SPEED) until "
 ACROSS_RIDING = {
     **ACROSS,
+    Act.REVERSE: Steps(
+        does=(_BACK_OVER + "abs(offsetFrom(egoRoute, self)) < 1",),
+        last=(_BACK_OVER + "restsWithin(egoRoute, self, 0.5)", "Halt()"),
+        binds={"speed": "SPEED"},
+        comes_in=True,
+    ),
     Act.TURN_BACK: Steps(
         does=(_AROUND, MOVE + " for {back} seconds"), last=(_AROUND, MOVE), binds={"speed": "SPEED"}, going=True
     ),

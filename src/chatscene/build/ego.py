@@ -14,7 +14,7 @@ from chatscene.maps.routes import TO_LINE
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.routing import BEGINS
-from chatscene.terms.situation import Deed
+from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import Act, EgoLight, Manner
 
 LINE = 3.5  # [m] before the junction the centre of an ego stands whose nose is at the line
@@ -54,7 +54,9 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     speed = wanted_by(situation) if ego.speed is not None else at_most
     if ego.speed is not None:
         ledger.take("ego.speed")
-    else:  # others are timed by it, so that it is wanted of every ego
+    if held := [one.at_most for one in _orders(Ledger(situation), ego.does[:1], 0.0, speed) if _all_along(one)]:
+        speed = min(speed, *held)  # which is as fast as it ever is
+    elif ego.speed is None:  # others are timed by it, so that it is wanted of every ego
         ledger.assume(f"the ego wants {3.6 * speed:.0f} km/h, which was not said")
     wanted = f", with wantedSpeed {speed:.4g}"
     stop = found.route.eventAt - (LINE if junction else 0.0)
@@ -69,6 +71,11 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     given = f", with orders ({', '.join(map(_written, orders))},)" if orders else ""
     comes = coming(speed, orders, TO_LINE if stands and junction else found.route.eventAt, stands=stands)
     return BuiltEgo(params=tuple(params), coming=comes, properties=moving + wanted + given)
+
+
+def _all_along(order: Order) -> bool:
+    """Whether an order lets the ego drive, and holds from the beginning to the end."""
+    return order.at_most > 0.0 and order == Order(at_most=order.at_most)
 
 
 def _written(order: Order) -> str:
@@ -86,34 +93,65 @@ def _lights(ledger: Ledger, found: Found) -> list[str]:
 
 
 def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) -> Iterator[Order]:
+    begins = 0.0  # [s], when what was said with times has gone by
     for k, deed in enumerate(deeds):
         at, then = f"ego.does.{k}", deeds[k + 1].act if k + 1 < len(deeds) else None
-        ledger.take(f"{at}.act")
-        if deed.when is not None and deed.when.after is not None and deed.when.after.startswith("ego."):
-            ledger.take(f"{at}.when.after")  # its deeds come one after the other
+        ledger.take(f"{at}.act", *_in_a_row(deed, at))
         again = then in (Act.SET_OFF, Act.GO_ALONG, Act.ACCELERATE)
+        there = begins * speed if begins else stop  # where it is to be slow, or to stand
         match deed.act:
             case Act.STAND:
                 wait = _seconds(ledger, deed, at)
                 yield Order(at_most=0, till=wait if again or deed.time is not None else math.inf)
             case Act.STOP:
-                till = max(stop, 0.0) / speed + speed / 6.0 + _seconds(ledger, deed, at)
+                till = max(there, 0.0) / speed + speed / 6.0 + _seconds(ledger, deed, at)
                 ends = round(till, 1) if again or deed.time is not None else math.inf
-                yield Order(at_most=0, place=round(stop, 1), till=ends, braking=_braking(ledger, deed, at, 3.0))
+                yield Order(at_most=0, place=round(there, 1), till=ends, braking=_braking(ledger, deed, at, 3.0))
             case Act.SLOW_DOWN | Act.BRAKE:
-                hard = deed.act is Act.BRAKE
-                to = deed.speed.high if deed.speed is not None else 1.0 if hard else SLOW
-                if deed.speed is not None:
-                    ledger.take(f"{at}.speed")
-                braking = _braking(ledger, deed, at, 6.0 if hard else 2.5)
-                yield Order(at_most=to, place=round(stop, 1), braking=braking)
-            case Act.GO_ALONG if deed.manner is Manner.SLOW or deed.speed is not None:
+                yield _slower(ledger, deed, at, there, begins, speed)
+            case Act.GO_ALONG | Act.FOLLOW if deed.manner is Manner.SLOW or deed.speed is not None:
                 ledger.take(f"{at}.speed" if deed.speed is not None else f"{at}.manner")
-                yield Order(at_most=deed.speed.high if deed.speed is not None else SLOW)
+                till = _lasts(ledger, deed, at)
+                yield Order(at_most=deed.speed.high if deed.speed is not None else SLOW, till=begins + till)
+                begins += till if till < math.inf else 0.0
+            case Act.GO_ALONG if deed.time is not None and then is not None:
+                begins += _lasts(ledger, deed, at)
+            case Act.GO_ALONG if deed.time is not None and deed.time.low * speed <= stop:
+                ledger.take(f"{at}.time")  # its way leads so far before anything happens
             case Act.GO_ALONG | Act.SET_OFF | Act.YIELD | Act.FOLLOW:
                 pass  # which is left to the ego
             case _:
                 raise NotBuilt(f"nothing builds yet: {at}.act: {deed.act}")
+
+
+def _in_a_row(deed: Deed, at: str) -> Iterator[str]:
+    """What holds of its deeds since they come one after the other, each while the one before is under way."""
+    for name in ("after", "during"):
+        if deed.when is not None and (getattr(deed.when, name) or "").startswith(f"{EGO}."):
+            yield f"{at}.when.{name}"
+    if deed.act in (Act.FOLLOW, Act.YIELD) and deed.whom not in (None, EGO):
+        yield f"{at}.whom"  # to whoever is there it does so anyway
+
+
+def _slower(ledger: Ledger, deed: Deed, at: str, there: float, begins: float, speed: float) -> Order:
+    """An order to lose speed, by some place or for some time."""
+    hard = deed.act is Act.BRAKE
+    to = deed.speed.high if deed.speed is not None else 1.0 if hard else SLOW
+    if deed.speed is not None:
+        ledger.take(f"{at}.speed")
+    braking, lasts = _braking(ledger, deed, at, 6.0 if hard else 2.5), _lasts(ledger, deed, at)
+    if lasts < math.inf and deed.acceleration is None and deed.speed is not None:
+        braking = max((speed - to) / lasts, 0.1)  # so that it takes as long
+    elif lasts < math.inf and deed.speed is None:
+        to = max(0.0, speed - braking * lasts)
+    if begins:
+        return Order(at_most=to, since=round(begins + (speed - to) / braking, 1), braking=braking)
+    return Order(at_most=to, place=round(there, 1), braking=braking)
+
+
+def _lasts(ledger: Ledger, deed: Deed, at: str) -> float:
+    """For how long [s] something goes on; without end where that was not said."""
+    return _seconds(ledger, deed, at) if deed.time is not None else math.inf
 
 
 def _seconds(ledger: Ledger, deed: Deed, at: str) -> float:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from chatscene.build.asked import Meets
 from chatscene.build.opening import LANE
 from chatscene.build.place import ring_arms
-from chatscene.build.starts import Meets
 from chatscene.errors import MapError, NotBuilt
 from chatscene.terms.situation import Deed
 from chatscene.terms.vocabulary import Act, Breach, EgoLight, Where

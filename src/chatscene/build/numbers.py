@@ -32,9 +32,11 @@ RANGES: dict[str, tuple[float, float, str, str]] = {
     "PACE_TIME": (2, 3.5, "s", "for how long it keeps so"),
     "LEVEL": (-2, 2, "m", "how far ahead of the ego it keeps"),
     "GAP": (0.5, 2.5, "m", "how much room it leaves"),
+    "ROOM": (5, 12, "m", "how far behind whom it follows it is"),
     "AHEAD": (3, 8, "m", "how far ahead it is before it comes back"),
     "NEAR": (12, 30, "m", "how near the ego is when it acts"),
     "LEAD_TIME": (1.2, 2.6, "s", "how long before they would meet it acts"),
+    "SLANT": (0.5, 0.8, "rad", "how far from straight over it goes"),
     "X": (1.0, 2.5, "m", "how far outside the lanes it stands"),
 }
 """The parameters of plans but for places and speeds: range, unit, meaning."""

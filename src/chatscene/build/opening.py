@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from chatscene.build.asked import Meets, stands_first
 from chatscene.build.deeds import GO, MOVE
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace
 from chatscene.build.place import at_junction
-from chatscene.build.starts import Meets, stands_first
 from chatscene.build.timing import Course
 from chatscene.build.waiting import when_of
 from chatscene.terms.situation import Other
@@ -23,6 +23,8 @@ LANE = 3.5  # [m], a lane's width
 NEAREST = 4.0  # [m] before a junction: who is nearer is in it
 STOOD = 0.6  # [s]: who stands so long before it sets off is seen to stand
 YIELDS = 1.0  # [m/s]: an ego that goes no faster yields
+LATEST = 12.0  # [s] that somebody goes with the ego before it does anything
+LEAST = 2.0  # [m/s] that somebody goes at least who goes with an ego that is faster
 SHORT = 25.0  # [m] before the end of a road, or before a junction: nobody is placed farther
 
 
@@ -109,7 +111,7 @@ class Opening:
             low, high = min(low, most - 2 * NEAREST), min(high, most)
             if actor.found.route.route.junction is not None:  # on the road that the ego comes along
                 low, high = min(low, actor.found.route.eventAt - NEAREST), min(high, actor.found.route.eventAt)
-        elif stand.behind and goes:
+        elif stand.behind and goes and actor.deeds[self.first].act is not Act.OVERTAKE:  # which gains only then
             speeds = (self.phases.paces.before[self.first], self.phases.paces.after[self.first])
             fastest = max((speed.high for speed in speeds if speed.name), default=0.0)
             gains = max(0.0, fastest - actor.ego_speed) * actor.found.route.eventAt / actor.ego_speed
@@ -157,7 +159,8 @@ class Opening:
             return GO.replace("$SPEED", f"${speed.name}")
         ahead = "-$Y" if self.phases.actor.stand.behind else "$Y"
         if not self.phases.keeps_distance:
-            return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, 2)"
+            least = min(LEAST, 0.8 * self.phases.actor.ego_speed)
+            return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, {least:.3g})"
         return f"PaceOnPath({{p}}, ego, {ahead}, 40, {self.phases.follows:.3g})"
 
     def _due(self) -> str:
@@ -180,7 +183,8 @@ class Opening:
             case _ if (shown := self._shows()) is not None:
                 return f"headway(egoRoute, self, {name_of(shown.id)}) < self.pose[3] * (1 + $LEAD_TIME) + 5"
             case _:
-                return f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
+                due = f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
+                return due + (self._or_yields() if self.phases.actor.ego.stands else "")
 
     def _shows(self) -> Other | None:
         """Who stands before it in the ego's lane, if it leaves that and so shows who stands there."""
@@ -194,7 +198,8 @@ class Opening:
         """An ego that stops for who stands in or beside its lane would wait for it as long as it waits for the ego."""
         situation, stand = self.phases.actor.ledger.situation, self.phases.actor.stand
         controlled = situation.road.ego_light is not None or situation.road.control is not None
-        held = stand.meets is Meets.THROUGH or situation.ego.does or controlled
+        waits_for_it = situation.ego.does and not self.phases.actor.ego.stands
+        held = stand.meets is Meets.THROUGH or waits_for_it or (controlled and not self.phases.actor.ego.stands)
         return "" if held else f" or ego.pose[3] < {YIELDS:g}"
 
     def _takes(self) -> float:
@@ -227,8 +232,9 @@ class Opening:
                 return self.phases.body.covers(actor.limits.length + LANE, self._wish()) + more
             case Meets.ALONG if stands_first(actor.one) and not stand.behind:
                 return 3.6 + more
-            case _:
-                return (2.0 if at_junction(actor.ledger.situation) else 1.0) + more
+            case _:  # of a slow ego, which is long in coming, long before it is there
+                soon = max(0.0, actor.found.route.eventAt / actor.ego_speed - LATEST)
+                return (2.0 if at_junction(actor.ledger.situation) else 1.0) + more + soon
 
     def _to_meet(self) -> float:
         """How far [m] it has about to where it meets the ego."""

@@ -8,30 +8,22 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.aim import aimed
-from chatscene.build.deeds import (
-    ALONG,
-    BRAKES,
-    GO,
-    MOVE,
-    RESTS,
-    ROUND,
-    ROUND_ON_FOOT,
-    UNDER_WAY,
-    Steps,
-    steps_for,
-)
-from chatscene.build.local import breaks, check_round, check_turn
+from chatscene.build.asked import Meets, stands_first
+from chatscene.build.choosing import steps_of
+from chatscene.build.deeds import GO, MOVE, RESTS, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
+from chatscene.build.facing import OVER
+from chatscene.build.gaps import backs_by, comes_in, gap_is_said, gets_ahead, seconds_to_get_ahead
+from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbers import FIRM, MOST, PACES
 from chatscene.build.opening import Opening
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed
-from chatscene.build.place import NEXT_LANE
-from chatscene.build.starts import Meets, stands_first
 from chatscene.build.timing import Body, Course, course
+from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Role, Side, Where
+from chatscene.terms.situation import Deed
+from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -46,10 +38,6 @@ GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 NEARLY, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
-_GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
-_ASIDE = frozenset((Act.WEAVE, Act.DRIFT, Act.SWERVE, Act.LANE_CHANGE, Act.CUT_OUT))
-_QUIET = frozenset((Act.STAND, Act.STOP))
-_OFF = frozenset((Act.SET_OFF, Act.STAND))
 
 
 @dataclass(slots=True)
@@ -74,13 +62,15 @@ class Phases:
         one, deeds = actor.one, actor.deeds
         for k, deed in enumerate(deeds):
             broken = [f"{actor.path}.does.{k}.breaks"] if breaks(actor, deed) else []
+            if actor.stand.slants and deed.manner is Manner.SLANTING and deed.act in OVER:
+                actor.ledger.take(f"{actor.path}.does.{k}.manner")
             actor.ledger.take(f"{actor.path}.does.{k}.act", *broken)
         hides = any(other.hidden_by == one.id for other in actor.ledger.situation.others)
         hides = one.role is Role.HIDES or (hides and one.role is Role.SUPPORTING)
         if actor.lies or (hides and all(deed.act is Act.STAND for deed in deeds)):
             return ("Halt()",) if one.role is Role.ADVERSARY else ()
         self.body = Body(actor.limits, actor.walks)
-        self.steps = [self._steps_of(k) for k in range(len(deeds))]
+        self.steps = [steps_of(actor, k) for k in range(len(deeds))]
         self._choose_speeds()
         if not any(deed.time is not None for deed in deeds):  # so far that it is seen to go on
             slowest = min((speed.low for speed in self.paces.after if speed.name and speed.low > 0.0), default=2.0)
@@ -184,8 +174,8 @@ class Phases:
         """How long [s] it takes to get by the ego."""
         actor = self.actor
         faster = actor.numbers.middle(f"FAST_{k}") - actor.ego_speed
-        behind = actor.stand.behind and "Y" in actor.numbers.ranges  # else it is placed by when it comes
-        metres = (actor.numbers.middle("Y") if behind else 0.0) + actor.limits.length
+        metres = actor.numbers.middle("Y") if actor.stand.behind and "Y" in actor.numbers.ranges else 0.0
+        metres += 0.5 * (actor.limits.length + AdversaryKind.CAR.row.limits.length)
         return (metres + actor.numbers.middle("AHEAD")) / max(faster, 0.5)
 
     def _between(self) -> None:
@@ -207,37 +197,8 @@ class Phases:
 
     # Steps
 
-    def _steps_of(self, k: int) -> Steps:
-        actor, deed = self.actor, self.actor.deeds[k]
-        where, meets = actor.one.starts.where, actor.stand.meets
-        table = steps_for(meets, walks=actor.walks, beside=where in NEXT_LANE)
-        if deed.act is Act.LANE_CHANGE and meets is Meets.ALONG:
-            if where not in NEXT_LANE:
-                table = {**table, Act.LANE_CHANGE: ALONG[Act.CUT_OUT]}
-            elif deed.to is not None and deed.to == actor.one.starts.side:
-                raise NotBuilt(
-                    f"nothing builds yet: {actor.path}: lane-change to the {deed.to}, away from the ego's lane"
-                )
-        follows = actor.stand.behind and not actor.stand.rolls and not self._contact()
-        if where is Where.BEHIND and deed.act in _GOING_ON and follows:
-            table = {**table, deed.act: ALONG[Act.TAILGATE]}  # or it would run into the ego
-        if deed.act in _ASIDE and where in (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY):
-            table = {}  # which nobody sees on a road that bends all the time
-        if where in (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY):
-            check_round(actor, k)
-        if deed.act not in table:
-            raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}")
-        steps = table[deed.act]
-        if deed.act is Act.BRAKE and meets is not Meets.ACROSS and deed.time is None and self._then(k) in _OFF:
-            steps = replace(steps, does=(BRAKES,), last=(BRAKES,), pace=Pace.STANDS)
-        return steps
-
     def _then(self, k: int) -> Act | None:
         return self.actor.deeds[k + 1].act if k + 1 < len(self.actor.deeds) else None
-
-    def _contact(self) -> bool:
-        contact = self.actor.ledger.situation.contact
-        return contact is not None and contact.happens
 
     # All phases
 
@@ -269,6 +230,7 @@ class Phases:
             for k, deed in enumerate(actor.deeds)
             if f"FAST_{k}" in actor.numbers.ranges and deed.act is Act.OVERTAKE
         )
+        passing += sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds)))
         begins = replace(begins, seconds=begins.seconds + passing)
         near = self._comes_near(first, bodies)
         yield from Opening(self, first, begins, near).texts()
@@ -405,19 +367,20 @@ class Phases:
             and actor.deeds[k - 1].time is not None
         ):
             return  # which it does already
-        if deed.act is Act.CUT_IN and not last:  # or the ego would run into it before it does the next thing
-            ahead = "(ego.length + self.length) / 2 + $AHEAD"
-            pace = f"PaceOnPath({way or '{p}'}, ego, {ahead} + 2, 40)"
-            yield f"{pace} until headway(egoRoute, ego, self) > {ahead}"
+        if deed.act in OVER and all(one.act not in OVER for one in actor.deeds[:k]) and actor.stand.over:
+            phases = (phases[0].replace(MOVE, f"MoveAhead($SPEED, {actor.stand.over})"), *phases[1:])
+        yield from gets_ahead(actor, k, way or "{p}", last=last)
+        if gap_is_said(deed) and deed.speed is None:
+            phases = (comes_in(actor, k), *phases[1:])
         for text in phases:
-            said = self._of_deed(k, text, steps)
+            said = to_whom(self._of_deed(k, text, steps), deed)
             said = said.replace("{meets}", actor.stand.ego_meets)
             yield said.replace("{aside}", self._aside(deed, k)).replace("{p}", way or "{p}")
         if deed.to is not None and deed.act in (Act.CUT_OUT, Act.LANE_CHANGE, Act.OVERTAKE):
             if actor.named.setdefault("side", str(deed.to)) != str(deed.to):
                 raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, after the other side")
             actor.ledger.take(f"{actor.path}.does.{k}.to")
-        if deed.whom == EGO:
+        if deed.whom is not None:
             actor.ledger.take(f"{actor.path}.does.{k}.whom")
 
     def _of_deed(self, k: int, text: str, steps: Steps) -> str:
@@ -432,6 +395,8 @@ class Phases:
         changed = {Pace.GAINS: "FAST", Pace.LOSES: "SLOW"}.get(steps.pace)
         text = _renamed(text, changed, speed.name) if changed else text
         text = self._lasts(self._held(_renamed(text, "SPEED", speed.name or "SPEED"), speed), speed)
+        if deed.act is Act.REVERSE and deed.distance is not None:
+            text = _renamed(_renamed(text, "BACK", f"BACK_{k}"), "BACK_TIME", backs_by(actor, k))
         for amount, name in steps.binds.items():
             if (said := getattr(deed, amount)) is None or name in (changed, "SPEED"):
                 continue

@@ -17,6 +17,7 @@ from chatscene.maps.ring_ways import ROUND, ring_ways
 from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
 from chatscene.situations.check import COMES_OVER
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
@@ -129,13 +130,23 @@ def at_roundabout(situation: Situation) -> bool:
     return named or any(one.starts.where in _ROUND for one in situation.others)
 
 
-def rides_at_edge(one: Other) -> bool:
-    """Whether it is on two wheels without a motor: then beside the ego is at the edge of the ego's own lane."""
-    return (
-        one.kind.moves is Moves.RIDES
-        and not one.kind.row.body.row.motorised
-        and one.kind.row.body.acts_as.value == "bicycle"
-    )
+_TWO_WHEELS = (AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)
+_TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
+
+
+def rides_at_edge(one: Other, route: EgoRoute | None = None) -> bool:
+    """Whether it is on two wheels, and beside the ego at the edge of the ego's own lane.
+
+    Who has no motor always is; who has one is where the ego turns to that side, out of the lane at the edge.
+
+    Args:
+        one: Who.
+        route: The ego's.
+    """
+    if one.kind.moves is not Moves.RIDES or one.kind.row.body.acts_as not in _TWO_WHEELS:
+        return False
+    turned_to = route is not None and one.starts.side is not None and one.starts.side is _TO_SIDE.get(route)
+    return turned_to or not one.kind.row.body.row.motorised
 
 
 def arm_of(situation: Situation, one: Other, sides: dict[str, Side]) -> str:
@@ -337,7 +348,7 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
     lanes = [
         str(one.starts.side or sides[one.id])
         for one in others
-        if one.starts.where in NEXT_LANE and not rides_at_edge(one)
+        if one.starts.where in NEXT_LANE and not rides_at_edge(one, situation.ego.route)
     ]
     for name, edges in (("begins", BEGINS), ("ends", ENDS)):
         if (edge := edges.get(situation.ego.route)) is not None:
@@ -349,19 +360,22 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         base["lane"] = road.ego_lane
     if road.two_way is not None and not at_junction(situation):
         base["opposite"] = road.two_way
+    over: list[str] = []
     if not (lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
-        lanes = [str(side) for one in others if (side := _goes_over(one)) is not None]
+        over = [str(side) for one in others if (side := _goes_over(one)) is not None]
     sites = [SITES[one].value for one in road.has if one in SITES and not at_junction(situation)]
     if any(one.starts.where is Where.BUS_BAY for one in others) and not at_junction(situation):
         sites = [Site.BUS_BAY.value]
         base = base | {"site": Site.BUS_BAY.value}
     for here in (*(base | {"site": site} for site in sites), base):
-        yield from _on_road(situation, sides, here, lanes)
+        if over:
+            yield from _on_road(situation, sides, here, over)
+        yield from _on_road(situation, sides, here, lanes)  # who goes over then goes where others come
 
 
 _GOES_OVER = {
     Act.CUT_OUT: frozenset((Where.AHEAD,)),
-    Act.LANE_CHANGE: frozenset((Where.AHEAD,)),
+    Act.LANE_CHANGE: frozenset((Where.AHEAD, Where.BEHIND)),
     Act.OVERTAKE: frozenset((Where.BEHIND,)),
 }
 
@@ -400,7 +414,7 @@ def _at_junction(
 ) -> Iterator[dict[str, Any]]:
     road, others = situation.road, situation.others
     arms = [arm for one in others if (arm := arm_of(situation, one, sides))]
-    if any(rides_at_edge(one) and one.starts.where in NEXT_LANE for one in others):
+    if any(rides_at_edge(one, situation.ego.route) and one.starts.where in NEXT_LANE for one in others):
         arms.append("oncoming")  # an arm opposite, or there is no straight on
     query = base | {"place": PLACES.get(road.kind or RoadKind.JUNCTION, Place.JUNCTION).value}
     if (control := control_of(situation)) is not None and control in CONTROLS:

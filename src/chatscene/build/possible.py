@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from chatscene.situations.faults import Fault
-from chatscene.terms.situation import Other, Situation
+from chatscene.terms.situation import EGO, Deed, Other, Situation
 from chatscene.terms.vocabulary import Act, Where
 
 _NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
@@ -19,6 +19,7 @@ OFF_ROAD = frozenset(
 )
 _JOINS = frozenset((Where.ON_RAMP, Where.ROUNDABOUT_ENTRY))
 _AGAINST = frozenset((Where.ONCOMING,))
+_LANES = _NEXT_LANE | _AGAINST | {Where.AHEAD, Where.BEHIND, Where.ARM, Where.ONCOMING_IN_OUR_LANE}
 
 FROM: dict[Act, frozenset[Where]] = {
     Act.PULL_OUT: frozenset((Where.KERB, Where.DRIVEWAY, Where.BUS_BAY)),
@@ -30,14 +31,21 @@ FROM: dict[Act, frozenset[Where]] = {
     Act.KEEP_LEVEL: _NEXT_LANE,
     Act.CROSS: OFF_ROAD | {Where.ARM},
     Act.CUT_OUT: frozenset((Where.AHEAD,)),
-    Act.LANE_CHANGE: _NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ON_RAMP},
-    Act.TURN_LEFT: _NEXT_LANE | _AGAINST | {Where.ARM},
-    Act.TURN_RIGHT: _NEXT_LANE | _AGAINST | {Where.ARM},
+    Act.LANE_CHANGE: _NEXT_LANE | _AGAINST | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP},
+    Act.TURN_LEFT: _NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
+    Act.TURN_RIGHT: _NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
     Act.YIELD: _JOINS | _AGAINST | {Where.ARM},
     Act.TURN_BACK: OFF_ROAD | {Where.AHEAD, Where.ARM},
     Act.DRIFT: frozenset(Where) - OFF_ROAD - {Where.ONCOMING_IN_OUR_LANE},
 }
-"""Where an act can be begun from."""
+"""Where an act can be begun from; of one that is done to somebody, where it is done to the ego."""
+TO_ANOTHER: dict[Act, frozenset[Where]] = {
+    Act.OVERTAKE: _LANES,
+    Act.TAILGATE: _LANES,
+    Act.KEEP_LEVEL: _LANES,
+    Act.CUT_IN: _NEXT_LANE | _JOINS | _AGAINST,
+}
+"""Where from to somebody else."""
 COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
 """What only somebody can do who is outside the ego's lane."""
 _TURNED = frozenset((Act.U_TURN, Act.TURN_BACK, Act.TURN_LEFT, Act.TURN_RIGHT, Act.EXIT))
@@ -47,6 +55,8 @@ _GOES = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.CROSS, Act.ACCELERATE, Act
 _OFF = frozenset(
     (Act.SET_OFF, Act.GO_ALONG, Act.GO_STRAIGHT, Act.ACCELERATE, Act.REVERSE, Act.CROSS, Act.ENTER, Act.PULL_OUT)
 ) | {Act.TURN_LEFT, Act.TURN_RIGHT, Act.U_TURN, Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.TURN_BACK, Act.STAND}
+_WHERE_IT_STANDS = frozenset((Act.OPEN_DOOR, Act.FALL, Act.DROP_LOAD))
+"""What is done standing, too."""
 
 
 def impossible(situation: Situation) -> Iterator[Fault]:
@@ -56,19 +66,25 @@ def impossible(situation: Situation) -> Iterator[Fault]:
         stood = False
         for k, deed in enumerate(one.does):
             moved_away = any(other.act in FROM for other in one.does[:k])
-            if not moved_away and one.starts.where not in FROM.get(deed.act, frozenset(Where)):
+            if not moved_away and one.starts.where not in _from(deed):
                 yield Fault((f"{at}.{k}.act",), f"nobody who is {one.starts.where} can {deed.act}")
-            if stood and deed.act not in _OFF:
+            if stood and deed.act not in _OFF | _WHERE_IT_STANDS:
                 yield Fault((f"{at}.{k}.act",), f"who stands must set off before it can {deed.act}")
             if k and deed.act is Act.SET_OFF and one.does[k - 1].act not in _MAY_STAND:
                 yield Fault((f"{at}.{k}.act",), f"after {one.does[k - 1].act} it is under way, and cannot set-off")
             if stood and deed.act is Act.STAND and deed.time is not None and one.does[k - 1].time is not None:
                 yield Fault((f"{at}.{k}.time",), f"it stands already, for {one.does[k - 1].time}")
-            stood = deed.act in _STILL
+            stood = deed.act in _STILL or (stood and deed.act in _WHERE_IT_STANDS)
         yield from _comes_in_twice(one, at)
         for k, (before, after) in enumerate(pairwise(one.does), 1):
             if before.act in _TURNED and after.act not in _GOES:
                 yield Fault((f"{at}.{k}.act",), f"after {before.act} it is elsewhere, and cannot {after.act}")
+
+
+def _from(deed: Deed) -> frozenset[Where]:
+    """Where a deed can be begun from."""
+    rows = FROM if deed.whom in (None, EGO) else FROM | TO_ANOTHER
+    return rows.get(deed.act, frozenset(Where))
 
 
 def _comes_in_twice(one: Other, at: str) -> Iterator[Fault]:

@@ -3,195 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from enum import StrEnum
+from dataclasses import replace
 
-from chatscene.build.coming import Coming
-from chatscene.build.numbers import Numbers
-from chatscene.build.place import (
-    Found,
-    arm_of,
-    at_junction,
-    at_roundabout,
-    beside_lane,
-    from_left,
-    rides_at_edge,
-    ring_arms,
-    way_of,
-)
+from chatscene.build.asked import Asked, Meets, Stand
+from chatscene.build.facing import faces, slanting, turned
+from chatscene.build.place import arm_of, at_junction, at_roundabout, beside_lane, from_left, ring_arms, way_of
 from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import CrossingPath
 from chatscene.maps.ring_ways import ROUND
-from chatscene.terms.actors import Manner as Moves
-from chatscene.terms.routing import BEGINS
-from chatscene.terms.scenario import Maneuver
-from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Side, Striker, Where
 from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
+BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
 _EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
-
-
-class Meets(StrEnum):
-    """How somebody comes to meet the ego: what its deeds are made of, and when the first is due."""
-
-    ALONG = "along"  # goes the ego's way
-    TOWARD = "toward"  # comes against it
-    THROUGH = "through"  # comes through a junction
-    ACROSS = "across"  # heads over the road
-    KERB = "kerb"  # stands at the kerb
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Stand:
-    """Where somebody stands at first. In texts ``{i}`` is its name, ``$NAME`` a parameter of it.
-
-    Attributes:
-        meets: How it comes to meet the ego.
-        way: The line it goes along.
-        at: Arc length [m] on that.
-        aside: How far [m] to the left of it.
-        point: Where it is instead of on its way.
-        facing: Which way it faces there.
-        lines: What is named before.
-        ego_meets: Arc length [m] on the ego's route where they would meet.
-        left: How far [m] it has to there.
-        behind: Whether it is behind the ego.
-        faces: Whether it faces as was said.
-        anywhere: Whether ``$Y`` is how far along the ego's route it is, which may be any number.
-        rolls: Whether it comes driving from the first, so that it is there in time without waiting.
-    """
-
-    meets: Meets
-    way: str = "egoRoute"
-    at: str = ""
-    aside: float = 0.0
-    point: str = ""
-    facing: str = ""
-    lines: tuple[str, ...] = ()
-    ego_meets: str = "egoRoute.eventAt"
-    left: str = "0"
-    behind: bool = False
-    faces: bool = False
-    anywhere: bool = False
-    rolls: bool = False
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Asked:
-    """Of whom a start is asked.
-
-    Attributes:
-        situation: What was said.
-        found: Where it happens.
-        one: Who.
-        numbers: Its parameters.
-        ego: How the ego gets on.
-        room: How far [m] beyond the first of its place it stands, where others stand there already.
-        first: Where that stands.
-    """
-
-    situation: Situation
-    found: Found
-    one: Other
-    numbers: Numbers
-    ego: Coming
-    room: float = 0.0
-    first: Stand | None = None
-
-    @property
-    def walks(self) -> bool:
-        """Whether it is on foot."""
-        return self.one.kind.moves is Moves.WALKS
-
-    @property
-    def rides(self) -> bool:
-        """Whether it is on a bicycle or the like, which keeps to the edge."""
-        return rides_at_edge(self.one)
-
-    @property
-    def stands(self) -> bool:
-        """Whether it stands at first."""
-        return stands_first(self.one)
-
-    @property
-    def rolls(self) -> bool:
-        """Whether it comes driving from the first: nothing has it wait, and it is known when the ego comes."""
-        first = self.one.does[0] if self.one.does else None
-        waits = first is not None and first.when is not None and first.act.row.lasting
-        in_row = self.first is not None and not self.first.rolls
-        return not (self.stands or waits or in_row or self.one.hidden_by) and self.ego.late is not None
-
-    @property
-    def comes(self) -> bool:
-        """Whether it rolls, and does nothing before its last deed that takes it longer to where it meets the ego.
-
-        Who gains or loses speed on its way is timed from a stand, by when it must set off.
-        """
-        return self.rolls and all(deed.act.row.lasting for deed in self.one.does[:-1])
-
-    def way_back(self, meets: str, own: str) -> str:
-        """How far [m] it has to where it meets the ego, if it is there in time, by where that is on the ego's way."""
-        return f"{own}$SPEED * ({self.ego.seconds(meets)} - $OFFSET)"
-
-    @property
-    def side(self) -> str:
-        """Its side of the ego."""
-        return str(self.one.starts.side)
-
-    @property
-    def begins_beside(self) -> bool:
-        """Whether the ego comes into its lane from beside it, so that who comes along there comes from its left."""
-        return self.situation.ego.route in BEGINS
-
-    @property
-    def lane(self) -> str:
-        """The way of traffic before and behind the ego: its route, or the lane that it leaves."""
-        return "ownLane(egoRoute)" if beside_lane(self.situation) else "ownWay(egoRoute)"
-
-    @property
-    def swings_out(self) -> bool:
-        """Whether the ego's way swings out round something."""
-        return self.found.query["maneuver"] == Maneuver.BYPASS
-
-    def ahead(self, low: float, high: float) -> None:
-        """From where to where [m] ahead it may be, if that was not said: farther where the ego comes faster."""
-        self.reach(low * self.found.further, high * self.found.further)
-
-    def reach(self, low: float, high: float, meaning: str = "how far ahead of the ego it is") -> None:
-        """From where to where [m] it may be, if that was not said."""
-        if (said := self.one.starts.distance) is not None:
-            low, high = said.within(low, max(high, said.low)) if not said.exact else (said.low, said.low)
-        path = f"others.{self.one.id}.starts.distance" if said is not None else ""
-        self.numbers.measure("Y", low, max(low, high), "m", meaning, path)
-
-    @property
-    def more(self) -> str:
-        """The room that is added to a place ahead."""
-        return f" + {self.room:g}" if self.room else ""
-
-    @property
-    def less(self) -> str:
-        """The room that is taken off a place behind."""
-        return f" - {self.room:g}" if self.room else ""
-
-
-def stands_first(one: Other) -> bool:
-    """Whether somebody stands when it begins."""
-    first = one.does[0].act if one.does else None
-    still = one.starts.speed is not None and one.starts.speed.high <= 0.0
-    return still or first in (Act.STAND, Act.SET_OFF, Act.PULL_OUT) or one.kind.moves is Moves.LIES
-
-
-def _faces(asked: Asked, there: str, usual: Facing, side: str) -> str:
-    """Which way somebody faces, level with a place on the ego's route; from a side, where it faces across."""
-    match asked.one.starts.facing or usual:
-        case Facing.ALONG:
-            return f"directionOn(egoRoute, {there})"
-        case Facing.AGAINST:
-            return f"directionOn(egoRoute, {there}, 3.14159)"
-        case Facing.ACROSS:
-            return f'crossingDirection(egoRoute, {there}, "{side}")'
 
 
 def _ahead(asked: Asked) -> Stand:
@@ -201,7 +25,7 @@ def _ahead(asked: Asked) -> Stand:
         return Stand(
             meets=Meets.ACROSS,
             point=f"pointOn(egoRoute, {there})",
-            facing=_faces(asked, there, Facing.ALONG, Side.RIGHT),
+            facing=faces(asked, there, Facing.ALONG, Side.RIGHT),
             ego_meets="progressOn(egoRoute, self)[0]",
             faces=True,
             anywhere=True,
@@ -213,14 +37,16 @@ def _ahead(asked: Asked) -> Stand:
     if asked.swings_out:  # who is passed while it goes: it is there when the ego is
         asked.ahead(22, 30)
         return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"$Y{asked.more}", aside=aside)
-    asked.ahead(*((38, 56) if asked.stands else (11, 19)))
-    return Stand(meets=Meets.ALONG, way=asked.lane, at=f"$Y{asked.more}", aside=aside, anywhere=asked.stands)
+    far = asked.stands and not asked.ego.stands  # so that it has done what it does when the ego is there
+    asked.ahead(*((38, 56) if far else (11, 19)))
+    return Stand(meets=Meets.ALONG, way=asked.lane, at=f"$Y{asked.more}", aside=aside, anywhere=far)
 
 
 def _behind(asked: Asked) -> Stand:
     if asked.begins_beside:
         return _comes_along(asked)
-    asked.reach(9, 17, "how far behind the ego it is")
+    low, high = (28.0, 45.0) if asked.ego.stands and not asked.stands else (9.0, 17.0)
+    asked.reach(low, high, "how far behind the ego it is")
     way = "ownLane(egoRoute)" if beside_lane(asked.situation) else "egoRoute"
     return Stand(meets=Meets.ALONG, way=f"extended({way}, 80)", at=f"80 - $Y{asked.less}", behind=True)
 
@@ -245,6 +71,10 @@ def _comes_along(asked: Asked) -> Stand:
     )
 
 
+BESIDE_TO_STRIKE = {Striker.EGO: (2.5, 5.0), Striker.OTHER: (-2.5, 0.8)}
+"""How far [m] ahead of the ego somebody beside it is who comes over, by who runs into whom."""
+
+
 def _next_lane(asked: Asked) -> Stand:
     if asked.begins_beside:
         if asked.one.starts.where is Where.BEHIND_BESIDE:
@@ -254,6 +84,12 @@ def _next_lane(asked: Asked) -> Stand:
         )
     where, back = asked.one.starts.where, asked.one.starts.where is Where.BEHIND_BESIDE
     low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
+    contact = asked.situation.contact
+    strikes = contact is not None and contact.happens and contact.whom in (None, asked.one.id)
+    if where is Where.BESIDE and strikes and contact is not None and contact.striker is not None:
+        low, high = BESIDE_TO_STRIKE[contact.striker]
+    if where is Where.BESIDE and any(deed.act is Act.OVERTAKE for deed in asked.one.does[:1]):
+        low, high = -5.0, -0.5  # not yet ahead of it
     if asked.stands and where is Where.AHEAD_BESIDE:
         low, high = 38.0 * asked.found.further, 56.0 * asked.found.further
     asked.reach(low, high, "how far behind the ego it is" if back else "how far ahead of the ego it is")
@@ -387,17 +223,22 @@ def _beside_road(asked: Asked) -> Stand:
     point = f'besideRoad(egoRoute, {there}, "{asked.side}", $X)'
     if rolls := asked.comes and asked.one.starts.speed is not None and asked.one.starts.facing in (None, Facing.ACROSS):
         point = f'asideOf(egoRoute, {there}, "{asked.side}", {asked.way_back(there, "1 + ")})'
-    return Stand(
+    away = ""
+    if asked.backs:
+        asked.numbers.narrow("SPEED", *BACKS)
+        away = " + 3.14159"
+    stand = Stand(
         meets=Meets.ACROSS,
         point=point,
         rolls=rolls,
-        facing=_faces(asked, there, Facing.ACROSS, asked.side),
+        facing=faces(asked, there, Facing.ACROSS, asked.side) + away,
         faces=True,
         lines=(f"level{{i}} = {level}",),
         ego_meets="progressOn(egoRoute, self)[0]",
         left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
         anywhere=level.startswith("shortOf"),
     )
+    return stand if rolls else slanting(asked, stand, asked.side)
 
 
 def _kerb(asked: Asked) -> Stand:
@@ -421,12 +262,18 @@ def _kerb(asked: Asked) -> Stand:
 
 def _bus_bay(asked: Asked) -> Stand:
     """In a bay beside the lane, some way into it."""
-    asked.reach(6, 14, "how far into the bay it is")
+    if (said := asked.one.starts.distance) is not None:
+        begins = asked.found.route.eventAt
+        if said.high < begins:
+            raise NotBuilt(f"others.{asked.one.id}.starts.distance: {said}: the bay begins {begins:.0f} m ahead")
+        asked.reach(begins, begins + 14)
+    else:
+        asked.reach(6, 14, "how far into the bay it is")
     edge = 'besideRoad(egoRoute, egoRoute.eventAt + 10, "right", 1.6)'
     return Stand(
         meets=Meets.KERB,
         way=f"ownLane(egoRoute).offset(ownLane(egoRoute).project(*{edge}.coordinates[:2])[1])",
-        at=f"egoRoute.eventAt + $Y{asked.more}",
+        at=f"{'egoRoute.eventAt + ' if said is None else ''}$Y{asked.more}",
         ego_meets="progressOn(egoRoute, self)[0]",
     )
 
@@ -438,7 +285,7 @@ def _exit(asked: Asked) -> Stand:
 
 def _median(asked: Asked) -> Stand:
     asked.ahead(34, 50)
-    return Stand(
+    stand = Stand(
         meets=Meets.ACROSS,
         point=f"pointOn(egoRoute, $Y{asked.more}, 1.9)",
         facing=f'crossingDirection(egoRoute, $Y{asked.more}, "left")',
@@ -446,6 +293,7 @@ def _median(asked: Asked) -> Stand:
         left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
         anywhere=True,
     )
+    return slanting(asked, stand, Side.LEFT)
 
 
 def _on_ramp(asked: Asked) -> Stand:
@@ -500,4 +348,4 @@ def start_of(asked: Asked) -> Stand:
     if where not in STARTS:
         near = f"; the nearest is {NEAREST[where]}" if where in NEAREST else ""
         raise NotBuilt(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}{near}")
-    return STARTS[where](asked)
+    return turned(asked, STARTS[where](asked))

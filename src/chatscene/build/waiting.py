@@ -3,24 +3,60 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from chatscene.build.naming import name_of
+from chatscene.build.numbers import Numbers
+from chatscene.build.place import NEXT_LANE
 from chatscene.errors import NotBuilt
-from chatscene.terms.situation import EGO, When
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.situation import EGO, Deed, When
+from chatscene.terms.vocabulary import Act, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 _QUIET = frozenset((Act.STAND, Act.STOP))
-_SEEN = {
-    Act.STOP: "{who}.pose[3] < 0.1",
-    Act.STAND: "{who}.pose[3] < 0.1",
-    Act.BRAKE: "{who}.pose[3] < 3",
-    Act.SET_OFF: "{who}.pose[3] > 0.5",
+
+
+@dataclass(frozen=True, slots=True)
+class Sign:
+    """What is seen of a deed of somebody else, so that a plan can wait for it.
+
+    In texts ``{who}`` is who does it, ``{whom}`` to whom, ``{usual}`` the speed [m/s] that it has before.
+
+    Attributes:
+        begun: What is seen once it is under way.
+        done: What is seen once it was done; empty for the same.
+    """
+
+    begun: str
+    done: str = ""
+
+
+_IN = Sign("abs(offsetFrom(egoRoute, {who})) < 2.4", "abs(offsetFrom(egoRoute, {who})) < 1.3")
+_ASIDE = Sign("abs(offsetFrom(way{who}, {who})) > 0.6", "abs(offsetFrom(way{who}, {who})) > 0.9")
+_OVER = Sign("abs(offsetFrom(egoRoute, {who})) > 0.8", "abs(offsetFrom(egoRoute, {who})) > 2.2")
+_NEAR = "(ego.length + {who}.length) / 2"
+_STANDS = Sign("{who}.pose[3] < 0.1")
+SIGNS: dict[Act, Sign] = {
+    **dict.fromkeys((Act.STOP, Act.STAND, Act.YIELD, Act.PARK), _STANDS),
+    Act.BRAKE: Sign("{who}.pose[3] < 0.8 * {usual}", "{who}.pose[3] < 0.4 * {usual}"),
+    Act.SLOW_DOWN: Sign("{who}.pose[3] < 0.85 * {usual}", "{who}.pose[3] < 0.65 * {usual}"),
+    Act.HESITATE: Sign("{who}.pose[3] < 0.5"),
+    Act.ACCELERATE: Sign("{who}.pose[3] > {usual} + 0.5", "{who}.pose[3] > {usual} + 1.5"),
+    Act.REVERSE: Sign("{who}.pose[3] < -0.3"),
+    **dict.fromkeys((Act.SET_OFF, Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW), Sign("{who}.pose[3] > 0.5")),
+    **dict.fromkeys((Act.CROSS, Act.ENTER, Act.PULL_OUT, Act.CUT_IN, Act.MERGE, Act.TURN_LEFT, Act.TURN_RIGHT), _IN),
+    **dict.fromkeys((Act.SWERVE, Act.DRIFT, Act.WEAVE), _ASIDE),
+    Act.CUT_OUT: _OVER,
+    Act.OVERTAKE: Sign(
+        f"headway(egoRoute, {{whom}}, {{who}}) > -{_NEAR} - 3", f"headway(egoRoute, {{whom}}, {{who}}) > {_NEAR}"
+    ),
+    **dict.fromkeys((Act.TAILGATE, Act.KEEP_LEVEL), Sign(f"gap({{whom}}, {{who}}) < {_NEAR} + 8")),
 }
-"""Deeds of somebody else that a plan can wait for, by what is seen of them."""
+"""Deeds of somebody else, or of the ego, that a plan can wait for."""
+_COMES_FROM_AHEAD = (Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE)
 
 
 def when_of(actor: Actor, k: int, when: When, meanwhile: str) -> Iterator[str]:
@@ -61,12 +97,40 @@ def _seen(actor: Actor, k: int, name: str, reference: str) -> str:
     deed = situation.deed(reference)
     at = f"{actor.path}.does.{k}.when.{name}"
     if who == actor.one.id:
-        if name == "after" and any(deed is earlier for earlier in actor.deeds[:k]):
-            return ""  # its own deeds come one after the other
+        if any(deed is earlier for earlier in actor.deeds[:k]):
+            return ""  # its own deeds come one after the other, each while the one before is under way
         raise NotBuilt(f"nothing builds yet: {at}: {reference}, of its own")
-    if who == EGO and name == "during" and deed.act.row.lasting and len(situation.ego.does) == 1:
-        return ""  # what the ego does all the time
-    if deed.act not in _SEEN:
+    does = situation.does(who)
+    if name == "during" and deed.act.row.lasting and deed is does[0] and deed.act is not Act.TAILGATE:
+        return ""  # what it does from the beginning
+    sign = _sign_of(actor, who, deed)
+    if sign is None:
         raise NotBuilt(f"nothing builds yet: {at}: {reference}, which is {deed.act}")
-    seen = _SEEN[deed.act].format(who=who if who == EGO else name_of(who))
-    return f"{seen} and progressOn(egoRoute, ego)[0] > 4" if who == EGO and deed.act in _QUIET else seen
+    called, whom = (one if one == EGO else name_of(one) for one in (who, deed.whom or EGO))
+    text = (sign.begun if name == "during" else sign.done or sign.begun).format(
+        who=called, whom=whom, usual=f"{_usual(actor, who):.3g}"
+    )
+    return f"{text} and progressOn(egoRoute, ego)[0] > 4" if who == EGO and deed.act in _QUIET else text
+
+
+def _sign_of(actor: Actor, who: str, deed: Deed) -> Sign | None:
+    """What is seen of a deed; None where it cannot be told from what goes before."""
+    if who == EGO:
+        return SIGNS[deed.act] if "offset" not in SIGNS.get(deed.act, _IN).begun else None
+    where = actor.ledger.situation[who].starts.where
+    if deed.act in (Act.OVERTAKE, Act.LANE_CHANGE):
+        if where in _COMES_FROM_AHEAD or (deed.act is Act.LANE_CHANGE and where in NEXT_LANE):
+            return _IN
+        return _OVER if deed.act is Act.LANE_CHANGE else SIGNS[deed.act]
+    return SIGNS.get(deed.act)
+
+
+def _usual(actor: Actor, who: str) -> float:
+    """About how fast [m/s] somebody is before its first deed."""
+    if who == EGO:
+        return actor.ego_speed
+    one = actor.ledger.situation[who]
+    if (said := one.starts.speed) is not None and not said.than_ego and said.low > 0.0:
+        return said.low
+    motorised = one.kind.row.body.row.motorised
+    return actor.ego_speed if motorised else Numbers(who, one.kind.row.body.row).middle("SPEED")

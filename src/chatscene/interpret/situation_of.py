@@ -170,9 +170,9 @@ ACTS: dict[Action, Act] = {
     Action.RUN_LIGHT: Act.GO_STRAIGHT,
 }
 """What each act of the reader is."""
-MANNERS = {Action.SLOW: Manner.SLOW, Action.FAST: Manner.FAST}
+MANNERS = {Action.DIAGONAL: Manner.SLANTING, Action.SLOW: Manner.SLOW, Action.FAST: Manner.FAST}
 _ALONG = (Act.GO_ALONG, Act.GO_STRAIGHT)
-_ALL_ALONG = frozenset((*MANNERS, Action.RUN_LIGHT, Action.FOLLOW, Action.ONCOMING, Action.WRONG_WAY, Action.DIAGONAL))
+_ALL_ALONG = frozenset((*MANNERS, Action.RUN_LIGHT, Action.FOLLOW, Action.ONCOMING, Action.WRONG_WAY))
 """Acts that say how or where another is done, if there is another."""
 
 _OF_ACTS = re.compile(r"^others\..*\.does$")
@@ -206,8 +206,7 @@ def situation_of(scenario: Scenario) -> Told:
     made = in_a_situation(slots, numbers, scenario.surroundings)
     left_out = [f"{one}: nothing in a situation is measured so" for one in (frame.shifts if frame is not None else ())]
     left_out += [f"{one}: nobody does what it measures" for one in numbers if not _is_set(made.others[0], one)]
-    if Action.DIAGONAL in slots.actions:
-        left_out.append("at a slant: whoever crosses goes straight over")
+    left_out += [f"{MANNERS[act]}: a deed has one manner" for act in _manners(slots)[1:]]
     left_out += [f"{one}: more others than are read" for one in slots.others[len(BESIDE) :]]
     words = tuple(_told_of(scenario))
     touch = " ".join(word.text for word, _ in words if word.fact == CONTACT)
@@ -368,10 +367,10 @@ def _deeds(slots: Slots, start: Start) -> tuple[Deed, ...]:
     """What somebody does, in order."""
     said = [act for act in slots.actions if act not in _ALL_ALONG]
     said = [act for act, after in zip(said, [*said[1:], None], strict=False) if (act, after) not in _BEGINS]
-    manner = next((MANNERS[act] for act in slots.actions if act in MANNERS), None)
+    manner = next((MANNERS[act] for act in _manners(slots)), None)
     runs = Action.RUN_LIGHT in slots.actions
     if not said:
-        said = [next((act for act in slots.actions), Action.FOLLOW)]
+        said = [Action.DIAGONAL if Action.DIAGONAL in slots.actions else next(iter(slots.actions), Action.FOLLOW)]
     deeds = [_deed(act, slots, start) for act in dict.fromkeys(said)]
     if manner is not None:
         at = next((i for i, one in enumerate(deeds) if one.act is not Act.STAND), 0)
@@ -384,6 +383,11 @@ def _deeds(slots: Slots, start: Start) -> tuple[Deed, ...]:
         else:
             deeds[at] = replace(deeds[at], breaks=Breach.RED_LIGHT)
     return tuple(deeds)
+
+
+def _manners(slots: Slots) -> list[Action]:
+    """The acts that say how another is done, that which is told first."""
+    return [act for act in MANNERS if act in slots.actions]
 
 
 _BEGINS = ((Action.BRAKE, Action.STOP), (Action.CHANGE_LANE, Action.CUT_IN))

@@ -31,6 +31,7 @@ GAINING = 30  # [steps] within which who accelerates gains `GAIN`
 TURNED = math.radians(45)
 TURNED_MIDWAY = math.radians(25)  # of a vehicle that ends up standing in its turn
 TURNING = math.radians(10)  # by now it is turning
+CLOSE = 0.5  # [s] behind somebody, who is fast: much less than the 1 s of a driver who is wide awake
 HALT = 4  # [steps] of standing
 PAUSE = 3  # [steps]
 PARTLY = 0.7  # [m] from the middle of a lane: who stands there leaves a part of it free
@@ -183,7 +184,7 @@ def _reverses(s: Seen) -> Iterator[Act]:
 # Going aside, in and across
 
 
-def _comes_in(aside: Array, *, outside: float, there: NDArray[Any], dt: float) -> Iterator[Act]:
+def comes_in(aside: Array, *, outside: float, there: NDArray[Any], dt: float) -> Iterator[Act]:
     """Every time it sets out from beside a line toward it, until it is there; under way once it is 0.3 m nearer."""
     away = np.abs(aside)
     nearer = -np.diff(away, prepend=away[:1]) > 0.05 * dt
@@ -203,16 +204,16 @@ def _before_ego(s: Seen) -> NDArray[Any]:
 
 
 def _crosses(s: Seen) -> Iterator[Act]:
-    return _comes_in(s.offset, outside=1.4, there=_before_ego(s) & (np.abs(s.offset) < 1.3), dt=s.dt)
+    return comes_in(s.offset, outside=1.4, there=_before_ego(s) & (np.abs(s.offset) < 1.3), dt=s.dt)
 
 
 def _pulls_out(s: Seen) -> Iterator[Act]:
     if _speed(s)[0] < STANDING:
-        yield from _comes_in(s.offset, outside=1.6, there=_before_ego(s) & (np.abs(s.offset) < 1.3), dt=s.dt)
+        yield from comes_in(s.offset, outside=1.6, there=_before_ego(s) & (np.abs(s.offset) < 1.3), dt=s.dt)
 
 
 def _cuts_in(s: Seen) -> Iterator[Act]:
-    return _comes_in(s.across, outside=1.9, there=np.abs(s.across) < 1.3, dt=s.dt)
+    return comes_in(s.across, outside=1.9, there=np.abs(s.across) < 1.3, dt=s.dt)
 
 
 def _turns_back(s: Seen) -> Iterator[Act]:
@@ -296,7 +297,8 @@ def _overtakes(s: Seen) -> Iterator[Act]:
 
 def _tailgates(s: Seen) -> Iterator[Act]:
     between = -s.lead - (s.ego.length + s.track.length) / 2
-    close = (s.lead < 0.0) & (between < 8.0) & (np.abs(s.offset) < 1.3) & (s.ego.speed > 1.0) & (_speed(s) > 1.0)
+    near = between < np.maximum(8.0, CLOSE * s.ego.speed)
+    close = (s.lead < 0.0) & near & (np.abs(s.offset) < 1.3) & (s.ego.speed > 1.0) & (_speed(s) > 1.0)
     return _lasting(close, 15)
 
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, Act
+from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, Act, comes_in
 from chatscene.program.watching import Seen
 from chatscene.terms.actors import BY_CLASS, AdversaryKind
 from chatscene.terms.acts import Action
@@ -162,9 +162,17 @@ def _drifts(s: Seen) -> Iterable[Act]:
         yield Act(int(near[-1]) if near.size else 0, done)
 
 
+def _cuts_in(s: Seen) -> Iterable[Act]:
+    """It comes into the lane that the ego was in at first, or on a road that bends into that of its route."""
+    found = tuple(ACTIONS[Action.CUT_IN](s))
+    yield from found
+    if all(once.done is None for once in found):
+        yield from comes_in(s.offset, outside=1.9, there=np.abs(s.offset) < 1.3, dt=s.dt)
+
+
 def _any_change(s: Seen) -> Iterable[Act]:
     yield from ACTIONS[Action.CHANGE_LANE](s)
-    yield from ACTIONS[Action.CUT_IN](s)
+    yield from _cuts_in(s)
 
 
 ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
@@ -186,7 +194,7 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.HESITATE: ACTIONS[Action.HESITATE],
     Said.REVERSE: ACTIONS[Action.REVERSE],
     Said.PULL_OUT: ACTIONS[Action.PULL_OUT],
-    Said.CUT_IN: ACTIONS[Action.CUT_IN],
+    Said.CUT_IN: _cuts_in,
     Said.LANE_CHANGE: _any_change,
     Said.CUT_OUT: ACTIONS[Action.CHANGE_LANE],
     Said.MERGE: _any_change,
@@ -201,5 +209,37 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.YIELD: ACTIONS[Action.STOP],
 }
 """When somebody is seen to do something; for those that are not here, no track tells."""
+FOLLOWS = 40.0  # [m] behind somebody: who is farther does not follow
+
+
+def _follows(s: Seen) -> Iterator[Act]:
+    """It goes behind somebody for a while."""
+    behind = (s.lead < 0.0) & (s.lead > -FOLLOWS) & (_speed(s) > STANDING)
+    run = np.flatnonzero(behind)
+    if run.size >= FOLLOWED:
+        yield Act(int(run[0]), int(run[FOLLOWED - 1]))
+
+
+FOLLOWED = 15  # [steps]
+TO_SOMEBODY: dict[Said, Callable[[Seen], Iterable[Act]]] = {
+    Said.FOLLOW: _follows,
+    Said.TAILGATE: ACTIONS[Action.TAILGATE],
+    Said.KEEP_LEVEL: ACTIONS[Action.PACE],
+    Said.OVERTAKE: ACTIONS[Action.OVERTAKE],
+}
+"""What is done to another than the ego, seen with that one in the place of the ego."""
+
+
+def gone_back(s: Seen, once: Act) -> Array:
+    """(1,) [m], how far somebody backs up since a deed began."""
+    return -s.track.speed[once.began :].clip(max=0.0).sum(keepdims=True) * s.dt
+
+
+def room_left(s: Seen, once: Act) -> Array:
+    """(T,) [m], the room between the ego and who comes in before it, about when it is there."""
+    done = once.done or 0
+    return s.lead[done : done + HALT] - (s.ego.length + s.track.length) / 2
+
+
 COMES_IN = frozenset((Said.CROSS, Said.ENTER, Said.PULL_OUT))
 """What is done by whoever is outside the ego's lane and comes into it: begun before, and done when it is in."""

@@ -8,14 +8,24 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
 
 from chatscene.program.deeds import ACTIONS, MOVING, STANDING, Act
-from chatscene.program.doing import ACTS, COMES_IN, accelerates, enters, since, standing
+from chatscene.program.doing import (
+    ACTS,
+    COMES_IN,
+    TO_SOMEBODY,
+    accelerates,
+    enters,
+    gone_back,
+    room_left,
+    since,
+    standing,
+)
 from chatscene.program.meaning import (
     EGO_STATES,
     POSITIONS,
@@ -29,16 +39,18 @@ from chatscene.program.watching import Seen, watch
 from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Amount, Duration
-from chatscene.terms.episode import Array, Episode, Track
+from chatscene.terms.episode import Array, Episode, Track, contact_point
 from chatscene.terms.route import Route
 from chatscene.terms.routing import CONTROLS, PLACES
 from chatscene.terms.scenario import EgoState, Maneuver, Position
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation, When
 from chatscene.terms.vocabulary import Act as Said
-from chatscene.terms.vocabulary import Breach, EgoRoute, Part, RoadKind, Side, Striker, Where
+from chatscene.terms.vocabulary import Breach, EgoRoute, Manner, Part, RoadKind, Side, Striker, Where
 
 SLACK = 0.15  # of a number that was said: what a watcher does not see
 SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
+BACK_SLACK = 0.7  # [m]
+NOSE = 0.5  # [m] behind the foremost point of somebody that are its nose
 OVER = 5  # [steps] over which a deceleration is seen
 
 
@@ -170,7 +182,7 @@ class _Judge:
         for k, deed in enumerate(ego.does):
             yield from self._of_ego(f"ego.does.{k}.act", deed, speed)
         done: dict[str, Act] = {}
-        for one in self.situation.others:
+        for one in sorted(self.situation.others, key=_waits_for_others):  # who is waited for first
             yield from self._of_other(one, done)
         for path, when, once, seen in self.waits:  # once it is known when everybody did what
             yield from self._when(path, when, once, seen, done)
@@ -205,15 +217,16 @@ class _Judge:
             off = bool(still.size and (speed[still[0] :] > MOVING).any())
             yield Finding(path=path, shown=off or None, told=f"said set-off, {course}")
         elif deed.act in _EGO_ACTS:
-            yield Finding(
-                path=path, shown=EGO_STATES[_EGO_ACTS[deed.act]](speed, dt), told=f"said {deed.act}, {course}"
-            )
+            state = _EGO_ACTS[deed.act]
+            if deed.act is Said.BRAKE and (deed.speed is not None or deed.time is not None):
+                state = EgoState.SLOWS_DOWN  # as much as was said, which may be less than half
+            yield Finding(path=path, shown=EGO_STATES[state](speed, dt), told=f"said {deed.act}, {course}")
 
     # Somebody else
 
     def _of_other(self, one: Other, done: dict[str, Act]) -> Iterator[Finding]:
         at = f"others.{one.id}"
-        tracks = [t for t in self.episode.tracks if re.fullmatch(rf"{re.escape(one.id)}(-\d+)?", t.actor)]
+        tracks = self._tracks(one.id)
         if not tracks:
             yield Finding(path=f"{at}.kind", shown=False, told=f"there is no {one.id}")
             return
@@ -256,8 +269,7 @@ class _Judge:
     def _hidden(self, by: str, seen: Seen) -> bool:
         moved = np.hypot(seen.track.x - seen.track.x[0], seen.track.y - seen.track.y[0])
         steps = np.flatnonzero(moved < 1.0)[::3].tolist()
-        things = [t for t in self.episode.tracks if re.fullmatch(rf"{re.escape(by)}(-\d+)?", t.actor)]
-        return any(in_between(thing, seen.ego, seen.track, step) for thing in things for step in steps)
+        return any(in_between(thing, seen.ego, seen.track, step) for thing in self._tracks(by) for step in steps)
 
     def _deeds(self, one: Other, at: str, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
         latest, before, mine = 0, "", list[Act]()
@@ -275,7 +287,7 @@ class _Judge:
                     told = f"said {before}, then {act}, but it does it the other way round"
                 yield Finding(path=f"{path}.act", shown=False, told=told)
                 continue
-            once = self._fitting(path, deed, after, seen)
+            once = self._fitting(path, deed, [one for one in after if _due(deed, one, done, seen)] or after, seen)
             mine.append(once)  # one time seen is one deed
             done[f"{one.id}.{k}"] = once
             done.setdefault(f"{one.id}.{act}", once)
@@ -287,6 +299,9 @@ class _Judge:
                 right = (left > 0) == (deed.to is Side.LEFT)
                 yield Finding(path=f"{path}.to", shown=right, told=f"said {deed.to}, it goes to the {_side(left)}")
             yield from self._amounts(path, deed, once, seen)
+            if deed.manner is Manner.SLANTING:
+                slants = any(True for _ in ACTIONS[Action.DIAGONAL](seen))
+                yield Finding(path=f"{path}.manner", shown=slants, told="said slanting, it goes straight over")
             if deed.breaks is Breach.RED_LIGHT:
                 ran = any(True for _ in ACTIONS[Action.RUN_LIGHT](seen))
                 yield Finding(
@@ -299,16 +314,29 @@ class _Judge:
 
     def _seen(self, one: Other, k: int, seen: Seen, latest: int) -> Iterator[Act]:
         """The times that a deed is seen, of which some began before another did that was said before it."""
-        act = one.does[k].act
+        act, whom = one.does[k].act, one.does[k].whom
+        meets = act is Said.OVERTAKE and one.starts.where is Where.ONCOMING  # it comes over, and is met
+        if whom not in (None, EGO) and act in TO_SOMEBODY and not meets:
+            yield from (once for once in TO_SOMEBODY[act](self._beside(one, whom)) if self._counts(once, seen))
+            return
         stands = act is Said.STAND and k > 0
         sees = standing if stands else ACTS[act]
-        if act is Said.OVERTAKE and one.starts.where is Where.ONCOMING:
+        if meets:
             sees = enters
         if act is Said.ACCELERATE and (speed := one.does[k].speed) is not None and not speed.than_ego:
             sees = partial(accelerates, to=speed.high)
         for once in sees(seen):
             if self._counts(once, seen):
                 yield since(once, latest, seen, stands=stands) if stands or act in COMES_IN else once
+
+    def _beside(self, one: Other, whom: str) -> Seen:
+        """Somebody as who is done something to sees it, in the place of the ego."""
+        mine, theirs = (self._tracks(name)[0] for name in (one.id, whom))
+        return watch(self.episode, self.route, mine, self.contact, of=theirs)
+
+    def _tracks(self, name: str) -> list[Track]:
+        """The tracks of somebody, or of all of several."""
+        return [track for track in self.episode.tracks if re.fullmatch(rf"{re.escape(name)}(-\d+)?", track.actor)]
 
     def _fitting(self, path: str, deed: Deed, times: list[Act], seen: Seen) -> Act:
         """The first time that is seen with all numbers that were said, or the first of all."""
@@ -333,6 +361,9 @@ class _Judge:
                 SLACK_SPEED,
                 "changes speed by",
             )
+        if (distance := _way_of(deed, once, seen)) is not None:
+            path_of, said, found, slack = distance
+            yield self._number(f"{path}.{path_of}", said, found, slack, "leaves")
         if deed.time is not None and deed.act in (Said.STOP, Said.STAND, Said.HESITATE):
             first, end = _stands(seen, once)
             found = self._number(
@@ -350,7 +381,8 @@ class _Judge:
             if other is None:
                 continue  # which has a finding of its own
             right = once.began >= other.began - slack
-            if name == "during" and other.done is not None:
+            lasts = reference.partition(".")[0] == path.split(".")[1] or self.situation.deed(reference).act.row.lasting
+            if name == "during" and other.done is not None and not lasts:  # else it is under way until this begins
                 right = right and once.began <= other.done + slack
             told = f"said {name} {reference}, it begins {(once.began - other.began) * seen.dt:.1f} s after that begins"
             yield Finding(path=f"{path}.{name}", shown=right, told=told, at=once.began * seen.dt)
@@ -375,7 +407,7 @@ class _Judge:
         cut: bool = True,
     ) -> Finding:
         """Whether a number was reached at some time, or by the most of all; a contact may have cut it short."""
-        base = float(np.median(self.episode.ego_track.speed)) if said.than_ego else 0.0
+        base = float(np.percentile(self.episode.ego_track.speed, 90)) if said.than_ego else 0.0  # as nothing held it
         low, high = said.low + base, said.high + base
         slack = max(least_slack, SLACK * abs(low if math.isfinite(low) else high))
         values = seen.max(keepdims=True) if most and seen.size else seen
@@ -407,9 +439,36 @@ class _Judge:
             yield Finding(path="contact.ego", shown=right, told=f"said {said.ego}, it is the {collision.side}")
         other = next((t for t in self.episode.tracks if t.actor == collision.other), None)
         if said.striker is not None and other is not None:
-            striker = _striker(self.episode.ego_track, other, collision.step)
+            striker = _striker(self.episode, other)
             right = striker is said.striker
             yield Finding(path="contact.striker", shown=right, told=f"said {said.striker}, it is {striker}")
+
+
+def _waits_for_others(one: Other) -> bool:
+    """Whether a deed of somebody waits for one of somebody else."""
+    waits = (deed.when for deed in one.does if deed.when is not None)
+    named = (name for when in waits for name in (when.after, when.during) if name is not None)
+    return any(name.partition(".")[0] not in (one.id, EGO) for name in named)
+
+
+def _due(deed: Deed, once: Act, done: Mapping[str, Act], seen: Seen) -> bool:
+    """Whether a time that a deed is seen is one at which it was due, by what it waits for."""
+    references = (deed.when.after, deed.when.during) if deed.when is not None else ()
+    others = (done[one] for one in references if one is not None and one in done)
+    return all(once.began >= other.began - TOGETHER / seen.dt for other in others)
+
+
+def _way_of(deed: Deed, once: Act, seen: Seen) -> tuple[str, Amount, Array, float] | None:
+    """The room that is left or the way that is covered, if that was said: what was said of it, and what is seen."""
+    if deed.act is Said.REVERSE and deed.distance is not None:
+        return "distance", deed.distance, gone_back(seen, once), BACK_SLACK
+    if deed.act is Said.CUT_IN and once.done is not None and deed.whom in (None, EGO):
+        room = room_left(seen, once)
+        if deed.distance is not None:
+            return "distance", deed.distance, room, SLACK_LENGTH
+        if deed.time is not None:
+            return "time", deed.time, room / max(float(seen.ego.speed[once.done]), 1.0), SLACK_TIME
+    return None
 
 
 _SIDES_OF: dict[Part, tuple[str, ...]] = {
@@ -424,9 +483,16 @@ _SIDES_OF: dict[Part, tuple[str, ...]] = {
 }
 
 
-def _striker(ego: Track, other: Track, step: int) -> Striker:
-    """Who comes nearer by the own motion, at the contact."""
-    before = max(step - 2, 0)
+def _striker(episode: Episode, other: Track) -> Striker:
+    """Who runs into whom: whose nose touches a flank or a tail, else who comes nearer by the own motion."""
+    collision, ego = episode.collision, episode.ego_track
+    assert collision is not None
+    before = max(collision.step - 2, 0)
+    noses = collision.side == "front", _touches_with_nose(episode, other)
+    if noses == (True, False) and ego.speed[before] > MOVING:
+        return Striker.EGO
+    if noses == (False, True) and abs(other.speed[before]) > MOVING:
+        return Striker.OTHER
     dx, dy = float(other.x[before] - ego.x[before]), float(other.y[before] - ego.y[before])
     far = math.hypot(dx, dy) or 1.0
 
@@ -435,6 +501,18 @@ def _striker(ego: Track, other: Track, step: int) -> Striker:
         return sign * speed * (math.cos(heading) * dx + math.sin(heading) * dy) / far
 
     return Striker.EGO if toward(ego, 1.0) >= toward(other, -1.0) else Striker.OTHER
+
+
+def _touches_with_nose(episode: Episode, other: Track) -> bool:
+    """Whether the nose of the other is where it touches the ego."""
+    collision = episode.collision
+    assert collision is not None
+    x, y = contact_point(episode, collision)
+    step = min(collision.step, len(other.x) - 1)
+    heading = float(other.heading[step])
+    dx, dy = x - float(other.x[step]), y - float(other.y[step])
+    ahead = dx * math.cos(heading) + dy * math.sin(heading)
+    return ahead > other.length / 2 - NOSE
 
 
 def _stands(seen: Seen, once: Act) -> tuple[int, int]:

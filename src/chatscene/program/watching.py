@@ -65,9 +65,17 @@ class Seen:
         return self.at - _on_line(self.line, self.ego)[0]
 
 
-def watch(episode: Episode, route: Route, track: Track, until: int | None = None) -> Seen:
-    """See one adversary of an episode in the ego's frame, to the end or until a step, which is seen too."""
-    ego, track = _until(episode.ego_track, until), _until(track, until)
+def watch(episode: Episode, route: Route, track: Track, until: int | None = None, *, of: Track | None = None) -> Seen:
+    """See one adversary of an episode in the ego's frame, to the end or until a step, which is seen too.
+
+    Args:
+        episode: What happened.
+        route: The ego's.
+        track: Of whom.
+        until: The last step that is seen.
+        of: Who is in the place of the ego, to see what is done to somebody else.
+    """
+    ego, track = _until(of or episode.ego_track, until), _until(track, until)
     along, across = in_frame(track, ego.x[0], ego.y[0], ego.heading[0])
     at, offset = _on_line(route.line, track)
     behind, _ = in_frame(track, *route.line.point_at(0.0), route.start_heading)

@@ -276,6 +276,7 @@ MANNERS: Mapping[Manner, str] = {
     Manner.FAST: "{does} fast",
     Manner.HARD: "{does} hard",
     Manner.SLIGHT: "{does} slightly",
+    Manner.SLANTING: "{does} at a slant",
 }
 """Before or behind what is done."""
 

@@ -74,7 +74,7 @@ class Deed(_Closed):
         speed: The speed at which it is done, or that is reached by it.
         acceleration: How hard speed changes, without a sign.
         distance: The gap that is kept or left, or the way that is covered.
-        time: How long it takes or lasts.
+        time: How long it takes or lasts; of a cut-in, the room that is left, as the time that the ego needs for it.
         when: When it begins; else after the deed before it, or when it is time to meet the ego.
     """
 

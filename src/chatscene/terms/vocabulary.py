@@ -393,6 +393,7 @@ class Manner(Word):
     FAST = ("fast", "fast")
     HARD = ("hard", "with force")
     SLIGHT = ("slight", "a little")
+    SLANTING = ("slanting", "at a slant, forward as well as across")
 
 
 class Part(Word):

@@ -1,0 +1,178 @@
+"""Of whom a start is asked, and what it is then: where somebody stands at first, and how it comes to meet the ego."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from chatscene.build.coming import Coming
+from chatscene.build.numbers import Numbers
+from chatscene.build.place import Found, beside_lane, rides_at_edge
+from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.routing import BEGINS
+from chatscene.terms.scenario import Maneuver
+from chatscene.terms.situation import Other, Situation
+from chatscene.terms.vocabulary import Act
+
+
+class Meets(StrEnum):
+    """How somebody comes to meet the ego: what its deeds are made of, and when the first is due."""
+
+    ALONG = "along"  # goes the ego's way
+    TOWARD = "toward"  # comes against it
+    THROUGH = "through"  # comes through a junction
+    ACROSS = "across"  # heads over the road
+    KERB = "kerb"  # stands at the kerb
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stand:
+    """Where somebody stands at first. In texts ``{i}`` is its name, ``$NAME`` a parameter of it.
+
+    Attributes:
+        meets: How it comes to meet the ego.
+        way: The line it goes along.
+        at: Arc length [m] on that.
+        aside: How far [m] to the left of it.
+        point: Where it is instead of on its way.
+        facing: Which way it faces there.
+        lines: What is named before.
+        ego_meets: Arc length [m] on the ego's route where they would meet.
+        left: How far [m] it has to there.
+        behind: Whether it is behind the ego.
+        faces: Whether it faces as was said.
+        anywhere: Whether ``$Y`` is how far along the ego's route it is, which may be any number.
+        rolls: Whether it comes driving from the first, so that it is there in time without waiting.
+        slants: Whether it heads over the road at a slant.
+        over: How far [rad] it turns to the left to cross, if it faces along the road at first.
+        turn: How far [rad] it is turned to the left of its way, who stands.
+    """
+
+    meets: Meets
+    way: str = "egoRoute"
+    at: str = ""
+    aside: float = 0.0
+    point: str = ""
+    facing: str = ""
+    lines: tuple[str, ...] = ()
+    ego_meets: str = "egoRoute.eventAt"
+    left: str = "0"
+    behind: bool = False
+    faces: bool = False
+    anywhere: bool = False
+    rolls: bool = False
+    slants: bool = False
+    over: str = ""
+    turn: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Asked:
+    """Of whom a start is asked.
+
+    Attributes:
+        situation: What was said.
+        found: Where it happens.
+        one: Who.
+        numbers: Its parameters.
+        ego: How the ego gets on.
+        room: How far [m] beyond the first of its place it stands, where others stand there already.
+        first: Where that stands.
+    """
+
+    situation: Situation
+    found: Found
+    one: Other
+    numbers: Numbers
+    ego: Coming
+    room: float = 0.0
+    first: Stand | None = None
+
+    @property
+    def walks(self) -> bool:
+        """Whether it is on foot."""
+        return self.one.kind.moves is Moves.WALKS
+
+    @property
+    def rides(self) -> bool:
+        """Whether it is on two wheels that keep to the edge."""
+        return rides_at_edge(self.one, self.situation.ego.route)
+
+    @property
+    def stands(self) -> bool:
+        """Whether it stands at first."""
+        return stands_first(self.one)
+
+    @property
+    def rolls(self) -> bool:
+        """Whether it comes driving from the first: nothing has it wait, and it is known when the ego comes."""
+        first = self.one.does[0] if self.one.does else None
+        waits = first is not None and first.when is not None and first.act.row.lasting
+        in_row = self.first is not None and not self.first.rolls
+        return not (self.stands or waits or in_row or self.one.hidden_by) and self.ego.late is not None
+
+    @property
+    def comes(self) -> bool:
+        """Whether it rolls, and does nothing before its last deed that takes it longer to where it meets the ego.
+
+        Who gains or loses speed on its way is timed from a stand, by when it must set off.
+        """
+        return self.rolls and all(deed.act.row.lasting for deed in self.one.does[:-1])
+
+    def way_back(self, meets: str, own: str) -> str:
+        """How far [m] it has to where it meets the ego, if it is there in time, by where that is on the ego's way."""
+        return f"{own}$SPEED * ({self.ego.seconds(meets)} - $OFFSET)"
+
+    @property
+    def backs(self) -> bool:
+        """Whether it comes backwards onto the road."""
+        first = next((deed.act for deed in self.one.does if deed.act is not Act.STAND), None)
+        return first is Act.REVERSE and not self.walks
+
+    @property
+    def side(self) -> str:
+        """Its side of the ego."""
+        return str(self.one.starts.side)
+
+    @property
+    def begins_beside(self) -> bool:
+        """Whether the ego comes into its lane from beside it, so that who comes along there comes from its left."""
+        return self.situation.ego.route in BEGINS
+
+    @property
+    def lane(self) -> str:
+        """The way of traffic before and behind the ego: its route, or the lane that it leaves."""
+        return "ownLane(egoRoute)" if beside_lane(self.situation) else "ownWay(egoRoute)"
+
+    @property
+    def swings_out(self) -> bool:
+        """Whether the ego's way swings out round something."""
+        return self.found.query["maneuver"] == Maneuver.BYPASS
+
+    def ahead(self, low: float, high: float) -> None:
+        """From where to where [m] ahead it may be, if that was not said: farther where the ego comes faster."""
+        self.reach(low * self.found.further, high * self.found.further)
+
+    def reach(self, low: float, high: float, meaning: str = "how far ahead of the ego it is") -> None:
+        """From where to where [m] it may be, if that was not said."""
+        if (said := self.one.starts.distance) is not None:
+            low, high = said.within(low, max(high, said.low)) if not said.exact else (said.low, said.low)
+        path = f"others.{self.one.id}.starts.distance" if said is not None else ""
+        self.numbers.measure("Y", low, max(low, high), "m", meaning, path)
+
+    @property
+    def more(self) -> str:
+        """The room that is added to a place ahead."""
+        return f" + {self.room:g}" if self.room else ""
+
+    @property
+    def less(self) -> str:
+        """The room that is taken off a place behind."""
+        return f" - {self.room:g}" if self.room else ""
+
+
+def stands_first(one: Other) -> bool:
+    """Whether somebody stands when it begins."""
+    first = one.does[0].act if one.does else None
+    still = one.starts.speed is not None and one.starts.speed.high <= 0.0
+    return still or first in (Act.STAND, Act.SET_OFF, Act.PULL_OUT) or one.kind.moves is Moves.LIES

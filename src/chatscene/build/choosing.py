@@ -1,0 +1,106 @@
+"""How a deed is done by somebody: the row of a table, and what its place, its numbers and whom it is done to change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from chatscene.build.asked import Meets
+from chatscene.build.deeds import (
+    ALONG,
+    BEHIND_ANOTHER,
+    BRAKES,
+    BRAKES_TO,
+    LOSES_SLOWLY,
+    OFF,
+    Steps,
+    gets_by,
+    steps_for,
+    turning_off,
+    yielding_to,
+)
+from chatscene.build.local import check_round
+from chatscene.build.naming import name_of
+from chatscene.build.paces import Pace
+from chatscene.build.place import NEXT_LANE, at_junction, rides_at_edge
+from chatscene.build.towards import done_to
+from chatscene.errors import NotBuilt
+from chatscene.terms.situation import EGO, Deed
+from chatscene.terms.vocabulary import Act, Where
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+
+_GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
+_ASIDE = frozenset((Act.WEAVE, Act.DRIFT, Act.SWERVE, Act.LANE_CHANGE, Act.CUT_OUT))
+_OFF = frozenset((Act.SET_OFF, Act.STAND))
+_COMES_BACK = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE))
+_ROUND = (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY)
+
+
+def steps_of(actor: Actor, k: int) -> Steps:
+    """How somebody does its k-th deed.
+
+    Raises:
+        NotBuilt: Nobody who is there does it yet.
+    """
+    deed, where = actor.deeds[k], actor.one.starts.where
+    if where in _ROUND:
+        check_round(actor, k)
+    table = dict(_table(actor, deed))
+    if deed.act not in table or (deed.act in _ASIDE and where in _ROUND):  # nobody sees it on a bend
+        raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}")
+    return _by_numbers(actor, k, table[deed.act])
+
+
+def _table(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
+    """The rows, those that hold in this place last."""
+    where, meets = actor.one.starts.where, actor.stand.meets
+    yield from steps_for(meets, walks=actor.walks, beside=where in NEXT_LANE).items()
+    along = meets is Meets.ALONG
+    if deed.act is Act.LANE_CHANGE and along:
+        if where not in NEXT_LANE:
+            yield Act.LANE_CHANGE, ALONG[Act.CUT_OUT]
+        elif deed.to is not None and deed.to == actor.one.starts.side:
+            raise NotBuilt(f"nothing builds yet: {actor.path}: lane-change to the {deed.to}, away from the ego's lane")
+    if deed.act in OFF and along and where in (Where.AHEAD, Where.BEHIND):
+        yield deed.act, turning_off(deed.act, junction=at_junction(actor.ledger.situation))
+    follows = actor.stand.behind and not actor.stand.rolls and not _touches(actor)
+    if where is Where.BEHIND and deed.act in _GOING_ON and follows:
+        yield deed.act, ALONG[Act.TAILGATE]  # or it would run into the ego
+    if deed.act is Act.OVERTAKE and along and where in NEXT_LANE:  # in the lane, or at the edge, where it is
+        at_edge = rides_at_edge(actor.one, actor.ledger.situation.ego.route)
+        yield Act.OVERTAKE, gets_by(comes_back=not at_edge)
+    if done_to(deed) != EGO:
+        yield from _to_another(actor, deed)
+
+
+def _to_another(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
+    """The rows of what is done to another than the ego."""
+    if deed.act is Act.FOLLOW and deed.speed is None:
+        yield Act.FOLLOW, BEHIND_ANOTHER
+    elif deed.act is Act.YIELD and actor.stand.meets is not Meets.ACROSS:
+        yield Act.YIELD, yielding_to(name_of(done_to(deed)))
+
+
+def _by_numbers(actor: Actor, k: int, steps: Steps) -> Steps:
+    """The row, by what was said of the deed and by what comes then."""
+    deed, across = actor.deeds[k], actor.stand.meets is Meets.ACROSS
+    then = actor.deeds[k + 1].act if k + 1 < len(actor.deeds) else None
+    brakes = deed.act is Act.BRAKE or (deed.act is Act.SLOW_DOWN and deed.acceleration is not None)
+    if brakes and not across and deed.speed is not None:
+        return BRAKES_TO
+    if deed.act is Act.OVERTAKE and then in _COMES_BACK and actor.stand.meets is Meets.ALONG:
+        way = "{beside}" if "{beside}" in steps.does[0] else ""
+        return replace(steps, does=steps.does[:1], last=(), way=way)  # what comes then says how it comes back
+    if deed.act is Act.BRAKE and across and deed.speed is not None:
+        return LOSES_SLOWLY
+    if deed.act is Act.BRAKE and not across and deed.time is None and then in _OFF:
+        return replace(steps, does=(BRAKES,), last=(BRAKES,), pace=Pace.STANDS)
+    return steps
+
+
+def _touches(actor: Actor) -> bool:
+    contact = actor.ledger.situation.contact
+    return contact is not None and contact.happens

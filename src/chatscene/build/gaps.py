@@ -1,0 +1,92 @@
+"""Gaps that were said: how much room somebody leaves who comes in before the ego, or before another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from chatscene.build.deeds import OWN
+from chatscene.build.towards import done_to, to_whom
+from chatscene.terms.situation import EGO, Deed
+from chatscene.terms.vocabulary import Act, Where
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+
+_MIDDLES = "(ego.length + self.length) / 2 + "
+"""What is between the middles of two who leave so much room."""
+_COMES_BEFORE = frozenset((Act.CUT_IN, Act.TURN_LEFT, Act.TURN_RIGHT))
+NEARLY = 1.0  # [m] of a gap that was said
+GAINS = 5.0  # [m/s] that somebody is faster than the ego on the average who gets before it
+BACKS = 1.5  # [m/s] that somebody backs up at, of whom only the way was said
+
+
+def gap_is_said(deed: Deed) -> bool:
+    """Whether the room was said that somebody leaves who cuts in."""
+    return deed.act is Act.CUT_IN and (deed.distance is not None or deed.time is not None)
+
+
+def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
+    """The phase in which somebody gets as far ahead as it must be before it comes into the lane, if it must.
+
+    Args:
+        actor: Who.
+        k: The number of its deed.
+        way: The line it goes along.
+        last: Whether it does nothing then.
+    """
+    deed = actor.deeds[k]
+    if deed.act not in _COMES_BEFORE:
+        return
+    from_behind = _from_behind(actor, k)
+    if gap_is_said(deed):
+        ahead = f"{_MIDDLES}${_bound(actor, k)}"
+        there = f"abs(headway(egoRoute, ego, self) - ({ahead})) < {NEARLY:g}"
+        yield to_whom(f"PaceOnPath({way}, ego, {ahead}, 40) until {there}", deed)
+    elif deed.act is Act.CUT_IN and (not last or from_behind or done_to(deed) != EGO):
+        ahead = f"{_MIDDLES}$AHEAD"  # or the ego would run into it before it does the next thing
+        yield to_whom(f"PaceOnPath({way}, ego, {ahead} + 2, 40) until headway(egoRoute, ego, self) > {ahead}", deed)
+    elif from_behind and k and actor.one.starts.where is Where.BEHIND:
+        yield f"PaceOnPath({way}, ego, {_MIDDLES}$AHEAD, 40) until headway(egoRoute, ego, self) > {_MIDDLES}$AHEAD - 2"
+
+
+def _from_behind(actor: Actor, k: int) -> bool:
+    """Whether somebody is still behind the ego when it is to come in before it."""
+    passed = any(one.act is Act.OVERTAKE for one in actor.deeds[:k])
+    return actor.deeds[k].act in _COMES_BEFORE and actor.stand.behind and not passed and done_to(actor.deeds[k]) == EGO
+
+
+def seconds_to_get_ahead(actor: Actor, k: int) -> float:
+    """How long [s] it takes somebody who is behind the ego to get before it, if it must."""
+    first = k == 0 and actor.deeds[k].act is not Act.CUT_IN
+    if first or not _from_behind(actor, k):
+        return 0.0
+    return (actor.numbers.middle("Y") + 2 * actor.limits.length) / GAINS
+
+
+def comes_in(actor: Actor, k: int) -> str:
+    """How somebody comes into the lane so that it leaves the room that was said: beside whom it leaves it."""
+    ahead = f"{_MIDDLES}${_bound(actor, k)}"
+    return to_whom(f"PaceOnPath({OWN}, ego, {ahead}, 40) until abs(offsetFrom({OWN}, self)) < 0.8", actor.deeds[k])
+
+
+def _bound(actor: Actor, k: int) -> str:
+    """The parameter that is the room that was said, in metres or by how far the ego gets in a time."""
+    deed, name, at = actor.deeds[k], f"AHEAD_{k}", f"{actor.path}.does.{k}"
+    if deed.distance is not None:
+        actor.numbers.bind(name, deed.distance, 0.0, f"{at}.distance")
+    elif deed.time is not None:
+        low, high = (actor.ego_speed * one for one in deed.time.within(0.5, max(2.0, deed.time.low)))
+        actor.numbers.measure(name, low, high, "m", "how much room it leaves", f"{at}.time")
+    return name
+
+
+def backs_by(actor: Actor, k: int) -> str:
+    """The parameter that is how long somebody backs up so that it covers the way that was said, at one speed."""
+    deed, at, numbers = actor.deeds[k], f"{actor.path}.does.{k}", actor.numbers
+    assert deed.distance is not None
+    speed = numbers.middle(f"BACK_{k}") if deed.speed is not None else BACKS
+    numbers.narrow(f"BACK_{k}", speed, speed)
+    low, high = deed.distance.within(0.5, max(5.0, deed.distance.low))
+    numbers.measure(f"BACK_TIME_{k}", low / speed, high / speed, "s", "for how long it backs up", f"{at}.distance")
+    return f"BACK_TIME_{k}"

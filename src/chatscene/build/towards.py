@@ -1,0 +1,58 @@
+"""Deeds that are done to somebody named: who is meant in a plan, who stands behind whom, and how far from the ego."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from chatscene.build.ledger import Ledger
+from chatscene.build.naming import name_of
+from chatscene.terms.situation import EGO, Deed, Other
+from chatscene.terms.vocabulary import Act, Where
+
+BEHIND = frozenset((Act.FOLLOW, Act.TAILGATE, Act.OVERTAKE))
+"""What is done to somebody by who is behind."""
+_FARTHER = frozenset((Where.AHEAD, Where.AHEAD_BESIDE, Where.EXIT))
+"""Places in which who stands farther from the ego has the others of its row behind it."""
+_EGO = re.compile(r"\bego\b")
+
+
+def done_to(deed: Deed) -> str:
+    """The id of whom a deed is done to, who is the ego unless another is named."""
+    return deed.whom or EGO
+
+
+def to_whom(text: str, deed: Deed) -> str:
+    """A phase of a deed, done to whom it was said to be done."""
+    return text if done_to(deed) == EGO else _EGO.sub(name_of(done_to(deed)), text)
+
+
+def in_rows(others: Sequence[Other]) -> list[Other]:
+    """All, in such an order that of those who share a place each is behind whom it follows, or gets by."""
+    order = list(others)
+    for one in others:
+        for deed in one.does:
+            other = next((other for other in order if other.id == deed.whom), None)
+            if other is None or deed.act not in BEHIND or other.starts.where is not one.starts.where:
+                continue
+            first, then = (one, other) if one.starts.where in _FARTHER else (other, one)
+            order.remove(then)
+            order.insert(order.index(first) + 1, then)
+    return order
+
+
+def at_distance(ledger: Ledger, one: Other) -> Other:
+    """Somebody at the distance at which the ego follows it from the first, if that was said."""
+    for k, deed in enumerate(ledger.situation.ego.does):
+        follows = deed.act is Act.FOLLOW and deed.whom in (one.id, None) and deed.distance is not None
+        if follows and one.starts.distance in (None, deed.distance) and one.starts.where is Where.AHEAD:
+            ledger.take(f"ego.does.{k}.distance")
+            return replace(one, starts=replace(one.starts, distance=deed.distance))
+    return one
+
+
+def is_passed(others: Sequence[Other], one: Other) -> bool:
+    """Whether another gets by somebody who is no slower than the ego by what was said of it."""
+    by = any(deed.act is Act.OVERTAKE and deed.whom == one.id for other in others for deed in other.does)
+    return by and one.starts.speed is None and all(deed.speed is None for deed in one.does)

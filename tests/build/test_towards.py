@@ -1,0 +1,247 @@
+"""Deeds begun during another, done to somebody named, from behind, at a slant, or with room that is left."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from test_building import drive, simulator
+from test_in_time import deed, somebody, unseen
+
+from chatscene.build.build import build
+from chatscene.build.possible import impossible
+from chatscene.errors import NotBuilt
+from chatscene.program.judge import failures, judge
+from chatscene.situations.form import from_plain
+from chatscene.terms.episode import Episode, Track
+from chatscene.terms.situation import Situation
+
+SEEDS = range(3)
+
+
+def others(*all_of_them: dict[str, Any], **more: Any) -> Situation:
+    first, *rest = all_of_them
+    return from_plain({"others": [first, *({"role": "supporting"} | one for one in rest)], **more})
+
+
+def car(name: str, where: str, *does: dict[str, Any], kind: str = "car", **start: Any) -> dict[str, Any]:
+    return {"id": name, "kind": kind, "starts": {"where": where, **start}, "does": list(does)}
+
+
+def driven(said: Situation, seed: int = 1) -> Episode:
+    episode = drive(build(said), seed=seed)
+    assert isinstance(episode, Episode), episode
+    return episode
+
+
+def track(episode: Episode, name: str = "A") -> Track:
+    return next(one for one in episode.tracks if one.actor == name)
+
+
+DURING = {
+    "a deed of its own": somebody(
+        "pedestrian", "roadside", deed("cross"), deed("hesitate") | {"when": {"during": "A.0"}}
+    ),
+    "the ego slows down": others(
+        car("A", "behind", deed("accelerate") | {"when": {"during": "ego.0"}}), ego={"does": [{"act": "slow-down"}]}
+    ),
+    "another overtakes": others(
+        car("A", "ahead", deed("brake") | {"when": {"during": "B.0"}}), car("B", "behind", deed("overtake"))
+    ),
+    "another leaves the lane": others(
+        car("A", "ahead", deed("brake") | {"when": {"after": "B.0"}}), car("B", "ahead", deed("cut-out", to="left"))
+    ),
+    "another tailgates": others(
+        car("A", "ahead", deed("brake") | {"when": {"during": "B.0"}}), car("B", "behind", deed("tailgate"))
+    ),
+}
+
+
+@pytest.mark.parametrize("what", DURING)
+def test_a_deed_is_begun_while_another_is_under_way(what: str) -> None:
+    assert unseen(DURING[what]) == ()
+
+
+def test_a_deed_that_waits_for_what_nobody_sees_is_refused() -> None:
+    waits = car("A", "ahead", deed("brake") | {"when": {"after": "B.0"}})
+    with pytest.raises(NotBuilt, match=r"does\.0\.when\.after: B\.0, which is open-door"):
+        build(others(waits, car("B", "kerb", deed("open-door"), deed("stand"), side="right")))
+
+
+WHOM = {
+    "follows": others(car("A", "ahead", deed("follow", whom="B", distance="10 m")), car("B", "ahead", deed("brake"))),
+    "tailgates": others(car("A", "ahead", deed("tailgate", whom="B")), car("B", "ahead", deed("go-along"))),
+    "overtakes": others(
+        car("A", "ahead", deed("overtake", whom="B")), car("B", "ahead", deed("go-along"), kind="bicycle")
+    ),
+    "overtakes, coming toward us": others(
+        car("A", "oncoming", deed("overtake", whom="B")), car("B", "oncoming", deed("go-along"), kind="truck")
+    ),
+    "cuts in before": others(car("A", "ahead-beside", deed("cut-in", whom="B")), car("B", "ahead", deed("brake"))),
+    "yields to": others(
+        car("A", "arm", deed("yield", whom="B"), deed("go-straight"), side="right"),
+        car("B", "arm", deed("go-straight"), side="left"),
+        road={"kind": "junction"},
+    ),
+}
+
+
+@pytest.mark.parametrize("what", WHOM)
+def test_a_deed_is_done_to_somebody_else_than_the_ego(what: str) -> None:
+    said = WHOM[what]
+    assert all(unseen(said, seed) == () for seed in SEEDS)
+
+
+def test_who_follows_another_stands_behind_it_in_whatever_order_they_are_named() -> None:
+    leader, follower = car("B", "ahead", deed("brake")), car("A", "ahead", deed("follow", whom="B"))
+    for order in ((leader, follower), (follower, leader)):
+        episode = driven(others(*order))
+        ego = episode.ego_track
+        ahead = {one.actor: np.hypot(one.x[0] - ego.x[0], one.y[0] - ego.y[0]) for one in episode.tracks}
+        assert ahead["A"] < ahead["B"]
+
+
+def test_whom_the_ego_follows_is_as_far_ahead_as_was_said() -> None:
+    said = others(car("A", "ahead", deed("brake")), ego={"does": [{"act": "follow", "whom": "A", "distance": "21 m"}]})
+    episode = driven(said)
+    there, ego = track(episode), episode.ego_track
+    assert np.hypot(there.x[0] - ego.x[0], there.y[0] - ego.y[0]) == pytest.approx(21.0, abs=0.5)
+
+
+FROM_BEHIND = {
+    "lane-change, overtake": somebody("car", "behind", deed("lane-change", to="left"), deed("overtake")),
+    "lane-change, cut-in": somebody("car", "behind", deed("lane-change", to="left"), deed("cut-in")),
+    "lane-change, turn": from_plain(
+        {
+            "road": {"kind": "junction"},
+            "others": [car("A", "behind", deed("lane-change", to="left"), deed("turn-right"))],
+        }
+    ),
+    "turn ahead": from_plain({"road": {"kind": "junction"}, "others": [car("A", "ahead", deed("turn-left"))]}),
+    "turn off the road": from_plain({"road": {"kind": "road"}, "others": [car("A", "ahead", deed("turn-right"))]}),
+    "on the right of who turns": somebody("motorcycle", "behind-beside", deed("overtake"), ego={"route": "right-turn"}),
+    "past who stands": somebody("car", "behind", deed("overtake"), ego={"does": [{"act": "stand"}]}),
+    "past who is slow": somebody(
+        "car", "behind", deed("overtake"), ego={"does": [{"act": "go-along", "manner": "slow"}]}
+    ),
+    "from beside": somebody("car", "beside", deed("overtake")),
+    "back to who stands": somebody("car", "ahead", deed("stand"), deed("reverse"), ego={"does": [{"act": "stand"}]}),
+    "out of a driveway": somebody("car", "driveway", deed("reverse")),
+}
+
+
+@pytest.mark.parametrize("what", FROM_BEHIND)
+def test_who_comes_from_behind_or_turns_off_ahead_is_seen_to(what: str) -> None:
+    assert all(unseen(FROM_BEHIND[what], seed) == () for seed in SEEDS)
+
+
+@pytest.mark.parametrize(("said", "metres"), [("distance", "8 m"), ("time", "1 s")])
+def test_who_cuts_in_leaves_the_room_that_was_said(said: str, metres: str) -> None:
+    one = somebody("car", "ahead-beside", deed("cut-in") | {said: metres})
+    for seed in SEEDS:
+        episode = driven(one, seed)
+        seen = track(episode)
+        ego = episode.ego_track
+        aside = np.abs(np.sin(ego.heading[0]) * (seen.x - ego.x) - np.cos(ego.heading[0]) * (seen.y - ego.y))
+        there = int(np.argmax(aside < 1.3))
+        gap = np.hypot(seen.x[there] - ego.x[there], seen.y[there] - ego.y[there]) - (seen.length + ego.length) / 2
+        assert gap == pytest.approx(8.0, abs=2.0)
+
+
+@pytest.mark.parametrize("way", ["1 m", "4 m"])
+def test_who_backs_up_covers_the_way_that_was_said(way: str) -> None:
+    speed = track(driven(somebody("car", "ahead", deed("reverse", distance=way)))).speed
+    assert -speed[speed < 0].sum() * 0.1 == pytest.approx(float(way.split(maxsplit=1)[0]), abs=0.6)
+
+
+def test_who_brakes_to_a_speed_goes_on_at_it() -> None:
+    speed = track(driven(somebody("car", "ahead", deed("brake", speed="10 km/h")))).speed
+    assert speed[-1] == pytest.approx(10 / 3.6, abs=0.3)
+    assert np.diff(speed).min() < -0.25
+
+
+def test_the_ego_brakes_after_the_time_that_it_goes_along() -> None:
+    does = [{"act": "go-along", "time": "3 s"}, {"act": "brake", "acceleration": "4 m/s²"}]
+    speed = driven(somebody("car", "behind", deed("tailgate"), ego={"does": does})).ego_track.speed
+    assert speed[:28].min() > 0.9 * speed[0]
+    assert speed[60] < 0.5 * speed[0]
+
+
+@pytest.mark.parametrize("kind", ["pedestrian", "bicycle"])
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_who_crosses_at_a_slant_goes_forward_as_well_as_across(kind: str, side: str) -> None:
+    start = {"where": "driveway", "side": side}
+    said = from_plain(
+        {"others": [{"id": "A", "kind": kind, "starts": start, "does": [deed("cross", manner="slanting")]}]}
+    )
+    assert build(said).left_out == ()
+    episode = driven(said)
+    ego, there = episode.ego_track, track(episode)
+    forward = np.cos(ego.heading[0]) * (there.x[-1] - there.x[0]) + np.sin(ego.heading[0]) * (there.y[-1] - there.y[0])
+    assert forward > 0.4 * np.hypot(there.x[-1] - there.x[0], there.y[-1] - there.y[0])
+
+
+def test_who_was_said_to_cross_at_a_slant_and_goes_straight_over_is_not_as_said() -> None:
+    straight, slanting = (
+        somebody("pedestrian", "roadside", deed("cross", **more)) for more in ({}, {"manner": "slanting"})
+    )
+    made = build(straight)
+    episode = drive(made)
+    assert isinstance(episode, Episode)
+    route = simulator(made.map, "native").route(made.program, 0)
+    assert "others.A.does.0.manner: said slanting, it goes straight over" in failures(judge(slanting, episode, route))
+
+
+@pytest.mark.parametrize("count", [0, 2])
+def test_several_who_hide_somebody_stand_before_and_behind_it(count: int) -> None:
+    child = car("A", "roadside", deed("cross"), kind="child", side="right") | {"hidden_by": "B"}
+    row = car("B", "kerb", deed("stand"), side="right") | {"count": count, "role": "hides"}
+    said = others(child, row)
+    assert unseen(said) == ()
+    episode = driven(said)
+    ego = episode.ego_track.heading[0]
+    along = {one.actor: one.x[0] * np.cos(ego) + one.y[0] * np.sin(ego) for one in episode.tracks}
+    assert len(along) == (count or 3) + 2
+    assert along["B"] < along["A"] < along["B-2"]
+
+
+@pytest.mark.parametrize(
+    ("where", "facing", "turned"), [("ahead", "across", 90), ("kerb", "against", 180), ("kerb", "along", 0)]
+)
+def test_who_stands_faces_as_was_said(where: str, facing: str, turned: float) -> None:
+    side = {"side": "right"} if where == "kerb" else {}
+    episode = driven(others(car("A", where, deed("stand"), facing=facing, **side)))
+    away = abs(np.degrees(track(episode).heading[0] - episode.ego_track.heading[0]) + 180) % 360 - 180
+    assert abs(away) == pytest.approx(turned, abs=8)
+
+
+def test_an_opened_door_is_not_called_impossible_of_who_stands_but_is_not_built() -> None:
+    said = somebody("car", "kerb", deed("stand"), deed("open-door"))
+    assert not tuple(impossible(said))
+    with pytest.raises(NotBuilt, match="nothing builds yet: open-door"):
+        build(said)
+
+
+def test_a_bus_nearer_than_any_bay_is_refused() -> None:
+    with pytest.raises(NotBuilt, match="the bay begins"):
+        build(others(car("A", "bus-bay", deed("stand"), deed("pull-out"), kind="bus", distance="5 m")))
+
+
+@pytest.mark.parametrize("facing", ["along", "against"])
+@pytest.mark.parametrize("does", [("cross",), ("go-along", "cross")])
+def test_who_faces_along_the_road_turns_to_cross_it(facing: str, does: tuple[str, ...]) -> None:
+    start = {"where": "roadside", "side": "left", "facing": facing}
+    one = {"id": "A", "kind": "pedestrian", "starts": start, "does": [deed(act) for act in does]}
+    assert unseen(from_plain({"others": [one]})) == ()
+
+
+@pytest.mark.parametrize("striker", ["ego", "other"])
+def test_who_comes_over_from_beside_strikes_or_is_struck_as_was_said(striker: str) -> None:
+    said = others(car("A", "beside", deed("lane-change"), side="left"), contact={"striker": striker})
+    assert all(unseen(said, seed) == () for seed in SEEDS)
+
+
+def test_who_goes_over_goes_where_others_come_if_there_is_no_other_lane() -> None:
+    said = others(car("A", "behind", deed("overtake")), car("B", "oncoming", deed("go-along")), road={"two_way": True})
+    assert build(said).program.source
