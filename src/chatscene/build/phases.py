@@ -31,7 +31,7 @@ from chatscene.build.timing import Body, Course, course
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Role, Side, Where
+from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -399,6 +399,8 @@ class Phases:
         if deed.manner is not None and deed.manner in FIRM and deed.acceleration is None and "$BRAKE" in text:
             numbers.narrow(f"BRAKE_{k}", FIRM[deed.manner], 1.0)
             text = _renamed(text, "BRAKE", f"BRAKE_{k}")
+            actor.ledger.take(f"{at}.manner")
+        elif deed.manner is Manner.SUDDEN and not steps.lasting:  # nobody shows beforehand what it is about to do
             actor.ledger.take(f"{at}.manner")
         return text
 
