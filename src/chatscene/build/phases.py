@@ -96,7 +96,7 @@ class Phases:
         actor = self.actor
         numbers = actor.numbers
         if (start := actor.one.starts.speed) is not None and not stands_first(actor.one):
-            numbers.bind("SPEED", start, actor.ego_speed)
+            numbers.bind("SPEED", start, actor.ego_speed, f"{actor.path}.starts.speed")
         said = {k: self._said_speed(k) for k in range(len(self.steps))}
         try:
             self.paces = self._paced(said, self._first(as_ego=True))
