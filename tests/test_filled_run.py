@@ -13,7 +13,7 @@ from click.testing import CliRunner, Result
 import chatscene
 from chatscene import runs
 from chatscene.commands.main import main
-from chatscene.errors import LanguageModelError, NotBuilt, NothingFits, SettingsError, SituationError
+from chatscene.errors import LanguageModelError, NotBuilt, NothingFits, SettingsError
 from chatscene.report.sections import command
 from chatscene.report.stated import Changed, Stated
 from chatscene.runs import read_record
@@ -156,7 +156,7 @@ def test_there_are_no_more_readings_than_the_model_gives_and_facts_are_set_by_pa
     assert isinstance(chatscene.explain(TEXT, language_model=model, reading=1), Stated)
     with pytest.raises(SettingsError, match="there is no reading 2"):
         chatscene.explain(TEXT, language_model=model, reading=2)
-    with pytest.raises(SituationError, match="side"):
+    with pytest.raises(SettingsError, match="no fact"):
         chatscene.explain(TEXT, language_model=model, set={"side": "left"})
 
 

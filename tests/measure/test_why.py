@@ -296,6 +296,6 @@ def test_whom_the_ego_struck_is_told_in_words(other: str, kind: str, said: str) 
         other_speed=0.0,
         impact_speed=6.0,
     )
-    words = contact.in_words()
+    words = contact.in_words({other: kind})
     assert f"ran into {said} with its front" in words
     assert kind not in words

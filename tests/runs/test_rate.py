@@ -31,6 +31,7 @@ def test_crashes_that_a_search_went_after_tell_less_than_as_many_others(folder: 
     assert found.crash.seen > 30 > found.crash.effective
     assert found.crash.probability is None
     assert "cannot be told" in found.in_words()
+    assert found.in_words().startswith(repr(TEXT))
     assert "one that a careful driver avoids: " in found.in_words()  # by whom: others may avoid more
 
 

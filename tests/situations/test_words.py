@@ -166,6 +166,9 @@ others:
         "faster than us, then cuts in ahead of the first car with a gap of 5 m. After that, the second car brakes "
         "while the first car is slowing down."
     ),
+    "others: [{id: A, kind: car, starts: {where: ahead}, does: [{act: stop, time: 3 s}]}]": (
+        "A car is ahead of us in our lane. It stops for 3 s."
+    ),
 }
 
 

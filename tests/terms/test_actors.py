@@ -14,6 +14,7 @@ from chatscene.read.phrases import kind_in, road_user
 from chatscene.sentences.grammar.who import NOUNS
 from chatscene.simulate.confined.words import world_words
 from chatscene.terms.actors import BY_CLASS, AdversaryKind
+from chatscene.terms.actors import named as called
 from places import ROOT
 
 SOURCE = ROOT / "src" / "chatscene"
@@ -91,3 +92,11 @@ def test_who_acts_like_another_is_of_its_manner_and_no_other_acts_like_it() -> N
         assert kind.acts_as.acts_as is kind.acts_as
         assert kind.acts_as.row.manner is kind.row.manner
         assert kind.row.limits.wheelbase == 0.0 or kind.row.limits.wheelbase < kind.row.limits.length
+
+
+def test_an_id_of_a_situation_is_told_as_what_it_is() -> None:
+    assert called("A", "Car", {"A": "Car", "B": "Truck"}) == "the car"
+    assert called("A", "Car", {"A": "Car", "B": "Car"}) == "car A"
+    assert called("B-2", "Pedestrian", {"B-1": "Pedestrian", "B-2": "Pedestrian"}) == "pedestrian B-2"
+    assert called("adversary", "Car", {"adversary": "Car"}) == "the adversary (car)"
+    assert called("bus-stop", "BusStop", {}) == "the bus-stop"

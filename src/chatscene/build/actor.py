@@ -134,7 +134,7 @@ class Actor:
             low, high, *_ = numbers.ranges[PACES[paces.pop()]]
             numbers.narrow("SPEED", low, high)
         if (start := self.one.starts.speed) is not None and not stands_first(self.one):
-            numbers.bind("SPEED", start, self.ego_speed)
+            numbers.bind("SPEED", start, self.ego_speed, f"{self.path}.starts.speed")
         for k, deed in enumerate(deeds):
             if deed.speed is not None and self.one_speed and self.moves_first(k) and deed.act in _AT_ONE_SPEED:
                 numbers.bind("SPEED", deed.speed, self.ego_speed, f"{self.path}.does.{k}.speed")

@@ -104,7 +104,8 @@ class Numbers:
         least, most = max(least, min(low, most)), min(most, max(high, least))
         if least > top + 1e-9:
             most_told = f"{top * scale:.3g} {unit if unit != '1' else 'm/s²'} at most"
-            raise NotBuilt(f"{amount} is more than a {self.row.scenic.lower()} can: {most_told}")
+            at = f"{path}: " if path else ""
+            raise NotBuilt(f"{at}{amount} is more than a {self.row.scenic.lower()} can: {most_told}")
         self.ranges[name] = (least, min(most, top), unit, meaning)
         self.bound[name] = path
 

@@ -89,7 +89,7 @@ class Phases:
         actor = self.actor
         numbers = actor.numbers
         if (start := actor.one.starts.speed) is not None and not stands_first(actor.one):
-            numbers.bind("SPEED", start, actor.ego_speed)
+            numbers.bind("SPEED", start, actor.ego_speed, f"{actor.path}.starts.speed")
         said = {k: self._said_speed(k) for k in range(len(self.steps))}
         try:
             self.paces = self._paced(said, self._first(as_ego=True))
@@ -411,6 +411,8 @@ class Phases:
         if deed.manner is not None and deed.manner in FIRM and deed.acceleration is None and "$BRAKE" in text:
             numbers.narrow(f"BRAKE_{k}", FIRM[deed.manner], 1.0)
             text = _renamed(text, "BRAKE", f"BRAKE_{k}")
+            actor.ledger.take(f"{at}.manner")
+        elif deed.manner is Manner.SUDDEN and not steps.lasting:  # nobody shows beforehand what it is about to do
             actor.ledger.take(f"{at}.manner")
         return text
 

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from chatscene.interpret.decide import trusted
+from chatscene.interpret.placed import require_placed
 from chatscene.interpret.readings import as_read, understand
 from chatscene.interpret.retrieve import reasons_of
 from chatscene.interpret.situation_of import situation_of
@@ -45,6 +46,7 @@ class OfflineReader:
         """
         frame = read(text, self.settings)
         scenario = understand(frame, self.settings, served=self._is_built)
+        require_placed(scenario, self.settings.stated)
         first = _ranked(scenario, sure(scenario, self.settings))
         others = (_ranked(as_read(frame, one.slots), one.probability) for one in scenario.readings)
         unsure = first.probability < self.settings.refuse_below

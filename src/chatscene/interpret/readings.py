@@ -14,9 +14,11 @@ from chatscene.errors import NothingFits, OfferedReading, SettingsError
 from chatscene.interpret.choose import choose
 from chatscene.interpret.decide import Weighed, as_told, as_worded, decide, decided, understood, weigh
 from chatscene.interpret.paper import read_as_in_paper
+from chatscene.interpret.situation_of import in_a_situation
 from chatscene.interpret.stated import in_text, require_stated, with_stated
 from chatscene.library.load import library_with
 from chatscene.settings import MOST_READINGS, RetrievalSettings
+from chatscene.situations.words import told
 from chatscene.terms.conclusions import JUNCTIONS, concluded
 from chatscene.terms.frame import About, Beliefs, Frame, Note, certain
 from chatscene.terms.scenario import Component, Maneuver, Reading, Scenario, Slots
@@ -76,11 +78,14 @@ def readings_of(weighed: Weighed, settings: RetrievalSettings, served: Served | 
     """
     is_served = served or partial(_is_served, settings)
     found: list[Reading] = []
+    told_so: set[object] = set()
     floor = FAINT if weighed.frame.beliefs.in_scope < IN_SCOPE else FAINTEST
     likely = [one for one in _different(weighed, settings) if one.probability >= floor]
     for one in likely[:TRIED]:
-        if len(found) < MOST_READINGS and is_served(as_read(weighed.frame, one.slots)):
+        told_as = _told(one.slots, weighed.frame) if served is not None else one.slots
+        if len(found) < MOST_READINGS and told_as not in told_so and is_served(as_read(weighed.frame, one.slots)):
             found.append(one)
+            told_so.add(told_as)
     if weighed.right >= settings.refuse_below or len(found) < MOST_READINGS:
         return tuple(found)
     first, second = found
@@ -88,6 +93,11 @@ def readings_of(weighed: Weighed, settings: RetrievalSettings, served: Served | 
         replace(first, settled_by=_settling(first, second, weighed.frame, settings)),
         replace(second, settled_by=_settling(second, first, weighed.frame, settings)),
     )
+
+
+def _told(slots: Slots, frame: Frame) -> str:
+    """A reading as it is told, where it becomes a situation: of two that are told alike nobody could take one."""
+    return told(in_a_situation(slots, frame.quantities, frame.surroundings))
 
 
 def _settling(reading: Reading, other: Reading, frame: Frame, settings: RetrievalSettings) -> str:

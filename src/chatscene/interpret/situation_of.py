@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from itertools import takewhile
 from typing import Any
 
+from chatscene.interpret.manners import in_manners, manners_said, with_manners_as_acts
 from chatscene.read.accounting import CONTACT, JOINS, PART, words_of
 from chatscene.read.kinds import kind_named, number_in
 from chatscene.read.lexicon import KINDS as KINDS_HEARD
@@ -208,7 +209,10 @@ def situation_of(scenario: Scenario) -> Told:
     left_out += [f"{one}: nobody does what it measures" for one in numbers if not _is_set(made.others[0], one)]
     left_out += [f"{MANNERS[act]}: a deed has one manner" for act in _manners(slots)[1:]]
     left_out += [f"{one}: more others than are read" for one in slots.others[len(BESIDE) :]]
-    words = tuple(_told_of(scenario))
+    text = frame.text if frame is not None else ""
+    words = with_manners_as_acts(tuple(_told_of(scenario)), text)
+    made, manners_lost = in_manners(made, manners_said(words, text))
+    left_out += manners_lost
     touch = " ".join(word.text for word, _ in words if word.fact == CONTACT)
     if touch and not _NEAR_MISS.search(touch):
         made = replace(made, contact=Contact())

@@ -13,11 +13,12 @@ from chatscene.terms.scenario import Scenario
 from chatscene.terms.slots import SLOTS
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
-_AROUND: dict[str, tuple[Any, ...]] = {"light": tuple(Light), "weather": tuple(Weather), "surface": tuple(Surface)}
+AROUND: dict[str, tuple[Any, ...]] = {"light": tuple(Light), "weather": tuple(Weather), "surface": tuple(Surface)}
+"""What each fact of what is about may be."""
 FACTS: dict[str, tuple[Any, ...]] = {
     **{name: slot.values for name, slot in SLOTS.items()},
     "actions": tuple(Action),
-    **_AROUND,
+    **AROUND,
 }
 """What each fact may be, by its name; of acts, several in their order."""
 _YES_AND_NO = {"yes": "True", "true": "True", "no": "False", "false": "False"}
@@ -73,8 +74,8 @@ def _said(value: object) -> str:
 def with_stated(frame: Frame, stated: str) -> Frame:
     """A frame in which the facts that a user stated are said outright, and sure."""
     facts = facts_stated(stated)
-    slots = {name: value for name, value in facts.items() if name not in _AROUND}
-    around = {name: value for name, value in facts.items() if name in _AROUND}
+    slots = {name: value for name, value in facts.items() if name not in AROUND}
+    around = {name: value for name, value in facts.items() if name in AROUND}
     if not facts:
         return frame
     beliefs = frame.beliefs
@@ -87,7 +88,7 @@ def with_stated(frame: Frame, stated: str) -> Frame:
         outright=replace(frame.outright, **slots),
         beliefs=replace(beliefs, slots={**beliefs.slots, **single}, actions=acts),
         account=account,
-        surroundings=Surroundings(**{name: getattr(said, name) for name in _AROUND} | around),
+        surroundings=Surroundings(**{name: getattr(said, name) for name in AROUND} | around),
         stated=tuple(slots),
         notes=(*frame.notes, Note(about=About.STATED, said=(in_text(facts).replace(" ", ", "),))),
     )
@@ -100,7 +101,7 @@ def require_stated(scenario: Scenario, stated: str) -> None:
         SettingsError: What follows from the other facts is another.
     """
     for name, value in facts_stated(stated).items():
-        read = getattr(scenario.surroundings if name in _AROUND else scenario.slots, name)
+        read = getattr(scenario.surroundings if name in AROUND else scenario.slots, name)
         if read != value:
             raise SettingsError(
                 f"{name}={_said(value)} does not go with the rest of what was read, which makes it "

@@ -19,7 +19,7 @@ from chatscene.measure.minimal import minimal
 from chatscene.program.without import Placing, placings, without
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.simulate.watchdog import time_limit
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import LIMITS, named
 from chatscene.terms.braking import STANDING
 from chatscene.terms.episode import Episode, Event, Track
 from chatscene.terms.polyline import Polyline
@@ -317,6 +317,12 @@ def _first_of_run(tried: Sequence[int], holds: Callable[[int], bool]) -> int | N
     return tried[len(tried) - held] if held else None
 
 
+def with_whom(came: Came) -> str:
+    """With whom a drive ended that crashed with somebody else, by what that is."""
+    kinds = came.episode.kinds if came.episode is not None else {}
+    return named(came.other, kinds[came.other], kinds) if came.other in kinds else came.other
+
+
 def in_words(came: Came) -> str:
     """What came of a drive, to stand after a colon."""
     if came.rejected:
@@ -324,7 +330,7 @@ def in_words(came: Came) -> str:
     if came.crashed:
         return "the same crash"
     if came.other:
-        return f"not this crash, but one with {came.other}"
+        return f"not this crash, but one with {with_whom(came)}"
     if came.gap is None:
         return "no crash"
     return f"no crash, {f'{came.gap:.1f}' if came.gap >= NEAR else f'less than {NEAR:g}'} m apart at the closest"

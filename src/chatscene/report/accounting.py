@@ -8,6 +8,7 @@ from itertools import groupby
 from typing import Any
 
 from chatscene.runs import RunRecord
+from chatscene.situations.facts import NAMED
 
 _COLOURS = 8  # that the style sheet has for facts
 
@@ -57,10 +58,14 @@ def parts_of(text: str, words: Sequence[Mapping[str, Any]]) -> list[Part]:
 
 
 def in_words(parts: Sequence[Part]) -> str:
-    """A text with its parts marked in words: ``(side: from the left)``, ``{not read: phone}``."""
+    """A text with its parts marked in words: ``(side: from the left)``, ``{not read: phone}``.
+
+    Words of facts that were changed since are shown as they stand.
+    """
     told: list[str] = []
     for part in parts:
-        shown = f"({part.fact.replace('_', ' ')}: {part.text})" if part.fact else part.text
+        fact = part.fact if "." in part.fact else part.fact.replace("_", " ")  # a path stands as it is set
+        shown = f"({fact}: {part.text})" if fact and fact != NAMED else part.text
         told += [part.before, f"{{not read: {part.text}}}" if part.unread else shown]
     return "".join(told)
 

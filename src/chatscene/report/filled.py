@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence, Set
+from dataclasses import dataclass, fields, replace
 
 from chatscene.build.build import build
-from chatscene.errors import NotBuilt, NothingFits, OfferedReading, SettingsError, SituationError
+from chatscene.errors import NotBuilt, NothingFits, OfferedReading, SettingsError, SituationError, no_such
 from chatscene.files.caches import cache_folder
 from chatscene.interpret.offline import OfflineReader
 from chatscene.interpret.stated import FACTS, in_text
@@ -18,6 +18,7 @@ from chatscene.read.reader import Reader
 from chatscene.report.stated import Editor, Stated, explain_stated, stated
 from chatscene.report.understood import Understood, understand
 from chatscene.settings import OFFLINE, READERS, RetrievalSettings, Settings
+from chatscene.situations.facts import NO_FACTS
 from chatscene.situations.words import told
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Situation
@@ -55,7 +56,7 @@ def filled(
         reader: Who reads; whom the settings name if None.
 
     Raises:
-        SettingsError: The text is empty or too long, or there is no such model or reading.
+        SettingsError: The text is empty or too long, there is no such model, reading or fact, or a fact has no place.
         NothingFits: The reader says that it tells no situation, none that can be told here, or it is not sure enough.
         NotBuilt: A fact of the situation cannot be built.
         SituationError: A fact has no place in it.
@@ -141,8 +142,18 @@ def _reader(settings: RetrievalSettings, named: str, cannot_build: Callable[[Sit
 def _facts(facts: Mapping[str, object], settings: RetrievalSettings) -> tuple[str, dict[str, object]]:
     """Facts that the offline reader takes by their names, as it takes them, and those that stand at a path."""
     offline = settings.language_model == OFFLINE
+    wholes = {one.name for one in fields(Situation)}
+    for name in facts:
+        if "." not in name and name not in wholes and not (offline and _name(name) in FACTS):
+            raise SettingsError(_nowhere(name, (*FACTS,) if offline else (), wholes))
     named = {name: value for name, value in facts.items() if offline and "." not in name and _name(name) in FACTS}
     return in_text(named), {name: value for name, value in facts.items() if name not in named}
+
+
+def _nowhere(name: str, named: Sequence[str], wholes: Set[str]) -> str:
+    """Why a fact cannot be set that has no such name: what can be, by name and by path."""
+    known = no_such("fact", name, {*named, *wholes - NO_FACTS})
+    return f"{known}; or say the path of a fact, as in others.A.starts.side or road.lanes"
 
 
 def _name(fact: str) -> str:

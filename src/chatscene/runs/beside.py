@@ -125,7 +125,7 @@ def _story(made: Remade, row: Mapping[str, Any]) -> Story:
         "the ego brakes": braking and braking.own,
     }
     marks = [Mark(step=step, said=said) for said, step in moments.items() if step is not None]
-    how = contact.in_words()
+    how = contact.in_words(trial.episode.kinds)
     return Story(
         said=(
             f"{how[0].upper()}{how[1:]}.",

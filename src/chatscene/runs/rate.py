@@ -207,7 +207,7 @@ def rate(
         progress("scenes", done, scenes)
     crash, careful = tally.shares()
     return Rate(
-        text=record.text,
+        text=record.title,
         ego=record.ego,
         stored=stored,
         driven=tally.placed - stored,

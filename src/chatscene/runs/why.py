@@ -25,6 +25,7 @@ from chatscene.measure.counterfactual import (
     latest_braking,
     things_needed,
     values_needed,
+    with_whom,
 )
 from chatscene.measure.criticality import fault, part_struck
 from chatscene.program.sample import scene_at
@@ -35,7 +36,7 @@ from chatscene.runs.tables import scene_of
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.workspace import open_run
 from chatscene.simulate.simulator import simulate
-from chatscene.terms.actors import noun_of
+from chatscene.terms.actors import named, noun_of
 from chatscene.terms.criticality import Fault
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
@@ -88,9 +89,14 @@ class Contact:
             impact_speed=crash.impact_speed,
         )
 
-    def in_words(self) -> str:
-        """One sentence, without its end."""
-        mine, theirs = ("the ego", _PARTS[self.ego_part]), (_named(self.other, self.kind), _PARTS[self.other_part])
+    def in_words(self, kinds: Mapping[str, str]) -> str:
+        """One sentence, without its end.
+
+        Args:
+            kinds: The class of everybody else in the scene, by name.
+        """
+        called = named(self.other, self.kind, kinds)
+        mine, theirs = ("the ego", _PARTS[self.ego_part]), (called, _PARTS[self.other_part])
         (striker, with_its), (struck, on_its) = (mine, theirs) if self.fault.by_ego else (theirs, mine)
         where = f", {with_its} to {on_its}" if with_its and on_its else f" with its {with_its}" if with_its else ""
         return (
@@ -133,6 +139,7 @@ class Why:
         braking: The latest braking of the ego's own that avoids it; None if there is none.
         slower: The highest speed to keep to that avoids it; None if there is none.
         changeable: Whether the ego under test has the wheel, so that it could do otherwise.
+        kinds: The class of everybody in the scene but the ego, by name.
         dt: Length of a step [s].
         drives: How often the scene was driven to find out.
     """
@@ -151,6 +158,7 @@ class Why:
     braking: Braking | None
     slower: Slower | None
     changeable: bool
+    kinds: Mapping[str, str]
     dt: float
     drives: int
 
@@ -188,7 +196,7 @@ class Why:
 
     def in_words(self) -> str:
         """A few lines for a person."""
-        lines = [f"{self.scene_id}: {self.contact.in_words()}.", self._careful()]
+        lines = [f"{self.scene_id}: {self.contact.in_words(self.kinds)}.", self._careful()]
         lines += self._of_things()
         lines += self._of_values()
         lines += self._of_ego()
@@ -205,15 +213,19 @@ class Why:
             seen += ", and avoids it." if self.avoidable else ", which does not avoid it."
         return f"{seen} {last_moment_in_words(self.last_moment, self.contact.time, self.risk)}"
 
+    def _all_named(self, thing: Thing) -> str:
+        pairs = zip(thing.actors, thing.kinds, strict=True)
+        return " and ".join(named(actor, kind, self.kinds) for actor, kind in pairs)
+
     def _of_things(self) -> list[str]:
         lines: list[str] = []
         for thing in self.things:
-            named = _all_named(thing)
+            told = self._all_named(thing)
             if thing.needed is None:
-                lines.append(f"Whether it takes {named} cannot be told: {thing.why}.")
+                lines.append(f"Whether it takes {told} cannot be told: {thing.why}.")
             elif thing.needed:
-                lines.append(f"It takes {named}; without: {thing.why}.")
-        if spare := [_all_named(thing) for thing in self.things if thing.needed is False]:
+                lines.append(f"It takes {told}; without: {thing.why}.")
+        if spare := [self._all_named(thing) for thing in self.things if thing.needed is False]:
             lines.append(f"It does not take {', nor '.join(spare)}; without, it is still the same crash.")
         return lines
 
@@ -231,7 +243,7 @@ class Why:
         if self.back.name == MIDDLE:
             where = "the middle of their ranges, since no scene without a crash was found"
             if self.back.came.other:
-                where += f" (there it is a crash with {self.back.came.other})"
+                where += f" (there it is a crash with {with_whom(self.back.came)})"
         these = "this value" if len(self.values) == 1 else f"these {len(self.values)} values"
         lines = [f"It takes {these}; with all other parameters set back to {where}, it is still the same crash:"]
         for one in self.values:
@@ -353,6 +365,7 @@ def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why
         braking=braking,
         slower=slower,
         changeable=changeable,
+        kinds=episode.kinds,
         dt=dt,
         drives=trial.drives,
     )
@@ -419,12 +432,3 @@ def back_of(trial: Trial, rows: Sequence[Mapping[str, Any]]) -> Back | None:
 def _far(program: ScenicProgram, a: Scene, b: Scene) -> float:
     shares = [(a.values[p.name] - b.values[p.name]) / (p.high - p.low) for p in program.parameters if p.high > p.low]
     return math.sqrt(sum(share * share for share in shares))
-
-
-def _all_named(thing: Thing) -> str:
-    return " and ".join(map(_named, thing.actors, thing.kinds))
-
-
-def _named(actor: str, kind: str) -> str:
-    role, noun = "the " + actor, noun_of(kind)
-    return role if noun in actor.lower().replace("-", " ") else f"{role} ({noun})"

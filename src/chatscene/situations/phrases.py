@@ -325,7 +325,7 @@ ACTS: Mapping[Act, Doing] = {
     Act.ACCELERATE: Doing(does="[accelerate/accelerates/accelerating]", speed=_TO, time=_OVER),
     Act.SLOW_DOWN: Doing(does="[slow/slows/slowing] down", speed=_TO, time=_OVER),
     Act.BRAKE: Doing(does="[brake/brakes/braking]", speed=_TO, time=_OVER),
-    Act.STOP: Doing(does="[stop/stops/stopping]", distance=" within {distance}", time=" within {time}"),
+    Act.STOP: Doing(does="[stop/stops/stopping]", distance=" within {distance}"),
     Act.HESITATE: Doing(does="[hesitate/hesitates/hesitating]"),
     Act.REVERSE: Doing(does="[back/backs/backing] up"),
     Act.PULL_OUT: Doing(does="[pull/pulls/pulling] out into {egos} lane"),

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -610,6 +611,25 @@ def manner_of(kind: str) -> Manner | None:
 def noun_of(kind: str) -> str:
     """What a track is of in words, by its class: ``Pedestrian`` a pedestrian, ``BusStop`` a bus stop."""
     return BY_CLASS[kind].noun if kind in BY_CLASS else re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()
+
+
+_ID = re.compile(r"[A-Za-z]\d*(?:-\d+)?")
+"""What somebody of a situation is called, which says nothing in a sentence; other names are roles."""
+
+
+def named(actor: str, kind: str, kinds: Mapping[str, str]) -> str:
+    """What an actor is called in a sentence, such as *the car*, *car B* of several, *the leader (van)*.
+
+    Args:
+        actor: Its name in the episode.
+        kind: Its class.
+        kinds: The class of everybody in the episode but the ego, by name.
+    """
+    noun = noun_of(kind)
+    if _ID.fullmatch(actor):
+        alike = [other for other, its in kinds.items() if noun_of(its) == noun]
+        return f"{noun} {actor}" if len(alike) > 1 else f"the {noun}"
+    return f"the {actor}" if noun in actor.lower().replace("-", " ") else f"the {actor} ({noun})"
 
 
 def has_lamps(kind: str) -> bool:

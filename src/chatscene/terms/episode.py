@@ -185,6 +185,11 @@ class Episode:
         return self.tracks[0]
 
     @property
+    def kinds(self) -> dict[str, str]:
+        """The class of everybody but the ego, by name."""
+        return {track.actor: track.kind for track in self.tracks if track.role is not Role.EGO}
+
+    @property
     def adversaries(self) -> tuple[Track, ...]:
         """The tracks of the adversaries."""
         return tuple(track for track in self.tracks if track.role is Role.ADVERSARY)

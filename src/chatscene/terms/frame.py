@@ -113,10 +113,10 @@ class About(StrEnum):
 
     MENDED = "read {} as {}"
     WHO = "who the adversary is was not said"
-    STRANGER = "who the adversary is was not said; no road user the library has: {}"
+    STRANGER = "who the adversary is was not said; no scene has such a road user: {}"
     WHAT = "what the adversary does was not understood"
     SIDE = "to which side the ego changes lanes was not said; the left is assumed"
-    FOREIGN = "not in the library: {}"
+    FOREIGN = "no scene has this: {}"
     DIFFERENT = "{}: {} read {}, {} {}"
     READER = "read by {}"
     OFFLINE = "read offline: {}"

@@ -32,6 +32,7 @@ from chatscene.search.generator import load_generator
 from chatscene.search.sampler import load_sampler
 from chatscene.settings import Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, routes_of, simulate
+from chatscene.terms.actors import named
 from chatscene.terms.episode import Episode
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -296,10 +297,14 @@ def _crash(episode: Episode) -> str:
     if crash is None:
         return ""
     other = next(track for track in episode.tracks if track.actor == crash.other)
-    called = f"{other.kind} {other.actor!r}"
+    called = named(other.actor, other.kind, episode.kinds)
     ego = float(episode.ego_track.speed[max(crash.step - 1, 0)])
     theirs = float(other.speed[min(max(crash.step - 1, 0), len(other.speed) - 1)])
-    struck = f"The ego runs into the {called}" if _struck_by_ego(episode) else f"The {called} runs into the ego"
+    struck = (
+        f"The ego runs into {called}"
+        if _struck_by_ego(episode)
+        else f"{called[0].upper()}{called[1:]} runs into the ego"
+    )
     return (
         f"{struck} after {crash.step * episode.dt:.1f} s, at {crash.impact_speed:.1f} m/s "
         f"({3.6 * crash.impact_speed:.0f} km/h) of approach, on the ego's {crash.side}; "
