@@ -18,6 +18,8 @@ from chatscene.interpret.suggest import SERVED
 from chatscene.maps.network import resolve_map
 from chatscene.program.check import check
 from chatscene.read.lexicon import is_english
+from chatscene.report.filled import explain_text
+from chatscene.report.stated import Stated
 from chatscene.settings import Settings, SimulationSettings
 from chatscene.simulate.simulator import load_simulator
 from chatscene.terms.acts import Action
@@ -59,11 +61,12 @@ def test_the_pages_and_the_help_show_sentences() -> None:
 def test_a_sentence_that_the_tool_shows_is_read_and_climbs_the_ladder_unless_the_page_says_otherwise(text: str) -> None:
     if shown().get(text, False):
         with pytest.raises(NothingFits):
-            pipeline.understand(text)
+            explain_text(text)
         return
-    understood = pipeline.understand(text)
-    simulator = load_simulator(resolve_map("town"), SimulationSettings())
-    check(understood.program, understood.scenario.slots, simulator, load_ego("rule-based"))
+    understood = explain_text(text)
+    assert isinstance(understood, Stated)
+    simulator = load_simulator(resolve_map(understood.built.map), SimulationSettings())
+    check(understood.program, understood.situation, simulator, load_ego("rule-based"))
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,6 @@ TOLD = (
     "A is on the right, which was not said",
     "A is a car, since nothing is built as a van",
     "left out, since nothing builds it yet: road.has.0: school",
-    "left out, since nothing builds it yet: others.A.does.1.manner: sudden",
 )
 
 

@@ -236,7 +236,7 @@ def test_a_new_word_is_in_the_prompt_and_in_the_schema_by_itself(monkeypatch: py
 
 def test_the_prompt_stays_short_enough_for_small_models() -> None:
     characters = len(system()) + sum(len(one.text) + len(one.reply) for one in EXAMPLES)
-    assert characters < 14_200  # some 3,500 tokens of four characters; it is measured in docs/language-models.md
+    assert characters < 14_700  # some 3,700 tokens of four characters; it is measured in docs/language-models.md
 
 
 def test_a_model_is_held_to_a_schema_of_which_what_was_not_said_may_be_left_out() -> None:

@@ -19,7 +19,6 @@ from chatscene.terms.situation import Evidence
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 ROWS = [json.loads(line) for line in (BENCHMARKS / "reading" / "replies.jsonl").read_text().splitlines()]
 SENT_BACK = {  # the first replies that have faults of form, with what the model is told
-    "kept/6": "others.A.does.0.distance: drift has no distance",
     "kept/142": "others.A.does.0.distance: keep-level has no distance",
     "kept-second/91": "ego.does.0.whom: brake is done to nobody",
     "kept-third/147": "others.C.does.0.act: object only lies there, and cannot cross",

@@ -25,6 +25,7 @@ ELSEWHERE = {
     "program/deeds.py": "a test on tracks for each",
     "interpret/situation_of.py": "which act of a situation each of these is",
     "interpret/slots_of.py": "which of these each act of a situation is, for an edit",
+    "interpret/placed.py": "acts that another one may have in it",
     "library/plan_check.py": "acts that a plan shows before it is driven",
     "read/parse.py": "which say where somebody starts, or where they lead",
     "read/phrases.py": "what is said before a noun",

@@ -19,7 +19,7 @@ from chatscene.build.place import Found
 from chatscene.build.starts import start_of
 from chatscene.build.towards import is_passed
 from chatscene.errors import NotBuilt
-from chatscene.terms.actors import LIMITS, Limits
+from chatscene.terms.actors import LIMITS, PROPS, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import SEVERAL, Deed, Other
 from chatscene.terms.vocabulary import Act, Role, Side, UserKind
@@ -105,7 +105,7 @@ class Actor:
     @property
     def limits(self) -> Limits:
         """What its body can do."""
-        return LIMITS[self.one.kind.scenic]
+        return LIMITS.get(self.one.kind.scenic) or PROPS[self.one.kind.scenic]
 
     @property
     def walks(self) -> bool:

@@ -289,7 +289,9 @@ class Phases:
                 body += [f"{MOVE} until abs(offsetFrom(egoRoute, self)) > {OUTSIDE}"]
                 body += [ROUND_ON_FOOT if actor.walks else ROUND]
                 turned = False
-            if self._must_get_going(k, still=still):
+            if self._stops_on_its_way_over(k, first):
+                body.append(self._at(k, RESTS, before=True))
+            elif self._must_get_going(k, still=still):
                 body += self._gets_going(k, first, meanwhile)
             body += self._of(k, steps, way, still=still, last=k == len(actor.deeds) - 1, go=meanwhile)
             way = steps.way or way
@@ -298,6 +300,12 @@ class Phases:
             still = steps.pace is Pace.STANDS
             turned ^= deed.act is Act.TURN_BACK
             yield body
+
+    def _stops_on_its_way_over(self, k: int, first: int) -> bool:
+        """Whether it stops in the ego's lane, over which it was on its way."""
+        deeds = self.actor.deeds
+        over = self.actor.stand.meets is Meets.ACROSS and k > first and deeds[k - 1].act is Act.CROSS
+        return over and deeds[k].act in (Act.STOP, Act.BRAKE) and deeds[k].when is None
 
     def _must_get_going(self, k: int, *, still: bool) -> bool:
         """Whether it must get under way before a deed, from a stand or to a speed that was chosen for it."""

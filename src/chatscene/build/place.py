@@ -17,7 +17,6 @@ from chatscene.maps.ring_ways import ROUND, ring_ways
 from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
 from chatscene.situations.check import COMES_OVER
-from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
@@ -130,7 +129,6 @@ def at_roundabout(situation: Situation) -> bool:
     return named or any(one.starts.where in _ROUND for one in situation.others)
 
 
-_TWO_WHEELS = (AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
 
 
@@ -143,7 +141,7 @@ def rides_at_edge(one: Other, route: EgoRoute | None = None) -> bool:
         one: Who.
         route: The ego's.
     """
-    if one.kind.moves is not Moves.RIDES or one.kind.row.body.acts_as not in _TWO_WHEELS:
+    if one.kind.moves is not Moves.RIDES:
         return False
     turned_to = route is not None and one.starts.side is not None and one.starts.side is _TO_SIDE.get(route)
     return turned_to or not one.kind.row.body.row.motorised

@@ -32,11 +32,13 @@ class Filled:
         situation: The situation.
         reader: Who read it.
         left_out: What was read and a situation has no word for.
+        readings: What else the text may say.
     """
 
     situation: Situation
     reader: str
     left_out: tuple[str, ...] = ()
+    readings: tuple[OfferedReading, ...] = ()
 
 
 def filled(
@@ -77,7 +79,7 @@ def filled(
     made = stated(one.situation, by_path, map_name)
     if why := _unbuilt(None, map_name)(made):
         raise _with_what_was_read(NotBuilt(why), read, one)
-    return Filled(situation=made, reader=read.reader, left_out=one.left_out)
+    return Filled(situation=made, reader=read.reader, left_out=one.left_out, readings=_offered(read, one))
 
 
 def is_filled(text: str, settings: RetrievalSettings) -> bool:
@@ -112,9 +114,9 @@ def explain_text(
         reading = replace(settings.retrieval, stated=in_text(facts)) if facts else settings.retrieval
         return understand(text, replace(settings, retrieval=reading), edits=edits)
     read = filled(text, settings.retrieval, facts, map_name)
-    return explain_stated(
-        read.situation, read.reader, read.left_out, edits, editor_of(settings.retrieval.language_model)
-    )
+    editor = editor_of(settings.retrieval.language_model)
+    made = explain_stated(read.situation, read.reader, read.left_out, edits, editor)
+    return made if edits else replace(made, readings=read.readings)
 
 
 def editor_of(language_model: str) -> Editor | None:
@@ -173,12 +175,18 @@ def _with_what_was_read(refusal: NothingFits, read: SituationReading, one: Ranke
     refusal.understood = told(one.situation)
     refusal.text = read.text
     refusal.words = tuple(word.as_dict() for word in words_of(one.situation, read.text))
+    refusal.readings = _offered(read)
+    return refusal
+
+
+def _offered(read: SituationReading, taken: Ranked | None = None) -> tuple[OfferedReading, ...]:
+    """What a text may say, but for what was taken."""
     others = zip(read.ranked[1:], read.settled_by[1:], strict=False)
-    refusal.readings = tuple(
+    return tuple(
         OfferedReading(number=number, told=told(other.situation), probability=other.probability, settled_by=settled)
         for number, (other, settled) in enumerate(others, 1)
+        if taken is None or other.situation != taken.situation
     )
-    return refusal
 
 
 def _unbuilt(facts: Mapping[str, object] | None, map_name: str | None) -> Callable[[Situation], str]:

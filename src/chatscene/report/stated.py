@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from chatscene.build.build import Built, build
+from chatscene.errors import OfferedReading
 from chatscene.files.bounded import is_there
 from chatscene.read.quotes import left_over, not_in_words, words_of
 from chatscene.report.accounting import in_words, parts_of
@@ -38,6 +39,7 @@ class Stated:
         reader: Who read it in a text; empty if it was stated.
         not_said: What was read in the text and a situation has no word for.
         editor: Who applies edits in words; who reads without a language model if None.
+        readings: What else the text may say that it was read in.
     """
 
     situation: Situation
@@ -45,6 +47,7 @@ class Stated:
     reader: str = ""
     not_said: tuple[str, ...] = ()
     editor: Editor | None = field(default=None, repr=False)
+    readings: tuple[OfferedReading, ...] = ()
 
     @property
     def told(self) -> str:
@@ -126,10 +129,13 @@ class Stated:
 
     def __str__(self) -> str:
         """For a person: what is otherwise than was said, the situation in words, its facts, and its map."""
+        from chatscene.report.terminal import readings_in_words
+
         facts = to_yaml(replace(self.situation, evidence=Evidence(), about="")).rstrip()
         words = in_words(parts_of(self.situation.about, self._words())) if self.reader else ""
         told = filter(None, (self.told, words, facts))
-        return "\n".join((*self.told_first, *told, f"built on map {self.built.map}"))
+        also = readings_in_words(self.readings, also=True)
+        return "\n".join((*self.told_first, *told, f"built on map {self.built.map}", *also))
 
     def _repr_html_(self) -> str:
         """For a notebook, as the report shows it."""

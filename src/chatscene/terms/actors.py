@@ -600,7 +600,7 @@ PROPS: dict[str, Limits] = {
     "Billboard": Limits(length=2.0, width=0.6),
 }
 """Things that stand beside the road, by their class; nobody meets them."""
-LIMITS: dict[str, Limits] = {name: kind.row.limits for name, kind in BY_CLASS.items()} | PROPS
+LIMITS: dict[str, Limits] = {name: kind.row.limits for name, kind in BY_CLASS.items()}
 
 
 def manner_of(kind: str) -> Manner | None:

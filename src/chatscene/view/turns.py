@@ -63,7 +63,7 @@ def _stated(stated: Stated) -> Turn:
         "parts": _parts(stated.situation.about, told["words"]),
         "facts": [[path, _said(value)] for path, value in said_in(stated.situation)],
         "notes": list(stated.told_first),
-        "readings": [],
+        "readings": [one.as_dict() for one in stated.readings],
         "confidence": None,
         "snippets": [],
         "program": told["program"],

@@ -23,6 +23,7 @@ from chatscene.world.places import (adjacentPath, against, asideOf, backFrom, be
     secondsTo, shortOfJunction, straightOn, trafficFrom,
     unplaced as _unplaced, waitingTraffic, wayOf, wholeLane, wheelbase_of as _wheelbase_of)
 from chatscene.terms.actors import LIMITS as _LIMITS
+from chatscene.terms.actors import PROPS as _PROPS
 from chatscene.terms.order import Order
 from scenic.core.vectors import globalOrientation as _NORTH
 
@@ -167,25 +168,25 @@ class Prop(Placed, DrivingObject):
     role: ''
 
 class BusStop(Prop):
-    length: _LIMITS['BusStop'].length
-    width: _LIMITS['BusStop'].width
+    length: _PROPS['BusStop'].length
+    width: _PROPS['BusStop'].width
 
 class VendingMachine(Prop):
-    length: _LIMITS['VendingMachine'].length
-    width: _LIMITS['VendingMachine'].width
+    length: _PROPS['VendingMachine'].length
+    width: _PROPS['VendingMachine'].width
 
 class Kiosk(Prop):
-    length: _LIMITS['Kiosk'].length
-    width: _LIMITS['Kiosk'].width
+    length: _PROPS['Kiosk'].length
+    width: _PROPS['Kiosk'].width
 
 class Container(Prop):
-    length: _LIMITS['Container'].length
-    width: _LIMITS['Container'].width
+    length: _PROPS['Container'].length
+    width: _PROPS['Container'].width
 
 class Hedge(Prop):
-    length: _LIMITS['Hedge'].length
-    width: _LIMITS['Hedge'].width
+    length: _PROPS['Hedge'].length
+    width: _PROPS['Hedge'].width
 
 class Billboard(Prop):
-    length: _LIMITS['Billboard'].length
-    width: _LIMITS['Billboard'].width
+    length: _PROPS['Billboard'].length
+    width: _PROPS['Billboard'].width
