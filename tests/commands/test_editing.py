@@ -149,7 +149,7 @@ def test_what_is_answered_adds_up_and_what_is_refused_leaves_the_situation() -> 
     done = said("chat", *FEW, lines="\n".join([*lines, *facts]))
     assert done.exit_code == 0
     refused = done.stdout.rindex("NothingFits")
-    assert "now: A car is ahead of us in our lane. It brakes." in done.stdout[:refused]
+    assert "now: A car is ahead of us in our lane. It brakes hard." in done.stdout[:refused]
     assert done.stdout.count("now: A car is ahead") == 2  # shown again after the new one was refused
     assert "now: A cyclist is at the roadside on our left. The cyclist crosses our path." in done.stdout[refused:]
 
@@ -170,7 +170,7 @@ def test_a_conversation_goes_line_by_line(tmp_path: Path) -> None:
 
 
 def test_python_edits_what_was_understood() -> None:
-    heard = chatscene.explain(WALKS)
+    heard: object = chatscene.explain(WALKS)
     assert isinstance(heard, Stated)
     edited = heard.edit("from the left").edit("hidden by a hedge")
     assert edited.situation["A"].hidden_by == "H"

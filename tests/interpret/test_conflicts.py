@@ -133,7 +133,7 @@ def test_a_run_keeps_from_which_report_it_is_and_what_was_left_out() -> None:
 def test_python_reads_a_report_of_one_conflict_and_names_what_takes_several(tmp_path: Path) -> None:
     path = tmp_path / "claim.txt"
     path.write_text("Dear all,\n\nthe car ahead of us brakes hard.\n", encoding="utf-8")
-    told = chatscene.explain(report=path)
+    told: object = chatscene.explain(report=path)
     assert isinstance(told, Stated)
     assert told.situation.about == "the car ahead of us brakes hard."
     path.write_text(LOG, encoding="utf-8")

@@ -36,6 +36,7 @@ GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake har
 WAVE = 20.0  # [m], five times as far as a tracker looks ahead: a shorter wave is cut
 GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 NEARLY, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
+STOOD = 1.0  # [s] that somebody has stood in the ego's lane when the ego comes, so that it is seen to stop
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 
@@ -231,6 +232,8 @@ class Phases:
             if f"FAST_{k}" in actor.numbers.ranges and deed.act is Act.OVERTAKE
         )
         passing += sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds)))
+        if any(self._stops_on_its_way_over(k, first) for k in range(len(actor.deeds))):
+            passing += actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
         begins = replace(begins, seconds=begins.seconds + passing)
         near = self._comes_near(first, bodies)
         yield from Opening(self, first, begins, near).texts()

@@ -24,6 +24,7 @@ from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import base_of, concluded
 from chatscene.terms.frame import LIKELY, About, Account, Beliefs, Frame, Mention, Note, certain
 from chatscene.terms.scenario import Component, Measure, Scenario, Slots, Unused, Why
+from chatscene.terms.situation import Situation
 from chatscene.terms.slots import SLOTS, slots_of
 from chatscene.terms.snippet import Snippet
 
@@ -334,6 +335,15 @@ def _others(mentions: tuple[Mention, ...], slots: Slots) -> list[Mention]:
                 read.remove(known)
         seen = seen or own
     return found
+
+
+STATED = "situation"
+"""What the scenario of a situation is called that was read in no text."""
+
+
+def scenario_id(situation: Situation) -> str:
+    """What the scenario of a situation is called: after the text that it was read in, or what it is."""
+    return named(situation.about) if situation.evidence.quoted else STATED
 
 
 def named(text: str) -> str:

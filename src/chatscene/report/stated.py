@@ -191,7 +191,7 @@ class Changed(Stated):
 
 
 def _built(situation: Situation) -> Built:
-    from chatscene.search.generators.situated import scenario_id
+    from chatscene.interpret.decide import scenario_id
 
     return build(situation, name=scenario_id(situation))
 

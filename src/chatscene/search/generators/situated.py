@@ -9,7 +9,7 @@ from functools import lru_cache
 from chatscene.build.build import Built, build
 from chatscene.build.place import PACKAGED
 from chatscene.errors import NotBuilt
-from chatscene.interpret.decide import named
+from chatscene.interpret.decide import scenario_id
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.read.quotes import not_in_words
 from chatscene.search.generator import Choice, Written
@@ -22,7 +22,6 @@ from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Situation
 from chatscene.terms.snippet import Tried
 
-NAME = "situation"
 _PARTS = SubDescriptions(behavior="as stated", geometry="as stated", spawn="as stated")
 
 
@@ -75,11 +74,6 @@ class Situated(Exploring):
     def is_trusted(self, settings: RetrievalSettings) -> bool:  # noqa: ARG002
         """Yes: its program is ours, whoever stated the facts."""
         return True
-
-
-def scenario_id(situation: Situation) -> str:
-    """What its program is called: after the text that it was read in, or what it is."""
-    return named(situation.about) if situation.evidence.quoted else NAME
 
 
 def on_any_map(situation: Situation) -> Situation:
