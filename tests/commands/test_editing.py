@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from typing import cast
 
 import pytest
 from click.testing import CliRunner, Result
@@ -170,7 +171,7 @@ def test_a_conversation_goes_line_by_line(tmp_path: Path) -> None:
 
 
 def test_python_edits_what_was_understood() -> None:
-    heard: object = chatscene.explain(WALKS)
+    heard = cast("object", chatscene.explain(WALKS))
     assert isinstance(heard, Stated)
     edited = heard.edit("from the left").edit("hidden by a hedge")
     assert edited.situation["A"].hidden_by == "H"
