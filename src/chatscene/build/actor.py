@@ -12,10 +12,10 @@ from chatscene.build.coming import Coming
 from chatscene.build.deeds import OWN
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
-from chatscene.build.numbers import PACES, Numbers
+from chatscene.build.numbers import MOST, PACES, Numbers
 from chatscene.build.opening import LANE
 from chatscene.build.phases import Phases
-from chatscene.build.place import Found
+from chatscene.build.place import GOES_OVER, NEXT_LANE, Found
 from chatscene.build.starts import start_of
 from chatscene.build.towards import is_passed
 from chatscene.errors import NotBuilt
@@ -29,10 +29,12 @@ BETWEEN = 1.2  # [m] between things in a row
 BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
 SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
 PASSED = (0.55, 0.75)  # of the ego's speed: of who is passed by another
+SOONER_OR_LATER = 0.08  # of its speed, by which who keeps up with the ego is there sooner or later
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
 _AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
 _OFF = frozenset((Act.SET_OFF, Act.STAND))
+_GOES_ON = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW))
 
 
 @dataclass(slots=True)
@@ -81,6 +83,7 @@ class Actor:
             first=self.first.stand if self.first is not None else None,
         )
         self.stand = start_of(asked)
+        self._keep_up()
         self.named = {}
         at = f"others.{self.one.id}"
         self.ledger.take(f"{at}.kind", f"{at}.count", f"{at}.starts.where", f"{at}.starts.side")
@@ -138,6 +141,30 @@ class Actor:
         for k, deed in enumerate(deeds):
             if deed.speed is not None and self.one_speed and self.moves_first(k) and deed.act in _AT_ONE_SPEED:
                 numbers.bind("SPEED", deed.speed, self.ego_speed, f"{self.path}.does.{k}.speed")
+
+    def _goes_on_beside(self) -> bool:
+        """Whether it only goes on, on the side on which the ego goes over its way."""
+        route, start = self.ledger.situation.ego.route, self.one.starts
+        beside = self.stand.meets is Meets.ALONG and start.where in NEXT_LANE and not stands_first(self.one)
+        only = all(deed.act in _GOES_ON for deed in self.deeds)
+        return beside and only and route is not None and GOES_OVER.get(route) is start.side
+
+    def _keep_up(self) -> None:
+        """Let who only goes on beside the ego be where the ego goes over its way when the ego is there.
+
+        Else it is far off by then, and nothing comes of it. An ego whose speed was not said slows down for who cannot.
+        """
+        situation, numbers = self.ledger.situation, self.numbers
+        if self.one.role is not Role.ADVERSARY or not self._goes_on_beside() or numbers.is_said("SPEED"):
+            return
+        there = self.found.route.eventAt
+        ahead = numbers.middle("Y") * (-1 if self.stand.behind else 1)
+        share = (there - ahead) / there  # of the ego's speed
+        usual, top = numbers.range_of("SPEED")[1], MOST * self.limits.top_speed
+        if share * self.ego_speed > usual and situation.ego.speed is None:
+            self.reaches, self.needs = there, there * share / usual
+        needed = min(share * self.ego_speed, top)
+        numbers.narrow("SPEED", (1 - SOONER_OR_LATER) * needed, min((1 + SOONER_OR_LATER) * needed, top))
 
     @property
     def one_speed(self) -> bool:

@@ -130,6 +130,8 @@ def at_roundabout(situation: Situation) -> bool:
 
 
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
+GOES_OVER = _TO_SIDE | {EgoRoute.LANE_CHANGE_LEFT: Side.LEFT, EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT}
+"""The side on which the ego goes over the way of who goes on beside it."""
 
 
 def rides_at_edge(one: Other, route: EgoRoute | None = None) -> bool:

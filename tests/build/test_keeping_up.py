@@ -1,0 +1,59 @@
+"""Who goes on beside the ego, over whose way the ego goes, is there when the ego is; else nothing could come of it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from chatscene.build.build import Built, build
+from chatscene.ego.policy import load_ego, wanting
+from chatscene.maps.network import resolve_map
+from chatscene.program.sample import draw
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.simulator import load_simulator, simulate
+from chatscene.situations.form import from_plain
+from chatscene.terms.scene import Rejected, Scene
+
+
+def beside(kind: str, where: str, side: str, route: str, **ego: Any) -> Built:
+    one = {"id": "A", "kind": kind, "starts": {"where": where, "side": side}, "does": [{"act": "go-along"}]}
+    return build(from_plain({"ego": {"route": route, **ego}, "others": [one]}))
+
+
+def nearest(built: Built, seed: int) -> float:
+    """How near [m] the two come to each other."""
+    simulator = load_simulator(resolve_map(built.map), SimulationSettings(simulator="native"))
+    values = draw(built.program.parameters, seed=seed)
+    scene = Scene(id=f"s/route-00/{seed}", scenario_id="s", route=0, block=0, seed=seed, values=values)
+    episode = simulate(simulator, built.program, scene, wanting(load_ego("idm"), built.program.wanted_speed))
+    assert not isinstance(episode, Rejected)
+    ego, other = episode.ego_track, next(track for track in episode.tracks if track.actor == "A")
+    return float(np.hypot(other.x - ego.x, other.y - ego.y).min())
+
+
+@pytest.mark.parametrize(
+    ("kind", "where", "side", "route"),
+    [
+        ("bicycle", "behind-beside", "right", "right-turn"),
+        ("bicycle", "beside", "right", "right-turn"),
+        ("car", "behind-beside", "left", "lane-change-left"),
+        ("motorcycle", "behind-beside", "left", "lane-change-left"),
+    ],
+)
+def test_they_come_near_each_other(kind: str, where: str, side: str, route: str) -> None:
+    built = beside(kind, where, side, route)
+    assert all(nearest(built, seed) < 6.0 for seed in range(3))
+
+
+def test_the_ego_is_slower_for_who_cannot_keep_up_and_that_is_told() -> None:
+    built = beside("bicycle", "behind-beside", "right", "right-turn")
+    assert built.program.wanted_speed is not None
+    assert built.program.wanted_speed < 6.0
+    assert any("the ego wants" in one for one in built.assumed)
+
+
+def test_a_speed_that_was_said_of_the_ego_stays() -> None:
+    built = beside("bicycle", "behind-beside", "right", "right-turn", speed="20 km/h")
+    assert built.program.wanted_speed == pytest.approx(20 / 3.6, abs=0.01)
