@@ -9,7 +9,7 @@ PIP := $(PY) -m pip install --quiet --no-compile --disable-pip-version-check -c 
 # Where it is set, each of some two hundred processes of the tests compiles every module anew; only `.venv`, caches and
 # `__pycache__` are written to.
 unexport PYTHONDONTWRITEBYTECODE
-SENTENCE ?= A car runs the red light from the left.
+SENTENCE ?= A car pulls out from the right kerb in front of us.
 
 .PHONY: demo test check suite docs wheel clean
 
