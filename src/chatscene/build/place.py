@@ -16,13 +16,13 @@ from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.ring_ways import ROUND, ring_ways
 from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
-from chatscene.situations.check import COMES_OVER
+from chatscene.situations.check import COMES_OVER, RULED_BY
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
 from chatscene.terms.scenario import Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
 from chatscene.world.places import EgoRoute as Route
 from chatscene.world.places import choose_route, lanesBeside, neighbourPath, ownLane
 
@@ -110,9 +110,6 @@ def beside_lane(situation: Situation) -> bool:
     return situation.ego.route in BEGINS or situation.ego.route in ENDS
 
 
-_RULED = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.STOP_SIGN}
-
-
 def control_of(situation: Situation) -> RightOfWay | None:
     """What rules the junction: as was said, else what is there since somebody has it or breaks its rule."""
     if situation.road.control is not None:
@@ -120,7 +117,7 @@ def control_of(situation: Situation) -> RightOfWay | None:
     if situation.road.ego_light is not None:
         return RightOfWay.SIGNAL
     broken = (deed.breaks for one in situation.others for deed in one.does)
-    return next((_RULED[breach] for breach in broken if breach is not None and breach in _RULED), None)
+    return next((RULED_BY[breach] for breach in broken if breach is not None and breach in RULED_BY), None)
 
 
 def at_roundabout(situation: Situation) -> bool:
