@@ -34,7 +34,7 @@ SITES = {
     Feature.OFF_RAMP: Site.PAST_OFF_RAMP,
     Feature.ON_RAMP: Site.PAST_ON_RAMP,
 }
-NEXT_LANE = (Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE)
+NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
 TURNING = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.TURN))
 WAYS = {Act.TURN_LEFT: Maneuver.LEFT_TURN, Act.TURN_RIGHT: Maneuver.RIGHT_TURN}
 PACKAGED = ("town", "outskirts")
@@ -77,7 +77,7 @@ def at_junction(situation: Situation) -> bool:
         road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
         or situation.ego.route in TURNING
         or control_of(situation) in CONTROLS
-        or any(one.starts.where.row.junction for one in others if one.starts.where not in _ROUND)
+        or any(one.starts.where.row.junction for one in others if one.starts.where not in ROUNDABOUT_PLACES)
         or any(deed.act is Act.GO_STRAIGHT for one in others for deed in one.does)
     )
 
@@ -102,7 +102,7 @@ _SITES_OF: dict[EgoRoute | None, Site] = {
     EgoRoute.MERGE: Site.ON_RAMP,
     EgoRoute.EXIT: Site.OFF_RAMP,
 }
-_ROUND = (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY)
+ROUNDABOUT_PLACES = (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY)
 
 
 def beside_lane(situation: Situation) -> bool:
@@ -123,7 +123,7 @@ def control_of(situation: Situation) -> RightOfWay | None:
 def at_roundabout(situation: Situation) -> bool:
     """Whether it happens at a roundabout."""
     named = situation.road.kind is RoadKind.ROUNDABOUT or situation.ego.route is EgoRoute.ROUNDABOUT
-    return named or any(one.starts.where in _ROUND for one in situation.others)
+    return named or any(one.starts.where in ROUNDABOUT_PLACES for one in situation.others)
 
 
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
