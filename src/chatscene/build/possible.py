@@ -12,7 +12,7 @@ from itertools import pairwise
 from chatscene.build.place import NEXT_LANE
 from chatscene.situations.faults import Fault
 from chatscene.terms.situation import EGO, Deed, Other, Situation
-from chatscene.terms.vocabulary import Act, Where
+from chatscene.terms.vocabulary import COMES_IN, Act, Where
 
 OFF_ROAD = frozenset(
     (Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.EXIT_CROSSING, Where.MEDIAN, Where.KERB, Where.BUS_BAY)
@@ -46,8 +46,6 @@ TO_ANOTHER: dict[Act, frozenset[Where]] = {
     Act.CUT_IN: NEXT_LANE | _JOINS | _AGAINST,
 }
 """Where from to somebody else."""
-COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
-"""What only somebody can do who is outside the ego's lane."""
 _TURNED = frozenset((Act.U_TURN, Act.TURN_BACK, Act.TURN_LEFT, Act.TURN_RIGHT, Act.EXIT))
 _STILL = frozenset((Act.STAND, Act.STOP, Act.PARK, Act.YIELD))
 _MAY_STAND = _STILL | {Act.BRAKE, Act.REVERSE, Act.FALL, Act.OPEN_DOOR}

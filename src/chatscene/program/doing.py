@@ -256,7 +256,3 @@ def moved_left(s: Seen, once: Act) -> float:
     """How far to the left [m] somebody goes by what is done."""
     end = once.done if once.done is not None else len(s.drift) - 1
     return float(s.drift[end] - s.drift[once.began])
-
-
-COMES_IN = frozenset((Said.CROSS, Said.ENTER, Said.PULL_OUT))
-"""What is done by whoever is outside the ego's lane and comes into it: begun before, and done when it is in."""

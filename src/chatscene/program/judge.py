@@ -18,7 +18,6 @@ from chatscene.program.contacts import SIDES_OF, striker_of
 from chatscene.program.deeds import ACTIONS, MOVING, STANDING, Act
 from chatscene.program.doing import (
     ACTS,
-    COMES_IN,
     TO_SOMEBODY,
     accelerates,
     enters,
@@ -47,8 +46,8 @@ from chatscene.terms.route import Route
 from chatscene.terms.routing import CONTROLS, PLACES
 from chatscene.terms.scenario import EgoState, Maneuver
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation, When
+from chatscene.terms.vocabulary import COMES_IN, Breach, EgoRoute, Manner, RoadKind, Side, Where
 from chatscene.terms.vocabulary import Act as Said
-from chatscene.terms.vocabulary import Breach, EgoRoute, Manner, RoadKind, Side, Where
 
 SLACK = 0.15  # of a number that was said: what a watcher does not see
 SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
