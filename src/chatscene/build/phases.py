@@ -61,8 +61,8 @@ class Phases:
             if actor.stand.slants and deed.manner is Manner.SLANTING and deed.act in OVER:
                 actor.ledger.take(f"{actor.path}.does.{k}.manner")
             actor.ledger.take(f"{actor.path}.does.{k}.act", *broken)
-        hides = any(other.hidden_by == one.id for other in actor.ledger.situation.others)
-        hides = one.role is Role.HIDES or (hides and one.role is Role.SUPPORTING)
+        in_the_way = any(other.hidden_by == one.id for other in actor.ledger.situation.others)
+        hides = one.role is Role.HIDES or (in_the_way and one.role is Role.SUPPORTING)
         if actor.lies or (hides and all(deed.act is Act.STAND for deed in deeds)):
             return ("Halt()",) if one.role is Role.ADVERSARY else ()
         self.body = Body(actor.limits, actor.walks)
@@ -95,24 +95,23 @@ class Phases:
         ahead = Course()
         for body in bodies[:-1]:
             ahead = course(body, actor.numbers, self.body, ahead)
-        last = bodies[-1]
-        gets = [text for text in last if "until self.pose[3] >" in text][:1]
-        begins = course(gets, actor.numbers, self.body, ahead)
+        gains = [text for text in bodies[-1] if "until self.pose[3] >" in text][:1]
+        begins = course(gains, actor.numbers, self.body, ahead)
         if actor.deeds[-1].speed is not None and self.steps[-1].pace in (Pace.KEEPS, Pace.GAINS):
             wish = self.paces.after[-1]
             if wish.name:  # until it is nearly as fast as was said
-                gets = f"MoveAhead(${wish.name}) until self.pose[3] > {NEARLY:g} * ${wish.name}"
-                reached = course([gets], actor.numbers, self.body, begins)
+                reaches = f"MoveAhead(${wish.name}) until self.pose[3] > {NEARLY:g} * ${wish.name}"
+                reached = course([reaches], actor.numbers, self.body, begins)
                 begins = replace(begins, seconds=min(reached.seconds, begins.seconds + LONGEST))
-        passing = sum(
+        takes = sum(
             seconds_to_get_by(actor, k)
             for k, deed in enumerate(actor.deeds)
             if f"FAST_{k}" in actor.numbers.ranges and deed.act is Act.OVERTAKE
         )
-        passing += sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds)))
+        takes += sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds)))
         if any(self._stops_on_its_way_over(k, first) for k in range(len(actor.deeds))):
-            passing += actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
-        begins = replace(begins, seconds=begins.seconds + passing)
+            takes += actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
+        begins = replace(begins, seconds=begins.seconds + takes)
         near = self._comes_near(first, bodies)
         yield from Opening(self, first, begins, near).texts()
         for body in bodies:
