@@ -106,6 +106,7 @@ def find(ledger: Ledger) -> Found:
 
 
 _MORE = 1.15  # by which routes that are looked for get shorter, the longest first
+_BEYOND = 2.5  # times as long as the way to somebody is an open road: as much leads on from there, and some is spare
 _ROOM_BEYOND = 10.0  # [m] of road beyond somebody whose distance was said
 _BEFORE = frozenset(
     (
@@ -149,7 +150,7 @@ def _longer(query: dict[str, Any], more: float) -> dict[str, Any]:
 
 def _lengths(situation: Situation) -> Iterator[float]:
     """How many times as much road as usual is looked for: as the ego's speed asks for, then less."""
-    more = max(further(situation), *(_far(one) / OPEN_ROAD * 2.5 for one in situation.others), 1.0)
+    more = max(further(situation), *(_far(one) / OPEN_ROAD * _BEYOND for one in situation.others), 1.0)
     while more > 1.0:
         yield more
         more /= _MORE
@@ -199,6 +200,16 @@ def _answered(
     lacking: list[str],
     rooms: dict[str, float],
 ) -> Found | None:
+    """The first route of a map that answers a query, if all whom it is for can be there.
+
+    Args:
+        situation: What was said.
+        name: The map's name or file.
+        query: What it is asked for.
+        sides: Those that were chosen.
+        lacking: Takes what the map lacks, in words.
+        rooms: Takes how far [m] somebody can be at most, for each distance that was said and is more.
+    """
     path = str(resolve_map(name))
     network = load_network(path)
     try:

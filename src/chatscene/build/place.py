@@ -30,7 +30,7 @@ class Found:
         query: What the program asks the map for, as `selectRoute` takes it.
         route: The first route that the map answers with.
         sides: For each of others whose side was left open, the one that was chosen.
-        further: By how much more road than usual leads up to what happens.
+        further: How many times as much road as usual leads up to what happens.
     """
 
     map: str

@@ -21,6 +21,8 @@ TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.TURN))
 MOST = 20  # of others, of one of them, and of the deeds of one: more is no situation that a person means
 RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.STOP_SIGN}
 """What rules a junction where somebody breaks such a rule."""
+COMES_OVER = frozenset((Act.CROSS, Act.CUT_IN))
+"""Acts that lead from where somebody is at first to the other side."""
 AMOUNTS = ("speed", "acceleration", "distance", "time")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
 _MOVING = "drives, rides or walks"
@@ -83,10 +85,6 @@ def _too_many(situation: Situation) -> Iterator[Fault]:
     for path, does in listed:
         if len(does) > MOST:
             yield Fault(path, f"{len(does)} deeds are more than {MOST}")
-
-
-COMES_OVER = frozenset((Act.CROSS, Act.CUT_IN))
-"""Acts that lead from where somebody is at first to the other side."""
 
 
 def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
