@@ -8,7 +8,9 @@ from typing import Any
 import pytest
 from test_building import WRITTEN, built, drive, simulator, situation
 
-from chatscene.program.judge import ACTS, STARTS, Finding, failures, judge
+from chatscene.program.doing import ACTS
+from chatscene.program.judge import Finding, failures, judge
+from chatscene.program.starting import STARTS
 from chatscene.situations.facts import with_fact
 from chatscene.terms.episode import Episode
 from chatscene.terms.situation import Situation

@@ -6,10 +6,10 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from chatscene.build.anyway import said_anyway
 from chatscene.build.asked import Asked, Meets, Stand, stands_first
 from chatscene.build.coming import Coming
 from chatscene.build.deeds import OWN
+from chatscene.build.facing import said_anyway
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers

@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import Contact, Other
-from chatscene.terms.vocabulary import Part, Side, Striker
+from chatscene.terms.vocabulary import Act, Part, Role, Side, Striker
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
 
 NEAR_MISS = 1.0  # [s] before the ego at most that somebody has gone by where there is no contact
+YIELDS = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
+GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
 Window = tuple[float, float]
 
 EGO: Mapping[Part, Window] = {
@@ -37,6 +44,24 @@ At -1 the other touches the ego's tail, at 0 both noses are there at once, at 1 
 """
 _LEFT = frozenset((Part.LEFT, Part.LEFT_FRONT, Part.LEFT_REAR))
 _RIGHT = frozenset((Part.RIGHT, Part.RIGHT_FRONT, Part.RIGHT_REAR))
+
+
+def set_offset(actor: Actor) -> None:
+    """Let somebody be where the ways meet from when it would touch the ego's tail to when it would just have gone by.
+
+    Whoever comes later strikes the other.
+    """
+    ego = AdversaryKind.CAR.row.limits
+    late = -0.5 * (ego.length + actor.limits.length) / actor.ego_speed
+    early = (ego.width + actor.limits.length) / actor.numbers.middle("SPEED")
+    yields = bool(actor.deeds) and actor.deeds[0].act is Act.YIELD
+    if yields:  # who waits for the ego is there well before it
+        late, early = YIELDS
+    late, early, *taken = aimed(actor.ledger.situation.contact, actor.one, late, early)
+    actor.ledger.take(*taken)
+    if actor.one.role is Role.SUPPORTING and not yields:  # not met: before the ego, which can still brake for it
+        late, early = early + 0.5 * actor.ego_speed / GENTLE, early + actor.ego_speed / GENTLE
+    actor.numbers.narrow("OFFSET", late, early)
 
 
 def aimed(contact: Contact | None, one: Other, late: float, early: float) -> tuple[float, float, *tuple[str, ...]]:

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from chatscene.build.actor import Actor
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.ego import BuiltEgo, ego_of
+from chatscene.build.finding import find, started
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
-from chatscene.build.place import Found, find, met_first, started
+from chatscene.build.place import Found
 from chatscene.build.possible import OFF_ROAD, impossible
 from chatscene.build.towards import at_distance, in_rows
 from chatscene.errors import NotBuilt
@@ -24,6 +25,8 @@ from chatscene.terms.vocabulary import Act, Role, Where
 ROOM = 3.0  # [m] between who stand in a row
 _SAME = {Where.DRIVEWAY: "roadside", Where.IN_ROUNDABOUT: "roundabout-entry"}
 """Where those stand in one row who are said to be in two places."""
+NOBODY = "nobody meets the ego: others: nobody has the role adversary"
+"""Why a situation is refused in which nobody does."""
 SLOWEST = 4.0  # [m/s] that an ego wants of which no speed was said
 
 
@@ -55,7 +58,8 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
         NotBuilt: A fact of it cannot be built, or no map has such a place; the message names the fact.
         MapError: There is no such map.
     """
-    met_first(situation)
+    if not situation.adversaries:
+        raise NotBuilt(NOBODY)
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
     ledger, found, ego, everybody, body = _cast(situation, NOMINAL.speed)

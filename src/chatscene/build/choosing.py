@@ -23,7 +23,7 @@ from chatscene.build.deeds import (
 from chatscene.build.local import check_round
 from chatscene.build.naming import name_of
 from chatscene.build.paces import Pace
-from chatscene.build.place import NEXT_LANE, at_junction, rides_at_edge
+from chatscene.build.place import NEXT_LANE, ROUNDABOUT_PLACES, at_junction, rides_at_edge
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed
@@ -36,7 +36,6 @@ _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
 _ASIDE = frozenset((Act.WEAVE, Act.DRIFT, Act.SWERVE, Act.LANE_CHANGE, Act.CUT_OUT))
 _OFF = frozenset((Act.SET_OFF, Act.STAND))
 _COMES_BACK = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE))
-_ROUND = (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY)
 
 
 def steps_of(actor: Actor, k: int) -> Steps:
@@ -46,10 +45,10 @@ def steps_of(actor: Actor, k: int) -> Steps:
         NotBuilt: Nobody who is there does it yet.
     """
     deed, where = actor.deeds[k], actor.one.starts.where
-    if where in _ROUND:
+    if where in ROUNDABOUT_PLACES:
         check_round(actor, k)
     table = dict(_table(actor, deed))
-    if deed.act not in table or (deed.act in _ASIDE and where in _ROUND):  # nobody sees it on a bend
+    if deed.act not in table or (deed.act in _ASIDE and where in ROUNDABOUT_PLACES):  # nobody sees it on a bend
         raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}")
     return _by_numbers(actor, k, table[deed.act])
 

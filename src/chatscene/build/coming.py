@@ -46,7 +46,7 @@ def wanted_by(situation: Situation) -> float:
 
 
 def further(situation: Situation) -> float:
-    """By how much more road than usual the ego's way leads up to what happens; 1 at the nominal speed or below."""
+    """How many times as much road as usual leads up to what happens; 1 at the nominal speed or below."""
     return max(1.0, wanted_by(situation) / NOMINAL.speed)
 
 

@@ -1,17 +1,22 @@
-"""Which way somebody faces at first: as was said, across the road, or at a slant."""
+"""Which way somebody faces at first, as was said, across the road or at a slant; and what of that is so anyway."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
 
 from chatscene.build.asked import Asked, Meets, Stand
+from chatscene.situations.check import COMES_OVER
+from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import Act, Facing, Manner, Side
 
 OVER = frozenset((Act.CROSS, Act.ENTER, Act.GO_STRAIGHT))
 """What is done at a slant, if it is."""
 _LONGER = 1.25  # times as far as straight over is a way at the middle slant
 _TURNS = {Facing.ALONG: 0.0, Facing.AGAINST: math.pi, Facing.ACROSS: math.pi / 2}
+FACES = {Meets.ALONG: Facing.ALONG, Meets.KERB: Facing.ALONG, Meets.TOWARD: Facing.AGAINST}
+"""Which way somebody faces who comes to meet the ego so."""
 
 
 def turned(asked: Asked, stand: Stand) -> Stand:
@@ -53,3 +58,18 @@ def slanting(asked: Asked, stand: Stand, side: str) -> Stand:
         return stand
     facing_so = f"{stand.facing} {'-' if side == Side.RIGHT else '+'} $SLANT"
     return replace(stand, facing=facing_so, left=f"{_LONGER:g} * {stand.left}", slants=True)
+
+
+def said_anyway(one: Other, meets: Meets) -> Iterator[str]:
+    """The paths of facts of somebody that hold as it is built, whether they are said or not.
+
+    Args:
+        one: Somebody, with its side.
+        meets: How it comes to meet the ego.
+    """
+    at = f"others.{one.id}"
+    if one.starts.facing is not None and FACES.get(meets) is one.starts.facing:
+        yield f"{at}.starts.facing"
+    for k, deed in enumerate(one.does):
+        if deed.act in COMES_OVER and deed.to is not None and deed.to is not one.starts.side:
+            yield f"{at}.does.{k}.to"

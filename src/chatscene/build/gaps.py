@@ -1,4 +1,4 @@
-"""Gaps that were said: how much room somebody leaves who comes in before the ego, or before another."""
+"""Gaps: how much room somebody leaves who comes in before the ego or another, and how long it takes to get ahead."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.deeds import OWN
 from chatscene.build.towards import done_to, to_whom
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import Act, Where
 
@@ -62,6 +63,14 @@ def seconds_to_get_ahead(actor: Actor, k: int) -> float:
     if first or not _from_behind(actor, k):
         return 0.0
     return (actor.numbers.middle("Y") + 2 * actor.limits.length) / GAINS
+
+
+def seconds_to_get_by(actor: Actor, k: int) -> float:
+    """How long [s] it takes somebody to get by the ego in its k-th deed."""
+    faster = actor.numbers.middle(f"FAST_{k}") - actor.ego_speed
+    metres = actor.numbers.middle("Y") if actor.stand.behind and "Y" in actor.numbers.ranges else 0.0
+    metres += 0.5 * (actor.limits.length + AdversaryKind.CAR.row.limits.length)
+    return (metres + actor.numbers.middle("AHEAD")) / max(faster, 0.5)
 
 
 def comes_in(actor: Actor, k: int) -> str:

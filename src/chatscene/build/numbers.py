@@ -68,7 +68,6 @@ class Numbers:
     name: str
     row: RoadUser
     ranges: dict[str, tuple[float, float, str, str]] = field(default_factory=dict[str, tuple[float, float, str, str]])
-
     bound: dict[str, str] = field(default_factory=dict[str, str])
     read: set[str] = field(default_factory=set[str])
 
@@ -87,8 +86,8 @@ class Numbers:
         Args:
             name: The parameter.
             amount: What was said of it.
-            path: The fact that says it.
             ego: What the ego has of it, where an amount is measured against that.
+            path: The fact that says it.
 
         Raises:
             NotBuilt: No body of its kind can do that.

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.deeds import GO, MOVE
 from chatscene.build.naming import name_of
-from chatscene.build.paces import CRAWLS, Pace
+from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import at_junction
 from chatscene.build.timing import Course
 from chatscene.build.waiting import when_of
@@ -155,13 +155,13 @@ class Opening:
     def _keeps_pace(self) -> str:
         """It goes as fast as the ego, or at a speed that the ego has not."""
         speed = self.phases.paces.before[self.first]
-        if speed.name and self.phases.keeps_distance:
+        if speed.name and keeps_distance(self.phases.actor):
             return GO.replace("$SPEED", f"${speed.name}")
         ahead = "-$Y" if self.phases.actor.stand.behind else "$Y"
-        if not self.phases.keeps_distance:
+        if not keeps_distance(self.phases.actor):
             least = min(LEAST, 0.8 * self.phases.actor.ego_speed)
             return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, {least:.3g})"
-        return f"PaceOnPath({{p}}, ego, {ahead}, 40, {self.phases.follows:.3g})"
+        return f"PaceOnPath({{p}}, ego, {ahead}, 40, {slowest_with_ego(self.phases.actor):.3g})"
 
     def _due(self) -> str:
         """When the first deed is due: when the ego needs so many seconds more than it does to where they meet."""

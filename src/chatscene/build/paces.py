@@ -9,16 +9,24 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import TYPE_CHECKING
 
-from chatscene.build.numbers import MOST, Numbers
+from chatscene.build.asked import Meets, stands_first
+from chatscene.build.numbers import MOST, PACES, Numbers
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.terms.seeing import LOST, SHARE_LOST, gain_of, loss_of
 from chatscene.terms.situation import Deed
 
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+    from chatscene.build.deeds import Steps
+
 SEEN = 1.1  # times what a watcher must see at least
 NEARLY = 0.95  # of the speed that a pedal holds, from which on it is held
 LEAST = 0.3  # [m/s], nobody goes slower on purpose
+PASSES = 1.2  # times as fast as the ego is who gets by it before the road ends
+FOLLOWS = 0.64  # of the ego's speed, the least of who goes with it
 CRAWLS = 1.0  # [m/s]: who must be slower before it gains speed gains it from a stand
 
 
@@ -159,6 +167,99 @@ class Paces:
         least = loss_of(before.high)
         if not one.gains and after.low > before.high - least:
             raise NotBuilt(f"{name} {_told(before.high, after.low)}; say {_kmh(before.high - least)} at most")
+
+
+def paces_of(actor: Actor, steps: Sequence[Steps], body: Body) -> Paces:
+    """How fast somebody is before and after each of its deeds.
+
+    Args:
+        actor: Who.
+        steps: For each deed, how it is done.
+        body: What its body can do.
+
+    Raises:
+        NotBuilt: A speed that was said is more than it can, or cannot be seen.
+    """
+    if (start := actor.one.starts.speed) is not None and not stands_first(actor.one):
+        actor.numbers.bind("SPEED", start, actor.ego_speed, f"{actor.path}.starts.speed")
+    said = [_said_speed(actor, k, one, body) for k, one in enumerate(steps)]
+
+    def paced(first: Speed) -> Paces:
+        paces = Paces(actor.numbers, body, actor.path, first)
+        for k, (one, (name, speed)) in enumerate(zip(steps, said, strict=True)):
+            paces.add(k, one.pace, speed, name)
+        paces.settle(actor.deeds)
+        return paces
+
+    try:
+        return paced(_first(actor, as_ego=True))
+    except NotBuilt:
+        return paced(_first(actor, as_ego=False))
+
+
+def _first(actor: Actor, *, as_ego: bool) -> Speed:
+    """The speed that somebody has before its first deed."""
+    said = "SPEED" in actor.numbers.bound
+    if stands_first(actor.one):
+        return Speed("", 0.0, 0.0, said=True)
+    if as_ego and not said and keeps_distance(actor):
+        return Speed("", slowest_with_ego(actor), actor.ego_speed, said=True)  # the ego's, or less behind others
+    low, high, *_ = actor.numbers.ranges["SPEED"]
+    return Speed("SPEED", low, high, said=said)
+
+
+def slowest_with_ego(actor: Actor) -> float:
+    """The least speed [m/s] of who keeps its distance to the ego: else both would slow down for each other."""
+    return FOLLOWS * actor.ego_speed
+
+
+def keeps_distance(actor: Actor) -> bool:
+    """Whether somebody goes as fast as the ego until its first deed is due."""
+    motorised = actor.one.kind.row.body.row.motorised
+    return actor.stand.meets is Meets.ALONG and motorised and not actor.stand.rolls
+
+
+def _said_speed(actor: Actor, k: int, steps: Steps, body: Body) -> tuple[str, tuple[float, float] | None]:
+    """The parameter of the speed of a deed, and what was said of it."""
+    deed, numbers, at = actor.deeds[k], actor.numbers, f"{actor.path}.does.{k}"
+    general = {Pace.GAINS: "FAST", Pace.LOSES: "SLOW"}.get(steps.pace, "SPEED")
+    own = f"{general}_{k}"
+    bound = steps.binds.get("speed") == general
+    if bound and deed.speed is not None:
+        own = general if general == "SPEED" and actor.one_speed and actor.moves_first(k) else own
+        numbers.bind(own, deed.speed, actor.ego_speed, f"{at}.speed")
+        low, high, *_ = numbers.ranges[own]
+        if steps.pace is Pace.KEEPS and body.falls_short(low):
+            low, high = body.wish_for(low), body.wish_for(high)
+            numbers.narrow(own, low, high)
+        return own, (low, high)
+    if deed.manner in PACES and deed.speed is None and bound and steps.pace is Pace.KEEPS:
+        actor.ledger.take(f"{at}.manner")
+        low, high, *_ = numbers.ranges[PACES[deed.manner]]
+        own = "SPEED" if len({one.manner for one in actor.deeds if one.manner in PACES}) == 1 else own
+        numbers.narrow(own, low, high)
+        return own, (low, high)
+    return own, None
+
+
+def set_passing_speed(actor: Actor, k: int) -> None:
+    """Let somebody be so much faster than the ego that it gets by in its k-th deed.
+
+    Raises:
+        NotBuilt: It is not, or no such body is.
+    """
+    deed = actor.deeds[k]
+    least, name = PASSES * actor.ego_speed, f"FAST_{k}"
+    if deed.speed is not None:
+        actor.numbers.bind(name, deed.speed, actor.ego_speed, f"{actor.path}.does.{k}.speed")
+    low, high, *_ = actor.numbers.range_of(name)
+    most = high if deed.speed is not None else MOST * actor.limits.top_speed
+    if most < least:
+        raise NotBuilt(
+            f"{actor.path}.does.{k}: a {actor.one.kind} at {3.6 * most:.0f} km/h does not overtake an ego at "
+            f"{3.6 * actor.ego_speed:.0f} km/h; say {3.6 * least:.0f} km/h at least, or a slower ego"
+        )
+    actor.numbers.narrow(name, max(low, least), max(high, least))
 
 
 def _told(before: float, after: float) -> str:

@@ -7,32 +7,27 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from chatscene.build.aim import aimed
+from chatscene.build.aim import set_offset
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.choosing import steps_of
 from chatscene.build.deeds import GO, MOVE, RESTS, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
 from chatscene.build.facing import OVER
-from chatscene.build.gaps import backs_by, comes_in, gap_is_said, gets_ahead, seconds_to_get_ahead
+from chatscene.build.gaps import backs_by, comes_in, gap_is_said, gets_ahead, seconds_to_get_ahead, seconds_to_get_by
 from chatscene.build.local import breaks, check_turn
-from chatscene.build.numbers import FIRM, MOST, PACES
+from chatscene.build.numbers import FIRM
 from chatscene.build.opening import Opening
-from chatscene.build.paces import CRAWLS, Pace, Paces, Speed
+from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_passing_speed
 from chatscene.build.timing import Body, Course, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
-from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import Deed
 from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
-YIELDS = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
-PASSES = 1.2  # times as fast as the ego is who gets by it before the road ends
-FOLLOWS = 0.64  # of the ego's speed
 BACK, DRIFTS = 1.5, 8.0  # [m] that somebody goes back; that it goes on while it drifts by a third
-GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
 WAVE = 20.0  # [m], five times as far as a tracker looks ahead: a shorter wave is cut
 GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 NEARLY, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
@@ -66,140 +61,23 @@ class Phases:
             if actor.stand.slants and deed.manner is Manner.SLANTING and deed.act in OVER:
                 actor.ledger.take(f"{actor.path}.does.{k}.manner")
             actor.ledger.take(f"{actor.path}.does.{k}.act", *broken)
-        hides = any(other.hidden_by == one.id for other in actor.ledger.situation.others)
-        hides = one.role is Role.HIDES or (hides and one.role is Role.SUPPORTING)
+        in_the_way = any(other.hidden_by == one.id for other in actor.ledger.situation.others)
+        hides = one.role is Role.HIDES or (in_the_way and one.role is Role.SUPPORTING)
         if actor.lies or (hides and all(deed.act is Act.STAND for deed in deeds)):
             return ("Halt()",) if one.role is Role.ADVERSARY else ()
         self.body = Body(actor.limits, actor.walks)
         self.steps = [steps_of(actor, k) for k in range(len(deeds))]
-        self._choose_speeds()
+        self.paces = paces_of(actor, self.steps, self.body)
         if not any(deed.time is not None for deed in deeds):  # so far that it is seen to go on
             slowest = min((speed.low for speed in self.paces.after if speed.name and speed.low > 0.0), default=2.0)
             least = max(1.0, GOES_ON * actor.limits.length / slowest)
             actor.numbers.narrow("GO_TIME", least, least + 1.0)
         for k, steps in enumerate(self.steps):
             if steps.binds.get("speed") == "FAST" and deeds[k].act is Act.OVERTAKE:
-                self._overtakes(k)
+                set_passing_speed(actor, k)
         if actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) or actor.stand.rolls:
-            self._between()
+            set_offset(actor)
         return tuple(self._all())
-
-    # Speeds
-
-    def _choose_speeds(self) -> None:
-        actor = self.actor
-        numbers = actor.numbers
-        if (start := actor.one.starts.speed) is not None and not stands_first(actor.one):
-            numbers.bind("SPEED", start, actor.ego_speed, f"{actor.path}.starts.speed")
-        said = {k: self._said_speed(k) for k in range(len(self.steps))}
-        try:
-            self.paces = self._paced(said, self._first(as_ego=True))
-        except NotBuilt:
-            self.paces = self._paced(said, self._first(as_ego=False))
-
-    def _paced(self, said: dict[int, tuple[str, tuple[float, float] | None]], first: Speed) -> Paces:
-        actor = self.actor
-        paces = Paces(actor.numbers, self.body, actor.path, first)
-        for k, steps in enumerate(self.steps):
-            name, speed = said[k]
-            paces.add(k, steps.pace, speed, name)
-        paces.settle(actor.deeds)
-        return paces
-
-    def _first(self, *, as_ego: bool) -> Speed:
-        """The speed it has before its first deed."""
-        actor = self.actor
-        said = "SPEED" in actor.numbers.bound
-        if stands_first(actor.one):
-            return Speed("", 0.0, 0.0, said=True)
-        if as_ego and not said and self.keeps_distance:
-            return Speed("", self.follows, actor.ego_speed, said=True)  # the ego's, or less behind others
-        low, high, *_ = actor.numbers.ranges["SPEED"]
-        return Speed("SPEED", low, high, said=said)
-
-    @property
-    def follows(self) -> float:
-        """The least speed [m/s] of who keeps its distance to the ego: else both would slow down for each other."""
-        return FOLLOWS * self.actor.ego_speed
-
-    @property
-    def keeps_distance(self) -> bool:
-        """Whether it goes as fast as the ego until its first deed is due."""
-        row = self.actor.one.kind.row.body.row
-        stand = self.actor.stand
-        return stand.meets is Meets.ALONG and row.motorised and not stand.rolls
-
-    def _said_speed(self, k: int) -> tuple[str, tuple[float, float] | None]:
-        """The parameter of the speed of a deed, and what was said of it."""
-        actor, deed, steps = self.actor, self.actor.deeds[k], self.steps[k]
-        numbers, at = actor.numbers, f"{actor.path}.does.{k}"
-        general = {Pace.GAINS: "FAST", Pace.LOSES: "SLOW"}.get(steps.pace, "SPEED")
-        own = f"{general}_{k}"
-        bound = steps.binds.get("speed") == general
-        if bound and deed.speed is not None:
-            own = general if general == "SPEED" and actor.one_speed and actor.moves_first(k) else own
-            numbers.bind(own, deed.speed, actor.ego_speed, f"{at}.speed")
-            low, high, *_ = numbers.ranges[own]
-            if steps.pace is Pace.KEEPS and self.body.falls_short(low):
-                low, high = self.body.wish_for(low), self.body.wish_for(high)
-                numbers.narrow(own, low, high)
-            return own, (low, high)
-        if deed.manner in PACES and deed.speed is None and bound and steps.pace is Pace.KEEPS:
-            actor.ledger.take(f"{at}.manner")
-            low, high, *_ = numbers.ranges[PACES[deed.manner]]
-            own = "SPEED" if len({one.manner for one in actor.deeds if one.manner in PACES}) == 1 else own
-            numbers.narrow(own, low, high)
-            return own, (low, high)
-        return own, None
-
-    def _overtakes(self, k: int) -> None:
-        """Let it be so much faster than the ego that it gets by.
-
-        Raises:
-            NotBuilt: It is not, or no such body is.
-        """
-        actor, deed = self.actor, self.actor.deeds[k]
-        least, name = PASSES * actor.ego_speed, f"FAST_{k}"
-        if deed.speed is not None:
-            actor.numbers.bind(name, deed.speed, actor.ego_speed, f"{actor.path}.does.{k}.speed")
-        low, high, *_ = actor.numbers.range_of(name)
-        most = high if deed.speed is not None else MOST * actor.limits.top_speed
-        if most < least:
-            raise NotBuilt(
-                f"{actor.path}.does.{k}: a {actor.one.kind} at {3.6 * most:.0f} km/h does not overtake an ego at "
-                f"{3.6 * actor.ego_speed:.0f} km/h; say {3.6 * least:.0f} km/h at least, or a slower ego"
-            )
-        actor.numbers.narrow(name, max(low, least), max(high, least))
-
-    def _passing(self, k: int) -> float:
-        """How long [s] it takes to get by the ego."""
-        actor = self.actor
-        faster = actor.numbers.middle(f"FAST_{k}") - actor.ego_speed
-        metres = actor.numbers.middle("Y") if actor.stand.behind and "Y" in actor.numbers.ranges else 0.0
-        metres += 0.5 * (actor.limits.length + AdversaryKind.CAR.row.limits.length)
-        return (metres + actor.numbers.middle("AHEAD")) / max(faster, 0.5)
-
-    def _between(self) -> None:
-        """Let it be where the ways meet from when it would touch the ego's tail to when it would just have gone by.
-
-        Whoever comes later strikes the other.
-        """
-        actor, ego = self.actor, AdversaryKind.CAR.row.limits
-        late = -0.5 * (ego.length + actor.limits.length) / actor.ego_speed
-        early = (ego.width + actor.limits.length) / actor.numbers.middle("SPEED")
-        yields = bool(actor.deeds) and actor.deeds[0].act is Act.YIELD
-        if yields:  # who waits for the ego is there well before it
-            late, early = YIELDS
-        late, early, *taken = aimed(actor.ledger.situation.contact, actor.one, late, early)
-        actor.ledger.take(*taken)
-        if actor.one.role is Role.SUPPORTING and not yields:  # not met: before the ego, which can still brake for it
-            late, early = early + 0.5 * actor.ego_speed / GENTLE, early + actor.ego_speed / GENTLE
-        actor.numbers.narrow("OFFSET", late, early)
-
-    # Steps
-
-    def _then(self, k: int) -> Act | None:
-        return self.actor.deeds[k + 1].act if k + 1 < len(self.actor.deeds) else None
 
     # All phases
 
@@ -217,24 +95,23 @@ class Phases:
         ahead = Course()
         for body in bodies[:-1]:
             ahead = course(body, actor.numbers, self.body, ahead)
-        last = bodies[-1]
-        gets = [text for text in last if "until self.pose[3] >" in text][:1]
-        begins = course(gets, actor.numbers, self.body, ahead)
+        gains = [text for text in bodies[-1] if "until self.pose[3] >" in text][:1]
+        begins = course(gains, actor.numbers, self.body, ahead)
         if actor.deeds[-1].speed is not None and self.steps[-1].pace in (Pace.KEEPS, Pace.GAINS):
             wish = self.paces.after[-1]
             if wish.name:  # until it is nearly as fast as was said
-                gets = f"MoveAhead(${wish.name}) until self.pose[3] > {NEARLY:g} * ${wish.name}"
-                reached = course([gets], actor.numbers, self.body, begins)
+                reaches = f"MoveAhead(${wish.name}) until self.pose[3] > {NEARLY:g} * ${wish.name}"
+                reached = course([reaches], actor.numbers, self.body, begins)
                 begins = replace(begins, seconds=min(reached.seconds, begins.seconds + LONGEST))
-        passing = sum(
-            self._passing(k)
+        takes = sum(
+            seconds_to_get_by(actor, k)
             for k, deed in enumerate(actor.deeds)
             if f"FAST_{k}" in actor.numbers.ranges and deed.act is Act.OVERTAKE
         )
-        passing += sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds)))
+        takes += sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds)))
         if any(self._stops_on_its_way_over(k, first) for k in range(len(actor.deeds))):
-            passing += actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
-        begins = replace(begins, seconds=begins.seconds + passing)
+            takes += actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
+        begins = replace(begins, seconds=begins.seconds + takes)
         near = self._comes_near(first, bodies)
         yield from Opening(self, first, begins, near).texts()
         for body in bodies:
@@ -359,6 +236,9 @@ class Phases:
         period = max(3.0, WAVE / goes)
         text = text.replace("{period}", f"{period:.2g}").replace("{weaves}", f"{1.5 * period:.2g}")
         return text.replace("{back}", f"{1.0 + BACK / goes:.2g}").replace("{drift}", f"{max(0.9, DRIFTS / goes):.2g}")
+
+    def _then(self, k: int) -> Act | None:
+        return self.actor.deeds[k + 1].act if k + 1 < len(self.actor.deeds) else None
 
     def _of(self, k: int, steps: Steps, way: str | None, *, still: bool, last: bool, go: str) -> Iterator[str]:
         actor, deed = self.actor, self.actor.deeds[k]

@@ -1,43 +1,26 @@
-"""Where it happens: a query for the ego's route, and a route of the map that has all the ways that others need."""
+"""Where it happens, by what was said: at a junction, a roundabout or on a road, and on which arm of it somebody is."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from pathlib import Path
+from dataclasses import dataclass
 from typing import Any
 
-from chatscene.build.coming import further
-from chatscene.build.ledger import Ledger
-from chatscene.errors import MapError, NotBuilt
-from chatscene.maps.crossings import conflicting_paths
-from chatscene.maps.network import load_network, resolve_map
-from chatscene.maps.ring_ways import ROUND, ring_ways
-from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
-from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
-from chatscene.situations.check import COMES_OVER
+from chatscene.maps.ring_ways import ROUND
+from chatscene.situations.check import RULED_BY, TURNS
 from chatscene.terms.actors import Manner as Moves
-from chatscene.terms.route import Beside
-from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
-from chatscene.terms.scenario import Maneuver, Place, Site
+from chatscene.terms.routing import BEGINS, CONTROLS, ENDS
+from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, RightOfWay, RoadKind, Side, Where
 from chatscene.world.places import EgoRoute as Route
-from chatscene.world.places import choose_route, lanesBeside, neighbourPath, ownLane
 
-SITES = {
-    Feature.CROSSWALK: Site.CROSSWALK,
-    Feature.PARKING_PLACES: Site.PARKING,
-    Feature.BUS_BAY: Site.BUS_BAY,
-    Feature.LANE_DROP: Site.LANE_DROP,
-    Feature.OFF_RAMP: Site.PAST_OFF_RAMP,
-    Feature.ON_RAMP: Site.PAST_ON_RAMP,
-}
-NEXT_LANE = (Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE)
-TURNING = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.TURN))
+NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
+ROUNDABOUT_PLACES = frozenset((Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
 WAYS = {Act.TURN_LEFT: Maneuver.LEFT_TURN, Act.TURN_RIGHT: Maneuver.RIGHT_TURN}
 PACKAGED = ("town", "outskirts")
+_TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
+GOES_OVER = _TO_SIDE | {EgoRoute.LANE_CHANGE_LEFT: Side.LEFT, EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT}
+"""The side on which the ego goes over the way of who goes on beside it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +32,7 @@ class Found:
         query: What the program asks the map for, as `selectRoute` takes it.
         route: The first route that the map answers with.
         sides: For each of others whose side was left open, the one that was chosen.
-        further: By how much more road than usual leads up to what happens.
+        further: How many times as much road as usual leads up to what happens.
     """
 
     map: str
@@ -59,58 +42,21 @@ class Found:
     further: float = 1.0
 
 
-def met_first(situation: Situation) -> Other:
-    """The first of those who meet the ego.
-
-    Raises:
-        NotBuilt: Nobody does.
-    """
-    if not situation.adversaries:
-        raise NotBuilt("nobody meets the ego: others: nobody has the role adversary")
-    return situation.adversaries[0]
-
-
 def at_junction(situation: Situation) -> bool:
     """Whether it happens at a junction."""
     road, others = situation.road, situation.others
     return not (at_roundabout(situation) or beside_lane(situation)) and (
         road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
-        or situation.ego.route in TURNING
+        or situation.ego.route in TURNS
         or control_of(situation) in CONTROLS
-        or any(one.starts.where.row.junction for one in others if one.starts.where not in _ROUND)
+        or any(one.starts.where.row.junction for one in others if one.starts.where not in ROUNDABOUT_PLACES)
         or any(deed.act is Act.GO_STRAIGHT for one in others for deed in one.does)
     )
-
-
-_CURVES = (RoadKind.CURVE, RoadKind.LEFT_CURVE, RoadKind.RIGHT_CURVE)
-_MOTORWAYS = (
-    Site.MOTORWAY,
-    Site.ON_RAMP,
-    Site.OFF_RAMP,
-    Site.PAST_ON_RAMP,
-    Site.PAST_OFF_RAMP,
-    Site.WEAVING,
-    Site.LANE_DROP,
-)
-_OF_KIND: dict[RoadKind | None, tuple[Site, ...]] = {
-    RoadKind.ROUNDABOUT: (Site.ROUNDABOUT,),
-    RoadKind.MOTORWAY: _MOTORWAYS,
-    RoadKind.RAMP: _MOTORWAYS,
-}
-_SITES_OF: dict[EgoRoute | None, Site] = {
-    EgoRoute.ROUNDABOUT: Site.ROUNDABOUT,
-    EgoRoute.MERGE: Site.ON_RAMP,
-    EgoRoute.EXIT: Site.OFF_RAMP,
-}
-_ROUND = (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY)
 
 
 def beside_lane(situation: Situation) -> bool:
     """Whether the ego's way begins or ends beside its lane."""
     return situation.ego.route in BEGINS or situation.ego.route in ENDS
-
-
-_RULED = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.STOP_SIGN}
 
 
 def control_of(situation: Situation) -> RightOfWay | None:
@@ -120,18 +66,13 @@ def control_of(situation: Situation) -> RightOfWay | None:
     if situation.road.ego_light is not None:
         return RightOfWay.SIGNAL
     broken = (deed.breaks for one in situation.others for deed in one.does)
-    return next((_RULED[breach] for breach in broken if breach is not None and breach in _RULED), None)
+    return next((RULED_BY[breach] for breach in broken if breach is not None and breach in RULED_BY), None)
 
 
 def at_roundabout(situation: Situation) -> bool:
     """Whether it happens at a roundabout."""
     named = situation.road.kind is RoadKind.ROUNDABOUT or situation.ego.route is EgoRoute.ROUNDABOUT
-    return named or any(one.starts.where in _ROUND for one in situation.others)
-
-
-_TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
-GOES_OVER = _TO_SIDE | {EgoRoute.LANE_CHANGE_LEFT: Side.LEFT, EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT}
-"""The side on which the ego goes over the way of who goes on beside it."""
+    return named or any(one.starts.where in ROUNDABOUT_PLACES for one in situation.others)
 
 
 def rides_at_edge(one: Other, route: EgoRoute | None = None) -> bool:
@@ -183,336 +124,3 @@ def from_left(situation: Situation, one: Other) -> bool:
 def way_of(one: Other) -> Maneuver:
     """What somebody who comes through a junction does there."""
     return next((WAYS[deed.act] for deed in one.does if deed.act in WAYS), Maneuver.STRAIGHT)
-
-
-def find(ledger: Ledger) -> Found:
-    """The first query that a map answers with a route on which all ways are that others need.
-
-    Args:
-        ledger: What was said.
-
-    Raises:
-        NotBuilt: No map has such a place; the message says what each lacks.
-    """
-    situation = ledger.situation
-    if situation.ego.route not in MANEUVERS:
-        raise NotBuilt(f"nothing builds yet: ego.route: {situation.ego.route}")
-    for one in situation.others:
-        if beside_lane(situation) and one.starts.where.row.junction and not from_left(situation, one):
-            raise NotBuilt(
-                f"nothing builds yet: others.{one.id}.starts.where: {one.starts.where}, where ego.route is"
-                f" {situation.ego.route}"
-            )
-    lacking: list[str] = []
-    rooms: dict[str, float] = {}
-    for more in _lengths(situation):
-        for sides in _open_sides(situation.others):
-            for name in (situation.map,) if situation.map else PACKAGED:
-                for query in _queries(situation, sides):
-                    if found := _answered(situation, name, _longer(query, more), sides, lacking, rooms):
-                        _take(ledger, found)
-                        return replace(found, further=min(more, further(situation)))
-    if rooms:
-        raise NotBuilt(
-            "; ".join(f"{fact}: the longest road there is leads {room:.0f} m" for fact, room in rooms.items())
-        )
-    said = "; ".join(dict.fromkeys(lacking))
-    raise NotBuilt(f"no map has such a place: {said}")
-
-
-_MORE = 1.15  # by which routes that are looked for get shorter, the longest first
-_ROOM_BEYOND = 10.0  # [m] of road beyond somebody whose distance was said
-_BEFORE = frozenset(
-    (
-        Where.AHEAD,
-        Where.AHEAD_BESIDE,
-        Where.ROADSIDE,
-        Where.KERB,
-        Where.DRIVEWAY,
-        Where.MEDIAN,
-        Where.BUS_BAY,
-        Where.ONCOMING_IN_OUR_LANE,
-    )
-)
-
-
-def _usual(query: Mapping[str, Any]) -> float:
-    """How far [m] a route usually leads up to what happens."""
-    site = query.get("site")
-    if site == Site.ROUNDABOUT:
-        return ENTRIES[0]
-    if site in (Site.CROSSWALK, Site.PARKING, Site.BUS_BAY):
-        return PAST[0]
-    if _through(query):
-        return APPROACHES[0]
-    if query["maneuver"] == Maneuver.BYPASS:
-        return BLOCKER_AT
-    return OPEN_ROAD / 2 if query["maneuver"] == Maneuver.STRAIGHT else CHANGE_AT
-
-
-def _through(query: Mapping[str, Any]) -> bool:
-    """Whether a route is asked for that leads through a junction."""
-    return query.get("place") in (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY) or "crossed" in query
-
-
-def _longer(query: dict[str, Any], more: float) -> dict[str, Any]:
-    """The same query, with so many times as much road as usual."""
-    if more <= 1.0 or (query.get("site") in AT_JUNCTIONS and query["site"] != Site.ROUNDABOUT):
-        return query
-    return query | {"approach": round(more * _usual(query), 1)}
-
-
-def _lengths(situation: Situation) -> Iterator[float]:
-    """How many times as much road as usual is looked for: as the ego's speed asks for, then less."""
-    more = max(further(situation), *(_far(one) / OPEN_ROAD * 2.5 for one in situation.others), 1.0)
-    while more > 1.0:
-        yield more
-        more /= _MORE
-    yield 1.0
-
-
-def _said_distance(one: Other) -> float:
-    """How far away [m] somebody was said to be."""
-    return one.starts.distance.low if one.starts.distance is not None else 0.0
-
-
-def _far(one: Other) -> float:
-    """How far ahead [m] on the ego's own way somebody was said to be."""
-    return _said_distance(one) if one.starts.where in _BEFORE else 0.0
-
-
-def _room(route: Route, one: Other) -> float:
-    """How far ahead [m] somebody can be on a route at most, in a place that lies ahead."""
-    if one.starts.where is Where.ONCOMING and route.route.junction is None:
-        if not any(against for _, against in lanesBeside(route)):
-            return math.inf  # which the map is asked for elsewhere
-        return ownLane(route).project(*neighbourPath(route, "left").point_at(0.0))[0]
-    if one.starts.where not in _BEFORE:
-        return math.inf
-    return route.eventAt if route.route.junction is not None else route.line.length - _ROOM_BEYOND
-
-
-def _open_sides(others: Sequence[Other]) -> Iterator[dict[str, Side]]:
-    """Ways to choose the sides that were left open: where two lanes have one side, all are tried on that first."""
-    open_ones = [one.id for one in others if one.starts.where.row.sided and one.starts.side is None]
-    told = {one.id: side for one in others if one.id in open_ones and (side := comes_from(one)) is not None}
-    for first in (Side.RIGHT, Side.LEFT) if len(open_ones) > len(told) else (Side.RIGHT,):
-        yield dict.fromkeys(open_ones, first) | told
-
-
-def comes_from(one: Other) -> Side | None:
-    """From which side somebody comes of whom the side was said to which it goes."""
-    to = next((deed.to for deed in one.does if deed.act in COMES_OVER and deed.to is not None), None)
-    return None if to is None else Side.LEFT if to is Side.RIGHT else Side.RIGHT
-
-
-def _answered(
-    situation: Situation,
-    name: str,
-    query: dict[str, Any],
-    sides: dict[str, Side],
-    lacking: list[str],
-    rooms: dict[str, float],
-) -> Found | None:
-    path = str(resolve_map(name))
-    network = load_network(path)
-    try:
-        route = choose_route(network, path, 0, **query)
-    except MapError as error:
-        lacking.append(str(error))
-        return None
-    for one in situation.others:
-        if _said_distance(one) > (room := _room(route, one)):
-            fact = f"others.{one.id}.starts.distance: {one.starts.distance}"
-            rooms[fact] = max(room, rooms.get(fact, 0.0))
-            return None
-    if query.get("site") == Site.ROUNDABOUT:
-        there = {way.from_side for way in ring_ways(network, route.route)}
-        for one in situation.others:
-            if (arms := ring_arms(one, sides)) and not there & set(arms):
-                lacking.append(f"nobody from the {' or '.join(arms)} meets the ego's way in the roundabout of {name!r}")
-                return None
-    there = {(way.from_side, way.turn.value) for way in conflicting_paths(network, route.route)}
-    needs = {(arm, str(way_of(one))) for one in situation.others if (arm := arm_of(situation, one, sides))}
-    if missing := needs - there:
-        who = ", ".join(f"from the {arm} in a {turn}" for arm, turn in sorted(missing))
-        lacking.append(f"on map {Path(path).stem!r} nobody who comes {who} meets the ego's way there")
-        return None
-    return Found(name, query, route, sides)
-
-
-def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str, Any]]:
-    """Arguments of `selectRoute`, the narrower first where a map cannot be asked for all that is needed."""
-    road, others = situation.road, situation.others
-    base: dict[str, Any] = {"maneuver": MANEUVERS[situation.ego.route].value}
-    lanes = [
-        str(one.starts.side or sides[one.id])
-        for one in others
-        if one.starts.where in NEXT_LANE and not rides_at_edge(one, situation.ego.route)
-    ]
-    for name, edges in (("begins", BEGINS), ("ends", ENDS)):
-        if (edge := edges.get(situation.ego.route)) is not None:
-            base[name] = edge.value
-            lanes = []  # beside the ego is its own lane, if it is in none
-    if road.lanes is not None:
-        base["lanes"] = road.lanes
-    if road.ego_lane is not None:
-        base["lane"] = road.ego_lane
-    if road.two_way is not None and not at_junction(situation):
-        base["opposite"] = road.two_way
-    over: list[str] = []
-    if not (lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
-        over = [str(side) for one in others if (side := _goes_over(one)) is not None]
-    sites = [SITES[one].value for one in road.has if one in SITES and not at_junction(situation)]
-    if any(one.starts.where is Where.BUS_BAY for one in others) and not at_junction(situation):
-        sites = [Site.BUS_BAY.value]
-        base = base | {"site": Site.BUS_BAY.value}
-    for here in (*(base | {"site": site} for site in sites), base):
-        if over:
-            yield from _on_road(situation, sides, here, over)
-        yield from _on_road(situation, sides, here, lanes)  # who goes over then goes where others come
-
-
-_GOES_OVER = {
-    Act.CUT_OUT: frozenset((Where.AHEAD,)),
-    Act.LANE_CHANGE: frozenset((Where.AHEAD, Where.BEHIND)),
-    Act.OVERTAKE: frozenset((Where.BEHIND,)),
-}
-
-
-def _goes_over(one: Other) -> Side | None:
-    """On which side of the ego's lane there must be one of its direction, since somebody goes over there."""
-    sides = (deed.to or Side.LEFT for deed in one.does if one.starts.where in _GOES_OVER.get(deed.act, ()))
-    return next(sides, None) if one.kind.moves is not Moves.LIES else None
-
-
-def _on_road(
-    situation: Situation, sides: dict[str, Side], base: dict[str, Any], lanes: list[str]
-) -> Iterator[dict[str, Any]]:
-    """Queries for the kind of road."""
-    road, route, others = situation.road, situation.ego.route, situation.others
-    if at_junction(situation):
-        yield from _at_junction(situation, sides, base, lanes)
-    elif at_roundabout(situation):
-        yield from _round(situation, base)
-    elif any(one.starts.where is Where.ON_RAMP for one in others):
-        yield base | {"site": Site.PAST_ON_RAMP.value, "beside": "right"}
-    elif route is EgoRoute.EXIT:
-        yield base | {"site": Site.OFF_RAMP.value}
-    elif route is EgoRoute.MERGE or road.kind is RoadKind.RAMP:
-        yield base | {"site": Site.ON_RAMP.value} | ({"lanes": max(2, road.lanes or 2)} if lanes else {})
-    elif road.kind is RoadKind.MOTORWAY:
-        yield from _along(situation, base | {"site": base.get("site", Site.MOTORWAY.value)}, lanes)
-    else:
-        if road.setting is Setting.RURAL and "site" not in base and not lanes:
-            yield from _along(situation, base | {"site": Site.RURAL.value}, lanes)
-        yield from _along(situation, base, lanes)
-
-
-def _at_junction(
-    situation: Situation, sides: dict[str, Side], base: dict[str, Any], lanes: list[str]
-) -> Iterator[dict[str, Any]]:
-    road, others = situation.road, situation.others
-    arms = [arm for one in others if (arm := arm_of(situation, one, sides))]
-    if any(rides_at_edge(one, situation.ego.route) and one.starts.where in NEXT_LANE for one in others):
-        arms.append("oncoming")  # an arm opposite, or there is no straight on
-    query = base | {"place": PLACES.get(road.kind or RoadKind.JUNCTION, Place.JUNCTION).value}
-    if (control := control_of(situation)) is not None and control in CONTROLS:
-        query["control"] = CONTROLS[control].value
-    if arms:
-        query["crossed"] = tuple(dict.fromkeys(arms))
-    if lanes:
-        query |= {"lanes": max(2, query.get("lanes", 1)), "beside": lanes[0]}
-    four = query | {"place": Place.FOUR_WAY.value} if query["place"] == Place.JUNCTION else query
-    yield query
-    yield four  # no query asks for what crossing traffic does there
-    yield four | {"crossed": tuple(dict.fromkeys((*arms, "left", "right", "oncoming")))}
-
-
-def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iterator[dict[str, Any]]:
-    """Queries for a way between junctions."""
-    road, others = situation.road, situation.others
-    straight = base["maneuver"] == Maneuver.STRAIGHT
-    query = dict(base)
-    if straight and "site" not in query:
-        query["place"] = PLACES.get(road.kind or RoadKind.ROAD, Place.ROAD).value
-    elif straight and road.kind is not None and road.kind in _CURVES:
-        query["place"] = PLACES[road.kind].value
-    against = any(one.starts.where in (Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE) for one in others)
-    against = against and query.get("ends") != Beside.BACK  # who turns round has them anyway, some lanes away
-    if query["maneuver"] == Maneuver.BYPASS:
-        several = (road.lanes or 1) > 1 or (bool(lanes) and not against)
-        query |= {"lanes": max(2, road.lanes or 2), "opposite": False} if several else {"opposite": True}
-    elif lanes:
-        query |= {"beside": lanes[0]} if straight else {"lanes": max(2, road.lanes or 2)}
-        if len(set(lanes)) > 1:
-            query["lanes"] = max(3, road.lanes or 3)
-    elif against:
-        query |= {"opposite": True} | ({"beside": "none"} if straight and road.lanes in (None, 1) else {})
-    elif straight and road.lanes in (None, 1) and any(_at_kerb(one) for one in others):
-        yield query | {"beside": "none"}  # the outermost lane, or there is no kerb beside it
-    yield query
-
-
-def _round(situation: Situation, base: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Queries for a way through a roundabout; where no exit was said, one behind the entries of others."""
-    for way in (Maneuver.STRAIGHT, Maneuver.LEFT_TURN) if situation.ego.route is EgoRoute.ROUNDABOUT else ():
-        yield base | {"site": Site.ROUNDABOUT.value, "maneuver": way.value}
-    yield base | {"site": Site.ROUNDABOUT.value}
-
-
-def _at_kerb(one: Other) -> bool:
-    return one.starts.where in (Where.KERB, Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.BUS_BAY)
-
-
-def _take(ledger: Ledger, found: Found) -> None:
-    """What of the road is as it was said, once a route is found; and what was chosen."""
-    situation = ledger.situation
-    ledger.take(*_as_said(situation, found))
-    for name, side in found.sides.items():
-        if comes_from(situation[name]) is side:
-            continue  # which was said
-        ledger.assume(f"{name} is on the {side}, which was not said")
-    if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
-        ledger.assume(f"the ego's {situation.ego.route} is to the left, which was not said")
-
-
-def _as_said(situation: Situation, found: Found) -> Iterator[str]:
-    """The paths of facts that hold on the route that was found."""
-    road, query = situation.road, found.query
-    site = query.get("site")
-    against = any(against for _, against in lanesBeside(found.route))
-    settings = {Setting.TOWN: found.map == PACKAGED[0], Setting.RURAL: site == Site.RURAL}
-    holds = {
-        "ego.route": situation.ego.route not in _SITES_OF or site == _SITES_OF[situation.ego.route],
-        "road.lanes": road.lanes == _lanes_there(found),
-        "road.ego_lane": query.get("lane") == road.ego_lane,
-        "road.kind": _is_kind(road.kind, found),
-        "road.control": (road.control in CONTROLS and "control" in query)
-        or (road.control is RightOfWay.YIELD_SIGN and site == Site.ROUNDABOUT),
-        "road.two_way": road.two_way is against,
-        "road.setting": road.setting is not None and settings.get(road.setting, False),
-    }
-    yield from (path for path, right in holds.items() if right)
-    yield from (f"road.has.{i}" for i, one in enumerate(road.has) if one in SITES and site == SITES[one])
-
-
-def _lanes_there(found: Found) -> int:
-    """How many lanes go the ego's way where its route begins."""
-    return len(found.route.network.elements[found.route.route.lane_ids[0]].group.lanes)
-
-
-def _is_kind(kind: RoadKind | None, found: Found) -> bool:
-    """Whether the route lies on a road of a kind."""
-    if kind is RoadKind.ROAD:
-        return found.route.route.junction is None
-    if kind in _OF_KIND:
-        return found.query.get("site") in _OF_KIND[kind]
-    return kind in PLACES and "place" in found.query
-
-
-def started(one: Other, sides: dict[str, Side]) -> Other:
-    """Somebody with the side that was chosen where none was said."""
-    if one.id not in sides:
-        return one
-    return replace(one, starts=replace(one.starts, side=sides[one.id]))

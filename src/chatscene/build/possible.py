@@ -9,31 +9,31 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
+from chatscene.build.place import NEXT_LANE
 from chatscene.situations.faults import Fault
 from chatscene.terms.situation import EGO, Deed, Other, Situation
-from chatscene.terms.vocabulary import Act, Where
+from chatscene.terms.vocabulary import COMES_IN, Act, Where
 
-_NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
 OFF_ROAD = frozenset(
     (Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.EXIT_CROSSING, Where.MEDIAN, Where.KERB, Where.BUS_BAY)
 )
 _JOINS = frozenset((Where.ON_RAMP, Where.ROUNDABOUT_ENTRY))
 _AGAINST = frozenset((Where.ONCOMING,))
-_LANES = _NEXT_LANE | _AGAINST | {Where.AHEAD, Where.BEHIND, Where.ARM, Where.ONCOMING_IN_OUR_LANE}
+_LANES = NEXT_LANE | _AGAINST | {Where.AHEAD, Where.BEHIND, Where.ARM, Where.ONCOMING_IN_OUR_LANE}
 
 FROM: dict[Act, frozenset[Where]] = {
     Act.PULL_OUT: frozenset((Where.KERB, Where.DRIVEWAY, Where.BUS_BAY)),
-    Act.CUT_IN: _NEXT_LANE | _JOINS | _AGAINST,
-    Act.MERGE: _NEXT_LANE | _JOINS,
-    Act.ENTER: _NEXT_LANE | _JOINS | OFF_ROAD | _AGAINST | {Where.ARM, Where.IN_ROUNDABOUT},
+    Act.CUT_IN: NEXT_LANE | _JOINS | _AGAINST,
+    Act.MERGE: NEXT_LANE | _JOINS,
+    Act.ENTER: NEXT_LANE | _JOINS | OFF_ROAD | _AGAINST | {Where.ARM, Where.IN_ROUNDABOUT},
     Act.OVERTAKE: frozenset((Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE, Where.ONCOMING)),
     Act.TAILGATE: frozenset((Where.BEHIND,)),
-    Act.KEEP_LEVEL: _NEXT_LANE,
+    Act.KEEP_LEVEL: NEXT_LANE,
     Act.CROSS: OFF_ROAD | {Where.ARM},
     Act.CUT_OUT: frozenset((Where.AHEAD,)),
-    Act.LANE_CHANGE: _NEXT_LANE | _AGAINST | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP},
-    Act.TURN_LEFT: _NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
-    Act.TURN_RIGHT: _NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
+    Act.LANE_CHANGE: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP},
+    Act.TURN_LEFT: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
+    Act.TURN_RIGHT: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
     Act.YIELD: _JOINS | _AGAINST | {Where.ARM},
     Act.TURN_BACK: OFF_ROAD | {Where.AHEAD, Where.ARM},
     Act.DRIFT: frozenset(Where) - OFF_ROAD - {Where.ONCOMING_IN_OUR_LANE},
@@ -43,11 +43,9 @@ TO_ANOTHER: dict[Act, frozenset[Where]] = {
     Act.OVERTAKE: _LANES,
     Act.TAILGATE: _LANES,
     Act.KEEP_LEVEL: _LANES,
-    Act.CUT_IN: _NEXT_LANE | _JOINS | _AGAINST,
+    Act.CUT_IN: NEXT_LANE | _JOINS | _AGAINST,
 }
 """Where from to somebody else."""
-COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
-"""What only somebody can do who is outside the ego's lane."""
 _TURNED = frozenset((Act.U_TURN, Act.TURN_BACK, Act.TURN_LEFT, Act.TURN_RIGHT, Act.EXIT))
 _STILL = frozenset((Act.STAND, Act.STOP, Act.PARK, Act.YIELD))
 _MAY_STAND = _STILL | {Act.BRAKE, Act.REVERSE, Act.FALL, Act.OPEN_DOOR}

@@ -210,6 +210,7 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
 }
 """When somebody is seen to do something; for those that are not here, no track tells."""
 FOLLOWS = 40.0  # [m] behind somebody: who is farther does not follow
+FOLLOWED = 15  # [steps] that somebody must be behind another to be seen to follow
 
 
 def _follows(s: Seen) -> Iterator[Act]:
@@ -220,7 +221,6 @@ def _follows(s: Seen) -> Iterator[Act]:
         yield Act(int(run[0]), int(run[FOLLOWED - 1]))
 
 
-FOLLOWED = 15  # [steps]
 TO_SOMEBODY: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.FOLLOW: _follows,
     Said.TAILGATE: ACTIONS[Action.TAILGATE],
@@ -241,5 +241,18 @@ def room_left(s: Seen, once: Act) -> Array:
     return s.lead[done : done + HALT] - (s.ego.length + s.track.length) / 2
 
 
-COMES_IN = frozenset((Said.CROSS, Said.ENTER, Said.PULL_OUT))
-"""What is done by whoever is outside the ego's lane and comes into it: begun before, and done when it is in."""
+def stood(s: Seen, once: Act) -> tuple[int, int]:
+    """The first time without a break that somebody stands since a deed began: its first step, and the one after it."""
+    still = np.abs(s.track.speed) < STANDING
+    ahead = np.flatnonzero(still[once.began :])
+    if not ahead.size:
+        return once.began, once.began
+    first = once.began + int(ahead[0])
+    goes = np.flatnonzero(~still[first:])
+    return first, first + int(goes[0]) if goes.size else len(still)
+
+
+def moved_left(s: Seen, once: Act) -> float:
+    """How far to the left [m] somebody goes by what is done."""
+    end = once.done if once.done is not None else len(s.drift) - 1
+    return float(s.drift[end] - s.drift[once.began])

@@ -8,49 +8,50 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
 
+from chatscene.program.contacts import SIDES_OF, striker_of
 from chatscene.program.deeds import ACTIONS, MOVING, STANDING, Act
 from chatscene.program.doing import (
     ACTS,
-    COMES_IN,
     TO_SOMEBODY,
     accelerates,
     enters,
     gone_back,
+    moved_left,
     room_left,
     since,
     standing,
+    stood,
 )
 from chatscene.program.meaning import (
     EGO_STATES,
-    POSITIONS,
     TOGETHER,
     in_between,
     is_place,
     left_of_ego,
     maneuver_of,
 )
+from chatscene.program.starting import STARTS
 from chatscene.program.watching import Seen, watch
 from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Amount, Duration
-from chatscene.terms.episode import Array, Episode, Track, contact_point
+from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.route import Route
 from chatscene.terms.routing import CONTROLS, PLACES
-from chatscene.terms.scenario import EgoState, Maneuver, Position
+from chatscene.terms.scenario import EgoState, Maneuver
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation, When
+from chatscene.terms.vocabulary import COMES_IN, Breach, EgoRoute, Manner, RoadKind, Side, Where
 from chatscene.terms.vocabulary import Act as Said
-from chatscene.terms.vocabulary import Breach, EgoRoute, Manner, Part, RoadKind, Side, Striker, Where
 
 SLACK = 0.15  # of a number that was said: what a watcher does not see
 SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
 BACK_SLACK = 0.7  # [m]
-NOSE = 0.5  # [m] behind the foremost point of somebody that are its nose
 OVER = 5  # [steps] over which a deceleration is seen
 
 
@@ -104,59 +105,6 @@ _EGO_ACTS = {
     Said.SLOW_DOWN: EgoState.SLOWS_DOWN,
     Said.BRAKE: EgoState.BRAKES,
 }
-
-
-def _at(position: Position) -> Callable[[Seen], bool]:
-    return POSITIONS[position]
-
-
-def _in_lane(s: Seen) -> bool:
-    """In the ego's lane, wherever its way then leads; on a bend the way is the lane."""
-    beside = min(abs(s.offset[0]), abs(s.aside[0]))
-    swings = s.line.length > 0 and abs(float(s.bearing[0])) < 0.2  # on a straight road the lane goes straight on
-    return min(beside, abs(s.across[0])) < 1.8 if swings else beside < 1.8
-
-
-def _behind(s: Seen) -> bool:
-    """Behind it in its lane; in the lane that it comes into, if it stands beside that at first."""
-    aside = 4.0 if abs(s.ego.speed[0]) < STANDING else 2.0
-    return s.along[0] < -2.0 and abs(s.across[0]) < aside
-
-
-def _comes_toward(s: Seen) -> bool:
-    """Against the ego's way, or against the ego itself where that way turns round."""
-    return POSITIONS[Position.ONCOMING](s) or (s.along[0] > 2.0 and abs(s.bearing[0]) > math.radians(130))
-
-
-def _rides_beside(s: Seen) -> bool:
-    """Level with the ego: in the next lane, or on two wheels at the edge of its own."""
-    return abs(s.along[0]) < 8.0 and 1.0 < abs(s.across[0]) < 6.0
-
-
-def _beside_road(s: Seen) -> bool:
-    return s.lead[0] > 0.0 and abs(s.offset[0]) > 1.6
-
-
-STARTS: dict[Where, Callable[[Seen], bool]] = {
-    Where.AHEAD: lambda s: s.lead[0] > 2.0 and _in_lane(s),
-    Where.AHEAD_BESIDE: lambda s: s.along[0] > 1.0 and 1.0 < abs(s.across[0]) < 6.0 and abs(s.bearing[0]) < 1.0,
-    Where.BESIDE: _rides_beside,
-    Where.BEHIND: _behind,
-    Where.BEHIND_BESIDE: lambda s: s.along[0] < -1.0 and 1.0 < abs(s.across[0]) < 6.0,
-    Where.ONCOMING: _comes_toward,
-    Where.ONCOMING_IN_OUR_LANE: lambda s: POSITIONS[Position.ONCOMING](s) and abs(s.offset[0]) < 1.8,
-    Where.ARM: _at(Position.CROSSING),
-    Where.ROADSIDE: _beside_road,
-    Where.DRIVEWAY: _beside_road,
-    Where.CROSSING: _beside_road,
-    Where.EXIT_CROSSING: _at(Position.FAR_CORNER),
-    Where.KERB: lambda s: s.lead[0] > 0.0 and not _in_lane(s) and abs(s.track.speed[0]) < STANDING,
-    Where.EXIT: _at(Position.BEYOND),
-    Where.BUS_BAY: _beside_road,
-    Where.MEDIAN: lambda s: s.lead[0] > 0.0 and 1.0 < s.offset[0] < 4.0,
-    Where.ON_RAMP: lambda s: s.lead[0] > -12.0 and s.offset[0] < -1.6,
-}
-"""Whether somebody is seen to start in a place; for those that are not here, no track tells."""
 
 
 @dataclass(slots=True)
@@ -295,7 +243,7 @@ class _Judge:
                 latest, before = max(latest, once.began), str(act)
             yield Finding(path=f"{path}.act", shown=True, told=f"said {act}", at=once.began * seen.dt)
             if deed.to is not None and act in (Said.SWERVE, Said.DRIFT):
-                left = _moved(seen, once)
+                left = moved_left(seen, once)
                 right = (left > 0) == (deed.to is Side.LEFT)
                 yield Finding(path=f"{path}.to", shown=right, told=f"said {deed.to}, it goes to the {_side(left)}")
             yield from self._amounts(path, deed, once, seen)
@@ -365,7 +313,7 @@ class _Judge:
             path_of, said, found, slack = distance
             yield self._number(f"{path}.{path_of}", said, found, slack, "leaves")
         if deed.time is not None and deed.act in (Said.STOP, Said.STAND, Said.HESITATE):
-            first, end = _stands(seen, once)
+            first, end = stood(seen, once)
             found = self._number(
                 f"{path}.time", deed.time, np.array([(end - first) * seen.dt]), SLACK_TIME, "stands for"
             )
@@ -435,11 +383,11 @@ class _Judge:
         right = re.fullmatch(rf"{re.escape(whom)}(-\d+)?", collision.other) is not None
         yield Finding(path="contact.whom", shown=right, told=f"said {whom}, it is {collision.other}")
         if said.ego is not None:
-            right = collision.side in _SIDES_OF[said.ego]
+            right = collision.side in SIDES_OF[said.ego]
             yield Finding(path="contact.ego", shown=right, told=f"said {said.ego}, it is the {collision.side}")
         other = next((t for t in self.episode.tracks if t.actor == collision.other), None)
         if said.striker is not None and other is not None:
-            striker = _striker(self.episode, other)
+            striker = striker_of(self.episode, other)
             right = striker is said.striker
             yield Finding(path="contact.striker", shown=right, told=f"said {said.striker}, it is {striker}")
 
@@ -469,67 +417,6 @@ def _way_of(deed: Deed, once: Act, seen: Seen) -> tuple[str, Amount, Array, floa
         if deed.time is not None:
             return "time", deed.time, room / max(float(seen.ego.speed[once.done]), 1.0), SLACK_TIME
     return None
-
-
-_SIDES_OF: dict[Part, tuple[str, ...]] = {
-    Part.FRONT: ("front",),
-    Part.REAR: ("rear",),
-    Part.LEFT: ("left",),
-    Part.RIGHT: ("right",),
-    Part.LEFT_FRONT: ("front", "left"),
-    Part.RIGHT_FRONT: ("front", "right"),
-    Part.LEFT_REAR: ("rear", "left"),
-    Part.RIGHT_REAR: ("rear", "right"),
-}
-
-
-def _striker(episode: Episode, other: Track) -> Striker:
-    """Who runs into whom: whose nose touches a flank or a tail, else who comes nearer by the own motion."""
-    collision, ego = episode.collision, episode.ego_track
-    assert collision is not None
-    before = max(collision.step - 2, 0)
-    noses = collision.side == "front", _touches_with_nose(episode, other)
-    if noses == (True, False) and ego.speed[before] > MOVING:
-        return Striker.EGO
-    if noses == (False, True) and abs(other.speed[before]) > MOVING:
-        return Striker.OTHER
-    dx, dy = float(other.x[before] - ego.x[before]), float(other.y[before] - ego.y[before])
-    far = math.hypot(dx, dy) or 1.0
-
-    def toward(track: Track, sign: float) -> float:
-        heading, speed = float(track.heading[before]), float(track.speed[before])
-        return sign * speed * (math.cos(heading) * dx + math.sin(heading) * dy) / far
-
-    return Striker.EGO if toward(ego, 1.0) >= toward(other, -1.0) else Striker.OTHER
-
-
-def _touches_with_nose(episode: Episode, other: Track) -> bool:
-    """Whether the nose of the other is where it touches the ego."""
-    collision = episode.collision
-    assert collision is not None
-    x, y = contact_point(episode, collision)
-    step = min(collision.step, len(other.x) - 1)
-    heading = float(other.heading[step])
-    dx, dy = x - float(other.x[step]), y - float(other.y[step])
-    ahead = dx * math.cos(heading) + dy * math.sin(heading)
-    return ahead > other.length / 2 - NOSE
-
-
-def _stands(seen: Seen, once: Act) -> tuple[int, int]:
-    """The first time without a break that somebody stands since a deed began: its first step, and the one after it."""
-    still = np.abs(seen.track.speed) < STANDING
-    ahead = np.flatnonzero(still[once.began :])
-    if not ahead.size:
-        return once.began, once.began
-    first = once.began + int(ahead[0])
-    goes = np.flatnonzero(~still[first:])
-    return first, first + int(goes[0]) if goes.size else len(still)
-
-
-def _moved(seen: Seen, once: Act) -> float:
-    """How far to the left [m] somebody goes by what is done."""
-    end = once.done if once.done is not None else len(seen.drift) - 1
-    return float(seen.drift[end] - seen.drift[once.began])
 
 
 def _side(left: float) -> str:

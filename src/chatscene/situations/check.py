@@ -19,7 +19,10 @@ JUNCTIONS = frozenset(
 )
 TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.TURN))
 MOST = 20  # of others, of one of them, and of the deeds of one: more is no situation that a person means
-_RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.STOP_SIGN}
+RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.STOP_SIGN}
+"""What rules a junction where somebody breaks such a rule."""
+COMES_OVER = frozenset((Act.CROSS, Act.CUT_IN))
+"""Acts that lead from where somebody is at first to the other side."""
 AMOUNTS = ("speed", "acceleration", "distance", "time")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
 _MOVING = "drives, rides or walks"
@@ -84,10 +87,6 @@ def _too_many(situation: Situation) -> Iterator[Fault]:
             yield Fault(path, f"{len(does)} deeds are more than {MOST}")
 
 
-COMES_OVER = frozenset((Act.CROSS, Act.CUT_IN))
-"""Acts that lead from where somebody is at first to the other side."""
-
-
 def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
     if one.count > MOST:
         yield Fault((*at, "count"), f"{one.count} is more than {MOST}, the most of a kind; 0 is several")
@@ -113,7 +112,7 @@ def _of_deed(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
     row = deed.act.row
     if deed.to is not None and not row.sided:
         yield Fault((*at, "to"), f"{deed.act!s} goes to no side")
-    ruled = _RULED_BY.get(deed.breaks) if deed.breaks is not None else None
+    ruled = RULED_BY.get(deed.breaks) if deed.breaks is not None else None
     if ruled is not None and situation.road.control not in (None, ruled):
         yield Fault((*at, "breaks"), f"there is no {deed.breaks!s} where the control is {situation.road.control}")
     if deed.whom is not None:

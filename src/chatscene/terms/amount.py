@@ -50,7 +50,6 @@ class Amount:
     QUANTITY: ClassVar[str] = ""
     UNITS: ClassVar[Mapping[str, float]] = {}  # best first; the empty one is the SI unit
     EXAMPLES: ClassVar[tuple[str, ...]] = ()
-
     RELATIVE: ClassVar[bool] = False  # whether people measure it against the ego's
 
     def __post_init__(self) -> None:
@@ -107,7 +106,7 @@ class Amount:
 
     @staticmethod
     def has_unit(said: object) -> bool:
-        """Whether something that stands for an amount has a unit; what is no amount has what it has."""
+        """Whether a text for an amount has a unit; a text that is no amount counts as one that has."""
         form = _FORM.fullmatch(said) if isinstance(said, str) else None
         return isinstance(said, str) and (form is None or bool(form["unit"]))
 

@@ -385,6 +385,10 @@ class Act(RowWord):
     FALL = ("fall", "falls down", _act(_ALL))
 
 
+COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
+"""What is done by whoever is outside the ego's lane and comes into it: begun before, and done when it is in."""
+
+
 class Manner(Word):
     """How a deed is done, where that is said without a number."""
 

@@ -17,7 +17,7 @@ ALL_RED_TIME = 1.0  # [s]
 _HALF = GREEN_TIME + YELLOW_TIME + ALL_RED_TIME
 
 Held = tuple[tuple[float, str], ...]
-"""Until when [s] a signal is what; the last for good."""
+"""The states of a signal, each with the time [s] at which it ends; the last never does."""
 CHANGES: dict[str, tuple[Held, Held]] = {
     "ego-green": (((math.inf, GREEN),), ((math.inf, RED),)),
     "ego-red": (((math.inf, RED),), ((math.inf, GREEN),)),

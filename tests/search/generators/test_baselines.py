@@ -23,7 +23,6 @@ from chatscene.search import explore as exploring
 from chatscene.search.climb import simulator_of
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator
-from chatscene.search.generators.baselines import nominal as baselines
 from chatscene.search.generators.baselines.nominal import NOMINAL, Baseline
 from chatscene.search.generators.baselines.random_triple import RandomTriple
 from chatscene.settings import PAPER, RetrievalSettings, SearchSettings, Settings, SimulationSettings
@@ -220,7 +219,7 @@ def test_only_an_adversary_that_reacts_is_searched_for_avoidable_crashes_whateve
         asked.append(settings.objective)
         return []
 
-    monkeypatch.setattr(baselines, "explore", explore)
+    monkeypatch.setattr(exploring, "explore", explore)
     searched(name, lambda _: 1.0, monkeypatch, blocks=1)
     assert asked == [objective]
 

@@ -19,6 +19,10 @@ if TYPE_CHECKING:
 class Exploring:
     """Explores as `chatscene.search.explore.explore` does."""
 
+    def searching(self, settings: SearchSettings) -> SearchSettings:
+        """What its search is set to: what the user set, unless a generator says otherwise."""
+        return settings
+
     def explore(
         self,
         program: ScenicProgram,
@@ -33,4 +37,5 @@ class Exploring:
         """Steps 5 and 6."""
         from chatscene.search.explore import explore
 
-        return explore(program, said, route, simulator=simulator, ego=ego, settings=settings, done=done)
+        own = self.searching(settings)
+        return explore(program, said, route, simulator=simulator, ego=ego, settings=own, done=done)

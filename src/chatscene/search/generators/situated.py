@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 
-from chatscene.build.build import Built, build
+from chatscene.build.build import NOBODY, Built, build
 from chatscene.build.place import PACKAGED
 from chatscene.errors import NotBuilt
 from chatscene.interpret.decide import scenario_id
@@ -44,7 +44,7 @@ class Situated(Exploring):
         situation = read_text(text)
         parties = parties_of(situation)
         if parties is None:
-            raise NotBuilt("nobody meets the ego: others: nobody has the role adversary")
+            raise NotBuilt(NOBODY)
         facts = facts_of(situation, parties)
         return Scenario(
             id=scenario_id(situation),

@@ -9,20 +9,17 @@ scenarios, but for the cyclist's speed and the lane-changing car's.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import SettingsError
 from chatscene.library.load import load_library
 from chatscene.program.assemble import assemble
-from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Choice, Written
+from chatscene.search.generators.exploring import Exploring
 from chatscene.settings import PAPER, RetrievalSettings, SearchSettings
-from chatscene.simulate.simulator import Simulator
 from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import BaseScenario, Component, Said, Scenario, Slots, SubDescriptions
+from chatscene.terms.scenario import BaseScenario, Component, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import ParameterRange, Snippet, Tried
 
@@ -147,7 +144,7 @@ NOMINAL: dict[BaseScenario, Nominal] = {
 }  # fmt: skip
 
 
-class Baseline:
+class Baseline(Exploring):
     """What the baselines share; see `chatscene.search.generator.Generator` for the contract.
 
     Attributes:
@@ -232,22 +229,11 @@ class Baseline:
         """Always: the code is ours."""
         return True
 
-    def explore(
-        self,
-        program: ScenicProgram,
-        said: Said,
-        route: int,
-        *,
-        simulator: Simulator,
-        ego: EgoPolicy,
-        settings: SearchSettings,
-        done: Sequence[Sequence[Outcome]],
-    ) -> Iterator[Block]:
-        """Its own search, if it has one; sampler and objective of the settings are ChatScene's."""
-        own = replace(
+    def searching(self, settings: SearchSettings) -> SearchSettings:
+        """Its own sampler and objective, if it has them; those of the settings are ChatScene's."""
+        return replace(
             settings, sampler=self.sampler or settings.sampler, objective=self.objective or settings.objective
         )
-        return explore(program, said, route, simulator=simulator, ego=ego, settings=own, done=done)
 
 
 def narrowed(spawn: Snippet, room: float) -> Snippet:

@@ -1,0 +1,65 @@
+"""Where somebody is seen to start: for each place of a situation, what of the tracks shows it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from chatscene.program.deeds import STANDING
+from chatscene.program.meaning import POSITIONS
+from chatscene.program.watching import Seen
+from chatscene.terms.scenario import Position
+from chatscene.terms.vocabulary import Where
+
+
+def _at(position: Position) -> Callable[[Seen], bool]:
+    return POSITIONS[position]
+
+
+def _in_lane(s: Seen) -> bool:
+    """In the ego's lane, wherever its way then leads; on a bend the way is the lane."""
+    beside = min(abs(s.offset[0]), abs(s.aside[0]))
+    swings = s.line.length > 0 and abs(float(s.bearing[0])) < 0.2  # on a straight road the lane goes straight on
+    return min(beside, abs(s.across[0])) < 1.8 if swings else beside < 1.8
+
+
+def _behind(s: Seen) -> bool:
+    """Behind it in its lane; in the lane that it comes into, if it stands beside that at first."""
+    aside = 4.0 if abs(s.ego.speed[0]) < STANDING else 2.0
+    return s.along[0] < -2.0 and abs(s.across[0]) < aside
+
+
+def _comes_toward(s: Seen) -> bool:
+    """Against the ego's way, or against the ego itself where that way turns round."""
+    return POSITIONS[Position.ONCOMING](s) or (s.along[0] > 2.0 and abs(s.bearing[0]) > math.radians(130))
+
+
+def _rides_beside(s: Seen) -> bool:
+    """Level with the ego: in the next lane, or on two wheels at the edge of its own."""
+    return abs(s.along[0]) < 8.0 and 1.0 < abs(s.across[0]) < 6.0
+
+
+def _beside_road(s: Seen) -> bool:
+    return s.lead[0] > 0.0 and abs(s.offset[0]) > 1.6
+
+
+STARTS: dict[Where, Callable[[Seen], bool]] = {
+    Where.AHEAD: lambda s: s.lead[0] > 2.0 and _in_lane(s),
+    Where.AHEAD_BESIDE: lambda s: s.along[0] > 1.0 and 1.0 < abs(s.across[0]) < 6.0 and abs(s.bearing[0]) < 1.0,
+    Where.BESIDE: _rides_beside,
+    Where.BEHIND: _behind,
+    Where.BEHIND_BESIDE: lambda s: s.along[0] < -1.0 and 1.0 < abs(s.across[0]) < 6.0,
+    Where.ONCOMING: _comes_toward,
+    Where.ONCOMING_IN_OUR_LANE: lambda s: POSITIONS[Position.ONCOMING](s) and abs(s.offset[0]) < 1.8,
+    Where.ARM: _at(Position.CROSSING),
+    Where.ROADSIDE: _beside_road,
+    Where.DRIVEWAY: _beside_road,
+    Where.CROSSING: _beside_road,
+    Where.EXIT_CROSSING: _at(Position.FAR_CORNER),
+    Where.KERB: lambda s: s.lead[0] > 0.0 and not _in_lane(s) and abs(s.track.speed[0]) < STANDING,
+    Where.EXIT: _at(Position.BEYOND),
+    Where.BUS_BAY: _beside_road,
+    Where.MEDIAN: lambda s: s.lead[0] > 0.0 and 1.0 < s.offset[0] < 4.0,
+    Where.ON_RAMP: lambda s: s.lead[0] > -12.0 and s.offset[0] < -1.6,
+}
+"""Whether somebody is seen to start in a place; for those that are not here, no track tells."""
