@@ -96,7 +96,7 @@ class Stated:
         made = (self.editor or edited)(self.situation, text)
         return Changed(
             situation=made.after,
-            built=_built(made.after),
+            built=built_of(made.after),
             reader=self.reader,
             not_said=(*self.not_said, *(f"{one}: no scene shows it" for one in made.unused)),
             editor=self.editor,
@@ -190,7 +190,12 @@ class Changed(Stated):
         )
 
 
-def _built(situation: Situation) -> Built:
+def built_of(situation: Situation) -> Built:
+    """The program of a situation, called as a run of it is.
+
+    Raises:
+        NotBuilt: A fact of it cannot be built.
+    """
     from chatscene.interpret.decide import scenario_id
 
     return build(situation, name=scenario_id(situation))
@@ -226,7 +231,6 @@ def explain_stated(
     reader: str = "",
     not_said: Sequence[str] = (),
     edits: Sequence[str] = (),
-    editor: Editor | None = None,
 ) -> Stated:
     """What becomes of a situation, and of edits of it, one after the other.
 
@@ -235,13 +239,22 @@ def explain_stated(
         reader: Who read it in a text; empty if it was stated.
         not_said: What was read in the text and a situation has no word for.
         edits: What is to be another than it says, in words.
-        editor: Who applies them; who reads without a language model if None.
 
     Raises:
         NotBuilt: A fact of it cannot be built.
         EditRefused: An edit was not understood.
     """
-    made = Stated(situation=situation, built=_built(situation), reader=reader, not_said=tuple(not_said), editor=editor)
+    made = Stated(situation=situation, built=built_of(situation), reader=reader, not_said=tuple(not_said))
+    return with_edits(made, edits)
+
+
+def with_edits(made: Stated, edits: Sequence[str]) -> Stated:
+    """What becomes of a situation by edits in words, one after the other.
+
+    Raises:
+        EditRefused: An edit was not understood.
+        NotBuilt: An edited situation cannot be built.
+    """
     for one in edits:
         made = made.edit(one)
     return made
