@@ -22,7 +22,6 @@ MOST = 20  # of others, of one of them, and of the deeds of one: more is no situ
 _RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.STOP_SIGN}
 AMOUNTS = ("speed", "acceleration", "distance", "time")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
-_MOVING = "drives, rides or walks"
 _WAYS = {Moves.DRIVES: "drives", Moves.RIDES: "rides", Moves.WALKS: "walks", Moves.LIES: "only lies there"}
 
 
