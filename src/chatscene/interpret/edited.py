@@ -66,8 +66,7 @@ def _as_called(made: Situation, edit: Edit) -> Situation:
 
 
 def _made(facts: Facts) -> Situation:
-    numbers = [one for several in facts.numbers.values() for one in several]
-    return in_a_situation(facts.slots, tuple(one for one in numbers if isinstance(one, Quantity)), facts.surroundings)
+    return in_a_situation(facts.slots, facts.quantities, facts.surroundings)
 
 
 def _settled(edit: Edit) -> tuple[Facts, tuple[Shift, ...]]:
