@@ -184,8 +184,7 @@ class Changed(Stated):
                 f"now: {self.told}",
                 *(f"  {one}" for one in self.edited.in_words()),
                 *(f"  {one}" for one in self.told_first if one not in self.before.told_first),
-                "program:" if self.difference else "program: as before",
-                *(f"  {line}" for line in self.difference),
+                *difference_told(self.difference),
             )
         )
 
@@ -206,6 +205,11 @@ def lines_changed(before: str, after: str) -> tuple[str, ...]:
     lines = difflib.unified_diff(before.splitlines(), after.splitlines(), n=0, lineterm="")
     code = (line for line in list(lines)[2:] if not line.startswith("@@"))
     return tuple(line for line in code if line[1:].strip() and line[1:].lstrip()[0] != "#")
+
+
+def difference_told(difference: Sequence[str]) -> tuple[str, ...]:
+    """The difference of two programs, for a person."""
+    return ("program:" if difference else "program: as before", *(f"  {line}" for line in difference))
 
 
 def stated(
