@@ -6,9 +6,9 @@
 
 Without files, the replies are those of `reading/replies.jsonl`, to texts of `texts/`: a line has an `id` (the name of a
 set and the line of the text, from 0) and the `replies` of each round, in order. No model is asked: each reply is said
-again by `scripted`, and goes the way of a user's text: `chatscene.report.filled`, then the build. A reply that the
-product sends back has the next one of its line for an answer; where there is none, the same again. `--sent-back` writes
-these with the message, for a model that is to answer it. Prints for each set what was accepted at once, sent back and
+again by `scripted`, read by `ModelReader` and built, as for a user's text. A reply that the product sends back has the
+next one of its line for an answer; where there is none, the same again. `--sent-back` writes these with the message,
+for a model that is to answer it. Prints for each set what was accepted at once, sent back and
 why, refused and why, in how many of four drives (`idm`, seeds 0 to 3) our own judge sees all that was said, and in
 which slots a reading differs from the facts that people wrote down. `--each` prints a line for each text.
 """

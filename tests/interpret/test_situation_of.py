@@ -8,9 +8,10 @@ from typing import Any
 
 import pytest
 
-from chatscene.interpret import situation_of as rows
+from chatscene.interpret import situation_rows as rows
 from chatscene.interpret.offline import OfflineReader
-from chatscene.interpret.situation_of import BESIDE, HIDES, WHO, in_a_situation
+from chatscene.interpret.situation_of import in_a_situation
+from chatscene.interpret.situation_rows import BESIDE, HIDES, WHO
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
@@ -40,7 +41,7 @@ def test_each_body_has_the_plainest_kind_and_each_measure_stands_somewhere() -> 
     assert {kind for kind in AdversaryKind if rows.KINDS[kind].row.body is not kind} == set()
     assert rows.KINDS[AdversaryKind.CAR] is UserKind.CAR
     placed = {Measure.DISTANCE, Measure.TRIGGER, Measure.ASIDE}  # a start, when a deed is due, and to which side
-    assert set(Measure) - placed - set(rows._AMOUNTS) == set()  # pyright: ignore[reportPrivateUsage]
+    assert set(Measure) - placed - set(rows.AMOUNTS) == set()
 
 
 def read(text: str) -> Situation:

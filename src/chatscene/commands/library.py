@@ -1,4 +1,4 @@
-"""The command line, continued: the snippets that programs are joined from."""
+"""The command line, continued: how a text is read, and the snippets that serve it in the paper's way."""
 
 from __future__ import annotations
 
@@ -210,7 +210,7 @@ def say(text: str, *, err: bool = False) -> None:
 
 @click.group()
 def library() -> None:
-    """The snippets that programs are joined from."""
+    """The snippets that serve TEXT with --library DIR and in the paper's way."""
 
 
 @library.command("list")

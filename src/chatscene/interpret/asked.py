@@ -16,7 +16,7 @@ from chatscene.read.reading import read
 from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.frame import About, Frame, Note, certain
-from chatscene.terms.scenario import Quantity, Slots, Why
+from chatscene.terms.scenario import Slots, Why
 
 
 def heard(text: str, settings: RetrievalSettings) -> Frame:
@@ -37,10 +37,10 @@ def heard(text: str, settings: RetrievalSettings) -> Frame:
         read_so = ModelReader(model).read(text)
     except LanguageModelError as error:
         return replace(frame, notes=(*frame.notes, Note(about=About.OFFLINE, said=(str(error),))))
-    parties = parties_of(read_so.ranked[0].situation) if read_so.ranked else None
-    facts = facts_of(read_so.ranked[0].situation, parties) if parties is not None else None
+    situation = read_so.ranked[0].situation if read_so.ranked else None
+    parties = parties_of(situation) if situation is not None else None
+    facts = facts_of(situation, parties) if situation is not None and parties is not None else None
     slots = concluded(facts.slots) if facts is not None else Slots()
-    numbers = [one for several in facts.numbers.values() for one in several] if facts is not None else []
     differ = [
         Note(about=About.DIFFERENT, said=(name, model.name, str(new), "the offline reader", str(old)))
         for name, new in slots.said().items()
@@ -50,7 +50,7 @@ def heard(text: str, settings: RetrievalSettings) -> Frame:
         frame,
         outright=slots,
         beliefs=certain(slots, frame.beliefs),
-        quantities=tuple(one for one in numbers if isinstance(one, Quantity)),
+        quantities=facts.quantities if facts is not None else (),
         surroundings=facts.surroundings if facts is not None else frame.surroundings,
         unused=tuple(one for one in frame.unused if one.why not in (Why.WORDS, Why.LANGUAGE)),  # it knows more
         notes=(Note(about=About.READER, said=(model.name,)), *differ),

@@ -11,7 +11,8 @@ from dataclasses import fields, replace
 from typing import Any
 
 from chatscene.errors import EditRefused
-from chatscene.interpret.situation_of import WHO, as_named, in_a_situation
+from chatscene.interpret.situation_of import as_named, in_a_situation
+from chatscene.interpret.situation_rows import WHO
 from chatscene.interpret.slots_of import ACTIONS, POSITIONS, facts_of, parties_of
 from chatscene.read.edit import hear_edit
 from chatscene.situations.edited import Edited
@@ -65,8 +66,7 @@ def _as_called(made: Situation, edit: Edit) -> Situation:
 
 
 def _made(facts: Facts) -> Situation:
-    numbers = [one for several in facts.numbers.values() for one in several]
-    return in_a_situation(facts.slots, tuple(one for one in numbers if isinstance(one, Quantity)), facts.surroundings)
+    return in_a_situation(facts.slots, facts.quantities, facts.surroundings)
 
 
 def _settled(edit: Edit) -> tuple[Facts, tuple[Shift, ...]]:

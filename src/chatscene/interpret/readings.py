@@ -1,7 +1,8 @@
 """What a text may say: the readings that a user may choose between where none is sure.
 
 The account, what patterns and classifier make of the text, and either with the fact changed that was next likely. Only
-what the library serves is offered, so that whoever takes one is not refused again.
+what can be built, or what the library serves where snippets are chosen, is offered: whoever takes one is not refused
+again.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ FAINTEST = 0.005  # a reading less likely than this is not offered …
 IN_SCOPE = 0.5  # … nor, in a text less likely than this about driving …
 FAINT = 0.05  # … one less likely than this
 MOST_OF_IT = 0.5  # a reading with one fact changed is at most this much as likely
-TRIED = 6  # how many are held against the library, the likeliest first
+TRIED = 6  # how many are asked about whether they are served, the likeliest first
 _DOUBTED = ("adversary", "side", "position", "occluder", "maneuver")
 """The slots of which the next likely value is thought of: those that part one situation from another."""
 

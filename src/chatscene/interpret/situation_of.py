@@ -1,190 +1,55 @@
 """What the offline reader decided of a text, as a situation: the one place where its facts become one.
 
-The reader fills slots, numbers and surroundings of one adversary, and slots of others. A row here says what each is in
-the words of a situation. What a situation has no word for is listed, never dropped.
+The reader fills slots, numbers and surroundings of one adversary, and slots of others. What each is in a situation
+stands in `chatscene.interpret.situation_rows`. What a situation has no word for is listed, never dropped.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import takewhile
 from typing import Any
 
 from chatscene.interpret.manners import in_manners, manners_said, with_manners_as_acts
-from chatscene.read.accounting import CONTACT, JOINS, PART, words_of
+from chatscene.interpret.situation_rows import (
+    ACTS,
+    AMOUNTS,
+    BESIDE,
+    BLOCKS,
+    EGO_DOES,
+    HIDES,
+    HIDING,
+    KINDS,
+    LEADS,
+    MANNERS,
+    ROADS,
+    ROUTES,
+    RULES,
+    SITES,
+    STARTS,
+    WAYS_OF_SITES,
+    WHO,
+)
+from chatscene.interpret.situation_words import quoted_words, told_of
+from chatscene.read.accounting import CONTACT
 from chatscene.read.kinds import kind_named, number_in
-from chatscene.read.lexicon import KINDS as KINDS_HEARD
-from chatscene.read.quotes import says_nothing, without_words
-from chatscene.situations.facts import GAP, is_said, said_in, within
-from chatscene.terms.actors import AdversaryKind
+from chatscene.read.quotes import without_words
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.acts import Action
-from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Speed
+from chatscene.terms.amount import Amount, Length, Speed
 from chatscene.terms.conclusions import JUNCTIONS
-from chatscene.terms.frame import Word
-from chatscene.terms.scenario import (
-    Control,
-    Distance,
-    EgoState,
-    Maneuver,
-    Measure,
-    Occluder,
-    Place,
-    Position,
-    Quantity,
-    Scenario,
-    Site,
-    Slots,
-)
+from chatscene.terms.scenario import Control, Distance, EgoState, Measure, Quantity, Scenario, Site, Slots
 from chatscene.terms.situation import Around, Contact, Deed, Ego, Evidence, Other, Road, Situation, Start, When
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
-from chatscene.terms.vocabulary import (
-    Act,
-    Breach,
-    EgoLight,
-    EgoRoute,
-    Facing,
-    Feature,
-    Manner,
-    RightOfWay,
-    RoadKind,
-    Role,
-    Setting,
-    Side,
-    UserKind,
-    Where,
-)
+from chatscene.terms.vocabulary import Act, Breach, EgoLight, EgoRoute, Facing, Manner, Role, Side, UserKind, Where
 
-WHO, BESIDE, HIDES, LEADS, BLOCKS = "A", "BCD", "H", "L", "P"
-"""Ids: the adversary's, those of others who do something, and of who hides it, leads the ego, and is in its way."""
-
-KINDS: dict[AdversaryKind | None, UserKind] = {
-    **{
-        one.row.body: one
-        for one in reversed(UserKind)  # type: ignore[call-overload]
-        if not (one.row.stands_in or one.row.general or one.row.prop)
-    },
-    AdversaryKind.BOX: UserKind.OBJECT,
-    None: UserKind.ROAD_USER,
-}
-ROUTES = {
-    None: None,
-    Maneuver.STRAIGHT: EgoRoute.STRAIGHT,
-    Maneuver.LEFT_TURN: EgoRoute.LEFT_TURN,
-    Maneuver.RIGHT_TURN: EgoRoute.RIGHT_TURN,
-    Maneuver.LANE_CHANGE_LEFT: EgoRoute.LANE_CHANGE_LEFT,
-    Maneuver.LANE_CHANGE_RIGHT: EgoRoute.LANE_CHANGE_RIGHT,
-    Maneuver.BYPASS: EgoRoute.BYPASS,
-}
-ROADS = {
-    Place.ROAD: RoadKind.ROAD,
-    Place.CURVE: RoadKind.CURVE,
-    Place.LEFT_CURVE: RoadKind.LEFT_CURVE,
-    Place.RIGHT_CURVE: RoadKind.RIGHT_CURVE,
-    Place.THREE_WAY: RoadKind.THREE_WAY,
-    Place.FOUR_WAY: RoadKind.FOUR_WAY,
-    Place.JUNCTION: RoadKind.JUNCTION,
-}
-SITES: dict[Site, Road] = {
-    Site.ROUNDABOUT: Road(kind=RoadKind.ROUNDABOUT),
-    Site.MOTORWAY: Road(kind=RoadKind.MOTORWAY),
-    Site.ON_RAMP: Road(kind=RoadKind.RAMP),
-    Site.OFF_RAMP: Road(kind=RoadKind.MOTORWAY),
-    Site.PAST_ON_RAMP: Road(kind=RoadKind.MOTORWAY, has=(Feature.ON_RAMP,)),
-    Site.PAST_OFF_RAMP: Road(kind=RoadKind.MOTORWAY, has=(Feature.OFF_RAMP,)),
-    Site.WEAVING: Road(kind=RoadKind.MOTORWAY, has=(Feature.ON_RAMP, Feature.OFF_RAMP)),
-    Site.LANE_DROP: Road(has=(Feature.LANE_DROP,)),
-    Site.RURAL: Road(setting=Setting.RURAL),
-    Site.CROSSWALK: Road(has=(Feature.CROSSWALK,)),
-    Site.PARKING: Road(has=(Feature.PARKING_PLACES,)),
-    Site.BUS_BAY: Road(has=(Feature.BUS_BAY,)),
-}
-WAYS_OF_SITES = {Site.ROUNDABOUT: EgoRoute.ROUNDABOUT, Site.ON_RAMP: EgoRoute.MERGE, Site.OFF_RAMP: EgoRoute.EXIT}
-RULES = {
-    Control.SIGNAL: RightOfWay.SIGNAL,
-    Control.STOP_SIGN: RightOfWay.STOP_SIGN,
-    Control.NONE: RightOfWay.NONE,
-    None: None,
-}
-STARTS = {
-    Position.AHEAD: Where.AHEAD,
-    Position.ROADSIDE: Where.ROADSIDE,
-    Position.BESIDE: Where.BESIDE,
-    Position.AHEAD_BESIDE: Where.AHEAD_BESIDE,
-    Position.BEHIND: Where.BEHIND,
-    Position.BEHIND_BESIDE: Where.BEHIND_BESIDE,
-    Position.ONCOMING: Where.ONCOMING,
-    Position.CROSSING: Where.ARM,
-    Position.FAR_CORNER: Where.EXIT_CROSSING,
-    Position.KERB: Where.KERB,
-    Position.BEYOND: Where.EXIT,
-}
-HIDING: dict[Occluder, tuple[UserKind, Where]] = {
-    Occluder.PARKED_CAR: (UserKind.CAR, Where.KERB),
-    Occluder.PARKED_TRUCK: (UserKind.TRUCK, Where.KERB),
-    Occluder.PARKED_BUS: (UserKind.BUS, Where.KERB),
-    Occluder.BUS_STOP: (UserKind.BUS_SHELTER, Where.ROADSIDE),
-    Occluder.VENDING_MACHINE: (UserKind.VENDING_MACHINE, Where.ROADSIDE),
-    Occluder.KIOSK: (UserKind.KIOSK, Where.ROADSIDE),
-    Occluder.CONTAINER: (UserKind.CONTAINER, Where.ROADSIDE),
-    Occluder.HEDGE: (UserKind.HEDGE, Where.ROADSIDE),
-    Occluder.BILLBOARD: (UserKind.BILLBOARD, Where.ROADSIDE),
-}
-EGO_DOES: dict[EgoState, tuple[Deed, ...]] = {
-    EgoState.STANDS: (Deed(act=Act.STAND),),
-    EgoState.SETS_OFF: (Deed(act=Act.STAND), Deed(act=Act.SET_OFF)),
-    EgoState.SLOW: (Deed(act=Act.GO_ALONG, manner=Manner.SLOW),),
-    EgoState.SLOWS_DOWN: (Deed(act=Act.SLOW_DOWN),),
-    EgoState.BRAKES: (Deed(act=Act.BRAKE),),
-    EgoState.STOPS: (Deed(act=Act.STOP),),
-}
-ACTS: dict[Action, Act] = {
-    Action.CROSS: Act.CROSS,
-    Action.DIAGONAL: Act.CROSS,
-    Action.STOP: Act.STOP,
-    Action.BRAKE: Act.BRAKE,
-    Action.ACCELERATE: Act.ACCELERATE,
-    Action.REVERSE: Act.REVERSE,
-    Action.CUT_IN: Act.CUT_IN,
-    Action.CHANGE_LANE: Act.LANE_CHANGE,
-    Action.WEAVE: Act.WEAVE,
-    Action.SWERVE: Act.SWERVE,
-    Action.PACE: Act.KEEP_LEVEL,
-    Action.TURN_LEFT: Act.TURN_LEFT,
-    Action.TURN_RIGHT: Act.TURN_RIGHT,
-    Action.HESITATE: Act.HESITATE,
-    Action.TURN_BACK: Act.TURN_BACK,
-    Action.OVERTAKE: Act.OVERTAKE,
-    Action.TAILGATE: Act.TAILGATE,
-    Action.PULL_OUT: Act.PULL_OUT,
-    Action.U_TURN: Act.U_TURN,
-    Action.STAND: Act.STAND,
-    Action.BLOCK: Act.STAND,
-    Action.NARROW: Act.STAND,
-    Action.FOLLOW: Act.GO_ALONG,
-    Action.ONCOMING: Act.GO_ALONG,
-    Action.WRONG_WAY: Act.GO_ALONG,
-    Action.SLOW: Act.GO_ALONG,
-    Action.FAST: Act.GO_ALONG,
-    Action.RUN_LIGHT: Act.GO_STRAIGHT,
-}
-"""What each act of the reader is."""
-MANNERS = {Action.DIAGONAL: Manner.SLANTING, Action.SLOW: Manner.SLOW, Action.FAST: Manner.FAST}
-_ALONG = (Act.GO_ALONG, Act.GO_STRAIGHT)
 _ALL_ALONG = frozenset((*MANNERS, Action.RUN_LIGHT, Action.FOLLOW, Action.ONCOMING, Action.WRONG_WAY))
 """Acts that say how or where another is done, if there is another."""
 
-_OF_ACTS = re.compile(r"^others\..*\.does$")
 _NEAR_MISS = re.compile(r"(?i)\b(?:nearly|almost|narrowly|miss\w*|avoid\w*)\b")
 """Says of a contact that there is none; the words stay unread then, as no search is for what does not happen."""
 _ROUNDED = 0.01  # of SI units, to which a number is rounded when it is read
-_AMOUNTS: dict[Measure, tuple[str, type[Amount]]] = {
-    Measure.SPEED: ("speed", Speed),
-    Measure.TIME: ("time", Duration),
-    Measure.DECELERATION: ("acceleration", Acceleration),
-}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -210,13 +75,13 @@ def situation_of(scenario: Scenario) -> Told:
     left_out += [f"{MANNERS[act]}: a deed has one manner" for act in _manners(slots)[1:]]
     left_out += [f"{one}: more others than are read" for one in slots.others[len(BESIDE) :]]
     text = frame.text if frame is not None else ""
-    words = with_manners_as_acts(tuple(_told_of(scenario)), text)
+    words = with_manners_as_acts(tuple(told_of(scenario)), text)
     made, manners_lost = in_manners(made, manners_said(words, text))
     left_out += manners_lost
     touch = " ".join(word.text for word, _ in words if word.fact == CONTACT)
     if touch and not _NEAR_MISS.search(touch):
         made = replace(made, contact=Contact())
-    quoted = _quoted(scenario, made, words)
+    quoted = quoted_words(scenario, made, words)
     made = replace(made, others=tuple(_as_named(one, quoted) for one in made.others))
     if made.ego.route is EgoRoute.STRAIGHT and "ego.route" not in quoted:  # which follows where nothing else is said
         made = replace(made, ego=replace(made.ego, route=None))
@@ -416,8 +281,8 @@ def _numbered(deeds: tuple[Deed, ...], numbers: Sequence[Quantity]) -> tuple[Dee
     """Deeds with the numbers that were said of them: each of the first that it can be said of."""
     made = list(deeds)
     for one in numbers:
-        if one.measure in _AMOUNTS:
-            name, kind = _AMOUNTS[one.measure]
+        if one.measure in AMOUNTS:
+            name, kind = AMOUNTS[one.measure]
             at = next((i for i, deed in enumerate(made) if name in deed.act.row.takes), None)
             if at is not None:
                 made[at] = replace(made[at], **{name: _amount(kind, one)})
@@ -453,103 +318,4 @@ def _is_set(who: Other, one: Quantity) -> bool:
         return any(deed.when is not None for deed in who.does)
     if one.measure is Measure.ASIDE:
         return any(deed.to is not None for deed in who.does)
-    return any(getattr(deed, _AMOUNTS[one.measure][0]) is not None for deed in who.does)
-
-
-# The words
-
-_PATHS: dict[str, tuple[str, ...]] = {
-    "adversary": (f"others.{WHO}.kind",),
-    "actions": (f"others.{WHO}.does",),
-    "position": (f"others.{WHO}.starts.where", f"others.{WHO}.starts"),
-    "side": (f"others.{WHO}.starts.side", *(f"others.{WHO}.does.{i}.to" for i in range(4)), f"others.{WHO}.starts"),
-    "distance": (f"others.{WHO}.starts.distance",),
-    "group": (f"others.{WHO}.count",),
-    "maneuver": ("ego.route",),
-    "ego": ("ego.does",),
-    "the ego": ("ego.route", "ego"),
-    "place": ("road.kind",),
-    "control": ("road.control",),
-    "lanes": ("road.lanes",),
-    "two_way": ("road.two_way",),
-    "site": ("road",),
-    "occluder": (f"others.{HIDES}",),
-    **dict.fromkeys((CONTACT, PART), ("contact.happens",)),
-    "leader": (f"others.{LEADS}",),
-    "blocker": (f"others.{BLOCKS}",),
-    "others": (f"others.{BESIDE[0]}",),
-    "light": ("around.light",),
-    "weather": ("around.weather",),
-    "surface": ("around.surface",),
-    "speed": (f"others.{WHO}.does",),
-    "time": (f"others.{WHO}.does",),
-    "deceleration": (f"others.{WHO}.does",),
-    "trigger": (f"others.{WHO}.does",),
-    "aside": (f"others.{WHO}.does",),
-}
-"""Where the fact stands that a word gave, the first that is there."""
-_A = f"others.{WHO}"
-_TOLD_WITH: dict[str, tuple[str, ...]] = {
-    "road.control": ("road.kind", "ego.does", f"{_A}.does"),
-    "road.kind": ("road.control", "ego.route", f"{_A}.does", "ego.does"),
-    "road.ego_light": ("road.control", "ego.does"),
-    f"{_A}.hidden_by": (f"others.{HIDES}",),
-    f"others.{HIDES}.starts.side": (f"{_A}.starts.side",),
-    f"others.{LEADS}": (f"others.{BESIDE[0]}",),
-    f"others.{BLOCKS}": ("ego.route",),
-}
-"""Facts that the words of another one tell as well, where none of their own do."""
-_OF_EACH = {
-    "count": ("kind",),
-    "starts.where": ("starts.side", "does", "kind"),
-    "starts.side": ("starts.where", "does"),
-    "starts.distance": ("starts.where",),
-    "does": ("kind",),
-}
-"""The same, of everybody who does something."""
-
-
-def _told_with(made: Situation) -> Iterator[tuple[str, tuple[str, ...]]]:
-    yield from _TOLD_WITH.items()
-    for one in made.others:
-        for path, others in _OF_EACH.items():
-            yield f"others.{one.id}.{path}", tuple(f"others.{one.id}.{other}" for other in others)
-
-
-def _quoted(scenario: Scenario, made: Situation, words: Iterable[tuple[Word, str]]) -> dict[str, str]:
-    """The words that gave each fact: those that follow each other as they stand, others parted by a gap."""
-    text = scenario.frame.text if scenario.frame is not None else ""
-    runs: dict[str, list[tuple[int, int]]] = {}
-    path = None
-    for word, who in words:
-        joins = word.besides == JOINS and not says_nothing(word.text)  # the light of "we wait at a red light"
-        if not joins or _OF_ACTS.search(path or ""):  # behind an act it may say how that is done
-            of_whom = (one.replace(f"others.{WHO}.", f"others.{who}.") for one in _PATHS.get(word.fact, ()))
-            path = next((one for one in of_whom if is_said(made, one)), None)
-        if path is not None:
-            spans = runs.setdefault(path, [])
-            if spans and not text[spans[-1][1] : word.start].strip():
-                spans[-1] = (spans[-1][0], word.end)
-            else:
-                spans.append((word.start, word.end))
-    found = {path: GAP.join(text[start:end] for start, end in spans) for path, spans in runs.items()}
-    for path, others in _told_with(made):
-        told = next((found[one] for one in others if one in found), "")
-        if path not in found and told and any(within(one, (path,)) for one, _ in said_in(made)):
-            found[path] = told
-    return found
-
-
-def _told_of(scenario: Scenario) -> Iterator[tuple[Word, str]]:
-    """Each word with the id of whom it tells: of several who do something, of whom was spoken last."""
-    slots, told, who, last = scenario.slots, words_of(scenario), WHO, ""
-    kinds = {WHO: slots.adversary, **{name: one.adversary for name, one in zip(BESIDE, slots.others, strict=False)}}
-    spoken: set[str] = set()
-    for i, word in enumerate(told):
-        if word.fact == "adversary" and last != "adversary" and len(kinds) > 1:
-            run = " ".join(one.text for one in takewhile(lambda one: one.fact == "adversary", told[i:]))
-            named = [one for one, kind in kinds.items() if kind is not None and KINDS_HEARD[kind].search(run.lower())]
-            who = next((one for one in named if one not in spoken), next(iter(named), who))
-            spoken.add(who)
-        last = word.fact
-        yield word, who
+    return any(getattr(deed, AMOUNTS[one.measure][0]) is not None for deed in who.does)

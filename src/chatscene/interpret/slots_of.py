@@ -1,4 +1,4 @@
-"""A situation as the facts that an edit in words can name: the tables of `chatscene.interpret.situation_of` read back.
+"""A situation as the facts that an edit in words can name: `chatscene.interpret.situation_rows` read back.
 
 What no slot holds is not here; it stays in the situation, whatever an edit says.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from chatscene.interpret.situation_of import (
+from chatscene.interpret.situation_rows import (
     ACTS,
     BESIDE,
     BLOCKS,

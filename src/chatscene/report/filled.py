@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence, Set
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 
 from chatscene.build.build import build
 from chatscene.errors import NotBuilt, NothingFits, OfferedReading, SettingsError, SituationError, no_such
@@ -15,7 +15,7 @@ from chatscene.read.by_model import LIMITS, ModelReader
 from chatscene.read.edit_by_model import edited_by
 from chatscene.read.quotes import words_of
 from chatscene.read.reader import Reader
-from chatscene.report.stated import Editor, Stated, explain_stated, stated
+from chatscene.report.stated import Editor, Stated, built_of, stated, with_edits
 from chatscene.report.understood import Understood, understand
 from chatscene.settings import OFFLINE, READERS, RetrievalSettings, Settings
 from chatscene.situations.facts import NO_FACTS
@@ -24,38 +24,19 @@ from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Situation
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Filled:
-    """The situation that a text tells, with what the user stated beside it.
-
-    Attributes:
-        situation: The situation.
-        reader: Who read it.
-        left_out: What was read and a situation has no word for.
-        readings: What else the text may say.
-    """
-
-    situation: Situation
-    reader: str
-    left_out: tuple[str, ...] = ()
-    readings: tuple[OfferedReading, ...] = ()
-
-
 def filled(
     text: str,
     settings: RetrievalSettings,
     facts: Mapping[str, object] | None = None,
     map_name: str | None = None,
-    reader: Reader | None = None,
-) -> Filled:
-    """The situation that a text tells, with some facts set.
+) -> Stated:
+    """The situation that a text tells, with some facts set, and its program.
 
     Args:
         text: The text.
         settings: Who reads, and which reading is taken.
         facts: Facts that the user states: by their paths, or, where no language model reads, by their names.
         map_name: The map that it is to be built on; None for any.
-        reader: Who reads; whom the settings name if None.
 
     Raises:
         SettingsError: The text is empty or too long, there is no such model, reading or fact, or a fact has no place.
@@ -65,8 +46,7 @@ def filled(
         LanguageModelError: The model gave no usable reply.
     """
     named, by_path = _facts(facts or {}, settings)
-    if reader is None:
-        reader = _reader(settings, named, _unbuilt(by_path, map_name))
+    reader = _reader(settings, named, _unbuilt(by_path, map_name))
     read = reader.read(text)
     if read.verdict is not Verdict.SITUATION:
         raise NothingFits(f"{read.reader} says that {read.verdict.said}: “{read.reason}”", reasons=(read.reason,))
@@ -77,9 +57,18 @@ def filled(
     if one.probability < settings.refuse_below:
         raise _unsure(read, one)
     made = stated(one.situation, by_path, map_name)
-    if why := _unbuilt(None, map_name)(made):
-        raise _with_what_was_read(NotBuilt(why), read, one)
-    return Filled(situation=made, reader=read.reader, left_out=one.left_out, readings=_offered(read, one))
+    try:
+        built = built_of(made)
+    except NotBuilt as error:
+        raise _with_what_was_read(error, read, one) from None
+    return Stated(
+        situation=made,
+        built=built,
+        reader=read.reader,
+        not_said=one.left_out,
+        editor=editor_of(settings.language_model),
+        readings=_offered(read, one),
+    )
 
 
 def is_filled(text: str, settings: RetrievalSettings) -> bool:
@@ -113,10 +102,7 @@ def explain_text(
     if not is_filled(text, settings.retrieval):
         reading = replace(settings.retrieval, stated=in_text(facts)) if facts else settings.retrieval
         return understand(text, replace(settings, retrieval=reading), edits=edits)
-    read = filled(text, settings.retrieval, facts, map_name)
-    editor = editor_of(settings.retrieval.language_model)
-    made = explain_stated(read.situation, read.reader, read.left_out, edits, editor)
-    return made if edits else replace(made, readings=read.readings)
+    return with_edits(filled(text, settings.retrieval, facts, map_name), edits)
 
 
 def editor_of(language_model: str) -> Editor | None:

@@ -96,7 +96,7 @@ class Stated:
         made = (self.editor or edited)(self.situation, text)
         return Changed(
             situation=made.after,
-            built=_built(made.after),
+            built=built_of(made.after),
             reader=self.reader,
             not_said=(*self.not_said, *(f"{one}: no scene shows it" for one in made.unused)),
             editor=self.editor,
@@ -184,13 +184,17 @@ class Changed(Stated):
                 f"now: {self.told}",
                 *(f"  {one}" for one in self.edited.in_words()),
                 *(f"  {one}" for one in self.told_first if one not in self.before.told_first),
-                "program:" if self.difference else "program: as before",
-                *(f"  {line}" for line in self.difference),
+                *difference_told(self.difference),
             )
         )
 
 
-def _built(situation: Situation) -> Built:
+def built_of(situation: Situation) -> Built:
+    """The program of a situation, called as a run of it is.
+
+    Raises:
+        NotBuilt: A fact of it cannot be built.
+    """
     from chatscene.interpret.decide import scenario_id
 
     return build(situation, name=scenario_id(situation))
@@ -201,6 +205,11 @@ def lines_changed(before: str, after: str) -> tuple[str, ...]:
     lines = difflib.unified_diff(before.splitlines(), after.splitlines(), n=0, lineterm="")
     code = (line for line in list(lines)[2:] if not line.startswith("@@"))
     return tuple(line for line in code if line[1:].strip() and line[1:].lstrip()[0] != "#")
+
+
+def difference_told(difference: Sequence[str]) -> tuple[str, ...]:
+    """The difference of two programs, for a person."""
+    return ("program:" if difference else "program: as before", *(f"  {line}" for line in difference))
 
 
 def stated(
@@ -226,7 +235,6 @@ def explain_stated(
     reader: str = "",
     not_said: Sequence[str] = (),
     edits: Sequence[str] = (),
-    editor: Editor | None = None,
 ) -> Stated:
     """What becomes of a situation, and of edits of it, one after the other.
 
@@ -235,13 +243,22 @@ def explain_stated(
         reader: Who read it in a text; empty if it was stated.
         not_said: What was read in the text and a situation has no word for.
         edits: What is to be another than it says, in words.
-        editor: Who applies them; who reads without a language model if None.
 
     Raises:
         NotBuilt: A fact of it cannot be built.
         EditRefused: An edit was not understood.
     """
-    made = Stated(situation=situation, built=_built(situation), reader=reader, not_said=tuple(not_said), editor=editor)
+    made = Stated(situation=situation, built=built_of(situation), reader=reader, not_said=tuple(not_said))
+    return with_edits(made, edits)
+
+
+def with_edits(made: Stated, edits: Sequence[str]) -> Stated:
+    """What becomes of a situation by edits in words, one after the other.
+
+    Raises:
+        EditRefused: An edit was not understood.
+        NotBuilt: An edited situation cannot be built.
+    """
     for one in edits:
         made = made.edit(one)
     return made

@@ -1,4 +1,4 @@
-"""What became of a sentence, for scripts, people and notebooks; and what an edit of it changes."""
+"""What became of a sentence for which snippets were chosen, and what an edit of it changes: for scripts and people."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from chatscene import runs
-from chatscene.report.stated import lines_changed
+from chatscene.report.stated import difference_told, lines_changed
 from chatscene.report.terminal import understanding_text
 from chatscene.search.generator import load_generator
 from chatscene.sentences.plain import told
@@ -127,8 +127,7 @@ class Edited(Understood):
                 f"now: {self.told}",
                 *(f"  {one}" for one in self.amended.in_words()),
                 *notes,
-                "program:" if self.difference else "program: as before",
-                *(f"  {line}" for line in self.difference),
+                *difference_told(self.difference),
             ]
         )
 

@@ -36,8 +36,8 @@ def explain(text: str, understood: Sequence[tuple[Scenario, Retrieval | None]]) 
 def write_choice(run: Workspace, scenario: Scenario, written: Written | None = None) -> None:
     """Keep what was read and, if it came that far, what was chosen and the program it makes."""
     retrieval = written.retrieval if written else None
-    explained = explain(read_record(run).text, [(scenario, retrieval)])
-    stated = read_record(run).situation
+    record = read_record(run)
+    explained, stated = explain(record.text, [(scenario, retrieval)]), record.situation
     if written:
         told = (f"left out: {one}" for one in stated.left_out) if stated is not None else ()
         explained["scenarios"][0]["otherwise"] += [*told, *written.left_out]
@@ -53,9 +53,9 @@ def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]
     from chatscene.interpret.readings import offered  # who reads an explanation again reads no sentence
     from chatscene.read.accounting import words_of
 
-    words = [one.as_dict() for one in words_of(scenario, retrieval.unused if retrieval else ())]
     if scenario.situation is not None:
-        return _built(scenario, scenario.situation)
+        return _of_situation(scenario, scenario.situation)
+    words = [one.as_dict() for one in words_of(scenario, retrieval.unused if retrieval else ())]
     return {
         "scenario_id": scenario.id,
         "text": scenario.text,
@@ -74,7 +74,7 @@ def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]
     } | (_retrieval(retrieval) if retrieval else {})
 
 
-def _built(scenario: Scenario, situation: Situation) -> dict[str, Any]:
+def _of_situation(scenario: Scenario, situation: Situation) -> dict[str, Any]:
     """What is explained of a situation: it is told in words, and so is what became of those that it was read in."""
     from chatscene.read.quotes import words_told
     from chatscene.situations.words import told

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import asdict
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, TypeVar
@@ -543,11 +542,6 @@ class Part(_Frozen):
     signals: list[SignalRow]
     tracks: str = ""
     digest: str = ""
-
-
-def settings_to_json(settings: Settings) -> dict[str, dict[str, Any]]:
-    """Settings as nested JSON objects; `settings_of` is the inverse."""
-    return asdict(settings)
 
 
 def settings_of(record: MapRecord) -> Settings:

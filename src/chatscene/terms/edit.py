@@ -36,15 +36,24 @@ class Facts:
         numbers = {measure: tuple(one for one in said if one.measure is measure) for measure in Measure}
         return cls(slots=slots, surroundings=frame.surroundings, numbers={m: n for m, n in numbers.items() if n})
 
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """The numbers that were said."""
+        return tuple(one for several in self.numbers.values() for one in several if isinstance(one, Quantity))
+
+    @property
+    def shifts(self) -> tuple[Shift, ...]:
+        """How numbers were shifted."""
+        return tuple(one for several in self.numbers.values() for one in several if isinstance(one, Shift))
+
     def on(self, frame: Frame) -> Frame:
         """A frame that says these facts and is sure of them."""
-        said = [one for numbers in self.numbers.values() for one in numbers]
         return replace(
             frame,
             outright=self.slots,
             surroundings=self.surroundings,
-            quantities=tuple(one for one in said if isinstance(one, Quantity)),
-            shifts=tuple(one for one in said if isinstance(one, Shift)),
+            quantities=self.quantities,
+            shifts=self.shifts,
         )
 
     def named(self) -> dict[str, Any]:
