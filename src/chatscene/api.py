@@ -480,7 +480,7 @@ def run(
         progress: Told what is done.
 
     Raises:
-        NothingFits: The library cannot serve the sentence, or a language model says that it tells no situation.
+        NothingFits: It is not sure what the text says, nothing is built of it, or a model says that it tells nothing.
         ChatSceneError: Anything else that went wrong; the folder can be resumed.
     """
     from chatscene import pipeline
@@ -545,11 +545,21 @@ def read_situation(file: Name) -> Situation:
 @overload
 def explain(text: Situation, **options: Any) -> Stated: ...
 @overload
-def explain(text: str | Conflict = "", *, language_model: None = None, **options: Any) -> Understood: ...
-@overload
 def explain(
-    text: str | Conflict | Situation = "", *, language_model: str | None = None, **options: Any
-) -> Understood | Stated: ...
+    text: str | Conflict = "",
+    *,
+    library: None = None,
+    reader: None = None,
+    settings: None = None,
+    report: Name | None = None,
+    edit: Names | None = None,
+    embedder: str | None = None,
+    language_model: str | None = None,
+    reading: int | None = None,
+    set: Mapping[str, object] | None = None,
+) -> Stated: ...
+@overload
+def explain(text: str | Conflict | Situation = "", **options: Any) -> Understood | Stated: ...
 def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its keywords
     text: str | Conflict | Situation = "",
     *,
@@ -563,14 +573,16 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
     set: Mapping[str, object] | None = None,  # noqa: A002 - the word of the command line
     settings: Settings | None = None,
 ) -> Understood | Stated:
-    """How a sentence is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
+    """How a text is understood: the situation, the words of each fact, the program. Runs nothing.
+
+    With a library of one's own, or in the paper's way, it is the snippets that are chosen for a sentence, and why.
 
     As text (``print``) it reads as the command prints it; in a notebook it shows as the report does.
 
     Args:
         text: The sentence, a conflict of a report (`conflicts`), or a situation, of which the program is built.
         report: File of a report that tells one conflict, in place of the sentence; of several, see `conflicts`.
-        edit: What is to be another than it says, in words, edit by edit, as in `run`; `Understood.edit` does the same.
+        edit: What is to be another than it says, in words, edit by edit, as in `run`; so does `edit` of the answer.
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
         language_model: ``openai:MODEL`` or ``gguf:FILE``, which fills a situation from the text; or ``offline``.
@@ -582,7 +594,7 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
 
     Raises:
         EditRefused: An edit was not understood.
-        NothingFits: The library cannot serve it, or a language model says that it tells no situation.
+        NothingFits: It is not sure what the text says, nothing is built of it, or a model says that it tells nothing.
     """
     if isinstance(text, Situation):
         from chatscene.report.stated import explain_stated, stated

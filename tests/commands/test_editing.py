@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
-from typing import cast
 
 import pytest
 from click.testing import CliRunner, Result
@@ -17,7 +16,6 @@ from chatscene.commands.main import main
 from chatscene.errors import EditRefused, RunError
 from chatscene.report import caption
 from chatscene.report.animation import write_gif
-from chatscene.report.stated import Stated
 from chatscene.terms.situation import Start
 from chatscene.terms.vocabulary import Side, Where
 from fake_run import finished
@@ -171,9 +169,7 @@ def test_a_conversation_goes_line_by_line(tmp_path: Path) -> None:
 
 
 def test_python_edits_what_was_understood() -> None:
-    heard = cast("object", chatscene.explain(WALKS))
-    assert isinstance(heard, Stated)
-    edited = heard.edit("from the left").edit("hidden by a hedge")
+    edited = chatscene.explain(WALKS).edit("from the left").edit("hidden by a hedge")
     assert edited.situation["A"].hidden_by == "H"
     assert edited.situation["H"].starts == Start(where=Where.ROADSIDE, side=Side.LEFT)
     assert any("new Hedge at" in line and "with role 'occluder'" in line for line in edited.difference)

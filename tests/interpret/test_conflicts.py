@@ -13,7 +13,6 @@ from chatscene.commands.main import main
 from chatscene.errors import NothingFits, SettingsError
 from chatscene.interpret.conflicts import MOST_BYTES, conflicts_in
 from chatscene.read.decompose import LONGEST
-from chatscene.report.stated import Stated
 from chatscene.runs import asked_run
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.conflict import Conflict
@@ -133,9 +132,7 @@ def test_a_run_keeps_from_which_report_it_is_and_what_was_left_out() -> None:
 def test_python_reads_a_report_of_one_conflict_and_names_what_takes_several(tmp_path: Path) -> None:
     path = tmp_path / "claim.txt"
     path.write_text("Dear all,\n\nthe car ahead of us brakes hard.\n", encoding="utf-8")
-    told: object = chatscene.explain(report=path)
-    assert isinstance(told, Stated)
-    assert told.situation.about == "the car ahead of us brakes hard."
+    assert chatscene.explain(report=path).situation.about == "the car ahead of us brakes hard."
     path.write_text(LOG, encoding="utf-8")
     with pytest.raises(SettingsError, match=r"tells 2 conflicts; run them one by one: \[chatscene.run\(one\) for one"):
         chatscene.run(report=path)

@@ -164,3 +164,17 @@ def test_who_hides_somebody_is_there_and_named() -> None:
     assert said[WHO].hidden_by == HIDES
     assert (said[HIDES].kind, said[HIDES].starts.where) == (UserKind.TRUCK, Where.KERB)
     assert "truck" in said.evidence.quoted[f"others.{HIDES}"]
+
+
+def test_a_speed_that_no_deed_has_is_what_somebody_drove_at_before() -> None:
+    text = "Target vehicle ahead in the ego lane at 40 km/h decelerates with 5 m/s² to standstill."
+    (first, *_) = OfflineReader().read(text).ranked
+    who = first.situation["A"]
+    assert str(who.starts.speed) == "40 km/h"
+    assert [deed.act for deed in who.does] == [Act.STOP]
+    assert first.left_out == ()
+
+
+def test_who_cuts_in_from_an_arm_of_a_junction_comes_into_our_lane() -> None:
+    (first, *_) = OfflineReader().read("A car from the left arm of the junction cuts in front of us.").ranked
+    assert [deed.act for deed in first.situation["A"].does] == [Act.ENTER]

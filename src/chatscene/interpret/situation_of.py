@@ -175,6 +175,11 @@ def _other(name: str, role: Role, slots: Slots, numbers: Sequence[Quantity], who
     kind = KINDS[slots.adversary]
     start = _start(slots, kind, numbers, junction=whole.place in JUNCTIONS or whole.control is not None)
     deeds = _numbered(_deeds(slots, start), numbers)
+    speed = next((one for one in numbers if one.measure is Measure.SPEED), None)
+    if speed is not None and not any(
+        "speed" in deed.act.row.takes for deed in deeds
+    ):  # of what it then does it is none
+        start = replace(start, speed=_amount(Speed, speed))
     hidden = HIDES if role is Role.ADVERSARY and slots.occluder is not None else None
     return Other(
         id=name, kind=kind, count=0 if slots.group else 1, role=role, starts=start, hidden_by=hidden, does=deeds
@@ -272,6 +277,8 @@ def _deed(action: Action, slots: Slots, start: Start) -> Deed:
         act = Act.CUT_OUT
     if act is Act.CUT_IN and where is Where.ON_RAMP:
         act = Act.MERGE
+    if act is Act.CUT_IN and where is Where.ARM:
+        act = Act.ENTER
     if act is Act.GO_ALONG and where is Where.BEHIND:
         act = Act.FOLLOW
     return Deed(act=act)
@@ -318,4 +325,6 @@ def _is_set(who: Other, one: Quantity) -> bool:
         return any(deed.when is not None for deed in who.does)
     if one.measure is Measure.ASIDE:
         return any(deed.to is not None for deed in who.does)
+    if one.measure is Measure.SPEED and who.starts.speed is not None:
+        return True
     return any(getattr(deed, AMOUNTS[one.measure][0]) is not None for deed in who.does)

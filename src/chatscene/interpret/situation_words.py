@@ -52,6 +52,7 @@ _TOLD_WITH: dict[str, tuple[str, ...]] = {
     "road.kind": ("road.control", "ego.route", f"{_A}.does", "ego.does"),
     "road.ego_light": ("road.control", "ego.does"),
     f"{_A}.hidden_by": (f"others.{HIDES}",),
+    f"{_A}.starts.speed": (f"{_A}.does",),
     f"others.{HIDES}.starts.side": (f"{_A}.starts.side",),
     f"others.{LEADS}": (f"others.{BESIDE[0]}",),
     f"others.{BLOCKS}": ("ego.route",),

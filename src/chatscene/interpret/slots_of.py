@@ -216,7 +216,8 @@ def _numbers(who: Other) -> Iterator[tuple[Measure, tuple[Quantity, ...]]]:
     if (there := _number(Measure.DISTANCE, who.starts.distance)) is not None:
         yield Measure.DISTANCE, (there,)
     for name, measure in _MEASURES:
-        said = next((one for deed in who.does if (one := _number(measure, getattr(deed, name))) is not None), None)
+        amounts = [getattr(deed, name) for deed in who.does] + [who.starts.speed] * (measure is Measure.SPEED)
+        said = next((one for amount in amounts if (one := _number(measure, amount)) is not None), None)
         if said is not None:
             yield measure, (said,)
     near = (deed.when.ego_within for deed in who.does if deed.when is not None)
