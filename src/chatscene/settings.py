@@ -50,12 +50,12 @@ class SearchSettings:
         avoidable_only: Whether to keep no collision that a careful driver would not have avoided (paper: no).
         routes: Routes per scenario (paper: 10; a run on a laptop starts with 1).
         tries: Draws allowed until one scene spawns without overlap.
-        selection: ``distinct``: scenes that collided first, of these those that show what was read, of these those
-            that a careful driver would have avoided, one of each kind of crash before a second of any
-            (`chatscene.measure.crash_type`), of these the lowest scores; those in which the ego only waits come last.
-            ``shown``: those that collided, of these those that show what was read, of these the lowest scores;
-            ``worst``: the same without a look at what was shown (paper); ``last``: where the search ended, whatever
-            came of it (how the reference ships its baselines).
+        selection: ``distinct``: drives that show what was said first, of these collisions, of these those that a
+            careful driver would have avoided, one of each kind of crash before a second of any
+            (`chatscene.measure.crash_type`), of these the lowest scores; those in which the ego only waits come last
+            of the others. ``shown``: drives that show what was said, of these collisions, of these the lowest scores;
+            ``worst``: collisions, whatever they show (paper); ``last``: where the search ended, whatever came of it
+            (how the reference ships its baselines).
         sampler: Who says where to look next, one of `chatscene.search.sampler.SAMPLERS` (paper: its own rule).
         objective: What the search is after: ``collision``, the harder the better (paper); ``avoidable``, collisions
             that a careful driver would have avoided before others, and of these those in which the ego struck.

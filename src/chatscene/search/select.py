@@ -51,17 +51,17 @@ class Selected:
 def select(
     candidates: Iterable[Candidate], *, count: int, selection: str = "distinct", avoidable_only: bool = False
 ) -> tuple[Selected, ...]:
-    """Scenes that collided first, of these those that show what was read, of these the lowest overall scores.
+    """Scenes that show what was said first, of these those that collided, of these the lowest overall scores.
 
-    If too few collided, others fill up, in the same order.
+    If too few are so, others fill up, in the same order.
 
     Args:
         candidates: The scenes of one scenario on one route, in the order in which they were driven.
         count: How many to keep, at least 1.
-        selection: One of `chatscene.settings.SELECTIONS`: ``distinct`` keeps of those that show what was read the
-            avoidable ones first, one of each kind before a second of any, and last those in which the ego only waits;
-            ``shown`` asks for neither; ``worst`` does not look at what was shown either (paper); ``last`` keeps the
-            last ones, whatever came of them.
+        selection: One of `chatscene.settings.SELECTIONS`: ``distinct`` keeps of the collisions the avoidable ones
+            first, one of each kind before a second of any, and last drives in which the ego only waits; ``shown`` asks
+            for neither; ``worst`` keeps collisions, whatever they show (paper); ``last`` keeps the last ones, whatever
+            came of them.
         avoidable_only: Never keep a collision that a careful driver would not have avoided.
 
     Returns:
@@ -79,7 +79,7 @@ def select(
         best = _distinct(allowed)[:count]
     else:
         blind = selection == "worst"
-        best = sorted(allowed, key=lambda c: (not c.collided, not (c.shown or blind), c.overall_score, c.scene_id))
+        best = sorted(allowed, key=lambda c: (not (c.shown or blind), not c.collided, c.overall_score, c.scene_id))
         best = best[:count]
     kept = (Selected(scene_id=c.scene_id, fill_in=not c.collided) for c in best)
     return tuple(sorted(kept, key=lambda s: s.scene_id))
@@ -97,4 +97,4 @@ def _distinct(candidates: Iterable[Candidate]) -> list[Candidate]:
 
 
 def _rank(candidate: Candidate) -> tuple[bool, bool, bool, bool]:
-    return not candidate.collided, candidate.waits, not candidate.shown, candidate.avoidable is False
+    return not candidate.shown, not candidate.collided, candidate.waits, candidate.avoidable is False
