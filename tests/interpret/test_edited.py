@@ -48,6 +48,8 @@ def changed(made: Edited) -> dict[str, tuple[object, object]]:
         (WALKS, "make it a child", {"others.A.kind": ("pedestrian", "child")}),
         (WALKS, "make it two pedestrians", {"others.A.count": (None, 2)}),
         (WALKS, "faster", {"others.A.does.0.manner": (None, "fast")}),
+        (WALKS, "we drive at 45 km/h", {"ego.speed": (None, "45 km/h")}),
+        ("We drive at 45 km/h. A deer crosses.", "we drive 10 km/h faster", {"ego.speed": ("45 km/h", "55 km/h")}),
         (WALKS, "slower", {"others.A.does.0.manner": (None, "slow")}),
         (WALKS, "at 3 m/s", {"others.A.does.0.speed": (None, "3 m/s")}),
         (WALKS, "it stops in the middle", {"others.A.does.1.act": (None, "stop")}),
@@ -119,6 +121,8 @@ def test_what_a_model_read_is_edited_as_well_and_keeps_the_words_of_what_stays()
 def test_words_whose_fact_is_gone_stay_read() -> None:
     made = edited(said(WALKS), "from the left")
     assert made.after.evidence.quoted["about"] == "from the right"
+    again = edited(made.after, "make it a cyclist")
+    assert again.after.evidence.quoted["about"] == "from the right … A pedestrian"
 
 
 def test_edits_add_up_and_an_edit_back_is_what_was() -> None:

@@ -40,12 +40,34 @@ def test_each_word_of_the_reader_has_one_of_a_situation(words: Any, table: Mappi
 def test_each_body_has_the_plainest_kind_and_each_measure_stands_somewhere() -> None:
     assert {kind for kind in AdversaryKind if rows.KINDS[kind].row.body is not kind} == set()
     assert rows.KINDS[AdversaryKind.CAR] is UserKind.CAR
-    placed = {Measure.DISTANCE, Measure.TRIGGER, Measure.ASIDE}  # a start, when a deed is due, and to which side
+    placed = {Measure.DISTANCE, Measure.TRIGGER, Measure.ASIDE, Measure.EGO_SPEED}  # of no deed of another
     assert set(Measure) - placed - set(rows.AMOUNTS) == set()
 
 
 def read(text: str) -> Situation:
     return OfflineReader().read(text).ranked[0].situation
+
+
+@pytest.mark.parametrize(
+    ("text", "speed", "words"),
+    [
+        ("We drive at 50 km/h. A car ahead brakes hard.", "50 km/h", "drive at 50 km/h"),
+        ("The VUT travels at 45 mph and the car ahead brakes at 6 m/s2.", "45 mph", "travels at 45 mph"),
+        ("At 30 km/h we approach a truck that stands in our lane.", "30 km/h", "at 30 km/h"),
+        ("The car ahead brakes while we drive at 50 km/h.", "50 km/h", "drive at 50 km/h"),
+    ],
+)
+def test_a_speed_that_is_said_of_the_ego_is_the_egos(text: str, speed: str, words: str) -> None:
+    made = read(text)
+    assert str(made.ego.speed) == speed
+    assert made.evidence.quoted["ego.speed"].lower() == words.lower()
+    assert all(deed.speed is None for one in made.others for deed in one.does)
+
+
+def test_a_speed_that_is_said_of_another_is_not_the_egos() -> None:
+    made = read("A car crosses from the left at 50 km/h towards us.")
+    assert made.ego.speed is None
+    assert str(made.others[0].does[0].speed) == "50 km/h"
 
 
 CAR, WALKS, RIDES = AdversaryKind.CAR, AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE

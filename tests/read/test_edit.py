@@ -152,7 +152,7 @@ def test_what_follows_from_a_named_fact_follows() -> None:
         (BRAKES, "without the braking", "nothing is left"),
         (RUNS_LIGHT, "no traffic lights", "cannot be with the rest"),
         (TURNING, "on a straight road", "at junctions only"),
-        (BRAKES, "we drive at 30 km/h", "its own affair"),
+        (BRAKES, "we wait for 3 s", "of it a speed can be said"),
         (BRAKES, "it swerves to the left", "is no edit"),
         (WALKS, "cyclist -> e-scooter", "there is none"),
         (WALKS, "hidden", "say by what"),

@@ -19,7 +19,7 @@ from chatscene.settings import RetrievalSettings
 from chatscene.terms.conclusions import CURVES, JUNCTIONS
 from chatscene.terms.plan import Plan, waits_for_ego
 from chatscene.terms.plan_text import plan_of
-from chatscene.terms.scenario import Component, Distance, EgoState, Maneuver, Position, Scenario, Slots
+from chatscene.terms.scenario import Component, Distance, EgoState, Maneuver, Position, Scenario, Slots, Unused, Why
 from chatscene.terms.slots import SLOTS
 from chatscene.terms.snippet import Retrieval, Snippet, Tried
 
@@ -212,4 +212,6 @@ def _bound(retrieval: Retrieval, scenario: Scenario, *notes: str) -> tuple[Retri
     if made.unused and scenario.frame is not None and scenario.frame.whole:
         said = ", ".join(repr(one.said) for one in made.unused)
         raise _none_for(retrieval, f"{said}: nothing that fits the rest can be set to it")
-    return replace(retrieval, notes=(*notes, *retrieval.notes, *made.notes), unused=made.unused), made.triple
+    ego = scenario.frame.ego_speed if scenario.frame is not None else None
+    unused = (*made.unused, *((Unused(said=ego.said, why=Why.NUMBER),) if ego is not None else ()))
+    return replace(retrieval, notes=(*notes, *retrieval.notes, *made.notes), unused=unused), made.triple

@@ -207,7 +207,9 @@ def as_told(frame: Frame, account: Account) -> Frame:
     unread = (Unused(said=word, why=Why.WORDS) for word in account.unread)
     unlike = (one for one in frame.unused if one.why not in (Why.WORDS, Why.SITE))
     aside = (one for one in frame.quantities if one.measure is Measure.ASIDE)  # of which accounts know nothing
-    return replace(frame, quantities=(*account.quantities, *aside), unused=(*unlike, *unread))
+    ego = frame.ego_speed
+    told = (one for one in account.quantities if ego is None or one.said not in ego.said or one.value != ego.value)
+    return replace(frame, quantities=(*told, *aside), unused=(*unlike, *unread))
 
 
 def understood(frame: Frame, slots: Slots, notes: tuple[Note, ...]) -> Scenario:

@@ -39,6 +39,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Amount, Length, Speed
 from chatscene.terms.conclusions import JUNCTIONS
+from chatscene.terms.frame import Frame
 from chatscene.terms.scenario import Control, Distance, EgoState, Measure, Quantity, Scenario, Site, Slots
 from chatscene.terms.situation import Around, Contact, Deed, Ego, Evidence, Other, Road, Situation, Start, When
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
@@ -68,10 +69,10 @@ class Told:
 def situation_of(scenario: Scenario) -> Told:
     """The situation of a text whose facts are decided."""
     slots, frame = scenario.slots, scenario.frame
-    numbers = frame.quantities if frame is not None else ()
+    numbers = _numbers(frame)
     made = in_a_situation(slots, numbers, scenario.surroundings)
     left_out = [f"{one}: nothing in a situation is measured so" for one in (frame.shifts if frame is not None else ())]
-    left_out += [f"{one}: nobody does what it measures" for one in numbers if not _is_set(made.others[0], one)]
+    left_out += [f"{one}: nobody does what it measures" for one in numbers if not _is_set(made, one)]
     left_out += [f"{MANNERS[act]}: a deed has one manner" for act in _manners(slots)[1:]]
     left_out += [f"{one}: more others than are read" for one in slots.others[len(BESIDE) :]]
     text = frame.text if frame is not None else ""
@@ -88,6 +89,16 @@ def situation_of(scenario: Scenario) -> Told:
     made = replace(made, about=scenario.text, evidence=Evidence(quoted=quoted))
     evidence = replace(made.evidence, assumed=without_words(made))
     return Told(situation=replace(made, evidence=evidence), left_out=tuple(left_out))
+
+
+def _numbers(frame: Frame | None) -> tuple[Quantity, ...]:
+    if frame is None:
+        return ()
+    return (*frame.quantities, *((frame.ego_speed,) if frame.ego_speed is not None else ()))
+
+
+def _ego_speed(numbers: Sequence[Quantity]) -> Speed | None:
+    return next((_amount(Speed, one) for one in numbers if one.measure is Measure.EGO_SPEED), None)
 
 
 def _as_named(one: Other, quoted: Mapping[str, str]) -> Other:
@@ -113,7 +124,9 @@ def in_a_situation(slots: Slots, numbers: Sequence[Quantity], around: Surroundin
     who = _other(WHO, Role.ADVERSARY, slots, numbers, slots)
     beside = (_other(name, Role.SUPPORTING, one, (), slots) for name, one in zip(BESIDE, slots.others, strict=False))
     return Situation(
-        ego=Ego(route=_route(slots), does=EGO_DOES[slots.ego] if slots.ego is not None else ()),
+        ego=Ego(
+            route=_route(slots), speed=_ego_speed(numbers), does=EGO_DOES[slots.ego] if slots.ego is not None else ()
+        ),
         road=_road(slots),
         others=(who, *beside, *_around_it(slots)),
         around=_around(around),
@@ -313,12 +326,17 @@ def _amount(kind: type[Amount], number: Quantity) -> Any:
             continue
         if said.exact and abs(said.low - number.value) < _ROUNDED:
             return said
-    read = round(3.6 * number.value, 1) / 3.6 if kind is Speed else round(number.value, 2)  # as finely as it is said
+    if kind is Speed:  # as finely as it is said
+        return kind.of(f"{round(3.6 * number.value, 1):g} km/h")
+    read = round(number.value, 2)
     return kind(read, read)
 
 
-def _is_set(who: Other, one: Quantity) -> bool:
-    """Whether a number stands somewhere in what somebody does."""
+def _is_set(made: Situation, one: Quantity) -> bool:
+    """Whether a number stands somewhere in what the ego or the first of the others does."""
+    who = made.others[0]
+    if one.measure is Measure.EGO_SPEED:
+        return made.ego.speed is not None
     if one.measure is Measure.DISTANCE:
         return who.starts.distance is not None
     if one.measure is Measure.TRIGGER:

@@ -80,7 +80,12 @@ def quoted_words(scenario: Scenario, made: Situation, words: Iterable[tuple[Word
     text = scenario.frame.text if scenario.frame is not None else ""
     runs: dict[str, list[tuple[int, int]]] = {}
     path = None
+    drives = _of_ego_speed(scenario)
+    if drives and made.ego.speed is not None:
+        runs["ego.speed"] = [drives]
     for word, who in words:
+        if drives and drives[0] <= word.start < drives[1]:
+            continue
         joins = word.besides == JOINS and not says_nothing(word.text)  # the light of "we wait at a red light"
         if not joins or _OF_ACTS.search(path or ""):  # behind an act it may say how that is done
             of_whom = (one.replace(f"others.{WHO}.", f"others.{who}.") for one in _PATHS.get(word.fact, ()))
@@ -99,6 +104,17 @@ def quoted_words(scenario: Scenario, made: Situation, words: Iterable[tuple[Word
     return found
 
 
+def _of_ego_speed(scenario: Scenario) -> tuple[int, int] | None:
+    """Where a text says how fast the ego drives: the number with its verb, or what of it stands as it was read."""
+    frame = scenario.frame
+    if frame is None or frame.ego_speed is None:
+        return None
+    words = frame.ego_speed.said.split()
+    tails = (" ".join(words[at:]) for at in range(len(words)))
+    found = ((text, frame.text.lower().find(text)) for text in tails)
+    return next(((at, at + len(text)) for text, at in found if at >= 0), None)
+
+
 def told_of(scenario: Scenario) -> Iterator[tuple[Word, str]]:
     """Each word with the id of whom it tells: of several who do something, of whom was spoken last."""
     slots, told, who, last = scenario.slots, words_of(scenario), WHO, ""
@@ -107,7 +123,8 @@ def told_of(scenario: Scenario) -> Iterator[tuple[Word, str]]:
     for i, word in enumerate(told):
         if word.fact == "adversary" and last != "adversary" and len(kinds) > 1:
             run = " ".join(one.text for one in takewhile(lambda one: one.fact == "adversary", told[i:]))
-            named = [one for one, kind in kinds.items() if kind is not None and KINDS_HEARD[kind].search(run.lower())]
+            heard = ((one, KINDS_HEARD.get(kind)) for one, kind in kinds.items() if kind is not None)
+            named = [one for one, words in heard if words is not None and words.search(run.lower())]
             who = next((one for one in named if one not in spoken), next(iter(named), who))
             spoken.add(who)
         last = word.fact

@@ -41,7 +41,7 @@ from chatscene.terms.scenario import (
     Slots,
 )
 from chatscene.terms.scenario import Side as Aside
-from chatscene.terms.situation import Deed, Other, Situation
+from chatscene.terms.situation import Deed, Ego, Other, Situation
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
 from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Manner, RightOfWay, RoadKind, Role, Side, Where
 
@@ -140,7 +140,7 @@ def facts_of(situation: Situation, parties: Parties) -> Facts:
         weather=around.weather or Weather.CLEAR,
         surface=around.surface or follows or Surface.DRY,
     )
-    return Facts(slots=slots, surroundings=surroundings, numbers=dict(_numbers(who)))
+    return Facts(slots=slots, surroundings=surroundings, numbers=dict(_numbers(who, situation.ego)))
 
 
 def _slots(one: Other, **more: object) -> Slots:
@@ -211,8 +211,10 @@ def _site(situation: Situation) -> Site | None:
     return max(fits, key=lambda site: len(SITES[site].has), default=None)
 
 
-def _numbers(who: Other) -> Iterator[tuple[Measure, tuple[Quantity, ...]]]:
-    """The numbers that were said of somebody."""
+def _numbers(who: Other, ego: Ego) -> Iterator[tuple[Measure, tuple[Quantity, ...]]]:
+    """The numbers that were said of somebody and of the ego."""
+    if (drives := _number(Measure.EGO_SPEED, ego.speed)) is not None:
+        yield Measure.EGO_SPEED, (drives,)
     if (there := _number(Measure.DISTANCE, who.starts.distance)) is not None:
         yield Measure.DISTANCE, (there,)
     for name, measure in _MEASURES:

@@ -243,7 +243,7 @@ def _speaks_of(quantity: Quantity, parameter: ParameterRange) -> bool:
     """Whether a parameter measures what a quantity does, and on the side of the ego that was said."""
     if quantity.measure is Measure.ASIDE:
         return False  # no range of values is meant
-    if parameter.name != _NAMES[quantity.measure]:
+    if parameter.name != _NAMES.get(quantity.measure):
         return False
     if quantity.measure is Measure.TIME:
         return _STANDING.match(parameter.meaning) is not None

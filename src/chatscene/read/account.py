@@ -31,7 +31,7 @@ from chatscene.read.account_slots import account_of
 from chatscene.read.account_wordings import prepared
 from chatscene.read.parse import SEVERAL
 from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases_at, road_user, traits_in
-from chatscene.read.quantities import quantity_at
+from chatscene.read.quantities import quantity_or_speed_at
 from chatscene.read.telling import NAMED_NEXT, Contact, Party, Telling
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
@@ -171,7 +171,7 @@ def _understand(telling: Telling, found: _Found) -> None:
 
 
 def _number_at(telling: Telling, text: str, at: int, found: _Found | None) -> int | None:
-    number = quantity_at(text, at)
+    number = quantity_or_speed_at(text, at)
     if number is None or number[1] <= (found.match.end() if found else at):
         return None
     party = telling.party

@@ -18,7 +18,7 @@ from chatscene.read.account_wordings import prepared
 from chatscene.read.canonical import canonical, telegraphed
 from chatscene.read.naming import plainly_named
 from chatscene.read.phrases import Sort, phrases_at, road_user
-from chatscene.read.quantities import quantity_at
+from chatscene.read.quantities import quantity_or_speed_at
 from chatscene.read.without_effect import ALWAYS, without_effect
 from chatscene.terms.acts import Action
 from chatscene.terms.edit import EDITED
@@ -203,7 +203,7 @@ def _matches(text: str, at: int, of_ego: bool) -> Iterator[tuple[int, str, bool]
             yield match.end(), fact, phrase.sort not in _OF_SORT
     if named := road_user().match(text, at):
         yield named.end(), "adversary", False
-    if (number := quantity_at(text, at)) is not None:
+    if (number := quantity_or_speed_at(text, at)) is not None:
         yield number[1], number[0].measure.value, False
     if no := NOT.match(text, at):
         yield no.end(), "", True

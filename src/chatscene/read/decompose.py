@@ -8,6 +8,7 @@ patterns of `chatscene.read.lexicon`.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from chatscene.errors import SettingsError
@@ -15,6 +16,7 @@ from chatscene.read import lexicon as words
 from chatscene.read.account import hear_account
 from chatscene.read.canonical import canonical
 from chatscene.read.clauses import cut, without_things
+from chatscene.read.ego_speed import ego_speed_of
 from chatscene.read.ego_state import ego_state_of
 from chatscene.read.naming import plainly_named
 from chatscene.read.parse import parse
@@ -29,9 +31,11 @@ from chatscene.terms.scenario import (
     Control,
     Distance,
     Maneuver,
+    Measure,
     Occluder,
     Place,
     Position,
+    Quantity,
     Side,
     Site,
     Slots,
@@ -72,7 +76,7 @@ def hear(text: str) -> Frame:
     told = _rewritten(mended)
     clauses = cut(told)
     heard = Frame(text=plain, canonical=around.rest, told=told, clauses=clauses, surroundings=around.surroundings)
-    parsed = parse(mended)
+    parsed, ego_speed = parse(mended), ego_speed_of(told)
     # What the ego does may be how it reacts, which is its own affair.
     if parsed is not None and parsed.slots.ego is (parsed.slots.ego and ego_state_of(clauses.whole, words.ANYBODY)):
         slots, quantities = parsed.slots, parsed.quantities
@@ -80,11 +84,12 @@ def hear(text: str) -> Frame:
         heard = replace(heard, whole=True, sure=WHOLE)
     else:
         slots = _slots(clauses, notes)
-        quantities = quantities_of(clauses.adversary or clauses.whole, clauses.whole)
+        quantities = tuple(_not_of_ego(quantities_of(clauses.adversary or clauses.whole, clauses.whole), ego_speed))
         turned = tuple(
             Unused(said=m["what"] or m["first"], why=Why.MANEUVER) for m in words.NO_MANEUVER.finditer(clauses.whole)
         )
-        unused = (*turned, *unused_of(told, quantities, around.unlike))
+        heard_numbers = (*quantities, *((ego_speed,) if ego_speed is not None else ()))
+        unused = (*turned, *unused_of(told, heard_numbers, around.unlike))
         heard = replace(heard, mentions=mentions_of(told), account=hear_account(canonical(clauses.whole), slots))
     both = slots.others or (heard.account is not None and heard.account.slots.others)
     if not both and (lead := _LEAD_BESIDES.search(plain)):
@@ -94,9 +99,19 @@ def hear(text: str) -> Frame:
         heard,
         outright=slots,
         beliefs=certain(slots),
+        ego_speed=ego_speed,
         quantities=(*quantities, *aside_of(clauses.adversary or clauses.whole)),
         unused=(*unused, *(Unused(said=said.lower(), why=Why.BESIDES) for said in named.dropped)),
         notes=tuple(notes),
+    )
+
+
+def _not_of_ego(numbers: Iterable[Quantity], ego: Quantity | None) -> Iterator[Quantity]:
+    """The numbers but for the one that was said of the ego."""
+    return (
+        one
+        for one in numbers
+        if ego is None or one.measure is not Measure.SPEED or (one.value, one.said in ego.said) != (ego.value, True)
     )
 
 

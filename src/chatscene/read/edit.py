@@ -637,9 +637,11 @@ class _Hearing:
             if isinstance(number, Shift) and number.measure is Measure.SPEED and not number.more:
                 self.found.wish("ego", EgoState.SLOW, said)
                 return
-            raise EditRefused(
-                f"not understood of the ego: {said!r}; how fast it drives is its own affair", words=(said,)
-            )
+            if number.measure is Measure.SPEED:
+                ego = replace(number, measure=Measure.EGO_SPEED)
+                self.found.number(Measure.EGO_SPEED, None if self.old else ego, said)
+                return
+            raise EditRefused(f"not understood of the ego: {said!r}; of it a speed can be said", words=(said,))
         if self.whose == 1:
             raise EditRefused(f"{said!r}: numbers can be set of the adversary alone")
         self.found.number(number.measure, None if self.old else number, said)

@@ -157,6 +157,14 @@ def number_at(text: str, start: int) -> tuple[Quantity, int] | None:
     return None
 
 
+def quantity_or_speed_at(text: str, start: int) -> tuple[Quantity, int] | None:
+    """What `quantity_at` finds, or a speed without a word before it, as notes and protocols have it: "5 km/h"."""
+    if (said := quantity_at(text, start)) is not None:
+        return said
+    bare = number_at(text, start)
+    return bare if bare is not None and bare[0].measure is Measure.SPEED else None
+
+
 def _quantity(measure: Measure, match: re.Match[str]) -> Quantity:
     number = _NUMBERS.get(match["number"])
     value = (_number(match["number"]) if number is None else number) * _UNITS[_SQUARED.sub("²", match["unit"])]

@@ -66,7 +66,7 @@ def still_evident(before: Situation, after: Situation) -> Evidence:
         quoted |= dict.fromkeys(kept, words)
         gone += [] if kept else [words]
     if gone:
-        quoted[NAMED] = GAP.join(dict.fromkeys(gone))
+        quoted[NAMED] = GAP.join(dict.fromkeys(filter(None, (quoted.get(NAMED), *gone))))
     still = {path: (path,) if stays(path) else left_of(path, ()) for path in before.evidence.assumed}
     return Evidence(quoted=quoted, assumed=tuple(path for paths in still.values() for path in paths))
 

@@ -218,6 +218,7 @@ class Frame:
         outright: The facts that words say outright.
         beliefs: How sure every fact is.
         quantities: The numbers that can be set.
+        ego_speed: How fast the ego drives, which no snippet says and a situation does.
         shifts: The numbers that are other than they were, as edits say it, in their order.
         unused: What is in no slot and no quantity, whatever the slots are.
         mentions: The road users that it names.
@@ -237,6 +238,7 @@ class Frame:
     outright: Slots = field(default_factory=Slots)
     beliefs: Beliefs = field(default_factory=Beliefs)
     quantities: tuple[Quantity, ...] = ()
+    ego_speed: Quantity | None = None
     shifts: tuple[Shift, ...] = ()
     unused: tuple[Unused, ...] = ()
     mentions: tuple[Mention, ...] = ()

@@ -215,6 +215,7 @@ class Measure(StrEnum):
 
     DISTANCE = "distance"  # from the ego to where the adversary starts [m]
     SPEED = "speed"  # of the adversary [m/s]
+    EGO_SPEED = "ego-speed"  # of the ego [m/s]
     TIME = "time"  # for which it stands [s]
     TRIGGER = "trigger"  # how far the ego still is when it acts [m]
     DECELERATION = "deceleration"  # of the adversary when it brakes [m/s²]
