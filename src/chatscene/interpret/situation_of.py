@@ -247,7 +247,8 @@ def _usual(slots: Slots, kind: UserKind, *, junction: bool) -> Where:
         return Where.ONCOMING
     if Action.CROSS in acts or Action.DIAGONAL in acts:
         return Where.DRIVEWAY if drives else Where.ROADSIDE
-    return next((_USUAL[act] for act in acts if act in _USUAL), Where.AHEAD)
+    usual = next((_USUAL[act] for act in acts if act in _USUAL), None)
+    return usual or (Where.ROADSIDE if kind.moves is Moves.WALKS and set(acts) == {Action.FOLLOW} else Where.AHEAD)
 
 
 def _deeds(slots: Slots, start: Start) -> tuple[Deed, ...]:
