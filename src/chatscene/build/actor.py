@@ -90,8 +90,6 @@ class Actor:
         self.ledger.take(*said_anyway(self.one, self.stand.meets))
         if self.stand.faces:
             self.ledger.take(f"{at}.starts.facing")
-        if self.one.kind.row.stands_in:
-            self.ledger.assume(f"{self.one.id} is a {row.scenic.lower()}, since nothing is built as a {self.one.kind}")
         if self.one.count == SEVERAL:
             self.ledger.assume(f"of {self.one.id} there are {SOME}, since their number was not said")
 
