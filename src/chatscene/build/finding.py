@@ -30,11 +30,11 @@ from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.ring_ways import ring_ways
 from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
-from chatscene.situations.check import COMES_OVER
+from chatscene.situations.check import COMES_OVER, TURNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
-from chatscene.terms.scenario import Maneuver, Place, Site
+from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
 from chatscene.world.places import EgoRoute as Route
@@ -48,6 +48,12 @@ SITES = {
     Feature.OFF_RAMP: Site.PAST_OFF_RAMP,
     Feature.ON_RAMP: Site.PAST_ON_RAMP,
 }
+_AT_SITE: dict[Feature, frozenset[Site]] = {
+    **{one: frozenset((site,)) for one, site in SITES.items()},
+    Feature.ON_RAMP: frozenset((Site.ON_RAMP, Site.PAST_ON_RAMP, Site.WEAVING)),
+    Feature.OFF_RAMP: frozenset((Site.OFF_RAMP, Site.PAST_OFF_RAMP, Site.WEAVING)),
+}
+"""Where the road has what was said of it."""
 _CURVES = (RoadKind.CURVE, RoadKind.LEFT_CURVE, RoadKind.RIGHT_CURVE)
 _MOTORWAYS = (
     Site.MOTORWAY,
@@ -92,11 +98,10 @@ def find(ledger: Ledger) -> Found:
     rooms: dict[str, float] = {}
     for more in _lengths(situation):
         for sides in _open_sides(situation.others):
-            for name in (situation.map,) if situation.map else PACKAGED:
-                for query in _queries(situation, sides):
-                    if found := _answered(situation, name, _longer(query, more), sides, lacking, rooms):
-                        _take(ledger, found)
-                        return replace(found, further=min(more, further(situation)))
+            for name, query in _asked(situation, sides):
+                if found := _answered(situation, name, _longer(query, more), sides, lacking, rooms):
+                    _take(ledger, found)
+                    return replace(found, further=min(more, further(situation)))
     if rooms:
         raise NotBuilt(
             "; ".join(f"{fact}: the longest road there is leads {room:.0f} m" for fact, room in rooms.items())
@@ -237,6 +242,16 @@ def _answered(
     return Found(name, query, route, sides)
 
 
+def _asked(situation: Situation, sides: dict[str, Side]) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Each map with what it is asked for: all of them for a site that was said, before any for a place without it."""
+    maps = (situation.map,) if situation.map else PACKAGED
+    if situation.road.setting is Setting.RURAL:
+        maps = maps[::-1]
+    queries = tuple(_queries(situation, sides))
+    yield from ((name, query) for query in queries if "site" in query for name in maps)
+    yield from ((name, query) for name in maps for query in queries if "site" not in query)
+
+
 def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str, Any]]:
     """Arguments of `selectRoute`, the narrower first where a map cannot be asked for all that is needed."""
     road, others = situation.road, situation.others
@@ -259,7 +274,8 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
     over: list[str] = []
     if not (lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
         over = [str(side) for one in others if (side := _goes_over(one)) is not None]
-    sites = [SITES[one].value for one in road.has if one in SITES and not at_junction(situation)]
+    has = [*road.has, *(Feature.CROSSWALK for one in others if one.starts.where is Where.CROSSING)]
+    sites = [SITES[one].value for one in dict.fromkeys(has) if one in SITES and not at_junction(situation)]
     if any(one.starts.where is Where.BUS_BAY for one in others) and not at_junction(situation):
         sites = [Site.BUS_BAY.value]
         base = base | {"site": Site.BUS_BAY.value}
@@ -320,9 +336,18 @@ def _at_junction(
     if lanes:
         query |= {"lanes": max(2, query.get("lanes", 1)), "beside": lanes[0]}
     four = query | {"place": Place.FOUR_WAY.value} if query["place"] == Place.JUNCTION else query
+    if _of_side_road(situation):
+        yield query | {"place": Place.THREE_WAY.value, "control": Control.NONE.value}
+        yield four | {"control": Control.NONE.value}
     yield query
     yield four  # no query asks for what crossing traffic does there
     yield four | {"crossed": tuple(dict.fromkeys((*arms, "left", "right", "oncoming")))}
+
+
+def _of_side_road(situation: Situation) -> bool:
+    """Whether there is a junction only since somebody comes from a side: out of a lane, an alley, a field."""
+    named = situation.road.kind is not None or situation.ego.route in TURNS or control_of(situation) is not None
+    return not named and any(one.starts.where is Where.ARM for one in situation.others)
 
 
 def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iterator[dict[str, Any]]:
@@ -390,7 +415,7 @@ def _as_said(situation: Situation, found: Found) -> Iterator[str]:
         "road.setting": road.setting is not None and settings.get(road.setting, False),
     }
     yield from (path for path, right in holds.items() if right)
-    yield from (f"road.has.{i}" for i, one in enumerate(road.has) if one in SITES and site == SITES[one])
+    yield from (f"road.has.{i}" for i, one in enumerate(road.has) if site in _AT_SITE.get(one, ()))
 
 
 def _lanes_there(found: Found) -> int:
