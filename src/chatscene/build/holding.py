@@ -53,11 +53,6 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
     road, query = situation.road, found.query
     site = query.get("site")
     against = any(against for _, against in lanesBeside(found.route))
-    run = lane_runs(found.route.network)[found.route.route.lane_ids[0]]
-    settings = {
-        Setting.TOWN: found.map == PACKAGED[0],
-        Setting.RURAL: site == Site.RURAL or along(found.route.network, run, Site.RURAL),
-    }
     holds = {
         "ego.route": situation.ego.route not in _SITES_OF or site == _SITES_OF[situation.ego.route],
         "road.lanes": road.lanes == _lanes_there(found),
@@ -67,10 +62,17 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
         or (road.control is RightOfWay.YIELD_SIGN and site == Site.ROUNDABOUT)
         or (road.control is RightOfWay.NONE and site == Site.CROSSWALK),
         "road.two_way": road.two_way is against,
-        "road.setting": road.setting is not None and settings.get(road.setting, False),
+        "road.setting": (road.setting is Setting.TOWN and found.map == PACKAGED[0])
+        or (road.setting is Setting.RURAL and (site == Site.RURAL or _is_rural(found))),
     }
     yield from (path for path, right in holds.items() if right)
     yield from (f"road.has.{i}" for i, one in enumerate(road.has) if site in _AT_SITE.get(one, ()))
+
+
+def _is_rural(found: Found) -> bool:
+    """Whether the route begins on a rural road."""
+    network = found.route.network
+    return along(network, lane_runs(network)[found.route.route.lane_ids[0]], Site.RURAL)
 
 
 def _lanes_there(found: Found) -> int:
