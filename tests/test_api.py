@@ -138,7 +138,7 @@ def test_a_run_without_a_folder_has_one_that_stays(simulated: chatscene.Run) -> 
     first, summary, _ = str(simulated).partition("3 scenes in")
     assert summary
     assert first.splitlines() == simulated.told_first
-    assert "A is a car, since nothing is built as a van" in simulated.told_first
+    assert "not read: 'delivery'" in simulated.told_first
     assert str(simulated).endswith(f"report: {simulated.report}")
 
 

@@ -86,7 +86,7 @@ def test_an_ego_that_is_held_is_waited_for() -> None:
 
 
 def test_a_distance_and_a_speed_that_lead_past_the_ego_are_refused_with_where_it_would_have_to_start() -> None:
-    with pytest.raises(NotBuilt, match=r"A\.starts\.distance: 10 m: .* the ego after 7\.7 s; .* 151 m before"):
+    with pytest.raises(NotBuilt, match=r"A\.starts\.distance: 10 m: .* the ego after 7\.3 s; .* 143 m before"):
         build(from_plain(someone("arm", "go-straight", side="left", speed="80 km/h", distance="10 m")))
 
 

@@ -53,7 +53,9 @@ def test_everybody_but_the_ego_is_where_its_track_has_it_at_every_step() -> None
 def test_things_are_static_and_road_users_dynamic_even_if_they_stand() -> None:
     root = written(LONG)
     names = [one.findtext("type") for one in root.iter("dynamicObstacle")]
-    assert {"car", "truck", "bus", "bicycle", "motorcycle", "pedestrian", "priorityVehicle", "unknown"} == set(names)
+    assert {"car", "truck", "bus", "bicycle", "motorcycle", "pedestrian", "priorityVehicle", "train", "unknown"} == set(
+        names
+    )
     things = sum(track.kind in ("Box", "Cone", "Debris", "BusStop", "Hovercraft") for track in LONG.episode.tracks)
     assert len(list(root.iter("staticObstacle"))) == things
 

@@ -554,8 +554,8 @@ def test_a_weather_in_another_file_and_a_second_one_are_refused(beside: Path) ->
 
 
 def test_a_category_that_nobody_here_has_is_noted_with_what_is_shown(beside: Path) -> None:
-    van = read(beside, scenario(body=CAR.replace('vehicleCategory="car"', 'vehicleCategory="van"')))
-    assert any("a van is shown as a car of its size" in note for note in van.notes)
+    trailer = read(beside, scenario(body=CAR.replace('vehicleCategory="car"', 'vehicleCategory="trailer"')))
+    assert any("a trailer is shown as a truck of its size" in note for note in trailer.notes)
     assert not any("is shown as" in note for note in read(beside, scenario()).notes)
 
 

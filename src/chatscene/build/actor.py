@@ -15,7 +15,7 @@ from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
 from chatscene.build.opening import LANE
 from chatscene.build.phases import Phases
-from chatscene.build.place import GOES_OVER, NEXT_LANE, Found
+from chatscene.build.place import AT_CROSSWALKS, GOES_OVER, NEXT_LANE, Found, is_marked
 from chatscene.build.starts import start_of
 from chatscene.build.towards import is_passed
 from chatscene.errors import NotBuilt
@@ -90,8 +90,8 @@ class Actor:
         self.ledger.take(*said_anyway(self.one, self.stand.meets))
         if self.stand.faces:
             self.ledger.take(f"{at}.starts.facing")
-        if self.one.kind.row.stands_in:
-            self.ledger.assume(f"{self.one.id} is a {row.scenic.lower()}, since nothing is built as a {self.one.kind}")
+        if self.one.starts.where in AT_CROSSWALKS and not is_marked(self.found):
+            self.ledger.assume(f"{self.one.id} crosses where no crosswalk is marked, since the map has none there")
         if self.one.count == SEVERAL:
             self.ledger.assume(f"of {self.one.id} there are {SOME}, since their number was not said")
 

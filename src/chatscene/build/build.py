@@ -13,6 +13,7 @@ from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.place import Found
 from chatscene.build.possible import OFF_ROAD, impossible
+from chatscene.build.roadside import beside_road
 from chatscene.build.towards import at_distance, in_rows
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
@@ -103,7 +104,8 @@ def _cast(situation: Situation, speed: float) -> tuple[Ledger, Found, BuiltEgo, 
     soon = min(actor.met for actor, _ in everybody if actor.one.role is Role.ADVERSARY)
     for actor, _ in everybody:
         actor.soon = soon if actor.one.role is Role.SUPPORTING else None
-    body = "\n".join(line for actor, hidden in everybody for line in (*actor.code(hidden), ""))
+    lines = [line for actor, hidden in everybody for line in (*actor.code(hidden), "")]
+    body = "\n".join((*lines, *beside_road(ledger, [actor for actor, _ in everybody])))
     return ledger, found, ego, everybody, body
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.build.coming import further
+from chatscene.build.holding import SITES, as_said
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import (
     NEXT_LANE,
@@ -30,44 +31,17 @@ from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.ring_ways import ring_ways
 from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
-from chatscene.situations.check import COMES_OVER
+from chatscene.situations.check import COMES_OVER, TURNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
-from chatscene.terms.scenario import Maneuver, Place, Site
+from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RoadKind, Setting, Side, Where
 from chatscene.world.places import EgoRoute as Route
 from chatscene.world.places import choose_route, lanesBeside, neighbourPath, ownLane
 
-SITES = {
-    Feature.CROSSWALK: Site.CROSSWALK,
-    Feature.PARKING_PLACES: Site.PARKING,
-    Feature.BUS_BAY: Site.BUS_BAY,
-    Feature.LANE_DROP: Site.LANE_DROP,
-    Feature.OFF_RAMP: Site.PAST_OFF_RAMP,
-    Feature.ON_RAMP: Site.PAST_ON_RAMP,
-}
 _CURVES = (RoadKind.CURVE, RoadKind.LEFT_CURVE, RoadKind.RIGHT_CURVE)
-_MOTORWAYS = (
-    Site.MOTORWAY,
-    Site.ON_RAMP,
-    Site.OFF_RAMP,
-    Site.PAST_ON_RAMP,
-    Site.PAST_OFF_RAMP,
-    Site.WEAVING,
-    Site.LANE_DROP,
-)
-_OF_KIND: dict[RoadKind | None, tuple[Site, ...]] = {
-    RoadKind.ROUNDABOUT: (Site.ROUNDABOUT,),
-    RoadKind.MOTORWAY: _MOTORWAYS,
-    RoadKind.RAMP: _MOTORWAYS,
-}
-_SITES_OF: dict[EgoRoute | None, Site] = {
-    EgoRoute.ROUNDABOUT: Site.ROUNDABOUT,
-    EgoRoute.MERGE: Site.ON_RAMP,
-    EgoRoute.EXIT: Site.OFF_RAMP,
-}
 
 
 def find(ledger: Ledger) -> Found:
@@ -92,11 +66,10 @@ def find(ledger: Ledger) -> Found:
     rooms: dict[str, float] = {}
     for more in _lengths(situation):
         for sides in _open_sides(situation.others):
-            for name in (situation.map,) if situation.map else PACKAGED:
-                for query in _queries(situation, sides):
-                    if found := _answered(situation, name, _longer(query, more), sides, lacking, rooms):
-                        _take(ledger, found)
-                        return replace(found, further=min(more, further(situation)))
+            for name, query in _asked(situation, sides):
+                if found := _answered(situation, name, _longer(query, more), sides, lacking, rooms):
+                    _take(ledger, found)
+                    return replace(found, further=min(more, further(situation)))
     if rooms:
         raise NotBuilt(
             "; ".join(f"{fact}: the longest road there is leads {room:.0f} m" for fact, room in rooms.items())
@@ -237,6 +210,16 @@ def _answered(
     return Found(name, query, route, sides)
 
 
+def _asked(situation: Situation, sides: dict[str, Side]) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Each map with what it is asked for: all of them for a site that was said, before any for a place without it."""
+    maps = (situation.map,) if situation.map else PACKAGED
+    if situation.road.setting is Setting.RURAL:
+        maps = maps[::-1]
+    queries = tuple(_queries(situation, sides))
+    yield from ((name, query) for query in queries if "site" in query for name in maps)
+    yield from ((name, query) for name in maps for query in queries if "site" not in query)
+
+
 def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str, Any]]:
     """Arguments of `selectRoute`, the narrower first where a map cannot be asked for all that is needed."""
     road, others = situation.road, situation.others
@@ -259,7 +242,8 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
     over: list[str] = []
     if not (lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
         over = [str(side) for one in others if (side := _goes_over(one)) is not None]
-    sites = [SITES[one].value for one in road.has if one in SITES and not at_junction(situation)]
+    has = [*road.has, *(Feature.CROSSWALK for one in others if one.starts.where is Where.CROSSING)]
+    sites = [SITES[one].value for one in dict.fromkeys(has) if one in SITES and not at_junction(situation)]
     if any(one.starts.where is Where.BUS_BAY for one in others) and not at_junction(situation):
         sites = [Site.BUS_BAY.value]
         base = base | {"site": Site.BUS_BAY.value}
@@ -320,9 +304,20 @@ def _at_junction(
     if lanes:
         query |= {"lanes": max(2, query.get("lanes", 1)), "beside": lanes[0]}
     four = query | {"place": Place.FOUR_WAY.value} if query["place"] == Place.JUNCTION else query
-    yield query
-    yield four  # no query asks for what crossing traffic does there
-    yield four | {"crossed": tuple(dict.fromkeys((*arms, "left", "right", "oncoming")))}
+    asked = [query, four, four | {"crossed": tuple(dict.fromkeys((*arms, "left", "right", "oncoming")))}]
+    if _of_side_road(situation):
+        free = {"control": Control.NONE.value}
+        asked[:0] = [query | free | {"place": Place.THREE_WAY.value}, four | free]
+    for one in asked:  # no query asks for what crossing traffic does there
+        if road.two_way is not None:
+            yield one | {"opposite": road.two_way}
+        yield one
+
+
+def _of_side_road(situation: Situation) -> bool:
+    """Whether there is a junction only since somebody comes from a side: out of a lane, an alley, a field."""
+    named = situation.road.kind is not None or situation.ego.route in TURNS or control_of(situation) is not None
+    return not named and any(one.starts.where is Where.ARM for one in situation.others)
 
 
 def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iterator[dict[str, Any]]:
@@ -364,47 +359,13 @@ def _at_kerb(one: Other) -> bool:
 def _take(ledger: Ledger, found: Found) -> None:
     """What of the road is as it was said, once a route is found; and what was chosen."""
     situation = ledger.situation
-    ledger.take(*_as_said(situation, found))
+    ledger.take(*as_said(situation, found))
     for name, side in found.sides.items():
         if comes_from(situation[name]) is side:
             continue  # which was said
         ledger.assume(f"{name} is on the {side}, which was not said")
     if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
         ledger.assume(f"the ego's {situation.ego.route} is to the left, which was not said")
-
-
-def _as_said(situation: Situation, found: Found) -> Iterator[str]:
-    """The paths of facts that hold on the route that was found."""
-    road, query = situation.road, found.query
-    site = query.get("site")
-    against = any(against for _, against in lanesBeside(found.route))
-    settings = {Setting.TOWN: found.map == PACKAGED[0], Setting.RURAL: site == Site.RURAL}
-    holds = {
-        "ego.route": situation.ego.route not in _SITES_OF or site == _SITES_OF[situation.ego.route],
-        "road.lanes": road.lanes == _lanes_there(found),
-        "road.ego_lane": query.get("lane") == road.ego_lane,
-        "road.kind": _is_kind(road.kind, found),
-        "road.control": (road.control in CONTROLS and "control" in query)
-        or (road.control is RightOfWay.YIELD_SIGN and site == Site.ROUNDABOUT),
-        "road.two_way": road.two_way is against,
-        "road.setting": road.setting is not None and settings.get(road.setting, False),
-    }
-    yield from (path for path, right in holds.items() if right)
-    yield from (f"road.has.{i}" for i, one in enumerate(road.has) if one in SITES and site == SITES[one])
-
-
-def _lanes_there(found: Found) -> int:
-    """How many lanes go the ego's way where its route begins."""
-    return len(found.route.network.elements[found.route.route.lane_ids[0]].group.lanes)
-
-
-def _is_kind(kind: RoadKind | None, found: Found) -> bool:
-    """Whether the route lies on a road of a kind."""
-    if kind is RoadKind.ROAD:
-        return found.route.route.junction is None
-    if kind in _OF_KIND:
-        return found.query.get("site") in _OF_KIND[kind]
-    return kind in PLACES and "place" in found.query
 
 
 def started(one: Other, sides: dict[str, Side]) -> Other:

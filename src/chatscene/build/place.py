@@ -9,12 +9,13 @@ from chatscene.maps.ring_ways import ROUND
 from chatscene.situations.check import RULED_BY, TURNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS
-from chatscene.terms.scenario import Maneuver
+from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, RightOfWay, RoadKind, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Side, Where
 from chatscene.world.places import EgoRoute as Route
 
 NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
+AT_CROSSWALKS = frozenset((Where.CROSSING, Where.EXIT_CROSSING))
 ROUNDABOUT_PLACES = frozenset((Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
 WAYS = {Act.TURN_LEFT: Maneuver.LEFT_TURN, Act.TURN_RIGHT: Maneuver.RIGHT_TURN}
 PACKAGED = ("town", "outskirts")
@@ -48,10 +49,23 @@ def at_junction(situation: Situation) -> bool:
     return not (at_roundabout(situation) or beside_lane(situation)) and (
         road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
         or situation.ego.route in TURNS
-        or control_of(situation) in CONTROLS
+        or (control_of(situation) in CONTROLS and not at_free_crosswalk(situation))
         or any(one.starts.where.row.junction for one in others if one.starts.where not in ROUNDABOUT_PLACES)
         or any(deed.act is Act.GO_STRAIGHT for one in others for deed in one.does)
     )
+
+
+def is_marked(found: Found) -> bool:
+    """Whether the ego's way leads over a crosswalk."""
+    return found.query.get("site") == Site.CROSSWALK
+
+
+def at_free_crosswalk(situation: Situation) -> bool:
+    """Whether it is a crosswalk that is said to have neither lights nor signs, and no junction."""
+    marked = Feature.CROSSWALK in situation.road.has or any(
+        one.starts.where is Where.CROSSING for one in situation.others
+    )
+    return marked and situation.road.control is RightOfWay.NONE
 
 
 def beside_lane(situation: Situation) -> bool:

@@ -7,7 +7,16 @@ from dataclasses import replace
 
 from chatscene.build.asked import Asked, Meets, Stand
 from chatscene.build.facing import faces, slanting, turned
-from chatscene.build.place import arm_of, at_junction, at_roundabout, beside_lane, from_left, ring_arms, way_of
+from chatscene.build.place import (
+    arm_of,
+    at_junction,
+    at_roundabout,
+    beside_lane,
+    from_left,
+    is_marked,
+    ring_arms,
+    way_of,
+)
 from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import CrossingPath
 from chatscene.maps.ring_ways import ROUND
@@ -157,6 +166,7 @@ def _in_time(asked: Asked, found: CrossingPath, seconds: float) -> bool:
     return True
 
 
+ON_CROSSWALK = (0.7, 3.3)  # [m] from where a crosswalk begins
 _HALF_TURN = 14.0, 1.5  # [m] of turning round, and how much later [s] the ego then is for being slow in it
 
 
@@ -204,6 +214,13 @@ def _oncoming(asked: Asked) -> Stand:
     return replace(stand, at="back{i}", lines=(*stand.lines, back))
 
 
+def _walks_at_crosswalk(asked: Asked) -> bool:
+    """Whether it crosses on foot where the road has a crosswalk, which nobody said to be elsewhere."""
+    crosses = any(deed.act is Act.CROSS for deed in asked.one.does)
+    at_side = asked.one.starts.where is Where.ROADSIDE and asked.one.starts.distance is None
+    return is_marked(asked.found) and asked.walks and crosses and at_side
+
+
 def _beside_road(asked: Asked) -> Stand:
     """On foot or on two wheels beside the road, or in a driveway: it faces the road."""
     where = asked.one.starts.where
@@ -213,8 +230,8 @@ def _beside_road(asked: Asked) -> Stand:
     elif where is Where.CROSSING and at_junction(asked.situation):
         asked.reach(1, 4, "how far before the junction it is")
         level = "egoRoute.eventAt - $Y"
-    elif where is Where.CROSSING:
-        asked.reach(-2, 2, "how far beyond the crosswalk it is")
+    elif where is Where.CROSSING or _walks_at_crosswalk(asked):
+        asked.reach(*(ON_CROSSWALK if is_marked(asked.found) else (-2, 2)), "how far beyond the crosswalk's edge it is")
         level = "egoRoute.eventAt + $Y"
     else:
         asked.ahead(34, 50)

@@ -9,7 +9,7 @@ from chatscene.imports.stranger_xml import Element
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.storyboard import THING
 
-_ALIKE = {"van": "Car", "semitrailer": "Truck", "trailer": "Truck"}
+_ALIKE = {"semitrailer": "Truck", "trailer": "Truck"}
 _ONE_OF = frozenset(("animal",))  # categories that say less than which of those here it is
 _EGOS = re.compile(r"(?i)(ego|hero)")
 
@@ -78,7 +78,8 @@ class Entities:
         elif body.tag == "MiscObject":
             kind = THING
         else:
-            fits = [name for name, known in BY_CLASS.items() if known.row.openscenario == category and not known.lies]
+            known = {name: kind.row for name, kind in BY_CLASS.items() if not kind.lies}
+            fits = [name for name, row in known.items() if row.openscenario == category and not row.role]
             alike = _ALIKE.get(category)
             if not fits and alike is None:
                 raise Refused(body, f"nobody here is a {category[:40]!r}")

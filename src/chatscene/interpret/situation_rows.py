@@ -16,7 +16,7 @@ KINDS: dict[AdversaryKind | None, UserKind] = {
     **{
         one.row.body: one
         for one in reversed(UserKind)  # type: ignore[call-overload]
-        if not (one.row.stands_in or one.row.general or one.row.prop)
+        if not (one.row.general or one.row.prop)
     },
     AdversaryKind.BOX: UserKind.OBJECT,
     None: UserKind.ROAD_USER,

@@ -146,7 +146,7 @@ def facts_of(situation: Situation, parties: Parties) -> Facts:
 def _slots(one: Other, **more: object) -> Slots:
     side = one.starts.side
     return Slots(
-        adversary=one.kind.row.body,
+        adversary=one.kind.row.body.heard_as,
         actions=tuple(dict.fromkeys(_actions(one))),
         side=Aside(side.value) if side is not None else None,
         position=POSITIONS.get(one.starts.where),
@@ -186,7 +186,8 @@ def _occluder(hides: Other | None) -> Occluder | None:
     if hides is None:
         return None
     exact = (one for one, (kind, _) in HIDING.items() if kind is hides.kind)
-    alike = (one for one, (kind, _) in HIDING.items() if not kind.row.prop and kind.row.body is hides.kind.row.body)
+    body = hides.kind.row.body.heard_as
+    alike = (one for one, (kind, _) in HIDING.items() if not kind.row.prop and kind.row.body is body)
     return next(exact, next(alike, None))
 
 

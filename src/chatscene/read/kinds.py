@@ -21,7 +21,7 @@ _ANYBODY = frozenset(("somebody", "person", "child", "boy", "man", "woman", "rid
 
 
 def kind_named(words: str, body: AdversaryKind) -> UserKind | None:
-    """The kind that words name, of those that have a body; None if they name none of them.
+    """The kind that words name, of those that are heard as a body is; None if they name none of them.
 
     Args:
         words: Such as ``a delivery van``.
@@ -46,13 +46,10 @@ def number_in(words: str) -> int | None:
 
 @lru_cache(maxsize=64)
 def nouns_of(kind: UserKind) -> frozenset[str]:
-    """What a kind is called.
-
-    Of a body that several kinds have, a noun of the body may be that of another of them, so that it is none of these.
-    """
+    """What a kind is called: as it is told, and, if it is no more general than its body, what that is called."""
     told = KINDS[kind]
     listed = [told.one, told.many, kind.value.replace("-", " "), *_PARTED.split(kind.meaning)]
-    if len([one for one in _of(kind.row.body) if not one.row.general]) == 1 and not kind.row.general:
+    if not (kind.row.general or kind.row.prop):
         listed += _PARTED.split(kind.row.body.row.nouns.replace("\n", "|"))
     bare = (_BEHIND.sub("", _BEFORE.sub("", one.strip().lower())) for one in listed)
     return frozenset(one for one in bare if one) - (_ANYBODY if kind is not UserKind.CHILD else frozenset())
@@ -60,7 +57,7 @@ def nouns_of(kind: UserKind) -> frozenset[str]:
 
 @lru_cache(maxsize=32)
 def _of(body: AdversaryKind) -> tuple[UserKind, ...]:
-    return tuple(kind for kind in UserKind if kind.row.body is body)
+    return tuple(kind for kind in UserKind if kind.row.body.heard_as is body.heard_as)
 
 
 def _named(kind: UserKind, words: str) -> list[str]:

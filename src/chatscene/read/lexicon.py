@@ -41,7 +41,7 @@ EGO_AS_OBJECT = re.compile(
 KINDS: dict[AdversaryKind, re.Pattern[str]] = {
     kind: _p(kind.row.words)
     for kind in sorted(AdversaryKind, key=lambda kind: kind.row.general)
-    if not kind.lies  # of which only the reader of whole texts may speak
+    if kind.row.words and not kind.lies  # of things only the reader of whole texts may speak
 }
 ANYBODY = re.compile("|".join(pattern.pattern for pattern in KINDS.values()))
 ENCOUNTER = _p(

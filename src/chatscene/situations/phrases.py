@@ -202,6 +202,7 @@ KINDS: Mapping[UserKind, Noun] = {
     UserKind.VAN: Noun(one="a van", many="vans", goes=_DRIVES),
     UserKind.TRUCK: Noun(one="a truck", many="trucks", goes=_DRIVES),
     UserKind.BUS: Noun(one="a bus", many="buses", goes=_DRIVES),
+    UserKind.TRACTOR: Noun(one="a tractor", many="tractors", goes=_DRIVES),
     UserKind.TRAM: Noun(one="a tram", many="trams", goes=_RUNS),
     UserKind.MOTORCYCLE: Noun(one="a motorcyclist", many="motorcyclists", goes=_RIDES, somebody=True),
     UserKind.BICYCLE: Noun(one="a cyclist", many="cyclists", goes=_RIDES, somebody=True),

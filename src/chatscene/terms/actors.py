@@ -78,7 +78,8 @@ class RoadUser:
         manner: How it moves; those on foot or on two wheels are the vulnerable ones (Directive 2010/40/EU, article 4).
         height: [m]; nominal, and no drive depends on it.
         openscenario: Its category in OpenSCENARIO XML 1.2: of a vehicle, a pedestrian or a thing.
-        words: Regular expression of the words that name it.
+        words: Regular expression of the words that name it; empty of one that only a situation tells from what it is
+            like (`AdversaryKind.heard_as`).
         general: How general its words are: where those of two kinds overlap, the less general are heard.
         nouns: What it is called, parted by `|` or lines; what comes up more often stands more often. After a colon
             stands the pronoun, where it is not the kind's usual one.
@@ -166,9 +167,9 @@ class AdversaryKind(StrEnum):
                 r"polo|seat ibiza|citro[eë]n"
             ),
             nouns="""
-                car | car | car | car | sedan | SUV | van | taxi | hatchback | estate car | minivan | cab
+                car | car | car | car | sedan | SUV | taxi | hatchback | estate car | cab
                 convertible
-                sports car | station wagon | vehicle | delivery van | limousine | jeep | family car | small car
+                sports car | station wagon | vehicle | limousine | jeep | family car | small car
                 rental car
             """,
             painted=True,
@@ -347,10 +348,10 @@ class AdversaryKind(StrEnum):
                 r"old) (?:person|lady|gentleman)|somebody on foot|peds?"
             ),
             nouns="""
-                pedestrian | pedestrian | pedestrian | child | kid | man:he | woman:she | boy:he | girl:she | jogger
+                pedestrian | pedestrian | pedestrian | man:he | woman:she | jogger
                 runner | old man:he | elderly woman:she | young man:he | teenager | student | walker | passer-by
-                schoolchild | person | tourist | old lady:she | man with a suitcase:he | woman with a pram:she
-                person on foot | dog walker | little girl:she | schoolboy:he
+                person | tourist | old lady:she | man with a suitcase:he | woman with a pram:she
+                person on foot | dog walker
             """,
             slow=1.45,
             fast=3.0,
@@ -511,6 +512,130 @@ class AdversaryKind(StrEnum):
         ),
     )
 
+    # Bodies that only a situation tells from what they are like: sentences are labelled without them. A van is as large
+    # as a long Mercedes-Benz Sprinter 907 (5.9 m by 2.0 m, wheelbase 3.67 m; class N1 up to 3.5 t), and a good 160 km/h
+    # fast. A child is as high as Euro NCAP's target EPTc (1.154 m, of a seven-year-old, which walks at 5 km/h; AEB VRU
+    # protocol), and as much smaller than a pedestrian in the other directions. A tractor is a farm's of about 100 kW,
+    # which may go 40 to 50 km/h; it brakes with 5 m/s² at least (Regulation (EU) 2015/68). A tram is the one rigid car
+    # of a Tatra T3 (14.0 m by 2.5 m, bogies 6.4 m apart, 65 km/h), and brakes in danger as BOStrab asks, with 2.7 m/s²
+    # and a little more; the maps have no rails, so that it turns as a bus does. All at second hand.
+    VAN = (
+        "van",
+        RoadUser(
+            scenic="Van",
+            like="car",
+            blueprint="vehicle.mercedes.sprinter",
+            mass=2800.0,
+            limits=Limits(
+                length=5.9,
+                width=2.0,
+                throttle=3.2,
+                brake=7.5,
+                top_speed=45.0,
+                wheelbase=3.67,
+                wheel_angle=1.0,
+                wheel_rate=2.0,
+                lateral=6.0,
+            ),
+            manner=Manner.DRIVES,
+            height=2.6,
+            wheel=0.68,
+            openscenario="van",
+            commonroad="car",
+            osi="VAN",
+            words="",
+            nouns="van | van | delivery van | minivan | panel van | transporter | camper van | parcel van",
+            painted=True,
+        ),
+    )
+    CHILD = (
+        "child",
+        RoadUser(
+            scenic="Child",
+            like="pedestrian",
+            blueprint="walker.pedestrian.0012",
+            mass=25.0,
+            limits=Limits(length=0.4, width=0.4, throttle=4.0, brake=5.0, top_speed=6.0),
+            manner=Manner.WALKS,
+            height=1.154,
+            openscenario="pedestrian",
+            commonroad="pedestrian",
+            words="",
+            nouns="""
+                child | child | kid | boy:he | girl:she | schoolchild | little girl:she | schoolboy:he | toddler
+                little boy:he | schoolgirl:she
+            """,
+            slow=1.3,
+            fast=2.5,
+            motorised=False,
+        ),
+    )
+    TRACTOR = (
+        "tractor",
+        RoadUser(
+            scenic="Tractor",
+            like="truck",
+            blueprint="vehicle.carlamotors.carlacola",
+            mass=6500.0,
+            limits=Limits(
+                length=4.7,
+                width=2.4,
+                throttle=1.3,
+                brake=5.0,
+                top_speed=13.0,
+                wheelbase=2.7,
+                wheel_angle=0.9,
+                wheel_rate=1.2,
+                lateral=4.0,
+                drive_lag=0.6,
+                brake_lag=0.43,
+                yaw_lag=0.2,
+            ),
+            manner=Manner.DRIVES,
+            height=3.0,
+            wheel=1.6,
+            openscenario="truck",
+            commonroad="truck",
+            osi="HEAVY_TRUCK",
+            words="",
+            nouns="tractor | tractor | farm tractor | harvester | combine harvester | farmer's tractor | old tractor",
+            painted=True,
+            fast=9.0,
+        ),
+    )
+    TRAM = (
+        "tram",
+        RoadUser(
+            scenic="Tram",
+            like="bus",
+            blueprint="vehicle.mitsubishi.fusorosa",
+            mass=20000.0,
+            limits=Limits(
+                length=14.0,
+                width=2.5,
+                throttle=1.5,
+                brake=3.0,
+                top_speed=18.0,
+                wheelbase=6.4,
+                wheel_angle=0.8,
+                wheel_rate=1.0,
+                lateral=3.0,
+                drive_lag=0.6,
+                brake_lag=0.43,
+                yaw_lag=0.2,
+            ),
+            manner=Manner.DRIVES,
+            height=3.1,
+            wheel=0.7,
+            openscenario="tram",
+            commonroad="train",
+            osi="TRAM",
+            words="",
+            nouns="tram | tram | streetcar | tramcar | city tram | light-rail vehicle | light-rail tram",
+            painted=True,
+        ),
+    )
+
     # Things on the road: they only stand, and what they do is composed. They are read where every word of a text is:
     # elsewhere a box is a junction's, and a cone stands for what is around.
     BOX = (
@@ -571,6 +696,11 @@ class AdversaryKind(StrEnum):
     def acts_as(self) -> AdversaryKind:
         """The kind whose snippets serve it: itself, or that which it is like."""
         return AdversaryKind(self.row.like) if self.row.like else self
+
+    @property
+    def heard_as(self) -> AdversaryKind:
+        """The kind that its words name where no situation is read: itself, or, without words, that which it is like."""
+        return self if self.row.words else self.acts_as
 
     @property
     def noun(self) -> str:

@@ -49,7 +49,7 @@ class Slot:
 
 
 SLOTS: dict[str, Slot] = {
-    "adversary": Slot(values=tuple(AdversaryKind)),
+    "adversary": Slot(values=tuple(kind for kind in AdversaryKind if kind.heard_as is kind)),
     "side": Slot(values=tuple(Side), of=(SPAWN,), shared=True),
     "position": Slot(values=tuple(Position), of=(BEHAVIOR, SPAWN), shared=True),
     "occluder": Slot(values=tuple(Occluder), of=(SPAWN,), shared=True, added=True, about=True),

@@ -161,13 +161,11 @@ class KindRow:
 
     Attributes:
         body: The kind of the world that is built.
-        stands_in: Whether that is another than was said, which is told.
         general: Whether the word leaves open what it is.
         prop: The class of a thing beside the road, which lies as its body does.
     """
 
     body: AdversaryKind
-    stands_in: bool = False
     general: bool = False
     prop: str = ""
 
@@ -186,10 +184,11 @@ class UserKind(RowWord):
     row: KindRow
 
     CAR = ("car", "a passenger car, an SUV, a taxi", _is(AdversaryKind.CAR))
-    VAN = ("van", "a van, a minibus, a pickup truck", KindRow(body=AdversaryKind.CAR, stands_in=True))
+    VAN = ("van", "a van, a minibus, a pickup truck", _is(AdversaryKind.VAN))
     TRUCK = ("truck", "a lorry of any size, with or without a trailer", _is(AdversaryKind.TRUCK))
     BUS = ("bus", "a bus or a coach", _is(AdversaryKind.BUS))
-    TRAM = ("tram", "a tram", KindRow(body=AdversaryKind.BUS, stands_in=True))
+    TRACTOR = ("tractor", "a tractor of a farm, a harvester, with or without a trailer", _is(AdversaryKind.TRACTOR))
+    TRAM = ("tram", "a tram", _is(AdversaryKind.TRAM))
     MOTORCYCLE = ("motorcycle", "a motorcycle, a moped, a motor scooter", _is(AdversaryKind.MOTORCYCLE))
     BICYCLE = ("bicycle", "somebody on a bicycle, electric or not", _is(AdversaryKind.BICYCLE))
     E_SCOOTER = ("e-scooter", "somebody who stands on an electric scooter", _is(AdversaryKind.E_SCOOTER))
@@ -200,7 +199,7 @@ class UserKind(RowWord):
     )
     VEHICLE = ("vehicle", "a motor vehicle, not said of which kind", KindRow(body=AdversaryKind.CAR, general=True))
     PEDESTRIAN = ("pedestrian", "a grown-up on foot", _is(AdversaryKind.PEDESTRIAN))
-    CHILD = ("child", "a child on foot", KindRow(body=AdversaryKind.PEDESTRIAN, stands_in=True))
+    CHILD = ("child", "a child on foot", _is(AdversaryKind.CHILD))
     WHEELCHAIR = ("wheelchair", "somebody in a wheelchair", _is(AdversaryKind.WHEELCHAIR))
     DOG = ("dog", "a dog", _is(AdversaryKind.DOG))
     DEER = ("deer", "a deer or another large wild animal", _is(AdversaryKind.DEER))

@@ -141,6 +141,28 @@ class Deer(Pedestrian):
     length: _LIMITS['Deer'].length
     width: _LIMITS['Deer'].width
 
+class Van(Car):
+    length: _LIMITS['Van'].length
+    width: _LIMITS['Van'].width
+    wheelbase: _wheelbase_of('Van', self.length)
+    wheelAngle: _LIMITS['Van'].wheel_angle
+
+class Child(Pedestrian):
+    length: _LIMITS['Child'].length
+    width: _LIMITS['Child'].width
+
+class Tractor(Car):
+    length: _LIMITS['Tractor'].length
+    width: _LIMITS['Tractor'].width
+    wheelbase: _wheelbase_of('Tractor', self.length)
+    wheelAngle: _LIMITS['Tractor'].wheel_angle
+
+class Tram(Car):
+    length: _LIMITS['Tram'].length
+    width: _LIMITS['Tram'].width
+    wheelbase: _wheelbase_of('Tram', self.length)
+    wheelAngle: _LIMITS['Tram'].wheel_angle
+
 class Box(Lying, DrivingObject):
     regionContainedIn: everywhere
     position: _unplaced()

@@ -1,0 +1,89 @@
+"""What of the road is as it was said, on a route that was found."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from chatscene.build.place import PACKAGED, Found
+from chatscene.maps.lane_runs import lane_runs
+from chatscene.maps.sites import along
+from chatscene.terms.routing import CONTROLS, PLACES
+from chatscene.terms.scenario import Site
+from chatscene.terms.situation import Situation
+from chatscene.terms.vocabulary import EgoRoute, Feature, RightOfWay, RoadKind, Setting
+from chatscene.world.places import lanesBeside
+
+SITES = {
+    Feature.CROSSWALK: Site.CROSSWALK,
+    Feature.PARKING_PLACES: Site.PARKING,
+    Feature.BUS_BAY: Site.BUS_BAY,
+    Feature.LANE_DROP: Site.LANE_DROP,
+    Feature.OFF_RAMP: Site.PAST_OFF_RAMP,
+    Feature.ON_RAMP: Site.PAST_ON_RAMP,
+}
+_AT_SITE: dict[Feature, frozenset[Site]] = {
+    **{one: frozenset((site,)) for one, site in SITES.items()},
+    Feature.ON_RAMP: frozenset((Site.ON_RAMP, Site.PAST_ON_RAMP, Site.WEAVING)),
+    Feature.OFF_RAMP: frozenset((Site.OFF_RAMP, Site.PAST_OFF_RAMP, Site.WEAVING)),
+}
+"""Where the road has what was said of it."""
+_MOTORWAYS = (
+    Site.MOTORWAY,
+    Site.ON_RAMP,
+    Site.OFF_RAMP,
+    Site.PAST_ON_RAMP,
+    Site.PAST_OFF_RAMP,
+    Site.WEAVING,
+    Site.LANE_DROP,
+)
+_OF_KIND: dict[RoadKind | None, tuple[Site, ...]] = {
+    RoadKind.ROUNDABOUT: (Site.ROUNDABOUT,),
+    RoadKind.MOTORWAY: _MOTORWAYS,
+    RoadKind.RAMP: _MOTORWAYS,
+}
+_SITES_OF: dict[EgoRoute | None, Site] = {
+    EgoRoute.ROUNDABOUT: Site.ROUNDABOUT,
+    EgoRoute.MERGE: Site.ON_RAMP,
+    EgoRoute.EXIT: Site.OFF_RAMP,
+}
+
+
+def as_said(situation: Situation, found: Found) -> Iterator[str]:
+    """The paths of facts that hold on the route that was found."""
+    road, query = situation.road, found.query
+    site = query.get("site")
+    against = any(against for _, against in lanesBeside(found.route))
+    holds = {
+        "ego.route": situation.ego.route not in _SITES_OF or site == _SITES_OF[situation.ego.route],
+        "road.lanes": road.lanes == _lanes_there(found),
+        "road.ego_lane": query.get("lane") == road.ego_lane,
+        "road.kind": _is_kind(road.kind, found),
+        "road.control": (road.control in CONTROLS and "control" in query)
+        or (road.control is RightOfWay.YIELD_SIGN and site == Site.ROUNDABOUT)
+        or (road.control is RightOfWay.NONE and site == Site.CROSSWALK),
+        "road.two_way": road.two_way is against,
+        "road.setting": (road.setting is Setting.TOWN and found.map == PACKAGED[0])
+        or (road.setting is Setting.RURAL and (site == Site.RURAL or _is_rural(found))),
+    }
+    yield from (path for path, right in holds.items() if right)
+    yield from (f"road.has.{i}" for i, one in enumerate(road.has) if site in _AT_SITE.get(one, ()))
+
+
+def _is_rural(found: Found) -> bool:
+    """Whether the route begins on a rural road."""
+    network = found.route.network
+    return along(network, lane_runs(network)[found.route.route.lane_ids[0]], Site.RURAL)
+
+
+def _lanes_there(found: Found) -> int:
+    """How many lanes go the ego's way where its route begins."""
+    return len(found.route.network.elements[found.route.route.lane_ids[0]].group.lanes)
+
+
+def _is_kind(kind: RoadKind | None, found: Found) -> bool:
+    """Whether the route lies on a road of a kind."""
+    if kind is RoadKind.ROAD:
+        return found.route.route.junction is None
+    if kind in _OF_KIND:
+        return found.query.get("site") in _OF_KIND[kind]
+    return kind in PLACES and "place" in found.query

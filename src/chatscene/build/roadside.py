@@ -1,0 +1,48 @@
+"""What stands beside the road since it was said to be there: the shelter of a bus stop, a row of parked cars."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from chatscene.build.ledger import Ledger
+from chatscene.terms.vocabulary import Feature, Side, UserKind, Where
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+
+SHELTER = 5.0, 3.6  # [m] beyond who is met, and outside the lanes: clear of a bus at the kerb and of who walks there
+PARKED = (12.0, 18.5, 25.0)  # [m] beyond who is met, where nobody who comes out from between is hidden by them
+BEFORE_JUNCTION = 12.0  # [m]
+AT_KERB = 1.3  # [m] outside the lanes
+
+
+def beside_road(ledger: Ledger, everybody: Sequence[Actor]) -> Iterator[str]:
+    """The lines for what the road was said to have beside it, that is not there for somebody else already.
+
+    Args:
+        ledger: What was said; takes what is built.
+        everybody: All others.
+    """
+    for i, feature in enumerate(ledger.situation.road.has):
+        if feature is Feature.BUS_STOP:
+            ledger.take(f"road.has.{i}")
+            if all(actor.one.kind is not UserKind.BUS_SHELTER for actor in everybody):
+                yield from _things("bus-stop", "BusStop", everybody[0], SHELTER[:1], SHELTER[1])
+        elif feature is Feature.PARKED_CARS:
+            ledger.take(f"road.has.{i}")
+            if all(actor.one.starts.where is not Where.KERB or actor.count < len(PARKED) for actor in everybody):
+                yield from _things("parked", "Car", everybody[0], PARKED, AT_KERB)
+
+
+def _things(name: str, cls: str, met: Actor, ahead: Sequence[float], beyond: float) -> Iterator[str]:
+    """Things of a class along the edge of the road, so far [m] beyond who is met and outside the lanes."""
+    side, route = met.one.starts.side or Side.RIGHT, met.found.route
+    level = f"{met.numbers.middle('Y'):.4g}" if met.stand.anywhere else "egoRoute.eventAt"
+    if route.route.junction is not None:  # beyond which there is another road
+        level = f"egoRoute.eventAt - {BEFORE_JUNCTION + ahead[-1]:g}"
+    for n, further in enumerate(ahead):
+        at = f"{level} + {further:g}"
+        place = f'besideRoad(egoRoute, {at}, "{side}", {beyond:g})'
+        label = f"with label '{name}-{n}', with role 'background'"
+        yield f"new {cls} at {place}, facing directionOn(egoRoute, {at}), {label}"

@@ -1,0 +1,79 @@
+"""What was said of the road, and of who is there, is looked for on every map before it is told as missing."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from chatscene.build.build import Built, build
+from chatscene.situations.form import from_plain
+from chatscene.terms.vocabulary import UserKind
+
+CROSSES = {"id": "A", "kind": "child", "starts": {"where": "roadside", "side": "right"}, "does": [{"act": "cross"}]}
+COMES = {"id": "A", "kind": "tractor", "starts": {"where": "arm", "side": "right"}, "does": [{"act": "turn-right"}]}
+
+
+def made(*others: dict[str, Any], **facts: Any) -> Built:
+    return build(from_plain({"others": list(others), **facts}))
+
+
+@pytest.mark.parametrize("kind", [kind for kind in UserKind if not kind.row.general])
+def test_every_kind_that_says_what_it_is_is_built_as_that(kind: UserKind) -> None:
+    stands = {"id": "A", "kind": kind.value, "starts": {"where": "ahead"}, "does": [{"act": "stand"}]}
+    built = made(stands)
+    assert f"new {kind.scenic} at" in built.program.source
+    assert not any(str(kind) in line for line in built.assumed)
+
+
+def test_bodies_that_were_another_s_differ_from_it() -> None:
+    for kind in (UserKind.VAN, UserKind.CHILD, UserKind.TRACTOR, UserKind.TRAM):
+        body = kind.row.body
+        assert body.heard_as is body.acts_as is not body
+        assert body.row.limits != body.acts_as.row.limits
+        assert body.row.height != body.acts_as.row.height or kind is UserKind.TRAM
+
+
+@pytest.mark.parametrize(
+    ("road", "asked"),
+    [
+        ({"has": ["crosswalk"]}, "site='crosswalk'"),
+        ({"has": ["crosswalk"], "control": "none"}, "site='crosswalk'"),
+        ({"has": ["parking-places"]}, "site='parking'"),
+        ({"setting": "rural"}, "site='rural'"),
+    ],
+)
+def test_what_one_map_has_is_not_left_out_since_another_is_asked_first(road: dict[str, Any], asked: str) -> None:
+    built = made(CROSSES, road=road)
+    assert asked in built.program.source
+    assert built.left_out == ()
+
+
+def test_a_crosswalk_beside_a_second_lane_is_the_town_s_and_is_crossed_on() -> None:
+    waits = {"id": "B", "kind": "car", "role": "supporting", "starts": {"where": "ahead-beside", "side": "right"}}
+    built = made(CROSSES, waits | {"does": [{"act": "stand"}]}, road={"has": ["crosswalk"]})
+    assert built.map == "town"
+    assert "levelA = egoRoute.eventAt + globalParameters.OPT_A_Y" in built.program.source
+    assert next(one for one in built.program.parameters if one.name == "OPT_A_Y").low > 0.0
+
+
+def test_who_crosses_at_a_crosswalk_that_no_map_has_is_told() -> None:
+    there = CROSSES | {"starts": {"where": "exit-crossing", "side": "right"}}
+    assert any("no crosswalk is marked" in line for line in made(there, ego={"route": "left-turn"}).assumed)
+
+
+def test_who_comes_from_a_side_where_no_junction_was_named_comes_out_of_a_way_without_lights() -> None:
+    built = made(COMES)
+    assert "place='three-way'" in built.program.source
+    assert "control='none'" in built.program.source
+    named = made(COMES, road={"kind": "junction", "control": "signal"})
+    assert "control='signal'" in named.program.source
+
+
+def test_a_bus_stop_is_a_shelter_once_and_parked_cars_are_a_row() -> None:
+    source = made(CROSSES, road={"has": ["bus-stop", "parked-cars"]}).program.source
+    assert source.count("new BusStop at") == 1
+    assert source.count("new Car at besideRoad") == 3
+    shelter = {"id": "B", "kind": "bus-shelter", "role": "hides", "starts": {"where": "roadside"}}
+    hidden = CROSSES | {"hidden_by": "B"}
+    assert made(hidden, shelter, road={"has": ["bus-stop"]}).program.source.count("new BusStop at") == 1
