@@ -21,6 +21,7 @@ from chatscene.terms.vocabulary import Act as Said
 
 DRIFTED = 0.8  # [m]
 BACK = 0.5  # [m]
+ASIDE = 0.1  # [m/s] aside, with less of which somebody no longer leaves its line
 MOST_OF = 0.6
 OUTSIDE = 1.4  # [m] from the ego's line: who is no farther away is not outside its lane
 
@@ -279,8 +280,11 @@ def stood(s: Seen, once: Act) -> tuple[int, int]:
 
 
 def gone_aside(s: Seen, once: Act) -> Array:
-    """(1,) [m], how far somebody leaves its line at most since a deed began."""
-    return np.abs(s.drift[once.began :] - s.drift[once.began]).max(keepdims=True)
+    """(1,) [m], how far somebody leaves its line since a deed began, until it goes back or keeps beside it."""
+    aside = np.abs(s.drift[once.began :] - s.drift[once.began])
+    done = 0 if once.done is None else once.done - once.began
+    farther = np.diff(aside[done:]) > ASIDE * s.dt
+    return aside[done + (int(np.argmin(farther)) if not farther.all() else len(farther)), None]
 
 
 def moved_left(s: Seen, once: Act) -> float:

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from chatscene.program.contacts import is_of
 from chatscene.program.deeds import LOSING, MOVING
@@ -23,7 +24,7 @@ from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act
 
-LONGEST = 5.0  # [s] between one and the other at a place, up to which it is told how long
+LONGEST = 3.0  # [s] between one and the other at a place, up to which it is told how long
 EVERY = 1.0  # [s] after which an ego that goes on evenly is followed anew
 BEFORE = 1.5  # [s] before the ego at most that somebody has gone by whom it meets: what the field counts a conflict
 NEAR = 1.0  # [m] between bodies when somebody has begun with what it does: so near, they meet
@@ -32,6 +33,10 @@ LETS_BY = frozenset((Act.YIELD, Act.CUT_OUT, Act.EXIT, Act.PARK))
 """What is done so that there is no encounter."""
 LOSES = frozenset((Act.STAND, Act.SLOW_DOWN, Act.BRAKE, Act.STOP, Act.REVERSE, Act.HESITATE))
 """What brings whoever is ahead in the ego's own lane nearer to it."""
+
+
+Flags = NDArray[np.bool_]
+Way = tuple[Array, Array, Array, Array]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -104,7 +109,7 @@ def _must_meet(situation: Situation, one: Other, track: Track, episode: Episode,
     return bool(ahead) and (against or bool(acts & LOSES))
 
 
-def _on(way: tuple[Array, Array, Array, Array], ego: Track, track: Track, step: int) -> bool:
+def _on(way: Way, ego: Track, track: Track, step: int) -> bool:
     """Whether the box of somebody at a step touches that of an ego somewhere on its way."""
     _, x, y, heading = way
     near = np.hypot(x - track.x[step], y - track.y[step]) < (ego.length + track.length + ego.width + track.width) / 2
@@ -142,17 +147,20 @@ def meeting(ego: Track, other: Track, line: Polyline, dt: float, since: int = 0)
         dt: Step [s].
         since: The step of the other from which it counts.
     """
-    lags = round(LONGEST / dt)
-    there = np.arange(since, len(other.x))
-    ways = _goes_on(ego, line, dt, len(other.x) - len(ego.x) + lags + 1)
-    boxes = Boxes.of(other).at(there)
+    lags, way = round(LONGEST / dt), _way(ego, line)
     far = math.hypot(ego.length, ego.width) / 2 + math.hypot(other.length, other.width) / 2
+    there = since + np.flatnonzero(_within(way, other, since, far))
+    if not there.size:
+        return Meeting()
+    ways = _goes_on(ego, way, dt, len(other.x) - len(ego.x) + lags + 1)
+    boxes = Boxes.of(other).at(there)
     for lag in sorted(range(-lags, lags + 1), key=abs):
-        steps = there + lag
-        x, y, heading = (rows[:, steps.clip(0)] for rows in ways)
-        near = (np.hypot(x - boxes.x, y - boxes.y) < far) & (steps >= 0)
+        steps = (there + lag).clip(0)
+        near = (np.hypot(ways[0][:, steps] - boxes.x, ways[1][:, steps] - boxes.y) < far) & (there + lag >= 0)
+        if not near.any():
+            continue
         rows, columns = np.nonzero(near)
-        x, y, heading = x[near], y[near], heading[near]
+        x, y, heading = (one[rows, steps[columns]] for one in ways)
         own = Boxes(x, y, np.cos(heading), np.sin(heading), ego.length / 2, ego.width / 2)
         touching = np.flatnonzero(Pair.of(own, boxes.at(columns)).touching)
         if touching.size:
@@ -162,12 +170,20 @@ def meeting(ego: Track, other: Track, line: Polyline, dt: float, since: int = 0)
     return Meeting()
 
 
-def _goes_on(ego: Track, line: Polyline, dt: float, more: int) -> tuple[Array, Array, Array]:
+def _within(way: Way, other: Track, since: int, far: float) -> Flags:
+    """(T - since,) Whether somebody is so near [m] to the ego's way, of which a point in a metre is enough."""
+    along, x, y, _ = way
+    points = np.unique(np.searchsorted(along, np.arange(along[0], along[-1], 1.0)).clip(max=len(x) - 1))
+    apart = np.hypot(np.subtract.outer(other.x[since:], x[points]), np.subtract.outer(other.y[since:], y[points]))
+    return np.asarray((apart < far + 1.0).any(axis=1))
+
+
+def _goes_on(ego: Track, way: Way, dt: float, more: int) -> tuple[Array, Array, Array]:
     """(K, T + more) x, y and heading: as it went, then as it would go on from each moment at which it goes evenly.
 
     Before that moment it is nowhere (nan), as those of it are compared that lie before it.
     """
-    steps, way = len(ego.x), _way(ego, line)
+    steps = len(ego.x)
     gone = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(ego.x), np.diff(ego.y)))))
     rows = [np.concatenate((gone, gone[-1] + ego.speed[-1] * dt * np.arange(1, more + 1)))]
     time = np.arange(steps + more)
@@ -188,12 +204,12 @@ def _even(ego: Track, dt: float) -> list[int]:
     return np.flatnonzero(even & (last | (np.arange(len(even)) % round(EVERY / dt) == 0))).tolist()
 
 
-def _way(ego: Track, line: Polyline) -> tuple[Array, Array, Array, Array]:
+def _way(ego: Track, line: Polyline) -> Way:
     """Arc length, x, y and heading of where the ego came from, where it went, and of the rest of its way."""
     moved = np.concatenate(([True], np.hypot(np.diff(ego.x), np.diff(ego.y)) > 1e-3))
     x, y, heading = ego.x[moved], ego.y[moved], ego.heading[moved]
     there, aside, _ = line.project(float(ego.x[-1]), float(ego.y[-1]))
-    rest = np.arange(there + 1.0, line.length, 1.0) if abs(aside) < 3.0 else np.empty(0)
+    rest = np.arange(there + 2.0, line.length, 2.0) if abs(aside) < 3.0 else np.empty(0)
     points = np.array([line.point_at(float(s)) for s in rest]).reshape(-1, 2)
     turned = np.array([line.heading_at(float(s)) for s in rest])
     back, behind = np.arange(-BACK, 0.0, 1.0), float(heading[0])

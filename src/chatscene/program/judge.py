@@ -75,18 +75,17 @@ class _Judge:
     episode: Episode
     route: Route
     through: bool
+    measure: Measure = field(init=False)
     waits: list[tuple[str, When, Act, Seen]] = field(default_factory=list[tuple[str, When, Act, Seen]])
+
+    def __post_init__(self) -> None:
+        wanted = float(np.percentile(self.episode.ego_track.speed, 90))  # as nothing held it
+        self.measure = Measure(ego_speed=wanted, cut=self.contact is not None)
 
     @property
     def contact(self) -> int | None:
         """The step of the first contact, after which nothing is judged."""
         return self.episode.collision.step if self.episode.collision is not None and not self.through else None
-
-    @property
-    def measure(self) -> Measure:
-        """How numbers are held against what was said."""
-        wanted = float(np.percentile(self.episode.ego_track.speed, 90))  # as nothing held it
-        return Measure(ego_speed=wanted, cut=self.contact is not None)
 
     def findings(self) -> Iterator[Finding]:
         until = None if self.contact is None else self.contact + 1
@@ -116,7 +115,8 @@ class _Judge:
         seen = [watch(self.episode, self.route, ego, self.contact, of=other) for other in others]
         if any(once.done is not None for one in seen for once in passes(one)):
             return
-        apart = [np.hypot(one.track.x - one.ego.x, one.track.y - one.ego.y) for one in seen if one.lead[0] < 0.0]
+        same_way = [one for one in seen if math.cos(float(one.ego.heading[0] - ego.heading[0])) > 0.0]
+        apart = [np.hypot(one.track.x - one.ego.x, one.track.y - one.ego.y) for one in same_way]
         nearer = any(far[0] - far.min() > NEARER for far in apart)
         yield Finding(path="ego.route", shown=None if nearer else False, told="said overtake, it gets by nobody")
 
