@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.program.contacts import is_of
-from chatscene.program.deeds import LOSING, MOVING
+from chatscene.program.deeds import LOSING, MOVING, STANDING
 from chatscene.program.finding import Finding
 from chatscene.program.meaning import TOGETHER
-from chatscene.simulate.boxes import Boxes, Pair, gaps
+from chatscene.simulate.boxes import Boxes, Pair, gaps, times_to_collision
 from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
@@ -81,7 +81,7 @@ def encounter(
         told = f"they could meet: {least.between:.1f} s between one and the other"
         return Finding(path=path, shown=True, told=told, at=least.at)
     gap = min(float(gaps(ego, track)[since:].min()) for track in tracks)
-    if gap <= NEAR and since:
+    if (gap <= NEAR and since) or any(_heads_for(ego, track, since) for track in tracks):
         return Finding(path=path, shown=True, told=f"they are as near as {gap:.1f} m")
     when = "after" if least.ego_first else "before"
     told = f"it is where their ways meet {least.between:.1f} s {when} the ego"
@@ -107,6 +107,12 @@ def _must_meet(situation: Situation, one: Other, track: Track, episode: Episode,
     against = math.cos(float(track.heading[0] - heading[near])) < 0.0
     ahead = along[near] > 0.0
     return bool(ahead) and (against or bool(acts & LOSES))
+
+
+def _heads_for(ego: Track, track: Track, since: int) -> bool:
+    """Whether an ego that stands would be touched soon if somebody went on."""
+    stands = np.abs(ego.speed[since:]) < STANDING
+    return bool((times_to_collision(ego, track)[since:][stands] <= BEFORE).any())
 
 
 def _on(way: Way, ego: Track, track: Track, step: int) -> bool:
