@@ -8,11 +8,12 @@ from enum import StrEnum
 from chatscene.build.coming import Coming
 from chatscene.build.numbers import Numbers
 from chatscene.build.place import Found, beside_lane, rides_at_edge
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.vocabulary import NOSE_TO_TAIL, Act
 
 
 class Meets(StrEnum):
@@ -156,9 +157,16 @@ class Asked:
     def reach(self, low: float, high: float, meaning: str = "how far ahead of the ego it is") -> None:
         """From where to where [m] it may be, if that was not said."""
         if (said := self.one.starts.distance) is not None:
+            middles = self.middles if self.one.starts.where in NOSE_TO_TAIL else 0.0
             low, high = said.within(low, max(high, said.low)) if not said.exact else (said.low, said.low)
+            low, high = low + middles, high + middles
         path = f"others.{self.one.id}.starts.distance" if said is not None else ""
         self.numbers.measure("Y", low, max(low, high), "m", meaning, path)
+
+    @property
+    def middles(self) -> float:
+        """How far [m] its middle is from the ego's when they touch, one behind the other."""
+        return (AdversaryKind.CAR.row.limits.length + self.one.kind.row.body.row.limits.length) / 2
 
     @property
     def more(self) -> str:

@@ -13,10 +13,10 @@ from chatscene.ego.observation import SPEED_AT, Observation
 from chatscene.ego.policy import PEDALS, EgoPolicy, begin, observation_of, pedals_of
 from chatscene.errors import ProgramError
 from chatscene.measure.avoidability import crashes_braking_from
-from chatscene.measure.criticality import least_gap
 from chatscene.measure.instead import Driver, drive_instead
 from chatscene.measure.minimal import minimal
 from chatscene.program.without import Placing, placings, without
+from chatscene.simulate.boxes import least_gap
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.actors import LIMITS, named

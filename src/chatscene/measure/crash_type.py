@@ -7,7 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from chatscene.measure.criticality import fault, least_gap, part_struck, severity_of
+from chatscene.measure.criticality import fault, part_struck, severity_of
+from chatscene.simulate.boxes import least_gap
 from chatscene.terms.braking import STANDSTILL
 from chatscene.terms.episode import Episode, Track
 

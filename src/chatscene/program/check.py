@@ -111,7 +111,7 @@ def unshown(said: Said, episodes: Sequence[Episode], route: Route) -> tuple[str,
         was read, and one that all of it has begun before the ego meets anything.
     """
     for through in (True, False):
-        if failures := min((not_shown(said, e, route, through=through) for e in episodes), key=len):
+        if failures := min((not_shown(said, e, route, through=through, met=False) for e in episodes), key=len):
             return failures
     return ()
 

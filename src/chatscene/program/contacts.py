@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Iterator
 
 from chatscene.program.deeds import MOVING
+from chatscene.program.finding import Finding
+from chatscene.simulate.contact import contact_side
 from chatscene.terms.episode import Episode, Track, contact_point
+from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Part, Striker
+from chatscene.world.bodies import Body
 
 NOSE = 0.5  # [m] behind the foremost point of somebody that are its nose
 SIDES_OF: dict[Part, tuple[str, ...]] = {
@@ -19,7 +25,7 @@ SIDES_OF: dict[Part, tuple[str, ...]] = {
     Part.LEFT_REAR: ("rear", "left"),
     Part.RIGHT_REAR: ("rear", "right"),
 }
-"""For each part of the ego, the sides on which a contact with it may be."""
+"""For each part of somebody, the sides on which a contact with it may be."""
 
 
 def striker_of(episode: Episode, other: Track) -> Striker:
@@ -52,3 +58,44 @@ def _touches_with_nose(episode: Episode, other: Track) -> bool:
     dx, dy = x - float(other.x[step]), y - float(other.y[step])
     ahead = dx * math.cos(heading) + dy * math.sin(heading)
     return ahead > other.length / 2 - NOSE
+
+
+def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
+    """What a drive shows of the contact that was said: whether there is one, with whom, and which parts touch."""
+    said, collision = situation.contact, episode.collision
+    if said is None:
+        return
+    if collision is None:
+        if said.happens:
+            yield Finding(path="contact.happens", shown=None, told="said a contact, there is none")
+        return
+    if not said.happens:
+        yield Finding(path="contact.happens", shown=False, told="said that there is no contact, there is one")
+        return
+    whom = said.whom or next(one.id for one in situation.adversaries)
+    right = is_of(collision.other, whom)
+    yield Finding(path="contact.whom", shown=right, told=f"said {whom}, it is {collision.other}")
+    if said.ego is not None:
+        right = collision.side in SIDES_OF[said.ego]
+        yield Finding(path="contact.ego", shown=right, told=f"said {said.ego}, it is the {collision.side}")
+    other = next((t for t in episode.tracks if t.actor == collision.other), None)
+    if other is None:
+        return
+    if said.other is not None:
+        side = contact_side(_body(other, collision.step), _body(episode.ego_track, collision.step))
+        right = side in SIDES_OF[said.other]
+        yield Finding(path="contact.other", shown=right, told=f"said {said.other}, it is the {side}")
+    if said.striker is not None:
+        striker = striker_of(episode, other)
+        right = striker is said.striker
+        yield Finding(path="contact.striker", shown=right, told=f"said {said.striker}, it is {striker}")
+
+
+def is_of(actor: str, name: str) -> bool:
+    """Whether a track is of somebody, or of one of several who have a name together."""
+    return re.fullmatch(rf"{re.escape(name)}(-\d+)?", actor) is not None
+
+
+def _body(track: Track, step: int) -> Body:
+    there = min(step, len(track.x) - 1)
+    return Body(float(track.x[there]), float(track.y[there]), float(track.heading[there]), track.length, track.width)

@@ -21,6 +21,7 @@ from chatscene.terms.vocabulary import Act as Said
 
 DRIFTED = 0.8  # [m]
 BACK = 0.5  # [m]
+ASIDE = 0.1  # [m/s] aside, with less of which somebody no longer leaves its line
 MOST_OF = 0.6
 OUTSIDE = 1.4  # [m] from the ego's line: who is no farther away is not outside its lane
 
@@ -125,13 +126,15 @@ def accelerates(s: Seen, to: float = math.inf) -> Iterable[Act]:
 
 
 def _brakes(s: Seen) -> Iterable[Act]:
-    """It loses speed hard for some steps, or stands before that."""
-    yield from ACTIONS[Action.BRAKE](s)
-    speed = _speed(s)
+    """It loses speed hard for some steps, or stands before that; without a break that is one time."""
+    found, speed = tuple(ACTIONS[Action.BRAKE](s)), _speed(s)
+    yield from found
     for step in range(1, len(speed)):
         if speed[step] < STANDING <= speed[step - 1] and speed[max(step - 3, 0)] > MOVING:
             began = max(step - 3, 0)
-            yield Act(began + int(np.argmax(np.diff(speed[began : step + 1]) < 0.0)), step)
+            began += int(np.argmax(np.diff(speed[began : step + 1]) < 0.0))
+            if not any(once.began <= step and (np.diff(speed[once.began : step + 1]) <= 0.0).all() for once in found):
+                yield Act(began, step)
 
 
 def _turns_back(s: Seen) -> Iterable[Act]:
@@ -154,25 +157,32 @@ def _backs(came: Array) -> Iterator[Act]:
         yield Act(most, None)
 
 
-def _drifts(s: Seen) -> Iterable[Act]:
-    away = np.abs(s.drift)
-    if (away > DRIFTED).any():
-        done = int(np.argmax(away > DRIFTED))
-        near = np.flatnonzero(away[:done] < 0.3)
+def drifts(s: Seen, by: float = DRIFTED) -> Iterable[Act]:
+    """It leaves its line by so much as is seen [m], or by less if that was said."""
+    away, least = np.abs(s.drift), min(DRIFTED, by)
+    if (away > least).any():
+        done = int(np.argmax(away > least))
+        near = np.flatnonzero(away[:done] < min(0.3, least / 2))
         yield Act(int(near[-1]) if near.size else 0, done)
 
 
 def _cuts_in(s: Seen) -> Iterable[Act]:
-    """It comes into the lane that the ego was in at first, or on a road that bends into that of its route."""
-    found = tuple(ACTIONS[Action.CUT_IN](s))
+    """It comes in before the ego, into its first lane, or on a road that bends into that of its route."""
+    found = tuple(_before(s, ACTIONS[Action.CUT_IN](s)))
     yield from found
     if all(once.done is None for once in found):
-        yield from comes_in(s.offset, outside=1.9, there=np.abs(s.offset) < 1.3, dt=s.dt)
+        yield from _before(s, comes_in(s.offset, outside=1.9, there=np.abs(s.offset) < 1.3, dt=s.dt))
+
+
+def _before(s: Seen, times: Iterable[Act]) -> Iterator[Act]:
+    """The times at whose end its middle is ahead of the ego's."""
+    yield from (once for once in times if once.done is None or s.lead[once.done] > 0.0)
 
 
 def _any_change(s: Seen) -> Iterable[Act]:
     yield from ACTIONS[Action.CHANGE_LANE](s)
-    yield from _cuts_in(s)
+    yield from ACTIONS[Action.CUT_IN](s)
+    yield from comes_in(s.offset, outside=1.9, there=np.abs(s.offset) < 1.3, dt=s.dt)
 
 
 ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
@@ -199,7 +209,7 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.CUT_OUT: ACTIONS[Action.CHANGE_LANE],
     Said.MERGE: _any_change,
     Said.OVERTAKE: ACTIONS[Action.OVERTAKE],
-    Said.DRIFT: _drifts,
+    Said.DRIFT: drifts,
     Said.SWERVE: ACTIONS[Action.SWERVE],
     Said.WEAVE: ACTIONS[Action.WEAVE],
     Said.KEEP_LEVEL: ACTIONS[Action.PACE],
@@ -221,11 +231,28 @@ def _follows(s: Seen) -> Iterator[Act]:
         yield Act(int(run[0]), int(run[FOLLOWED - 1]))
 
 
+def passes(s: Seen) -> Iterator[Act]:
+    """It gets by somebody who goes its way, seen along that one's own heading: from behind until it is ahead of it."""
+    cos, sin = np.cos(s.ego.heading), np.sin(s.ego.heading)
+    ahead = (s.track.x - s.ego.x) * cos + (s.track.y - s.ego.y) * sin
+    reach = (s.ego.length + s.track.length) / 2
+    behind = np.flatnonzero(ahead < 0.0)
+    if not behind.size:
+        return
+    began = int(behind[0])
+    by = np.flatnonzero(ahead[began:] > reach)
+    lowest = began + int(np.argmin(ahead[began : began + int(by[0]) + 1 if by.size else None]))
+    if by.size:
+        yield Act(lowest, began + int(by[0]))
+    elif ahead[-1] > ahead[lowest] + reach:
+        yield Act(lowest, None)
+
+
 TO_SOMEBODY: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.FOLLOW: _follows,
     Said.TAILGATE: ACTIONS[Action.TAILGATE],
     Said.KEEP_LEVEL: ACTIONS[Action.PACE],
-    Said.OVERTAKE: ACTIONS[Action.OVERTAKE],
+    Said.OVERTAKE: passes,
 }
 """What is done to another than the ego, seen with that one in the place of the ego."""
 
@@ -250,6 +277,14 @@ def stood(s: Seen, once: Act) -> tuple[int, int]:
     first = once.began + int(ahead[0])
     goes = np.flatnonzero(~still[first:])
     return first, first + int(goes[0]) if goes.size else len(still)
+
+
+def gone_aside(s: Seen, once: Act) -> Array:
+    """(1,) [m], how far somebody leaves its line since a deed began, until it goes back or keeps beside it."""
+    aside = np.abs(s.drift[once.began :] - s.drift[once.began])
+    done = 0 if once.done is None else once.done - once.began
+    farther = np.diff(aside[done:]) > ASIDE * s.dt
+    return aside[done + (int(np.argmin(farther)) if not farther.all() else len(farther)), None]
 
 
 def moved_left(s: Seen, once: Act) -> float:

@@ -1,75 +1,53 @@
 """A situation and a drive: which facts are seen on the tracks, when, and which are not.
 
-Tracks, map and lights alone are read, never a program's text. What has no test here has no finding: which way somebody
-faces, lanes, the ego's light, an opened door.
+Tracks, map and lights alone are read, never a program's text. A fact that no track tells has a finding that says so.
 """
 
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
 
-from chatscene.program.contacts import SIDES_OF, striker_of
+from chatscene.program.contacts import is_of, of_contact
 from chatscene.program.deeds import ACTIONS, MOVING, STANDING, Act
 from chatscene.program.doing import (
     ACTS,
+    MOST_OF,
     TO_SOMEBODY,
     accelerates,
+    drifts,
     enters,
-    gone_back,
     moved_left,
-    room_left,
+    passes,
     since,
     standing,
-    stood,
 )
-from chatscene.program.meaning import (
-    EGO_STATES,
-    TOGETHER,
-    in_between,
-    is_place,
-    left_of_ego,
-    maneuver_of,
-)
-from chatscene.program.starting import STARTS
+from chatscene.program.encounter import encounter
+from chatscene.program.finding import Finding, failures, not_judged
+from chatscene.program.meaning import EGO_STATES, TOGETHER, in_between, left_of_ego
+from chatscene.program.measured import SLACK, SLACK_LENGTH, SLACK_SPEED, SLACK_TIME, Measure
+from chatscene.program.roads import of_road
+from chatscene.program.starting import STARTS, faces
+from chatscene.program.unasked import of_somebody, unasked
 from chatscene.program.watching import Seen, watch
 from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
-from chatscene.terms.amount import Amount, Duration
+from chatscene.terms.amount import Duration
 from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.route import Route
-from chatscene.terms.routing import CONTROLS, PLACES
-from chatscene.terms.scenario import EgoState, Maneuver
+from chatscene.terms.scenario import EgoState
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation, When
-from chatscene.terms.vocabulary import COMES_IN, Breach, EgoRoute, Manner, RoadKind, Side, Where
+from chatscene.terms.vocabulary import COMES_IN, Breach, EgoRoute, Manner, Side, Where
 from chatscene.terms.vocabulary import Act as Said
 
-SLACK = 0.15  # of a number that was said: what a watcher does not see
-SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
-BACK_SLACK = 0.7  # [m]
-OVER = 5  # [steps] over which a deceleration is seen
+__all__ = ["Finding", "failures", "judge"]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Finding:
-    """What a drive shows of a fact.
-
-    Attributes:
-        path: The fact.
-        shown: Whether it is seen; None where the drive did not come to it.
-        told: What was said, and what is seen, in words.
-        at: When it is seen [s]; None for what has no moment.
-    """
-
-    path: str
-    shown: bool | None
-    told: str = ""
-    at: float | None = None
+NEARER = 2.0  # [m] by which an ego comes nearer to somebody whom it is about to overtake
 
 
 def judge(situation: Situation, episode: Episode, route: Route, *, through: bool = False) -> tuple[Finding, ...]:
@@ -84,22 +62,6 @@ def judge(situation: Situation, episode: Episode, route: Route, *, through: bool
     return tuple(_Judge(situation, episode, route, through).findings())
 
 
-def failures(findings: Iterable[Finding]) -> tuple[str, ...]:
-    """What is not shown, a sentence each; empty if the drive means what was said."""
-    return tuple(f"{one.path}: {one.told}" for one in findings if one.shown is False)
-
-
-_ROUTES: dict[EgoRoute | None, tuple[Maneuver, ...]] = {
-    EgoRoute.STRAIGHT: (Maneuver.STRAIGHT,),
-    EgoRoute.LEFT_TURN: (Maneuver.LEFT_TURN,),
-    EgoRoute.RIGHT_TURN: (Maneuver.RIGHT_TURN,),
-    EgoRoute.TURN: (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN),
-    EgoRoute.LANE_CHANGE_LEFT: (Maneuver.LANE_CHANGE_LEFT,),
-    EgoRoute.LANE_CHANGE_RIGHT: (Maneuver.LANE_CHANGE_RIGHT,),
-    EgoRoute.LANE_CHANGE: (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT),
-    EgoRoute.BYPASS: (Maneuver.BYPASS,),
-    EgoRoute.OVERTAKE: (Maneuver.BYPASS,),
-}
 _EGO_ACTS = {
     Said.STOP: EgoState.STOPS,
     Said.SLOW_DOWN: EgoState.SLOWS_DOWN,
@@ -113,7 +75,12 @@ class _Judge:
     episode: Episode
     route: Route
     through: bool
+    measure: Measure = field(init=False)
     waits: list[tuple[str, When, Act, Seen]] = field(default_factory=list[tuple[str, When, Act, Seen]])
+
+    def __post_init__(self) -> None:
+        wanted = float(np.percentile(self.episode.ego_track.speed, 90))  # as nothing held it
+        self.measure = Measure(ego_speed=wanted, cut=self.contact is not None)
 
     @property
     def contact(self) -> int | None:
@@ -121,12 +88,12 @@ class _Judge:
         return self.episode.collision.step if self.episode.collision is not None and not self.through else None
 
     def findings(self) -> Iterator[Finding]:
-        yield from self._of_road()
-        ego = self.situation.ego
         until = None if self.contact is None else self.contact + 1
+        yield from of_road(self.situation, self.episode, self.route, until)
+        ego = self.situation.ego
         speed = self.episode.ego_track.speed[:until]
         if ego.speed is not None:
-            yield self._number("ego.speed", ego.speed, speed, SLACK_SPEED, "drives at", most=True)
+            yield self.measure.number("ego.speed", ego.speed, speed, SLACK_SPEED, "drives at", most=True)
         for k, deed in enumerate(ego.does):
             yield from self._of_ego(f"ego.does.{k}.act", deed, speed)
         done: dict[str, Act] = {}
@@ -134,25 +101,39 @@ class _Judge:
             yield from self._of_other(one, done)
         for path, when, once, seen in self.waits:  # once it is known when everybody did what
             yield from self._when(path, when, once, seen, done)
-        yield from self._of_contact()
+        yield from self._of_passing()
+        yield from of_contact(self.situation, self.episode)
+        if not self.through:
+            yield from self._of_encounters(done)
+            yield from unasked(self.situation, self.episode, until)
 
-    # The road and the ego
+    def _of_passing(self) -> Iterator[Finding]:
+        """Whether an ego that is to overtake gets by somebody; one that comes nearer and waits has not come to it."""
+        if self.situation.ego.route is not EgoRoute.OVERTAKE:
+            return
+        ego, others = self.episode.ego_track, [t for one in self.situation.others for t in self._tracks(one.id)]
+        seen = [watch(self.episode, self.route, ego, self.contact, of=other) for other in others]
+        if any(once.done is not None for one in seen for once in passes(one)):
+            return
+        same_way = [one for one in seen if math.cos(float(one.ego.heading[0] - ego.heading[0])) > 0.0]
+        apart = [np.hypot(one.track.x - one.ego.x, one.track.y - one.ego.y) for one in same_way]
+        nearer = any(far[0] - far.min() > NEARER for far in apart)
+        yield Finding(path="ego.route", shown=None if nearer else False, told="said overtake, it gets by nobody")
 
-    def _of_road(self) -> Iterator[Finding]:
-        route, road = self.situation.ego.route, self.situation.road
-        goes = maneuver_of(self.route)
-        if route in _ROUTES:
-            yield Finding(path="ego.route", shown=goes in _ROUTES[route], told=f"said {route}, its route goes {goes}")
-        if road.control is not None and road.control in CONTROLS:
-            there = self.route.control
-            right = there is CONTROLS[road.control]
-            yield Finding(path="road.control", shown=right, told=f"said {road.control}, the junction has {there}")
-        if road.kind is not None and road.kind in PLACES:
-            right = is_place(PLACES[road.kind], self.route)
-            right = right or (road.kind is RoadKind.ROAD and self.route.junction is None)
-            yield Finding(
-                path="road.kind", shown=right, told=f"said {road.kind}, the route lies on a {self.route.place}"
-            )
+    def _of_encounters(self, done: Mapping[str, Act]) -> Iterator[Finding]:
+        """Whether the ego could meet each adversary, from when that began with what it does."""
+        for one in self.situation.adversaries:
+            began = [
+                done[f"{one.id}.{k}"].began
+                for k, deed in enumerate(one.does)
+                if not deed.act.row.lasting and f"{one.id}.{k}" in done
+            ]
+            if tracks := self._tracks(one.id):
+                first = min(began, default=0)
+                found = encounter(self.situation, one, tracks, self.episode, self.route, first)
+                yield from () if found is None else (found,)
+
+    # The ego
 
     def _of_ego(self, path: str, deed: Deed, speed: Array) -> Iterator[Finding]:
         dt, first = self.episode.dt, self.situation.ego.does[0] is deed
@@ -169,6 +150,8 @@ class _Judge:
             if deed.act is Said.BRAKE and (deed.speed is not None or deed.time is not None):
                 state = EgoState.SLOWS_DOWN  # as much as was said, which may be less than half
             yield Finding(path=path, shown=EGO_STATES[state](speed, dt), told=f"said {deed.act}, {course}")
+        else:
+            yield not_judged(path)
 
     # Somebody else
 
@@ -187,6 +170,7 @@ class _Judge:
         seen = watch(self.episode, self.route, tracks[0], self.contact)
         yield from self._start(one, at, seen)
         yield from self._deeds(one, at, seen, done)
+        yield from of_somebody(one, seen, self.route)
 
     def _start(self, one: Other, at: str, seen: Seen) -> Iterator[Finding]:
         start = one.starts
@@ -195,34 +179,40 @@ class _Judge:
         if start.where in STARTS and not hides:
             right = bool(STARTS[start.where](seen))
             yield Finding(path=f"{at}.starts.where", shown=right, told=f"said {start.where}, {where}", at=0.0)
+        elif not hides:
+            yield not_judged(f"{at}.starts.where")
+        if start.facing is not None:
+            turned = math.degrees(float(seen.bearing[0]))
+            told = f"said {start.facing}, it is turned by {turned:.0f} degrees to the left of the ego"
+            yield Finding(path=f"{at}.starts.facing", shown=faces(seen, start.facing), told=told, at=0.0)
         if start.side is not None and start.where is not Where.EXIT_CROSSING:
             left = left_of_ego(seen, self.route)
             right = (left > 0) == (start.side is Side.LEFT)
             yield Finding(path=f"{at}.starts.side", shown=right, told=f"said {start.side}, {where}", at=0.0)
-        if start.distance is not None and start.where not in (Where.ARM, Where.ONCOMING):
-            lead = np.abs(seen.lead[:1])
-            yield self._number(
-                f"{at}.starts.distance", start.distance, lead, SLACK_LENGTH, "starts this far:", cut=False
-            )
+        if (distance := self.measure.start(f"{at}.starts.distance", start, seen)) is not None:
+            yield distance
         if start.speed is not None:
             speed = np.abs(seen.track.speed[:3])
-            yield self._number(f"{at}.starts.speed", start.speed, speed, SLACK_SPEED, "starts at", cut=False)
+            yield self.measure.number(f"{at}.starts.speed", start.speed, speed, SLACK_SPEED, "starts at", cut=False)
         if one.hidden_by is not None:
             yield Finding(
                 path=f"{at}.hidden_by",
                 shown=self._hidden(one.hidden_by, seen),
-                told=f"said hidden by {one.hidden_by}, which is never between it and the ego",
+                told=f"said hidden by {one.hidden_by}, which is not between it and the ego when it comes out",
             )
 
     def _hidden(self, by: str, seen: Seen) -> bool:
+        """Whether it is hidden when it comes out: within a second before it has moved, or as long as it stands."""
         moved = np.hypot(seen.track.x - seen.track.x[0], seen.track.y - seen.track.y[0])
-        steps = np.flatnonzero(moved < 1.0)[::3].tolist()
+        still = np.flatnonzero(moved < 1.0)
+        steps = still[-round(TOGETHER / seen.dt) :: 3 if seen.dt < 0.2 else 1].tolist()
         return any(in_between(thing, seen.ego, seen.track, step) for thing in self._tracks(by) for step in steps)
 
     def _deeds(self, one: Other, at: str, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
         latest, before, mine = 0, "", list[Act]()
         for k, deed in enumerate(one.does):
             path, act = f"{at}.does.{k}", deed.act
+            yield from (not_judged(f"{path}.{name}") for name in _untold(deed))
             if act not in ACTS:
                 continue
             found = [once for once in self._seen(one, k, seen, latest) if once not in mine or act is Said.STAND]
@@ -264,8 +254,9 @@ class _Judge:
         """The times that a deed is seen, of which some began before another did that was said before it."""
         act, whom = one.does[k].act, one.does[k].whom
         meets = act is Said.OVERTAKE and one.starts.where is Where.ONCOMING  # it comes over, and is met
-        if whom not in (None, EGO) and act in TO_SOMEBODY and not meets:
-            yield from (once for once in TO_SOMEBODY[act](self._beside(one, whom)) if self._counts(once, seen))
+        if whom not in (None, EGO) and act in TO_SOMEBODY:
+            if not meets or any(self._counts(once, seen) for once in enters(seen)):
+                yield from (once for once in TO_SOMEBODY[act](self._beside(one, whom)) if self._counts(once, seen))
             return
         stands = act is Said.STAND and k > 0
         sees = standing if stands else ACTS[act]
@@ -273,6 +264,8 @@ class _Judge:
             sees = enters
         if act is Said.ACCELERATE and (speed := one.does[k].speed) is not None and not speed.than_ego:
             sees = partial(accelerates, to=speed.high)
+        if act is Said.DRIFT and (far := one.does[k].distance) is not None:
+            sees = partial(drifts, by=MOST_OF * (far.low if math.isfinite(far.low) else far.high))
         for once in sees(seen):
             if self._counts(once, seen):
                 yield since(once, latest, seen, stands=stands) if stands or act in COMES_IN else once
@@ -284,7 +277,7 @@ class _Judge:
 
     def _tracks(self, name: str) -> list[Track]:
         """The tracks of somebody, or of all of several."""
-        return [track for track in self.episode.tracks if re.fullmatch(rf"{re.escape(name)}(-\d+)?", track.actor)]
+        return [track for track in self.episode.tracks if is_of(track.actor, name)]
 
     def _fitting(self, path: str, deed: Deed, times: list[Act], seen: Seen) -> Act:
         """The first time that is seen with all numbers that were said, or the first of all."""
@@ -297,28 +290,11 @@ class _Judge:
         return once.done is not None if self.contact is None else once.began < len(seen.track.x) - 1
 
     def _amounts(self, path: str, deed: Deed, once: Act, seen: Seen) -> Iterator[Finding]:
-        speed = np.abs(seen.track.speed[once.began :])
-        if deed.speed is not None:
-            yield self._number(f"{path}.speed", deed.speed, speed, SLACK_SPEED, "goes at")
-        if deed.acceleration is not None and len(speed) > OVER:
-            change = np.abs(speed[OVER:] - speed[:-OVER]) / (OVER * seen.dt)
-            yield self._number(
-                f"{path}.acceleration",
-                deed.acceleration,
-                change[change.argmax() :][:1],
-                SLACK_SPEED,
-                "changes speed by",
-            )
-        if (distance := _way_of(deed, once, seen)) is not None:
-            path_of, said, found, slack = distance
-            yield self._number(f"{path}.{path_of}", said, found, slack, "leaves")
-        if deed.time is not None and deed.act in (Said.STOP, Said.STAND, Said.HESITATE):
-            first, end = stood(seen, once)
-            found = self._number(
-                f"{path}.time", deed.time, np.array([(end - first) * seen.dt]), SLACK_TIME, "stands for"
-            )
-            whole = end < len(seen.track.speed)  # else nobody saw the end of it
-            yield found if whole or found.shown else replace(found, shown=None)
+        measure = self.measure
+        speed = None if deed.speed is None else measure.speed(f"{path}.speed", deed.speed, seen, once)
+        hard = measure.acceleration(path, deed, seen, once)
+        found = (speed, hard, measure.way(path, deed, once, seen), measure.stand(path, deed, once, seen))
+        yield from (one for one in found if one is not None)
 
     def _when(self, path: str, when: When, once: Act, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
         slack = TOGETHER / seen.dt
@@ -343,54 +319,6 @@ class _Judge:
             told = f"said within {near}, the ego is at {measured:.1f}"
             yield Finding(path=f"{path}.ego_within", shown=right, told=told, at=once.began * seen.dt)
 
-    def _number(
-        self,
-        path: str,
-        said: Amount,
-        seen: Array,
-        least_slack: float,
-        verb: str,
-        *,
-        most: bool = False,
-        cut: bool = True,
-    ) -> Finding:
-        """Whether a number was reached at some time, or by the most of all; a contact may have cut it short."""
-        base = float(np.percentile(self.episode.ego_track.speed, 90)) if said.than_ego else 0.0  # as nothing held it
-        low, high = said.low + base, said.high + base
-        slack = max(least_slack, SLACK * abs(low if math.isfinite(low) else high))
-        values = seen.max(keepdims=True) if most and seen.size else seen
-        right = bool(((values >= low - slack) & (values <= high + slack)).any())
-        nearest = float(values[np.abs(values - (low if math.isfinite(low) else high)).argmin()]) if values.size else 0.0
-        short = cut and self.contact is not None and nearest < low
-        return Finding(
-            path=path, shown=right or (None if short else False), told=f"said {said}, it {verb} {nearest:.1f}"
-        )
-
-    # Contact
-
-    def _of_contact(self) -> Iterator[Finding]:
-        said, collision = self.situation.contact, self.episode.collision
-        if said is None:
-            return
-        if collision is None:
-            if said.happens:
-                yield Finding(path="contact.happens", shown=None, told="said a contact, there is none")
-            return
-        if not said.happens:
-            yield Finding(path="contact.happens", shown=False, told="said that there is no contact, there is one")
-            return
-        whom = said.whom or next(one.id for one in self.situation.adversaries)
-        right = re.fullmatch(rf"{re.escape(whom)}(-\d+)?", collision.other) is not None
-        yield Finding(path="contact.whom", shown=right, told=f"said {whom}, it is {collision.other}")
-        if said.ego is not None:
-            right = collision.side in SIDES_OF[said.ego]
-            yield Finding(path="contact.ego", shown=right, told=f"said {said.ego}, it is the {collision.side}")
-        other = next((t for t in self.episode.tracks if t.actor == collision.other), None)
-        if said.striker is not None and other is not None:
-            striker = striker_of(self.episode, other)
-            right = striker is said.striker
-            yield Finding(path="contact.striker", shown=right, told=f"said {said.striker}, it is {striker}")
-
 
 def _waits_for_others(one: Other) -> bool:
     """Whether a deed of somebody waits for one of somebody else."""
@@ -406,17 +334,14 @@ def _due(deed: Deed, once: Act, done: Mapping[str, Act], seen: Seen) -> bool:
     return all(once.began >= other.began - TOGETHER / seen.dt for other in others)
 
 
-def _way_of(deed: Deed, once: Act, seen: Seen) -> tuple[str, Amount, Array, float] | None:
-    """The room that is left or the way that is covered, if that was said: what was said of it, and what is seen."""
-    if deed.act is Said.REVERSE and deed.distance is not None:
-        return "distance", deed.distance, gone_back(seen, once), BACK_SLACK
-    if deed.act is Said.CUT_IN and once.done is not None and deed.whom in (None, EGO):
-        room = room_left(seen, once)
-        if deed.distance is not None:
-            return "distance", deed.distance, room, SLACK_LENGTH
-        if deed.time is not None:
-            return "time", deed.time, room / max(float(seen.ego.speed[once.done]), 1.0), SLACK_TIME
-    return None
+def _untold(deed: Deed) -> Iterator[str]:
+    """What of a deed no track tells."""
+    if deed.act not in ACTS:
+        yield "act"
+    if deed.manner is not None and deed.manner is not Manner.SLANTING:
+        yield "manner"
+    if deed.breaks in (Breach.STOP_SIGN, Breach.RIGHT_OF_WAY):
+        yield "breaks"
 
 
 def _side(left: float) -> str:

@@ -10,7 +10,9 @@ from chatscene.terms.scenario import Said
 from chatscene.terms.situation import Situation
 
 
-def not_shown(said: Said, episode: Episode, route: Route, *, through: bool = False) -> tuple[str, ...]:
+def not_shown(
+    said: Said, episode: Episode, route: Route, *, through: bool = False, met: bool = True
+) -> tuple[str, ...]:
     """What a drive does not show, a sentence each; empty if it means what was said.
 
     Args:
@@ -18,7 +20,8 @@ def not_shown(said: Said, episode: Episode, route: Route, *, through: bool = Fal
         episode: What happened.
         route: The ego's route.
         through: Judge to the end a drive that went on through a collision.
+        met: Whether it counts that ego and adversary meet and what befalls the ego unasked, which a search aims at.
     """
     if isinstance(said, Situation):
-        return failures(judge(said, episode, route, through=through))
+        return failures(judge(said, episode, route, through=through), met=met)
     return check_meaning(said, episode, route, through=through)

@@ -9,7 +9,7 @@ from chatscene.program.deeds import STANDING
 from chatscene.program.meaning import POSITIONS
 from chatscene.program.watching import Seen
 from chatscene.terms.scenario import Position
-from chatscene.terms.vocabulary import Where
+from chatscene.terms.vocabulary import Facing, Where
 
 
 def _at(position: Position) -> Callable[[Seen], bool]:
@@ -63,3 +63,14 @@ STARTS: dict[Where, Callable[[Seen], bool]] = {
     Where.ON_RAMP: lambda s: s.lead[0] > -12.0 and s.offset[0] < -1.6,
 }
 """Whether somebody is seen to start in a place; for those that are not here, no track tells."""
+
+FACING = {Facing.ALONG: 0.0, Facing.AGAINST: math.pi}
+ABOUT = math.radians(45)  # off from which somebody is not seen to face that way
+
+
+def faces(s: Seen, said: Facing) -> bool:
+    """Whether somebody faces a way at first, against the ego's way beside it; across is toward its lane."""
+    turned = float(s.track.heading[0]) - s.line.heading_at(float(s.at[0].clip(0.0, s.line.length)))
+    if said is Facing.ACROSS:
+        return -math.copysign(1.0, float(s.offset[0])) * math.sin(turned) > math.sin(ABOUT)
+    return abs(math.remainder(turned - FACING[said], 2 * math.pi)) < ABOUT

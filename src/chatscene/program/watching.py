@@ -12,9 +12,11 @@ from chatscene.terms.conclusions import LANE_CHANGES
 from chatscene.terms.episode import Array, Episode, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
+from chatscene.terms.scenario import Place, includes
 
 MOST = 0.9  # of the turn at a junction: after it, a road user is seen to be in the street that is turned into
 IS_TURN = math.radians(30)
+ALONG = math.radians(30)  # of the road's direction, or of the other: who heads so goes along it
 CROSSED = 8.0  # [m] behind the entry of a junction: nobody who is farther is before it
 
 
@@ -86,6 +88,8 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
         there = np.array([route.line.heading_at(s) for s in at.tolist()])
         facing = (track.heading - there + math.pi) % (2 * math.pi) - math.pi
     _, drift = in_frame(track, track.x[0], track.y[0], track.heading[0])
+    if includes(Place.CURVE, route.place) and abs(math.sin(facing[0])) < math.sin(ALONG):  # its line bends as well
+        drift = (offset - offset[0]) * math.copysign(1.0, math.cos(facing[0]))
     return Seen(
         track=track,
         ego=ego,

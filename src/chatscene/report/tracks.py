@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import shapely
 
-from chatscene.measure.criticality import gaps, times_to_collision
+from chatscene.simulate.boxes import gaps, times_to_collision
 from chatscene.terms.actors import Manner, manner_of, noun_of
 from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, SignalTrack, Track, contact_point
 

@@ -284,6 +284,10 @@ class Where(RowWord):
     BUS_BAY = ("bus-bay", "in a bus bay beside the lane, in front", WhereRow(sides=(Side.RIGHT,)))
 
 
+NOSE_TO_TAIL = frozenset((Where.AHEAD, Where.AHEAD_BESIDE, Where.BEHIND, Where.BEHIND_BESIDE))
+"""From where on a distance is the gap between bodies, as both go the same way; else it is between their middles."""
+
+
 class Facing(Word):
     """Which way somebody faces who is beside or on the road."""
 

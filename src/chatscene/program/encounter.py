@@ -1,0 +1,225 @@
+"""Whether two could meet at all: when each is where their ways share a place, if the ego just goes on.
+
+An ego that reacts does not show by its own track whom it could have met. So it is followed from each moment at which it
+neither brakes nor gains speed, along its way and at the speed that it then has; the other goes as it went.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.program.contacts import is_of
+from chatscene.program.deeds import LOSING, MOVING, STANDING
+from chatscene.program.finding import Finding
+from chatscene.program.meaning import TOGETHER
+from chatscene.simulate.boxes import Boxes, Pair, gaps, times_to_collision
+from chatscene.terms.episode import Array, Episode, Track
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.route import Route
+from chatscene.terms.situation import Other, Situation
+from chatscene.terms.vocabulary import Act
+
+LONGEST = 3.0  # [s] between one and the other at a place, up to which it is told how long
+EVERY = 1.0  # [s] after which an ego that goes on evenly is followed anew
+BEFORE = 1.5  # [s] before the ego at most that somebody has gone by whom it meets: what the field counts a conflict
+NEAR = 1.0  # [m] between bodies when somebody has begun with what it does: so near, they meet
+BACK = 80.0  # [m] behind its start that the ego's way is taken to lead straight
+LETS_BY = frozenset((Act.YIELD, Act.CUT_OUT, Act.EXIT, Act.PARK))
+"""What is done so that there is no encounter."""
+LOSES = frozenset((Act.STAND, Act.SLOW_DOWN, Act.BRAKE, Act.STOP, Act.REVERSE, Act.HESITATE))
+"""What brings whoever is ahead in the ego's own lane nearer to it."""
+
+
+Flags = NDArray[np.bool_]
+Way = tuple[Array, Array, Array, Array]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Meeting:
+    """When two would meet, or nearly.
+
+    Attributes:
+        between: From when one leaves a place to when the other comes to it [s]; inf where they share none.
+        at: When the other is there [s].
+        ego_first: Whether the ego is there first.
+    """
+
+    between: float = math.inf
+    at: float = math.nan
+    ego_first: bool = False
+
+
+def encounter(
+    situation: Situation, one: Other, tracks: Sequence[Track], episode: Episode, route: Route, since: int
+) -> Finding | None:
+    """Whether the ego could meet an adversary; None where it need not.
+
+    Their ways come together, or it is said that they touch or nearly do; or it is before the ego in its lane, or comes
+    against it there, and does what brings it nearer.
+
+    Args:
+        situation: What was said.
+        one: The adversary.
+        tracks: Its track, or those of several.
+        episode: What happened.
+        route: The ego's.
+        since: The step at which it begins with what it does.
+    """
+    path, crash, ego = f"encounter.{one.id}", episode.collision, episode.ego_track
+    if crash is not None and is_of(crash.other, one.id):
+        return Finding(path=path, shown=True, told="they touch", at=crash.step * episode.dt)
+    found = [meeting(ego, _goes_on_evenly(track, episode), route.line, episode.dt, since) for track in tracks]
+    least = min(found, key=lambda one: one.between)
+    if not _must_meet(situation, one, tracks[0], episode, route, least):
+        return None
+    if least.between <= (TOGETHER if least.ego_first else BEFORE):
+        told = f"they could meet: {least.between:.1f} s between one and the other"
+        return Finding(path=path, shown=True, told=told, at=least.at)
+    gap = min(float(gaps(ego, track)[since:].min()) for track in tracks)
+    if (gap <= NEAR and since) or any(_heads_for(ego, track, since) for track in tracks):
+        return Finding(path=path, shown=True, told=f"they are as near as {gap:.1f} m")
+    when = "after" if least.ego_first else "before"
+    told = f"it is where their ways meet {least.between:.1f} s {when} the ego"
+    if math.isinf(least.between):
+        told = f"it is nowhere within {LONGEST:g} s of the ego"
+    told = f"they could not meet: {told}, and never nearer than {gap:.1f} m"
+    return Finding(path=path, shown=None if crash is not None else False, told=told)
+
+
+def _must_meet(situation: Situation, one: Other, track: Track, episode: Episode, route: Route, found: Meeting) -> bool:
+    contact = situation.contact
+    if contact is not None and one.id == (contact.whom or situation.adversaries[0].id):
+        return True
+    acts = {deed.act for deed in one.does}
+    if acts & LETS_BY:
+        return False
+    way = _way(episode.ego_track, route.line)
+    if not _on(way, episode.ego_track, track, 0):
+        moved = range(0, len(track.x), 5)
+        return found.between <= LONGEST or any(_on(way, episode.ego_track, track, step) for step in moved)
+    along, x, y, heading = way
+    near = int(np.argmin(np.hypot(x - track.x[0], y - track.y[0])))
+    against = math.cos(float(track.heading[0] - heading[near])) < 0.0
+    ahead = along[near] > 0.0
+    return bool(ahead) and (against or bool(acts & LOSES))
+
+
+def _heads_for(ego: Track, track: Track, since: int) -> bool:
+    """Whether an ego that stands would be touched soon if somebody went on."""
+    stands = np.abs(ego.speed[since:]) < STANDING
+    return bool((times_to_collision(ego, track)[since:][stands] <= BEFORE).any())
+
+
+def _on(way: Way, ego: Track, track: Track, step: int) -> bool:
+    """Whether the box of somebody at a step touches that of an ego somewhere on its way."""
+    _, x, y, heading = way
+    near = np.hypot(x - track.x[step], y - track.y[step]) < (ego.length + track.length + ego.width + track.width) / 2
+    if not near.any():
+        return False
+    own = Boxes(x[near], y[near], np.cos(heading[near]), np.sin(heading[near]), ego.length / 2, ego.width / 2)
+    other = Boxes.of(track).at(np.full(int(near.sum()), step))
+    return bool(Pair.of(own, other).touching.any())
+
+
+def _goes_on_evenly(track: Track, episode: Episode) -> Track:
+    """A track, and how it would go on at the end of a drive that no contact ended."""
+    if episode.collision is not None:
+        return track
+    heading, speed = float(track.heading[-1]), float(track.speed[-1])
+    gone = speed * episode.dt * np.arange(1, round(LONGEST / episode.dt) + 1)
+    x, y = track.x[-1] + gone * math.cos(heading), track.y[-1] + gone * math.sin(heading)
+    rest = np.ones_like(gone)
+    return replace(
+        track,
+        x=np.concatenate((track.x, x)),
+        y=np.concatenate((track.y, y)),
+        heading=np.concatenate((track.heading, heading * rest)),
+        speed=np.concatenate((track.speed, speed * rest)),
+    )
+
+
+def meeting(ego: Track, other: Track, line: Polyline, dt: float, since: int = 0) -> Meeting:
+    """How near two come to be at one place at one time.
+
+    Args:
+        ego: Who could go on.
+        other: Who goes as it went.
+        line: The way of the ego, beyond where it got.
+        dt: Step [s].
+        since: The step of the other from which it counts.
+    """
+    lags, way = round(LONGEST / dt), _way(ego, line)
+    far = math.hypot(ego.length, ego.width) / 2 + math.hypot(other.length, other.width) / 2
+    there = since + np.flatnonzero(_within(way, other, since, far))
+    if not there.size:
+        return Meeting()
+    ways = _goes_on(ego, way, dt, len(other.x) - len(ego.x) + lags + 1)
+    boxes = Boxes.of(other).at(there)
+    for lag in sorted(range(-lags, lags + 1), key=abs):
+        steps = (there + lag).clip(0)
+        near = (np.hypot(ways[0][:, steps] - boxes.x, ways[1][:, steps] - boxes.y) < far) & (there + lag >= 0)
+        if not near.any():
+            continue
+        rows, columns = np.nonzero(near)
+        x, y, heading = (one[rows, steps[columns]] for one in ways)
+        own = Boxes(x, y, np.cos(heading), np.sin(heading), ego.length / 2, ego.width / 2)
+        touching = np.flatnonzero(Pair.of(own, boxes.at(columns)).touching)
+        if touching.size:
+            first = touching[np.lexsort((columns[touching], rows[touching]))[0]]
+            step = int(there[columns[first]])
+            return Meeting(between=abs(lag) * dt, at=step * dt, ego_first=lag < 0)
+    return Meeting()
+
+
+def _within(way: Way, other: Track, since: int, far: float) -> Flags:
+    """(T - since,) Whether somebody is so near [m] to the ego's way, of which a point in a metre is enough."""
+    along, x, y, _ = way
+    points = np.unique(np.searchsorted(along, np.arange(along[0], along[-1], 1.0)).clip(max=len(x) - 1))
+    apart = np.hypot(np.subtract.outer(other.x[since:], x[points]), np.subtract.outer(other.y[since:], y[points]))
+    return np.asarray((apart < far + 1.0).any(axis=1))
+
+
+def _goes_on(ego: Track, way: Way, dt: float, more: int) -> tuple[Array, Array, Array]:
+    """(K, T + more) x, y and heading: as it went, then as it would go on from each moment at which it goes evenly.
+
+    Before that moment it is nowhere (nan), as those of it are compared that lie before it.
+    """
+    steps = len(ego.x)
+    gone = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(ego.x), np.diff(ego.y)))))
+    rows = [np.concatenate((gone, gone[-1] + ego.speed[-1] * dt * np.arange(1, more + 1)))]
+    time = np.arange(steps + more)
+    for k in _even(ego, dt):
+        row = gone[k] + ego.speed[k] * dt * (time - k)
+        row[:k] = gone[:k]
+        rows.append(row)
+    along = np.array(rows)
+    x, y, heading = (np.interp(along, way[0], values) for values in way[1:])
+    beyond = (along - way[0][-1]).clip(min=0.0)
+    return x + beyond * np.cos(heading), y + beyond * np.sin(heading), heading
+
+
+def _even(ego: Track, dt: float) -> list[int]:
+    """Moments at which the ego moves and neither brakes nor gains speed: every second, and before it brakes."""
+    even = (np.abs(ego.acceleration(dt)) < LOSING) & (np.abs(ego.speed) > MOVING)
+    last = np.append(even[:-1] & ~even[1:], False)
+    return np.flatnonzero(even & (last | (np.arange(len(even)) % round(EVERY / dt) == 0))).tolist()
+
+
+def _way(ego: Track, line: Polyline) -> Way:
+    """Arc length, x, y and heading of where the ego came from, where it went, and of the rest of its way."""
+    moved = np.concatenate(([True], np.hypot(np.diff(ego.x), np.diff(ego.y)) > 1e-3))
+    x, y, heading = ego.x[moved], ego.y[moved], ego.heading[moved]
+    there, aside, _ = line.project(float(ego.x[-1]), float(ego.y[-1]))
+    rest = np.arange(there + 2.0, line.length, 2.0) if abs(aside) < 3.0 else np.empty(0)
+    points = np.array([line.point_at(float(s)) for s in rest]).reshape(-1, 2)
+    turned = np.array([line.heading_at(float(s)) for s in rest])
+    back, behind = np.arange(-BACK, 0.0, 1.0), float(heading[0])
+    x = np.concatenate((x[0] + back * math.cos(behind), x, points[:, 0]))
+    y = np.concatenate((y[0] + back * math.sin(behind), y, points[:, 1]))
+    heading = np.unwrap(np.concatenate((np.full(len(back), behind), heading, turned)))
+    return np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y))))) - BACK, x, y, heading

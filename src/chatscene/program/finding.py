@@ -1,0 +1,42 @@
+"""What a judge tells: a fact of a situation, whether a drive shows it, and in words what is seen of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+UNTOLD = "not judged from tracks"
+"""What is told of a fact that no track shows, so that nobody takes it for seen."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Finding:
+    """What a drive shows of a fact.
+
+    Attributes:
+        path: The fact; ``encounter.A`` is that the ego could meet A, ``unasked.…`` what nobody said.
+        shown: Whether it is seen; None where the drive did not come to it, or no track tells.
+        told: What was said, and what is seen, in words.
+        at: When it is seen [s]; None for what has no moment.
+    """
+
+    path: str
+    shown: bool | None
+    told: str = ""
+    at: float | None = None
+
+
+def not_judged(path: str) -> Finding:
+    """A fact that no track tells."""
+    return Finding(path=path, shown=None, told=UNTOLD)
+
+
+def failures(findings: Iterable[Finding], *, met: bool = True) -> tuple[str, ...]:
+    """What is not shown, a sentence each; empty if the drive means what was said.
+
+    Args:
+        findings: What the drive shows.
+        met: Whether it counts that ego and adversary meet and what befalls the ego unasked, which a search aims at.
+    """
+    counted = (one for one in findings if met or not one.path.startswith(("encounter.", "unasked.")))
+    return tuple(f"{one.path}: {one.told}" for one in counted if one.shown is False)

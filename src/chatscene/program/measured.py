@@ -1,0 +1,127 @@
+"""Numbers that were said, and what tracks have of them: speeds that are held, means of braking, gaps of bodies."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from chatscene.program.deeds import Act
+from chatscene.program.doing import gone_aside, gone_back, room_left, stood
+from chatscene.program.finding import Finding
+from chatscene.program.watching import Seen
+from chatscene.terms.amount import Amount
+from chatscene.terms.episode import Array
+from chatscene.terms.seeing import loss_of
+from chatscene.terms.situation import EGO, Deed, Start
+from chatscene.terms.vocabulary import NOSE_TO_TAIL, Where
+from chatscene.terms.vocabulary import Act as Said
+
+SLACK = 0.15  # of a number that was said: what a watcher does not see
+SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
+SLACK_ACCELERATION = 0.5  # [m/s²]
+BACK_SLACK, SLACK_ASIDE = 0.7, 0.2  # [m]
+HELD = 0.5  # [s] that a speed is held, up to what a watcher does not see, which somebody goes at
+OVER = 5  # [steps] over which somebody is seen to gain speed
+ROLLS = 0.5  # [m/s²] up to which speed is lost by rolling out
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measure:
+    """How numbers of a drive are held against what was said.
+
+    Attributes:
+        ego_speed: The speed [m/s] of an ego that nothing holds.
+        cut: Whether a contact cut the drive short.
+    """
+
+    ego_speed: float
+    cut: bool
+
+    def number(
+        self, path: str, said: Amount, seen: Array, least: float, verb: str, *, most: bool = False, cut: bool = True
+    ) -> Finding:
+        """Whether a number is one of those that were seen, or the most of all; a contact may have cut it short."""
+        base = self.ego_speed if said.than_ego else 0.0
+        low, high = said.low + base, said.high + base
+        aim = low if math.isfinite(low) else high
+        slack = max(least, SLACK * abs(aim))
+        values = seen.max(keepdims=True) if most and seen.size else seen
+        right = bool(((values >= low - slack) & (values <= high + slack)).any())
+        nearest = float(values[np.abs(values - aim).argmin()]) if values.size else 0.0
+        shown = right or (None if cut and self.cut and nearest < low else False)
+        return Finding(path=path, shown=shown, told=f"said {said}, it {verb} {nearest:.1f}")
+
+    def start(self, path: str, start: Start, seen: Seen) -> Finding | None:
+        """The distance of a start: from nose to tail of who goes the ego's way, else from middle to middle."""
+        if start.distance is None or start.where in (Where.ARM, Where.ONCOMING):
+            return None  # of whom it is how far it has to the junction or to the ego: what the builder makes of it
+        bodies = start.where in NOSE_TO_TAIL
+        lead = np.abs(seen.lead[:1]) - (seen.ego.length + seen.track.length) / 2 * bodies
+        how = "from nose to tail" if bodies else "between the middles"
+        found = self.number(path, start.distance, lead, SLACK_LENGTH, "starts this far:", cut=False)
+        return replace(found, told=f"{found.told} {how}")
+
+    def speed(self, path: str, said: Amount, seen: Seen, once: Act) -> Finding:
+        """The speed of a deed: one that is held or turned at, from just before it began on; not one that is passed."""
+        steps = round(HELD / seen.dt)
+        values = np.abs(seen.track.speed[max(once.began - steps, 0) :])
+        windows = np.lib.stride_tricks.sliding_window_view(values, min(steps, len(values)))
+        middle = windows.mean(axis=1)
+        even = np.ptp(windows, axis=1) <= np.maximum(SLACK_SPEED, SLACK * middle)
+        turns = np.flatnonzero(np.diff(np.sign(np.diff(values)))) + 1
+        held = np.concatenate((middle[even], values[turns], values[-1:] if self.cut else ()))
+        return self.number(path, said, held, SLACK_SPEED, "goes at")
+
+    def acceleration(self, path: str, deed: Deed, seen: Seen, once: Act) -> Finding | None:
+        """How hard speed changes by a deed: of who loses it the mean over all of that, else the most in half a second.
+
+        Who gains speed does so by less and less, as its engine lets it.
+        """
+        speed = np.abs(seen.track.speed[once.began :])
+        if deed.acceleration is None or len(speed) <= OVER:
+            return None
+        gains = deed.act in (Said.ACCELERATE, Said.SET_OFF)
+        change = (
+            float(np.abs(speed[OVER:] - speed[:-OVER]).max()) / (OVER * seen.dt) if gains else losing(speed, seen.dt)
+        )
+        return self.number(
+            f"{path}.acceleration", deed.acceleration, np.array([change]), SLACK_ACCELERATION, "changes speed by"
+        )
+
+    def way(self, path: str, deed: Deed, once: Act, seen: Seen) -> Finding | None:
+        """The room that is left or the way that is covered, if that was said."""
+        if deed.act is Said.REVERSE and deed.distance is not None:
+            return self.number(f"{path}.distance", deed.distance, gone_back(seen, once), BACK_SLACK, "covers")
+        if deed.act in (Said.DRIFT, Said.SWERVE) and deed.distance is not None:
+            return self.number(
+                f"{path}.distance", deed.distance, gone_aside(seen, once), SLACK_ASIDE, "leaves its line by"
+            )
+        if deed.act is Said.CUT_IN and once.done is not None and deed.whom in (None, EGO):
+            room = room_left(seen, once)
+            if deed.distance is not None:
+                return self.number(f"{path}.distance", deed.distance, room, SLACK_LENGTH, "leaves")
+            if deed.time is not None:
+                seconds = room / max(float(seen.ego.speed[once.done]), 1.0)
+                return self.number(f"{path}.time", deed.time, seconds, SLACK_TIME, "leaves")
+        return None
+
+    def stand(self, path: str, deed: Deed, once: Act, seen: Seen) -> Finding | None:
+        """How long somebody stands, if that was said."""
+        if deed.time is None or deed.act not in (Said.STOP, Said.STAND, Said.HESITATE):
+            return None
+        first, end = stood(seen, once)
+        found = self.number(f"{path}.time", deed.time, np.array([(end - first) * seen.dt]), SLACK_TIME, "stands for")
+        whole = end < len(seen.track.speed)  # else nobody saw the end of it
+        return found if whole or found.shown else replace(found, shown=None)
+
+
+def losing(speed: Array, dt: float) -> float:
+    """The mean [m/s²] by which speed is lost, the first time that it is seen to be, from beginning to end."""
+    falls = np.concatenate(([False], -np.diff(speed) > ROLLS * dt, [False])).astype(int)
+    edges = np.diff(falls)
+    runs = list(zip(np.flatnonzero(edges == 1).tolist(), np.flatnonzero(edges == -1).tolist(), strict=True))
+    seen = (run for run in runs if speed[run[0]] - speed[run[1]] >= loss_of(float(speed[run[0]])))
+    first, end = next(seen, (0, 1))
+    return float(speed[first] - speed[end]) / ((end - first) * dt)

@@ -1,0 +1,103 @@
+"""What happens in a drive that nobody said: contacts, rules that the ego breaks, bodies in each other, and deeds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+
+import numpy as np
+
+from chatscene.program.contacts import is_of
+from chatscene.program.deeds import BRAKING, OF_GRIP
+from chatscene.program.finding import Finding
+from chatscene.program.watching import Seen, headings
+from chatscene.simulate.boxes import Boxes, Pair
+from chatscene.terms.episode import Episode, EventKind, Track
+from chatscene.terms.route import Route
+from chatscene.terms.situation import Other, Situation
+from chatscene.terms.vocabulary import Act, EgoLight, RightOfWay, Role
+
+DEEP = 0.3  # [m] that two bodies are in each other, from which one is seen to drive through the other
+LEFT_LANE = 2.2  # [m] aside of where it began, from which a road user has left its lane
+STRAIGHT = 0.2  # [rad] that a road turns at most of which lanes are told by how far aside of the ego's way somebody is
+PARTS = 0.5  # [s] between two times that somebody brakes, or it is one
+IN_LANE = frozenset((Act.STAND, Act.GO_ALONG, Act.SET_OFF, Act.ACCELERATE, Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
+"""What is done without leaving the lane, and by its own will."""
+_LOSES = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
+_SAID = {
+    EventKind.RED_LIGHT: (EgoLight.RED, EgoLight.YELLOW, EgoLight.TURNS_RED, EgoLight.TURNS_GREEN),
+    EventKind.STOP_SIGN: (RightOfWay.STOP_SIGN,),
+}
+"""What is said of the rules that an ego can break; if it then breaks them, that is how it drives."""
+
+
+def unasked(situation: Situation, episode: Episode, until: int | None) -> Iterator[Finding]:
+    """What befalls the ego and others that was not said, up to a step; nothing where all is as it was said."""
+    crash, contact = episode.collision, situation.contact
+    if crash is not None and contact is None:
+        adversary = any(is_of(crash.other, one.id) for one in situation.adversaries)
+        if not adversary:
+            told = f"the ego and {crash.other} touch, which nobody said"
+            yield Finding(path="unasked.contact", shown=False, told=told, at=crash.step * episode.dt)
+    rules = {EventKind.RED_LIGHT: situation.road.ego_light, EventKind.STOP_SIGN: situation.road.control}
+    for event in episode.events:
+        chosen = event.kind in rules and rules[event.kind] not in _SAID[event.kind]
+        if chosen and (until is None or event.step < until):
+            told = f"the ego runs a {event.kind}, of which nobody said that it has one"
+            yield Finding(path=f"unasked.{event.kind}", shown=False, told=told, at=event.step * episode.dt)
+    yield from _through_others(situation, episode, until)
+
+
+def _through_others(situation: Situation, episode: Episode, until: int | None) -> Iterator[Finding]:
+    """Two of different names whose bodies are in each other."""
+    named = [(one, track) for one in situation.others for track in episode.tracks[1:] if is_of(track.actor, one.id)]
+    for (one, a), (other, b) in combinations(named, 2):
+        if one.id != other.id and Role.HIDES not in (one.role, other.role) and (step := _in_each_other(a, b, until)):
+            told = f"{a.actor} and {b.actor} drive through each other"
+            yield Finding(path=f"unasked.{a.actor}-{b.actor}", shown=False, told=told, at=step * episode.dt)
+
+
+def _in_each_other(a: Track, b: Track, until: int | None) -> int:
+    """The first step after the start at which two are in each other; 0 if they never are."""
+    pair = Pair.of(Boxes.of(a), Boxes.of(b))
+    deep = (pair.reach - np.abs(pair.offset)).min(axis=0)[:until] > DEEP
+    return int(np.argmax(deep)) if deep.any() else 0
+
+
+def of_somebody(one: Other, seen: Seen, route: Route) -> Iterator[Finding]:
+    """What somebody does who is only told to change speed in its lane: it brakes more often, or leaves that."""
+    acts = [deed.act for deed in one.does]
+    if not acts or not IN_LANE.issuperset(acts):
+        return
+    later = one.does[1:]  # who goes on at a speed or comes to stand may have to brake for it
+    said = (acts[0] in _LOSES) + sum(deed.act in (*_LOSES, Act.STAND) or deed.speed is not None for deed in later)
+    times = _times_braking(seen)
+    if said and len(times) > said:
+        told = f"it brakes {len(times)} times, which was said {said} times"
+        yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=times[0] * seen.dt)
+    straight = np.ptp(headings(route.line)) < STRAIGHT and route.junction is None
+    if straight and not one.starts.where.row.junction:
+        aside = np.abs(seen.offset - seen.offset[0])
+        inside = (seen.at > 0.0) & (seen.at < route.length)
+        if (gone := inside & (aside > LEFT_LANE)).any() and abs(np.cos(seen.bearing[0])) > 0.9:
+            step = int(np.argmax(gone))
+            told = f"it goes {aside[step]:.1f} m aside, which nobody said"
+            yield Finding(path=f"unasked.{one.id}.lane", shown=False, told=told, at=step * seen.dt)
+
+
+def _times_braking(seen: Seen) -> list[int]:
+    """Since when it brakes hard, every time that it begins to."""
+    rate = -np.diff(np.abs(seen.track.speed)) / seen.dt
+    limit = min(BRAKING, OF_GRIP * seen.grip)
+    times, ended = list[int](), -np.inf
+    run = 0
+    for step, one in enumerate([*rate.tolist(), 0.0]):
+        if one > limit:
+            run += 1
+            continue
+        if run >= 3:
+            if step - run - ended > PARTS / seen.dt:
+                times.append(step - run)
+            ended = step
+        run = 0
+    return times

@@ -1,0 +1,292 @@
+"""What a judge tells of tracks made by hand: who could meet, what nobody said, and numbers as they are measured."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from test_meaning import DT, EGO_SPEED, ROUTE, episode, moving
+
+from chatscene.program.encounter import meeting
+from chatscene.program.judge import Finding, failures, judge
+from chatscene.terms.amount import Acceleration, Length, Speed
+from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, SignalTrack, Track
+from chatscene.terms.situation import Contact, Deed, Ego, Other, Road, Situation, Start
+from chatscene.terms.surroundings import Light
+from chatscene.terms.vocabulary import (
+    Act,
+    EgoLight,
+    EgoRoute,
+    Facing,
+    Part,
+    RightOfWay,
+    Side,
+    UserKind,
+    Where,
+)
+from chatscene.terms.vocabulary import Role as Plays
+
+WALK = 2.0  # [m/s]
+
+
+def walker(meets_at: float, seconds: float, *, speed: float = WALK) -> Track:
+    """Somebody who walks over the road from the right and is in the middle of the ego's lane at a time."""
+    return moving(meets_at, -speed * seconds, (200, speed, 90.0), facing=90.0, speed=speed, kind="Pedestrian")
+
+
+def other(where: Where, *does: Deed, kind: UserKind = UserKind.CAR, name: str = "adversary", **start: object) -> Other:
+    return Other(id=name, kind=kind, starts=Start(where=where, **start), does=does)  # type: ignore[arg-type]
+
+
+def one(*others: Other, **facts: object) -> Situation:
+    return Situation(others=others, **facts)  # type: ignore[arg-type]
+
+
+CROSSES = one(other(Where.ROADSIDE, Deed(act=Act.CROSS), kind=UserKind.PEDESTRIAN))
+BRAKES = one(other(Where.AHEAD, Deed(act=Act.BRAKE)))
+
+
+def found(path: str, said: Situation, seen: Episode) -> Finding | None:
+    return next((f for f in judge(said, seen, ROUTE) if f.path == path), None)
+
+
+def shown(path: str, said: Situation, seen: Episode) -> bool | None:
+    finding = found(path, said, seen)
+    assert finding is not None, path
+    return finding.shown
+
+
+def with_ego(seen: Episode, speed: Array) -> Episode:
+    """The same drive with an ego that goes straight on at other speeds."""
+    ego = seen.ego_track
+    x = np.concatenate(([0.0], np.cumsum(speed)[:-1])) * DT
+    return replace(seen, tracks=(replace(ego, x=x, speed=speed), *seen.tracks[1:]))
+
+
+# Whether they could meet
+
+
+@pytest.mark.parametrize(("late", "meets"), [(-0.9, True), (0.0, True), (0.9, True), (-2.5, False), (2.5, False)])
+def test_who_crosses_meets_the_ego_if_both_are_there_at_about_one_time(late: float, meets: bool) -> None:
+    track = walker(48.0, 48.0 / EGO_SPEED + late)
+    assert shown("encounter.adversary", CROSSES, episode(track)) is meets
+
+
+def test_the_time_between_is_told_and_who_is_first() -> None:
+    track = walker(48.0, 48.0 / EGO_SPEED + 2.5)
+    seen = meeting(episode(track).ego_track, track, ROUTE.line, DT)
+    bodies = (0.95 + 0.3) / WALK + (2.25 + 0.3) / EGO_SPEED  # what their sizes take off
+    assert seen.ego_first
+    assert seen.between == pytest.approx(2.5 - bodies, abs=0.15)
+    told = failures(judge(CROSSES, episode(track), ROUTE))
+    assert told[-1].startswith("encounter.adversary: they could not meet: it is where their ways meet 1.6 s after")
+
+
+def test_an_ego_that_stops_for_somebody_could_have_met_them() -> None:
+    track = walker(48.0, 48.0 / EGO_SPEED)
+    steps = len(track.x)
+    brakes = np.concatenate((np.full(25, EGO_SPEED), np.linspace(EGO_SPEED, 0.0, 20), np.zeros(steps - 45)))
+    seen = with_ego(episode(track), brakes)
+    assert meeting(seen.ego_track, track, ROUTE.line, DT).between == 0.0
+    assert shown("encounter.adversary", CROSSES, seen) is True
+
+
+def test_who_drives_away_before_the_ego_meets_nobody() -> None:
+    pulls_out = one(other(Where.KERB, Deed(act=Act.PULL_OUT)))
+    early = moving(60.0, -3.0, (10, 4.0, 20.0), (15, 6.0, 0.0), (150, 12.0, 0.0))
+    late = moving(30.0, -3.0, (25, 0.0, 0.0), (10, 2.0, 20.0), (20, 3.0, 0.0), (150, 4.0, 0.0))
+    assert shown("encounter.adversary", pulls_out, episode(early)) is False
+    assert shown("encounter.adversary", pulls_out, episode(late)) is True
+
+
+def test_a_leader_that_brakes_is_met_by_an_ego_that_goes_on() -> None:
+    seen = episode(moving(20.0, 0.0, (40, 8.0, 0.0), (20, 0.0, 0.0), (100, 0.0, 0.0), speed=8.0))
+    assert shown("encounter.adversary", BRAKES, seen) is True
+
+
+def test_who_need_not_meet_the_ego_is_not_asked_to() -> None:
+    goes = one(other(Where.AHEAD, Deed(act=Act.GO_ALONG)))
+    seen = episode(moving(30.0, 0.0, (150, 8.0, 0.0), speed=8.0))
+    assert found("encounter.adversary", goes, seen) is None
+    beside = episode(moving(0.0, -3.5, (150, 8.0, 0.0), speed=8.0))
+    assert found("encounter.adversary", one(other(Where.BESIDE, Deed(act=Act.GO_ALONG))), beside) is None
+    touches = one(other(Where.BESIDE, Deed(act=Act.GO_ALONG)), contact=Contact())
+    assert shown("encounter.adversary", touches, beside) is False
+
+
+def test_who_yields_need_not_meet_the_ego() -> None:
+    yields = one(other(Where.ARM, Deed(act=Act.YIELD)))
+    waits = moving(60.0, -30.0, (30, 6.0, 90.0), (20, 0.0, 90.0), (80, 0.0, 90.0), (80, 6.0, 90.0), facing=90, speed=6)
+    assert found("encounter.adversary", yields, episode(waits)) is None
+
+
+def test_a_drive_that_ends_with_somebody_else_did_not_come_to_the_encounter() -> None:
+    seen = episode(walker(100.0, 100.0 / EGO_SPEED - 5.0), contact=10)
+    elsewhere = replace(seen, events=(replace(seen.events[0], other="B"),))
+    assert shown("encounter.adversary", replace(CROSSES, contact=Contact()), elsewhere) is None
+
+
+# What nobody said
+
+
+def test_a_contact_with_somebody_who_is_not_the_adversary_is_told() -> None:
+    both = one(*CROSSES.others, replace(other(Where.BEHIND, name="B"), role=Plays.SUPPORTING))
+    seen = episode(walker(48.0, 6.0), contact=10)
+    seen = replace(seen, events=(replace(seen.events[0], other="B"),))
+    assert shown("unasked.contact", both, seen) is False
+    assert found("unasked.contact", CROSSES, episode(walker(48.0, 6.0), contact=55)) is None
+
+
+def test_a_light_or_a_sign_that_the_ego_runs_is_told_if_nobody_gave_it_one() -> None:
+    seen = episode(walker(48.0, 6.0))
+    for kind, road in ((EventKind.RED_LIGHT, Road(ego_light=EgoLight.RED)), (EventKind.STOP_SIGN, SIGN)):
+        runs = replace(seen, events=(Event(kind=kind, step=20),))
+        assert shown(f"unasked.{kind}", CROSSES, runs) is False
+        assert found(f"unasked.{kind}", replace(CROSSES, road=road), runs) is None
+
+
+SIGN = Road(control=RightOfWay.STOP_SIGN)
+
+
+def test_two_who_drive_through_each_other_are_told() -> None:
+    a = moving(20.0, 0.0, (100, 8.0, 0.0), speed=8.0)
+    b = replace(moving(60.0, 0.0, (100, 0.0, 0.0)), actor="B", role=Role.BACKGROUND)
+    both = one(other(Where.AHEAD, Deed(act=Act.GO_ALONG)), other(Where.AHEAD, Deed(act=Act.STAND), name="B"))
+    seen = episode(a)
+    assert shown("unasked.adversary-B", both, replace(seen, tracks=(*seen.tracks, b))) is False
+    aside = replace(b, y=b.y - 3.0)
+    assert found("unasked.adversary-B", both, replace(seen, tracks=(*seen.tracks, aside))) is None
+
+
+def test_a_leader_that_brakes_more_often_than_was_said_is_told() -> None:
+    brakes = (10, 4.0, 0.0), (30, 8.0, 0.0), (10, 8.0, 0.0), (20, 0.0, 0.0), (50, 0.0, 0.0)
+    seen = episode(moving(20.0, 0.0, *brakes, speed=8.0))
+    assert shown("unasked.adversary", BRAKES, seen) is False
+    twice = one(other(Where.AHEAD, Deed(act=Act.BRAKE), Deed(act=Act.BRAKE)))
+    assert found("unasked.adversary", twice, seen) is None
+
+
+def test_who_goes_along_and_leaves_its_lane_is_told() -> None:
+    goes = one(other(Where.AHEAD, Deed(act=Act.GO_ALONG)))
+    leaves = moving(20.0, 0.0, (30, 8.0, 0.0), (10, 8.0, 20.0), (15, 8.0, 0.0), (60, 8.0, 0.0), speed=8.0)
+    assert shown("unasked.adversary.lane", goes, episode(leaves)) is False
+    stays = moving(20.0, 0.0, (120, 8.0, 0.0), speed=8.0)
+    assert found("unasked.adversary.lane", goes, episode(stays)) is None
+
+
+# Numbers
+
+
+def test_a_distance_is_from_nose_to_tail_of_who_goes_the_same_way_and_else_between_the_middles() -> None:
+    seen = episode(moving(24.5, 0.0, (40, 8.0, 0.0), (20, 0.0, 0.0), (40, 0.0, 0.0), speed=8.0))
+    said = one(other(Where.AHEAD, Deed(act=Act.BRAKE), distance=Length.of("20 m")))
+    finding = found("others.adversary.starts.distance", said, seen)
+    assert finding is not None
+    assert finding.shown
+    assert finding.told == "said 20 m, it starts this far: 20.0 from nose to tail"
+    apart = one(other(Where.ROADSIDE, Deed(act=Act.CROSS), kind=UserKind.PEDESTRIAN, distance=Length.of("48 m")))
+    finding = found("others.adversary.starts.distance", apart, episode(walker(48.0, 6.0)))
+    assert finding is not None
+    assert finding.told.endswith("48.0 between the middles")
+
+
+def test_braking_is_its_mean_and_not_its_peak() -> None:
+    track = moving(30.0, 0.0, (20, 8.0, 0.0), (12, 2.0, 0.0), (2, 0.0, 0.0), (60, 0.0, 0.0), speed=8.0)
+
+    def said(amount: str) -> bool | None:
+        deed = Deed(act=Act.BRAKE, acceleration=Acceleration.of(amount))
+        return shown("others.adversary.does.0.acceleration", one(other(Where.AHEAD, deed)), episode(track))
+
+    assert said("5.7 m/s²") is True  # 8 m/s in 1.4 s, at last with 10 m/s²
+    assert said("10 m/s²") is False
+
+
+def test_a_speed_is_held_and_not_passed() -> None:
+    passes = moving(30.0, 0.0, (20, 8.0, 0.0), (20, 0.0, 0.0), (60, 0.0, 0.0), speed=8.0)
+    holds = moving(30.0, 0.0, (20, 8.0, 0.0), (10, 4.0, 0.0), (60, 4.0, 0.0), speed=8.0)
+    said = one(other(Where.AHEAD, Deed(act=Act.BRAKE, speed=Speed.of("4 m/s"))))
+    assert shown("others.adversary.does.0.speed", said, episode(passes)) is False
+    assert shown("others.adversary.does.0.speed", said, episode(holds)) is True
+
+
+# Starts, lights, deeds to others, contacts
+
+
+def test_which_way_somebody_faces_is_seen() -> None:
+    for facing, right in ((Facing.ACROSS, True), (Facing.ALONG, False), (Facing.AGAINST, False)):
+        said = one(other(Where.ROADSIDE, Deed(act=Act.CROSS), kind=UserKind.PEDESTRIAN, facing=facing))
+        assert shown("others.adversary.starts.facing", said, episode(walker(48.0, 6.0))) is right
+
+
+@pytest.mark.parametrize(
+    ("light", "state", "right"),
+    [
+        (EgoLight.GREEN, "g" * 200, True),
+        (EgoLight.GREEN, "r" * 200, False),
+        (EgoLight.RED, "r" * 200, True),
+        (EgoLight.TURNS_GREEN, "r" * 50 + "g" * 150, True),
+        (EgoLight.TURNS_GREEN, "g" * 200, False),
+        (EgoLight.TURNS_RED, "g" * 50 + "y" * 20 + "r" * 130, True),
+    ],
+)
+def test_the_light_that_the_ego_has_is_seen(light: EgoLight, state: str, right: bool) -> None:
+    seen = episode(walker(48.0, 6.0))
+    own = SignalTrack(x0=40.0, y0=-2.0, x1=40.0, y1=2.0, state=state, role="ego")
+    said = replace(CROSSES, road=Road(ego_light=light))
+    assert shown("road.ego_light", said, replace(seen, signals=(own,))) is right
+    assert shown("road.ego_light", said, replace(seen, signals=())) is False
+
+
+def test_who_comes_into_the_lane_behind_the_ego_does_not_cut_in() -> None:
+    cuts_in = one(other(Where.BEHIND_BESIDE, Deed(act=Act.CUT_IN), side=Side.RIGHT))
+    behind = moving(-15.0, -3.5, (20, 8.0, 0.0), (10, 8.0, 20.0), (12, 8.0, 0.0), (60, 8.0, 0.0), speed=8.0)
+    ahead = replace(behind, x=behind.x + 30.0)
+    path = "others.adversary.does.0.act"
+    assert shown(path, cuts_in, episode(behind)) is False
+    assert shown(path, cuts_in, episode(ahead)) is True
+
+
+def test_who_overtakes_somebody_gets_by_that_one() -> None:
+    overtakes = Deed(act=Act.OVERTAKE, whom="B")
+    both = one(other(Where.ONCOMING, overtakes), other(Where.ONCOMING, Deed(act=Act.GO_ALONG), name="B"))
+    comes = replace(moving(150.0, 3.5, (82, 6.0, 180.0), facing=180, speed=6.0), actor="B", role=Role.BACKGROUND)
+    out = ((10, 10.0, 200.0), (12, 10.0, 180.0))
+    passes = moving(165.0, 3.5, *out, (60, 12.0, 180.0), facing=180, speed=10.0)
+    stays = moving(165.0, 3.5, (10, 6.0, 210.0), (14, 6.0, 180.0), (58, 6.0, 180.0), facing=180, speed=6.0)
+    for track, right in ((passes, True), (stays, False)):
+        seen = episode(track)
+        assert shown("others.adversary.does.0.act", both, replace(seen, tracks=(*seen.tracks, comes))) is right
+
+
+def test_an_ego_that_overtakes_gets_by_somebody() -> None:
+    said = one(other(Where.AHEAD, Deed(act=Act.GO_ALONG)), ego=Ego(route=EgoRoute.OVERTAKE))
+    fast, slow = (moving(20.0, 0.0, (150, speed, 0.0), speed=speed) for speed in (10.0, 4.0))
+    told = "ego.route: said overtake, it gets by nobody"
+    assert told in failures(judge(said, episode(fast), ROUTE))
+    assert told not in failures(judge(said, episode(slow), ROUTE))
+
+
+def test_who_hides_somebody_does_so_when_that_one_comes_out() -> None:
+    child = moving(60.0, -6.0, (45, 0.0, 90.0), (5, 2.0, 90.0), (60, 2.0, 90.0), facing=90.0, kind="Pedestrian")
+    said = one(replace(CROSSES.others[0], hidden_by="B"), other(Where.KERB, Deed(act=Act.STAND), name="B"))
+    seen = episode(child)
+    for x, right in ((55.0, True), (30.0, False)):  # the ego has gone by the other when the child comes out
+        thing = replace(moving(x, -3.5, (110, 0.0, 0.0)), actor="B", role=Role.OCCLUDER)
+        assert shown("others.adversary.hidden_by", said, replace(seen, tracks=(*seen.tracks, thing))) is right
+
+
+def test_the_part_of_the_other_that_is_touched_is_judged() -> None:
+    track = moving(40.0, -16.0, (100, 4.0, 90.0), facing=90.0, speed=4.0)
+    seen = episode(track, contact=41)
+    for part, right in ((Part.LEFT, True), (Part.RIGHT, False), (Part.FRONT, False)):
+        said = one(other(Where.ARM, Deed(act=Act.GO_STRAIGHT)), contact=Contact(other=part))
+        assert shown("contact.other", said, seen) is right
+
+
+def test_light_is_judged_and_what_no_track_tells_says_so() -> None:
+    said = replace(CROSSES, around=replace(CROSSES.around, light=Light.NIGHT), road=Road(lanes=2))
+    seen = episode(walker(48.0, 6.0))
+    assert shown("around.light", said, seen) is False
+    finding = found("road.lanes", said, seen)
+    assert finding == Finding(path="road.lanes", shown=None, told="not judged from tracks")
