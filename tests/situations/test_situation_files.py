@@ -144,6 +144,36 @@ def test_what_is_no_situation_is_refused_in_words(text: str, told: str) -> None:
     assert told in str(refused.value)
 
 
+@pytest.mark.parametrize(
+    ("there", "instead", "told"),
+    [
+        ("kind: truck", "kind: lorry", "did you mean truck?"),
+        ("kind: truck", "kind: ambulance", "did you mean emergency-vehicle?"),
+        ("kind: truck, ", "", "kind: is missing; write one of car, van"),
+        ("where: ahead", "where: in front", "did you mean ahead or ahead-beside?"),
+        ("ego: right-front", "ego: front-right", "did you mean right-front?"),
+        ("kind: truck", "kind: truck, speed: 3 m/s", "did you mean starts.speed or does.speed?"),
+        ("kind: truck", "kind: truck, weather: rain", "did you mean around.weather?"),
+        ("kind: truck", "kind: truck, colour: red", "there is no 'colour' here, but id, kind, count"),
+        ("lanes: 2", "lanes: two", "'two' is no whole number"),
+        ("two_way: true", "two_way: perhaps", "'perhaps' is neither true nor false"),
+        ("id: B", "id: 2", "2 is no text; write it in quotes"),
+        ("after: ego.set-off", "after: ego.sets-off", "but ego.stand, ego.set-off, A.go-straight"),
+        ("striker: ego", "striker: ego, whom: a", "but A, B; did you mean A?"),
+        ("3 m/s²", "3 km/h", "is no unit of an acceleration"),
+        ("act: brake", "act: brake, whom: B", "leave this out; cut-in, overtake"),
+        ("act: brake", "act: brake, to: left", "leave this out; cross, cut-in"),
+    ],
+)
+def test_a_wrong_word_is_told_with_its_line_with_what_can_stand_there_and_with_what_was_meant(
+    there: str, instead: str, told: str
+) -> None:
+    assert there in WRITTEN
+    with pytest.raises(SituationError, match=r"^one\.yaml: line \d") as refused:
+        read_text(WRITTEN.replace(there, instead), "one.yaml")
+    assert told in str(refused.value)
+
+
 def test_a_file_that_cannot_be_read_is_refused_in_words(tmp_path: Path) -> None:
     with pytest.raises(SituationError, match="No such file"):
         read_file(tmp_path / "none.yaml")

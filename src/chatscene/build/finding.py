@@ -250,6 +250,7 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         if (edge := edges.get(situation.ego.route)) is not None:
             base[name] = edge.value
             lanes = []  # beside the ego is its own lane, if it is in none
+    exactly = {} if road.lanes is None else {"most": road.lanes}
     if road.lanes is not None:
         base["lanes"] = road.lanes
     if road.ego_lane is not None:
@@ -263,7 +264,8 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
     if any(one.starts.where is Where.BUS_BAY for one in others) and not at_junction(situation):
         sites = [Site.BUS_BAY.value]
         base = base | {"site": Site.BUS_BAY.value}
-    for here in (*(base | {"site": site} for site in sites), base):
+    places = [*(base | {"site": site} for site in sites), base]
+    for here in (*(place | exactly for place in places), *(places if road.lanes not in (None, 1) else ())):
         if over:
             yield from _on_road(situation, sides, here, over)
         yield from _on_road(situation, sides, here, lanes)  # who goes over then goes where others come
@@ -371,6 +373,10 @@ def _take(ledger: Ledger, found: Found) -> None:
         ledger.assume(f"{name} is on the {side}, which was not said")
     if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
         ledger.assume(f"the ego's {situation.ego.route} is to the left, which was not said")
+    said, there = situation.road.lanes, _lanes_there(found)
+    if said is not None and 1 < said < there:  # what lies beyond is used by nobody
+        ledger.assume(f"{there} lanes go the ego's way, since no road of the maps at hand fits that has {said}")
+        ledger.take("road.lanes")
 
 
 def _as_said(situation: Situation, found: Found) -> Iterator[str]:
@@ -394,8 +400,9 @@ def _as_said(situation: Situation, found: Found) -> Iterator[str]:
 
 
 def _lanes_there(found: Found) -> int:
-    """How many lanes go the ego's way where its route begins."""
-    return len(found.route.network.elements[found.route.route.lane_ids[0]].group.lanes)
+    """How many lanes go the ego's way where its route begins; of a ramp, on the road that it joins."""
+    joins = found.query.get("site") == Site.ON_RAMP
+    return len(found.route.network.elements[found.route.route.lane_ids[-1 if joins else 0]].group.lanes)
 
 
 def _is_kind(kind: RoadKind | None, found: Found) -> bool:

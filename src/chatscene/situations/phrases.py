@@ -344,7 +344,7 @@ ACTS: Mapping[Act, Doing] = {
     Act.PARK: Doing(does="[park/parks/parking]"),
     Act.EXIT: Doing(does="[take/takes/taking] the exit"),
     Act.YIELD: Doing(does="[give/gives/giving] way to {whom}"),
-    Act.OPEN_DOOR: Doing(does="[open/opens/opening] a door"),
+    Act.OPEN_DOOR: Doing(does="[open/opens/opening] a door", whom=" into the way of {whom}"),
     Act.DROP_LOAD: Doing(does="[drop/drops/dropping] something onto the road"),
     Act.FALL: Doing(does="[fall/falls/falling] over"),
 }
