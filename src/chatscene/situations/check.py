@@ -9,6 +9,7 @@ from contextlib import suppress
 
 from chatscene.situations.faults import Fault, Path
 from chatscene.situations.meant import word_meant
+from chatscene.terms.act_amounts import AMOUNTS, amounts_of
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
 from chatscene.terms.pointing import meant
@@ -24,7 +25,6 @@ RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.ST
 """What rules a junction where somebody breaks such a rule."""
 COMES_OVER = frozenset((Act.CROSS, Act.CUT_IN))
 """Acts that lead from where somebody is at first to the other side."""
-AMOUNTS = ("speed", "acceleration", "distance", "time")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
 _WAYS = {Moves.DRIVES: "drives", Moves.RIDES: "rides", Moves.WALKS: "walks", Moves.LIES: "only lies there"}
 
@@ -126,8 +126,8 @@ def _of_deed(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
             yield from _somebody(situation, deed.whom, (*at, "whom"), ego=True)
     for name in AMOUNTS:
         if getattr(deed, name) is not None and name not in row.takes:
-            has = f", but {' and '.join(sorted(row.takes))}" if row.takes else ""
-            yield Fault((*at, name), f"{deed.act!s} has no {name}{has}")
+            has = ", ".join(f"{one} ({says})" for one, says in amounts_of(deed.act).items())
+            yield Fault((*at, name), f"{deed.act!s} has no {name}, but {has or 'none of the amounts'}")
     if deed.when is not None:
         for name in ("after", "during"):
             if (reference := getattr(deed.when, name)) is not None:
