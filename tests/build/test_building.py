@@ -23,10 +23,10 @@ from chatscene.maps.network import resolve_map
 from chatscene.program.sample import draw
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
-from chatscene.situations.check import AMOUNTS
 from chatscene.situations.facts import said_in, with_fact
 from chatscene.situations.file import read_text
 from chatscene.situations.form import from_plain
+from chatscene.terms.act_amounts import AMOUNTS
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.amount import Acceleration, Speed
 from chatscene.terms.episode import Episode, Role

@@ -212,6 +212,45 @@ def test_several_who_hide_somebody_stand_before_and_behind_it(count: int) -> Non
     assert along["B"] < along["A"] < along["B-2"]
 
 
+def behind_a_leader(leader: str, stands: str) -> Situation:
+    van = car(
+        "L",
+        "ahead",
+        deed("go-along"),
+        deed("cut-out", to="left"),
+        kind="van",
+        **({"distance": leader} if leader else {}),
+    )
+    still = car("S", "ahead", deed("stand"), **({"distance": stands} if stands else {})) | {"hidden_by": "L"}
+    return others(still, van, ego={"speed": "60 km/h"}, road={"kind": "motorway"})
+
+
+@pytest.mark.parametrize(("leader", "stands"), [("25 m", "100 m"), ("25 m", ""), ("70 m", ""), ("", "")])
+def test_a_leader_hides_who_stands_ahead_of_it(leader: str, stands: str) -> None:
+    said = behind_a_leader(leader, stands)
+    episode = driven(said)
+    route = simulator(build(said).map, "native").route(build(said).program, 0)
+    assert not [one for one in failures(judge(said, episode, route)) if "hidden_by" in one or "starts" in one]
+    away = {
+        one.actor: np.hypot(one.x[0] - episode.ego_track.x[0], one.y[0] - episode.ego_track.y[0])
+        for one in episode.tracks
+    }
+    assert away["L"] + 5 < away["S"]
+
+
+def test_a_leader_farther_away_than_whom_it_hides_is_refused_with_what_can_be() -> None:
+    with pytest.raises(NotBuilt, match=r"others\.S\.hidden_by: L is not nearer; S would have to be \d+ m ahead"):
+        build(behind_a_leader("60 m", "40 m"))
+
+
+@pytest.mark.parametrize(("lanes", "told"), [(2, "3 lanes go the ego's way, since"), (3, "")])
+def test_a_motorway_has_as_many_lanes_as_were_said_or_more_which_is_told(lanes: int, told: str) -> None:
+    road = {"kind": "motorway", "lanes": lanes, "ego_lane": 1}
+    made = build(others(car("A", "ahead", deed("cut-out", to="left")), ego={"speed": "80 km/h"}, road=road))
+    assert [one for one in made.assumed if "lanes" in one][:1] == [one for one in made.assumed if told and told in one]
+    assert not made.left_out
+
+
 @pytest.mark.parametrize(
     ("where", "facing", "turned"), [("ahead", "across", 90), ("kerb", "against", 180), ("kerb", "along", 0)]
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import fields
 from itertools import pairwise
 from pathlib import Path
 
@@ -15,10 +16,25 @@ from chatscene.situations.facts import with_fact
 from chatscene.situations.file import MOST_BYTES, read_file, read_text, to_yaml
 from chatscene.situations.form import from_plain, schema, to_plain
 from chatscene.terms import vocabulary
+from chatscene.terms.act_amounts import amounts_of
+from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Length, Speed
-from chatscene.terms.situation import Evidence, Situation
-from chatscene.terms.vocabulary import Act, Side, Word
+from chatscene.terms.situation import (
+    Around,
+    Contact,
+    Deed,
+    Ego,
+    Evidence,
+    Other,
+    Road,
+    Situation,
+    Start,
+    When,
+)
+from chatscene.terms.surroundings import Light, Surface, Weather
+from chatscene.terms.vocabulary import Act, Side, Where, Word
 from drawn import situations
+from pages import Written, steps_of
 from places import ROOT
 
 WRITTEN = """\
@@ -99,7 +115,11 @@ def test_every_fault_of_a_file_is_told_with_its_line_and_with_what_was_meant() -
         ("kind: truck", "kind: truck, hidden_by: B", "nobody hides itself"),
         ("kind: truck", "kind: truck, count: 1000000000", "is more than 20"),
         ("kind: truck", "kind: truck, count: -1", "-1 is no number of road users"),
-        ("act: brake", "act: cut-in", "cut-in has no acceleration, but distance and speed and time"),
+        (
+            "act: brake",
+            "act: cut-in",
+            "cut-in has no acceleration, but speed (how fast it does that), distance (the gap",
+        ),
         ("act: brake", "act: brake, whom: B", "brake is done to nobody"),
         ("kind: bicycle", "kind: pedestrian", "pedestrian walks, and cannot go-straight"),
         ("[{act: stand}, {act: set-off}]", "[{act: cross}]", "the ego cannot be told to cross"),
@@ -141,6 +161,36 @@ def test_what_cannot_be_together_is_refused(there: str, instead: str, told: str)
 def test_what_is_no_situation_is_refused_in_words(text: str, told: str) -> None:
     with pytest.raises(SituationError) as refused:
         read_text(text, "one.yaml")
+    assert told in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("there", "instead", "told"),
+    [
+        ("kind: truck", "kind: lorry", "did you mean truck?"),
+        ("kind: truck", "kind: ambulance", "did you mean emergency-vehicle?"),
+        ("kind: truck, ", "", "kind: is missing; write one of car, van"),
+        ("where: ahead", "where: in front", "did you mean ahead or ahead-beside?"),
+        ("ego: right-front", "ego: front-right", "did you mean right-front?"),
+        ("kind: truck", "kind: truck, speed: 3 m/s", "did you mean starts.speed or does.speed?"),
+        ("kind: truck", "kind: truck, weather: rain", "did you mean around.weather?"),
+        ("kind: truck", "kind: truck, colour: red", "there is no 'colour' here, but id, kind, count"),
+        ("lanes: 2", "lanes: two", "'two' is no whole number"),
+        ("two_way: true", "two_way: perhaps", "'perhaps' is neither true nor false"),
+        ("id: B", "id: 2", "2 is no text; write it in quotes"),
+        ("after: ego.set-off", "after: ego.sets-off", "but ego.stand, ego.set-off, A.go-straight"),
+        ("striker: ego", "striker: ego, whom: a", "but A, B; did you mean A?"),
+        ("3 m/s²", "3 km/h", "is no unit of an acceleration"),
+        ("act: brake", "act: brake, whom: B", "leave this out; cut-in, overtake"),
+        ("act: brake", "act: brake, to: left", "leave this out; cross, cut-in"),
+    ],
+)
+def test_a_wrong_word_is_told_with_its_line_with_what_can_stand_there_and_with_what_was_meant(
+    there: str, instead: str, told: str
+) -> None:
+    assert there in WRITTEN
+    with pytest.raises(SituationError, match=r"^one\.yaml: line \d") as refused:
+        read_text(WRITTEN.replace(there, instead), "one.yaml")
     assert told in str(refused.value)
 
 
@@ -200,9 +250,51 @@ def test_the_schema_says_what_every_word_and_field_means() -> None:
     assert json.loads(json.dumps(made)) == made
 
 
+PAGE = ROOT / "docs" / "situation.md"
+
+
 def test_the_page_says_every_word_with_its_meaning() -> None:
-    page = (ROOT / "docs" / "situation.md").read_text(encoding="utf-8")
+    page = PAGE.read_text(encoding="utf-8")
     tables = [one for one in vars(vocabulary).values() if isinstance(one, type) and issubclass(one, Word) and len(one)]
     for words in tables:
         for word in words:
             assert (f"| `{word}` | {word.meaning} |" if word.meaning else f"`{word}`") in page, (words, word)
+    for word in (*Light, *Weather, *Surface):
+        assert f"`{word}`" in page, word
+
+
+def test_the_page_says_of_every_act_which_amounts_it_takes_and_who_can_do_it() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    for act in Act:
+        assert set(amounts_of(act)) == act.row.takes
+        amounts = "; ".join(f"`{name}`: {says}" for name, says in amounts_of(act).items())
+        also = ", ".join(f"`{name}`" for name in ("to",) * act.row.sided + ("whom",) * act.row.whom)
+        row = f"| `{act}` | {act.meaning} | {amounts} | {also} | "
+        assert row in page, row
+        assert (row + "all" in page) == (Moves.WALKS in act.row.by), act
+        assert (", the ego |" in page.partition(row)[2].partition("\n")[0]) == act.row.ego, act
+
+
+def test_the_page_says_of_every_place_on_which_sides_it_can_be() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    for where in Where:
+        sides = "left or right" if where.row.sided else " or ".join(where.row.sides)
+        assert f"| `{where}` | {where.meaning} | {sides} |" in page, where
+
+
+def test_the_page_names_every_field_and_has_a_small_file_for_each_part_that_is_read() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    nouns = (Situation, Ego, Road, Other, Start, Deed, When, Contact, Around)
+    for name in {one.name for noun in nouns for one in fields(noun)} - {"version"}:
+        assert f"`{name}`" in page, name
+    files = [step for step in steps_of(PAGE) if isinstance(step, Written) and "lorry" not in step.content]
+    read = [read_text(step.content, step.name) for step in files]
+    assert sum(bool(line) for line in files[0].content.splitlines()) <= 10
+    assert max(len(step.content.splitlines()) for step in files) <= 20
+    every = [deed for one in read for _, deeds in one.everybody() for deed in deeds]
+    assert any(one.contact for one in read)
+    assert any(one.ego.does for one in read)
+    assert any(one.around != Around() for one in read)
+    assert any(other.hidden_by for one in read for other in one.others)
+    for name in ("after", "during", "ego_within"):
+        assert any(getattr(deed.when, name, None) is not None for deed in every), name

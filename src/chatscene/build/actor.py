@@ -125,6 +125,21 @@ class Actor:
         """How many there are."""
         return self.one.count or SOME
 
+    @property
+    def nearest(self) -> float:
+        """How far ahead of the ego's centre [m] its tail is at least, in the ego's lane."""
+        return self._along(0) - self.limits.length / 2
+
+    @property
+    def farthest(self) -> float:
+        """How far ahead of the ego's centre [m] its nose is at most, in the ego's lane."""
+        return self._along(1) + self.limits.length / 2
+
+    def _along(self, end: int) -> float:
+        low, high, *_ = (self.first or self).numbers.range_of("Y")
+        beyond = self.found.route.eventAt if "eventAt" in self.stand.at else 0.0
+        return (low, high)[end] + beyond + self.room
+
     # Numbers
 
     def _bind_speed(self) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from chatscene.build.actor import Actor
@@ -14,7 +15,7 @@ from chatscene.build.naming import name_of
 from chatscene.build.place import Found
 from chatscene.build.possible import OFF_ROAD, impossible
 from chatscene.build.roadside import beside_road
-from chatscene.build.towards import at_distance, in_rows
+from chatscene.build.towards import at_distance, in_rows, screens
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
 from chatscene.terms.pace import NOMINAL
@@ -106,6 +107,7 @@ def _cast(situation: Situation, speed: float) -> tuple[Ledger, Found, BuiltEgo, 
         actor.soon = soon if actor.one.role is Role.SUPPORTING else None
     lines = [line for actor, hidden in everybody for line in (*actor.code(hidden), "")]
     body = "\n".join((*lines, *beside_road(ledger, [actor for actor, _ in everybody])))
+    _check_hidden(ledger, everybody)
     return ledger, found, ego, everybody, body
 
 
@@ -128,12 +130,37 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
             long = 2.5 if actor.stand.meets is Meets.ACROSS else actor.count * (actor.limits.length + ROOM)
             rows[place] = (first or actor, room + long)
         order.append((actor, built[hidden] if hidden is not None else None))
+    for actor, by in _behind_leaders(order):
+        if actor.one.starts.distance is None and actor.first is None:
+            actor.numbers.move("Y", max(0.0, by.farthest + ROOM - actor.nearest))
     return order
 
 
+def _behind_leaders(everybody: Sequence[tuple[Actor, Actor | None]]) -> Iterator[tuple[Actor, Actor]]:
+    """Those who are hidden by somebody nearer in the ego's lane, with whom hides each."""
+    actors = [actor for actor, _ in everybody]
+    yield from ((actor, by) for actor in actors for by in actors if screens(by.one, actor.one))
+
+
+def _check_hidden(ledger: Ledger, everybody: Sequence[tuple[Actor, Actor | None]]) -> None:
+    """Those who are hidden in the ego's lane are farther away there than who hides them.
+
+    Raises:
+        NotBuilt: Somebody is not.
+    """
+    for actor, by in _behind_leaders(everybody):
+        if actor.nearest <= by.farthest:
+            raise NotBuilt(
+                f"this cannot be: {actor.path}.hidden_by: {by.one.id} is not nearer; {actor.one.id} would have to be"
+                f" {by.farthest + ROOM:.0f} m ahead at least"
+            )
+        ledger.take(f"{actor.path}.hidden_by")
+
+
 def _hides(situation: Situation, one: Other) -> str | None:
-    """The id of whom somebody hides, who only hides or stands."""
-    hidden = next((other.id for other in situation.others if other.hidden_by == one.id), None)
+    """The id of whom somebody hides, who only hides or stands, and not by being nearer in the ego's lane."""
+    hides = (other.id for other in situation.others if other.hidden_by == one.id and not screens(one, other))
+    hidden = next(hides, None)
     stands = one.role is Role.SUPPORTING and all(deed.act is Act.STAND for deed in one.does)
     return hidden if one.role is Role.HIDES or stands else None
 

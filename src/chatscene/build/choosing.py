@@ -47,9 +47,10 @@ def steps_of(actor: Actor, k: int) -> Steps:
     deed, where = actor.deeds[k], actor.one.starts.where
     if where in ROUNDABOUT_PLACES:
         check_round(actor, k)
-    table = dict(_table(actor, deed))
+    table, across = dict(_table(actor, deed)), actor.stand.meets is Meets.ACROSS
     if deed.act not in table or (deed.act in _ASIDE and where in ROUNDABOUT_PLACES):  # nobody sees it on a bend
-        raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}")
+        along = "; who goes along the road is ahead, beside or behind" if across and deed.act in ALONG else ""
+        raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}{along}")
     return _by_numbers(actor, k, table[deed.act])
 
 

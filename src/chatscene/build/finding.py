@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.build.coming import further
-from chatscene.build.holding import SITES, as_said
+from chatscene.build.holding import SITES, as_said, lanes_there
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import (
     NEXT_LANE,
@@ -233,6 +233,7 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         if (edge := edges.get(situation.ego.route)) is not None:
             base[name] = edge.value
             lanes = []  # beside the ego is its own lane, if it is in none
+    exactly = {} if road.lanes is None else {"most": road.lanes}
     if road.lanes is not None:
         base["lanes"] = road.lanes
     if road.ego_lane is not None:
@@ -247,7 +248,8 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
     if any(one.starts.where is Where.BUS_BAY for one in others) and not at_junction(situation):
         sites = [Site.BUS_BAY.value]
         base = base | {"site": Site.BUS_BAY.value}
-    for here in (*(base | {"site": site} for site in sites), base):
+    places = [*(base | {"site": site} for site in sites), base]
+    for here in (*(place | exactly for place in places), *(places if road.lanes not in (None, 1) else ())):
         if over:
             yield from _on_road(situation, sides, here, over)
         yield from _on_road(situation, sides, here, lanes)  # who goes over then goes where others come
@@ -366,6 +368,10 @@ def _take(ledger: Ledger, found: Found) -> None:
         ledger.assume(f"{name} is on the {side}, which was not said")
     if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
         ledger.assume(f"the ego's {situation.ego.route} is to the left, which was not said")
+    said, there = situation.road.lanes, lanes_there(found)
+    if said is not None and 1 < said < there:  # what lies beyond is used by nobody
+        ledger.assume(f"{there} lanes go the ego's way, since no road of the maps at hand fits that has {said}")
+        ledger.take("road.lanes")
 
 
 def started(one: Other, sides: dict[str, Side]) -> Other:

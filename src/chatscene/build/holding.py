@@ -55,7 +55,7 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
     against = any(against for _, against in lanesBeside(found.route))
     holds = {
         "ego.route": situation.ego.route not in _SITES_OF or site == _SITES_OF[situation.ego.route],
-        "road.lanes": road.lanes == _lanes_there(found),
+        "road.lanes": road.lanes == lanes_there(found),
         "road.ego_lane": query.get("lane") == road.ego_lane,
         "road.kind": _is_kind(road.kind, found),
         "road.control": (road.control in CONTROLS and "control" in query)
@@ -75,9 +75,10 @@ def _is_rural(found: Found) -> bool:
     return along(network, lane_runs(network)[found.route.route.lane_ids[0]], Site.RURAL)
 
 
-def _lanes_there(found: Found) -> int:
-    """How many lanes go the ego's way where its route begins."""
-    return len(found.route.network.elements[found.route.route.lane_ids[0]].group.lanes)
+def lanes_there(found: Found) -> int:
+    """How many lanes go the ego's way where its route begins; of a ramp, on the road that it joins."""
+    joins = found.query.get("site") == Site.ON_RAMP
+    return len(found.route.network.elements[found.route.route.lane_ids[-1 if joins else 0]].group.lanes)
 
 
 def _is_kind(kind: RoadKind | None, found: Found) -> bool:

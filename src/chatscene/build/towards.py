@@ -28,9 +28,18 @@ def to_whom(text: str, deed: Deed) -> str:
     return text if done_to(deed) == EGO else _EGO.sub(name_of(done_to(deed)), text)
 
 
+def screens(one: Other, hidden: Other) -> bool:
+    """Whether somebody can hide another by being nearer to the ego in its lane."""
+    return hidden.hidden_by == one.id and one.starts.where is hidden.starts.where is Where.AHEAD
+
+
 def in_rows(others: Sequence[Other]) -> list[Other]:
-    """All, in such an order that of those who share a place each is behind whom it follows, or gets by."""
+    """All, in such an order that of those who share a place each is behind whom it follows, gets by, or hides."""
     order = list(others)
+    for one in others:
+        if (hidden := next((other for other in order if screens(one, other)), None)) is not None:
+            order.remove(hidden)
+            order.insert(order.index(one) + 1, hidden)
     for one in others:
         for deed in one.does:
             other = next((other for other in order if other.id == deed.whom), None)

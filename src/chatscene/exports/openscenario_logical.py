@@ -37,7 +37,7 @@ from chatscene.terms.plan import (
 from chatscene.terms.plan_text import PARAMETERS, print_expression
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.storyboard import EGO_ROUTE, Actor, Start, Storyboard
-from chatscene.terms.sums import number, product, sum_of
+from chatscene.terms.sums import number, product, sum_of, valued
 
 LANE_CHANGE = 3.0  # [s]; in ours it takes as long as a driver takes who follows the new lane
 AHEAD = 60.0  # [m], how far whoever goes straight on has a line to follow
@@ -62,7 +62,7 @@ class OpenScenarioLogical:
         """
         board = retold(scene)
         tracks = {track.actor: track for track in scene.episode.tracks}
-        text = f"{scene.episode.scene_id}: {scene.text}"
+        text = "; not said: ".join((f"{scene.episode.scene_id}: {scene.text}", *board.unsaid))
         name = f"{scene.stem}.xosc"
         found = {
             name: _whole(scenario(board, tracks, scene.map.name, text, scene.episode.duration)),
@@ -120,7 +120,7 @@ def scenario(board: Storyboard, tracks: Mapping[str, Track], map_name: str, text
     variables = [
         element("VariableDeclaration", {"name": _variable(one), "variableType": "int", "value": 0}) for one in acting
     ]
-    told = [_Teller(board, one, tracks[one.name]) for one in acting]
+    told = [_Teller(board, one, tracks[one.name], wheelbase_of(tracks[ego.name]) / 2) for one in acting]
     entities = [element("ScenarioObject", {"name": one.name}, entity(tracks[one.name])) for one in others]
     host = element("Controller", {"name": "host"}, element("Properties", {}, _property("chatscene.role", "ego")))
     entities.insert(
@@ -276,8 +276,8 @@ def _speed(target: Expression, shape: str, dimension: str, value: Expression) ->
 class _Teller:
     """Tells the phases of an actor as events."""
 
-    def __init__(self, board: Storyboard, actor: Actor, track: Track) -> None:
-        self._board, self._actor, self._axle = board, actor, wheelbase_of(track) / 2
+    def __init__(self, board: Storyboard, actor: Actor, track: Track, ego_axle: float) -> None:
+        self._board, self._actor, self._axle, self._ego_axle = board, actor, wheelbase_of(track) / 2, ego_axle
         self._limits: Limits = LIMITS[actor.kind]
         self._way: str | None = None
 
@@ -371,6 +371,8 @@ class _Teller:
                 top = phase.argument("top")
                 assert top is not None
                 return _speed(top, "linear", "rate", _share(self._limits.throttle, phase.argument("throttle")))
+            case "PaceOnPath":
+                return self._keeps(phase)
             case "KeepStation":
                 dynamics = {"dynamicsShape": "linear", "dynamicsDimension": "rate", "value": spelled(throttle)}
                 beside = {"entityRef": "ego", "value": 0.0, "speedTargetValueType": "delta", "continuous": True}
@@ -384,6 +386,28 @@ class _Teller:
                 speed = phase.argument("speed")
                 assert speed is not None
                 return _speed(speed, "linear", "rate", throttle)
+
+    def _keeps(self, phase: Phase) -> Xml.Element:
+        """A distance along the road that it keeps to the ego, ahead of it or behind."""
+        told, top = phase.argument("ahead"), phase.argument("top")
+        ahead = sum_of(told) if told is not None else None
+        assert ahead is not None
+        assert top is not None
+        leads = valued(ahead.expression, self._board.values) > 0
+        limits = {
+            "maxAcceleration": self._limits.throttle,
+            "maxDeceleration": self._limits.brake,
+            "maxSpeed": spelled(top),
+        }
+        kept = {
+            "entityRef": "ego",
+            "distance": spelled(ahead.times(1 if leads else -1).expression),
+            "freespace": False,
+            "continuous": True,
+            "coordinateSystem": "road",
+            "displacement": "leadingReferencedEntity" if leads else "trailingReferencedEntity",
+        }
+        return element("LongitudinalDistanceAction", kept, element("DynamicConstraints", limits))
 
     def _trigger(self, index: int, end: Until | After | None) -> Iterator[Xml.Element]:
         """Groups of conditions, of which one must hold."""
@@ -408,8 +432,18 @@ class _Teller:
     def _condition(self, name: str, condition: Expression) -> Xml.Element:
         assert isinstance(condition, Comparison)
         ((relation, bound),) = condition.links
-        rule, value, own = RULES[relation], spelled(bound), self._actor.name
+        rule, own = RULES[relation], self._actor.name
+        value = "" if _is_headway(bound) else spelled(bound)
         match condition.first:
+            case Call("secondsTo", (_, _, place)):
+                who, what = "ego", self._soon(place, rule, value)
+            case Call("headway"):
+                assert isinstance(bound, Arithmetic)
+                alike = {"freespace": False, "coordinateSystem": "road", "relativeDistanceType": "longitudinal"}
+                asked = {"entityRef": own, "rule": rule, "value": spelled(bound.left), **alike}
+                who, what = "ego", element("TimeHeadwayCondition", asked)
+            case Call("speed", (Name("ego"),)):
+                who, what = "ego", element("SpeedCondition", {"rule": rule, "value": value})
             case Call("progress", (_, Name("ego"))):
                 who, what = "ego", element("TraveledDistanceCondition", {"value": value})
             case Arithmetic("-", Call("progress"), _):
@@ -428,6 +462,28 @@ class _Teller:
         )
         by_entity = element("ByEntityCondition", {}, triggering, element("EntityCondition", {}, what))
         return element("Condition", named, by_entity)
+
+    def _soon(self, place: Expression, rule: str, value: str | float) -> Xml.Element:
+        """That the ego, as fast as it then is, needs some seconds to a place on its route."""
+        along = sum_of(place)
+        assert along is not None
+        there = (along + number(-self._ego_axle)).expression
+        line = element("TrajectoryRef", {}, _trajectory(EGO_ROUTE, self._board.lines[EGO_ROUTE]))
+        position = element("Position", {}, element("TrajectoryPosition", {"s": spelled(there), "t": 0.0}, line))
+        asked = {
+            "freespace": False,
+            "rule": rule,
+            "value": value,
+            "relativeDistanceType": "longitudinal",
+            "coordinateSystem": "road",
+            "routingAlgorithm": "assignedRoute",
+        }
+        return element("TimeToCollisionCondition", asked, element("TimeToCollisionConditionTarget", {}, position))
+
+
+def _is_headway(bound: Expression) -> bool:
+    """Whether a bound is so many seconds of the ego's way."""
+    return isinstance(bound, Arithmetic) and isinstance(bound.right, Call) and bound.right.function == "speed"
 
 
 def _apart(kind: str, rule: str, value: str | float, system: str = "entity") -> Xml.Element:

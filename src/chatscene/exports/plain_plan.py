@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from chatscene.terms.actors import Limits
+from chatscene.terms.pace import NOMINAL
 from chatscene.terms.plan import (
     FUNCTIONS,
     After,
@@ -38,12 +39,13 @@ from chatscene.terms.storyboard import EGO_ROUTE, START
 from chatscene.terms.sums import Sum, called, combined, number, product, quotient, sum_of, valued
 
 _STANDS = ("Halt", "Park")
-_ALONG = ("DrivePath", "BrakeOnPath", "ThrottleOnPath", "KeepStation")
+_ALONG = ("DrivePath", "BrakeOnPath", "ThrottleOnPath", "KeepStation", "PaceOnPath")
 SAYABLE = frozenset((*_STANDS, *_ALONG, "MoveAhead"))
 """What can be said of what an actor does."""
 _FLIPPED: dict[Relation, Relation] = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "==": "==", "!=": "!="}
 _STRAIGHT = 0.05  # [rad] of a line over `_NEAR` both ways, within which walking toward it is walking straight at it
 _NEAR = 10.0  # [m]
+_STEP = 0.1  # [s] of a drive: a time that is waited for is longer, or it may be over before anybody asks
 
 
 class Unsayable(Exception):  # noqa: N818 - reads as what it says
@@ -64,6 +66,7 @@ class Site:
         ego_line: The line of the ego's route.
         lane_of: The number of the lane that a line follows, for somebody who comes from another line.
         ranges: Of the parameters.
+        pace: What the ego drives at where nothing holds it [m/s].
     """
 
     limits: Limits
@@ -75,6 +78,7 @@ class Site:
     ego_line: Polyline
     lane_of: Callable[[Polyline], int]
     ranges: Mapping[str, ParameterRange]
+    pace: float = NOMINAL.speed
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,11 +89,13 @@ class Plain:
         plan: The plan; its paths are names of `lines`.
         lines: Its lines, by name.
         lanes: The lanes of those that it changes to.
+        unsaid: What the format has no word for, and the rest is true without, in words.
     """
 
     plan: Plan
     lines: Mapping[str, Polyline]
     lanes: Mapping[str, int]
+    unsaid: tuple[str, ...] = ()
 
 
 def plainly(plan: Plan, site: Site) -> Plain:
@@ -118,7 +124,12 @@ def plainly(plan: Plan, site: Site) -> Plain:
     }
     ranges = sorted((r for r in site.ranges.values() if r.name in read), key=lambda r: r.name)
     parameters = tuple(Range(r.name, r.low, r.high) for r in ranges)
-    return Plain(plan=Plan(phases=tuple(phases), parameters=parameters), lines=teller.lines, lanes=teller.lanes)
+    return Plain(
+        plan=Plan(phases=tuple(phases), parameters=parameters),
+        lines=teller.lines,
+        lanes=teller.lanes,
+        unsaid=tuple(teller.unsaid),
+    )
 
 
 def _expressions(phase: Phase) -> Iterator[Expression]:
@@ -150,6 +161,8 @@ class _Teller:
         self.lines: dict[str, Polyline] = {}
         self.lanes: dict[str, int] = {}
         self.measured = False
+        self.unsaid: list[str] = []
+        self._place: Sum = number(0.0)  # on the ego's route, to which it is asked how long the ego needs
         self._stands = True
         self._way: str | None = None  # the line that it follows
         self._ahead: bool = False  # whether all that it did so far was to go straight on
@@ -165,7 +178,7 @@ class _Teller:
         site, self._pace = self._site, None
         told = {
             name: phase.argument(name)
-            for name in ("path", "speed", "left", "brake", "throttle", "top", "turn", "other")
+            for name in ("path", "speed", "left", "brake", "throttle", "top", "turn", "other", "ahead", "least")
         }
         if phase.primitive in _STANDS:
             if self._stands or self._way is None:
@@ -196,10 +209,26 @@ class _Teller:
                 if throttle.number == 1.0:
                     return "DrivePath", (path, top.expression)
                 return "ThrottleOnPath", (path, throttle.expression, Number(0), top.expression)
+            case "PaceOnPath":
+                return phase.primitive, (path, *self._keeps(told))
             case _:
-                if told["other"] != Name("ego", Kind.ACTOR) or phase.argument("least") != Number(5):
-                    raise Unsayable("it keeps station otherwise than beside the ego at 5 m/s or more")
-                return "KeepStation", (path, Name("ego", Kind.ACTOR))
+                return "KeepStation", (path, self._of_ego(told))
+
+    def _of_ego(self, told: Mapping[str, Expression | None]) -> Name:
+        """The ego, if it is that to which a distance is kept; that somebody does not stop for it has no word."""
+        if told["other"] != Name("ego", Kind.ACTOR):
+            raise Unsayable("it keeps its distance to another than the ego")
+        if told["least"] != Number(0):
+            assert told["least"] is not None
+            self.unsaid.append(f"drives at {print_expression(told['least'])} m/s at least while it keeps its distance")
+        return Name("ego", Kind.ACTOR)
+
+    def _keeps(self, told: Mapping[str, Expression | None]) -> tuple[Expression, ...]:
+        """To whom it keeps which distance, and how fast it is at most; by its sign it is ahead or behind."""
+        assert told["ahead"] is not None
+        ego, ahead = self._of_ego(told), self._number(told["ahead"])
+        self._sign(ahead, told["ahead"])
+        return ego, ahead.expression, self._number(told["top"]).expression
 
     def _follows(self, path: Expression | None) -> Name:
         """The name of a line that it follows from now on."""
@@ -270,14 +299,38 @@ class _Teller:
             raise Unsayable(f"{print_expression(Comparison(first, ((relation, second),)))!r} compares {what}")
         ((quantity, count),) = whole.live.items()
         relation = relation if count > 0 else _FLIPPED[relation]
-        bound = whole.rest.times(-1 / count).expression
+        least = whole.rest.times(-1 / count)
+        if quantity in ("seconds", "seconds behind"):
+            return [self._soon(quantity, relation, least)]
+        bound = least.expression
         if quantity in ("ego", "self"):
             if relation not in (">", ">="):
                 raise Unsayable("it ends when somebody has not come so far, and distances that were driven only grow")
             relation = ">="
         return [Comparison(self._live(quantity), ((relation, bound),))]
 
-    def _live(self, quantity: str) -> Expression:
+    def _soon(self, quantity: str, relation: Relation, seconds: Sum) -> Expression:
+        """That the ego needs no more than some seconds to a place, or to whoever it asks for.
+
+        Where that may be no time at all, the ego has to be past the place: so far as it drives then at its pace.
+        """
+        if relation not in ("<", "<="):
+            raise Unsayable("it ends when the ego is still some seconds away, as it is from the first")
+        ego, own, route = Name("ego", Kind.ACTOR), Name("self", Kind.ACTOR), Name(EGO_ROUTE, Kind.PATH)
+        late = min(value for (value,) in self._corners(seconds)) > _STEP
+        if quantity == "seconds behind":
+            if not late:
+                raise Unsayable("it asks for less than no time behind somebody who drives")
+            time = Arithmetic("*", seconds.expression, Call("speed", (ego,)))
+            return Comparison(Call("headway", (route, ego, own)), ((relation, time),))
+        if late:
+            return Comparison(
+                Call("secondsTo", (route, ego, self._place.expression)), ((relation, seconds.expression),)
+            )
+        past = self._place + seconds.times(-self._site.pace)
+        return Comparison(self._live("ego"), ((">=", past.expression),))
+
+    def _live(self, quantity: str) -> Expression:  # noqa: PLR0911
         ego, own = Name("ego", Kind.ACTOR), Name("self", Kind.ACTOR)
         match quantity:
             case "ego":
@@ -290,6 +343,8 @@ class _Teller:
                 return Call("gap", (own, ego))
             case "headway":
                 return Call("abs", (Call("headway", (Name(EGO_ROUTE, Kind.PATH), ego, own)),))
+            case "ego's speed":
+                return Call("speed", (ego,))
             case "beside":
                 return Call("abs", (Call("offsetFrom", (Name(EGO_ROUTE, Kind.PATH), own)),))
             case _:
@@ -364,12 +419,26 @@ class _Teller:
                 return self._offset(arguments[0], arguments[1])
             case "gap":
                 return _Linear(number(0.0), {"gap": 1.0})
+            case "secondsTo":
+                return self._seconds(*arguments)
+            case "speed" if arguments == (Name("ego", Kind.ACTOR),):
+                return _Linear(number(0.0), {"ego's speed": 1.0})
             case "speed" if arguments == (Name("self", Kind.ACTOR),):
                 return _Linear(number(0.0), {"speed": 1.0})
             case "brakingDistance" if arguments == (Name("self", Kind.ACTOR),):
                 return _Linear(self._braked())
             case _:
                 raise Unsayable(f"the format does not know {print_expression(whole)!r}")
+
+    def _seconds(self, path: Expression, actor: Expression, to: Expression) -> _Linear:
+        """How long the ego needs to a place on its route, or to where somebody is who drives along that."""
+        if actor != Name("ego", Kind.ACTOR) or not _same(self._site.value(path), self._site.ego_line):
+            raise Unsayable("it asks how long somebody needs elsewhere than the ego on its route")
+        place = self._linear(to)
+        if place.live:
+            return _Linear(number(0.0), {"seconds behind": 1.0})
+        self._place = place.rest
+        return _Linear(number(0.0), {"seconds": 1.0})
 
     def _drives_beside(self, asked: Expression) -> bool:
         """Whether it is asked how far beside the ego's route it is, driving: that is how far beside the ego."""

@@ -27,6 +27,7 @@ from chatscene.simulate.native.code import Compiler, NotCovered, Surrounding
 from chatscene.simulate.staging import Stage
 from chatscene.terms.actors import BY_CLASS, LIMITS, Manner
 from chatscene.terms.episode import Role, Track
+from chatscene.terms.pace import Pace
 from chatscene.terms.plan import Expression, Parameter, Plan, expressions_of, walk
 from chatscene.terms.plan_text import BEHAVIOR, parse_plan
 from chatscene.terms.polyline import Polyline
@@ -81,8 +82,9 @@ class _Retelling:
         self._objects: list[Any] = list(placed.objects)
         self._params: Mapping[str, Any] = placed.params
         self._names: Mapping[str, Any] = {}
+        own = {found[1] for found in _DEFINED.finditer(program.source)}
         for thing in self._objects:
-            if type(thing.behavior).__name__ == BEHAVIOR:
+            if type(thing.behavior).__name__ in own:
                 self._names = type(thing.behavior).makeGenerator.__globals__
         self._ego_line = line_of(self._objects[0].route)
         self._base = _Placed(scene.values, _poses(placed))
@@ -96,11 +98,13 @@ class _Retelling:
         lines: dict[str, Polyline] = {EGO_ROUTE: _thinned(self._ego_line)}
         lanes: dict[str, int] = {}
         actors: list[Actor] = []
+        unsaid: list[str] = []
         for index, (plan, track) in enumerate(zip(plans, tracks, strict=True)):
             plain = None if plan is None else self._plainly(plan, index, track)
             if plain:
                 lines |= plain.lines
                 lanes |= plain.lanes
+                unsaid += [f"{track.actor} {one}" for one in plain.unsaid]
             name, line = self._way(index, track, plain)
             lines.setdefault(name, line)
             actors.append(self._actor(index, track, plain, name, line))
@@ -113,6 +117,7 @@ class _Retelling:
             parameters=tuple(replace(one, meaning="") for one in self._program.parameters),
             values=dict(self._scene.values),
             surroundings=self._scene.episode.surroundings,
+            unsaid=tuple(dict.fromkeys(unsaid)),
         )
 
     def _place(self, values: Mapping[str, float]) -> Any:
@@ -218,6 +223,7 @@ class _Retelling:
             ego_line=self._ego_line,
             lane_of=lambda line: self._lane_of(line, index),
             ranges=self._ranges,
+            pace=Pace.of(self._objects[0]).speed,
         )
 
     def _plainly(self, plan: Plan, index: int, track: Track) -> Plain:

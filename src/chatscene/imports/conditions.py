@@ -162,11 +162,13 @@ class Conditions:
                     raise Refused(one, "it asks for another headway than that of the ego to this actor")
                 time = Arithmetic("*", g.sum(one, "value").expression, Call("speed", (ego,)))
                 return Comparison(Call("headway", (route, ego, own)), ((self._rule(one), time),))
+            case "TimeToCollisionCondition":
+                return self._soon(actor, one)
             case "DistanceCondition" | "ReachPositionCondition":
                 position = one.find("Position")
                 if position is None or actor is not ego:
                     raise Refused(one, "it asks how far somebody is from a place; a plan asks that of the ego")
-                left = Call("distanceLeft", (route, ego, Number(round(self._player.ego_at(position), 2))))
+                left = Call("distanceLeft", (route, ego, self._player.ego_at(position).expression))
                 far = g.sum(one, "tolerance" if one.tag.startswith("Reach") else "value").expression
                 rule = "<" if one.tag.startswith("Reach") else self._rule(one)
                 return Comparison(Call("abs", (left,)), ((rule, far),))
@@ -174,6 +176,16 @@ class Conditions:
                 raise Refused(
                     one, "it is not known here; write TraveledDistance, RelativeDistance, Speed or StandStill"
                 )
+
+    def _soon(self, actor: Name, one: Element) -> Expression:
+        """How long the ego needs to a place."""
+        position, ego = one.find("TimeToCollisionConditionTarget", "Position"), Name("ego", Kind.ACTOR)
+        if position is None or actor != ego:
+            raise Refused(one, "it asks for another time to a collision than that of the ego with a place")
+        self._given.notes.append(f"line {one.line}: the time is what the ego needs at the speed that it wants")
+        place = self._player.ego_at(position).expression
+        seconds = Call("secondsTo", (Name(EGO_ROUTE, Kind.PATH), ego, place))
+        return Comparison(seconds, ((self._rule(one), self._given.sum(one, "value").expression),))
 
     def _other(self, one: Element) -> str:
         return self._given.text(one, "entityRef")

@@ -210,10 +210,8 @@ class _Reader:
             if way is None and before.number == 0:
                 return Phase("Halt", ())
         else:
-            if speed.tag == "SpeedProfileAction":
-                raise Refused(speed, "a profile of speeds is not read; write a SpeedAction for each of its entries")
             if speed.tag != "SpeedAction":
-                raise Refused(speed, "distances are not kept here; write SpeedActions")
+                return self._keeps_distance(speed)
             relative = speed.find("SpeedActionTarget", "RelativeTargetSpeed")
             if relative is not None:
                 return self._keeps(relative)
@@ -250,6 +248,26 @@ class _Reader:
             raise Refused(relative, "it keeps its station along no line; write a trajectory or put it in a lane")
         state.done = Done()
         return Phase("KeepStation", (Name(str(state.way), Kind.PATH), Name("ego", Kind.ACTOR)))
+
+    def _keeps_distance(self, action: Element) -> Phase:
+        """It keeps a distance along the road to the ego, centre from centre."""
+        g, state = self._given, self._state
+        if action.tag == "SpeedProfileAction":
+            raise Refused(action, "a profile of speeds is not read; write a SpeedAction for each of its entries")
+        if action.tag != "LongitudinalDistanceAction":
+            raise Refused(action, "it is not read; write SpeedActions")
+        side = {"leadingReferencedEntity": 1, "trailingReferencedEntity": -1}.get(g.text(action, "displacement", ""))
+        limits = action.find("DynamicConstraints")
+        if self._other(action) != self._player.ego or side is None or g.text(action, "continuous") != "true":
+            raise Refused(action, "of distances only that to the ego is kept, continuously, ahead of it or behind")
+        if g.text(action, "freespace") != "false" or "distance" not in action.attributes:
+            raise Refused(action, 'it keeps no distance of origins; write distance and freespace="false"')
+        if state.way in (None, AHEAD) or limits is None or "maxSpeed" not in limits.attributes:
+            raise Refused(action, "it needs a trajectory or a lane to keep its distance along, and a maxSpeed")
+        state.done = Done()
+        path, ego = Name(str(state.way), Kind.PATH), Name("ego", Kind.ACTOR)
+        ahead, top = g.sum(action, "distance").times(side), g.sum(limits, "maxSpeed")
+        return Phase("PaceOnPath", (path, ego, ahead.expression, top.expression))
 
     def _pace(self, action: Element, before: Sum) -> Sum | None:
         """The share of throttle or brake with which a speed changes; None where a driver sees to it."""

@@ -30,7 +30,7 @@ from chatscene.terms.actors import BY_CLASS, LIMITS, Manner
 from chatscene.terms.plan import Kind, Name, Phase, Plan
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.storyboard import EGO_ROUTE, Actor, Start, Storyboard
-from chatscene.terms.sums import number, valued
+from chatscene.terms.sums import Sum, number, sum_of, valued
 from chatscene.terms.surroundings import Surroundings
 
 _T = TypeVar("_T")
@@ -397,11 +397,17 @@ class _Reader:
             assert line is not None
             return line
 
-        def ego_at(position: Element) -> float:
+        def ego_at(position: Element) -> Sum:
+            if (on_line := position.find("TrajectoryPosition")) is not None:
+                start = self._along(on_line, self._entities.body(self._objects[ego])[3])
+                along = sum_of(start.along)
+                if start.line != EGO_ROUTE or along is None:
+                    raise Refused(position, "it lies on another line than the ego's route")
+                return along
             along, aside, _ = self._lines[EGO_ROUTE].project(*self._positions.pose(position)[:2])
             if abs(aside) > _OFF:
                 raise Refused(position, f"it is {abs(aside):.0f} m beside the ego's route; put it there")
-            return along
+            return number(round(along, 2))
 
         section = self._positions.network.laneSectionAt(pose[:2])
         return Player(

@@ -70,7 +70,7 @@ class Player:
     lane_from: Callable[[Element, str], InLane]
     left: int
     side: int
-    ego_at: Callable[[Element], float]
+    ego_at: Callable[[Element], Sum]
     line_of: Callable[[Element, str], tuple[str, Polyline]]
     lines: dict[str, Polyline]
     lanes: dict[str, int]

@@ -176,8 +176,9 @@ def _in_words(query: RouteQuery) -> list[str]:
         words.append(f"place {query.place}")
     if query.control is not None:
         words.append(f"control {query.control}")
-    if query.lanes_same_way > 1:
-        words.append(f"{query.lanes_same_way} lanes in the ego's direction")
+    if query.lanes_same_way > 1 or query.most_lanes is not None:
+        most = "" if query.most_lanes is None else f" and {query.most_lanes} at most"
+        words.append(f"{query.lanes_same_way} lanes in the ego's direction{most}")
     if query.opposite_lane:
         words.append("an oncoming lane beside the ego's")
     if query.lane_beside == "none":
@@ -438,7 +439,8 @@ def _beside_lane(
 
 def _offers(lane: Any, query: RouteQuery) -> bool:
     """Whether a lane has the neighbours a query asks for."""
-    if len(lane.group.lanes) < query.lanes_same_way:
+    there = len(lane.group.lanes)
+    if not query.lanes_same_way <= there <= (query.most_lanes or there):
         return False
     left, right = section_beside(lane.sections[0], 1), section_beside(lane.sections[0], -1)
     if query.lane not in (None, _number_of(lane)):

@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from contextlib import suppress
 
 from chatscene.situations.faults import Fault, Path
+from chatscene.situations.meant import word_meant
+from chatscene.terms.act_amounts import AMOUNTS, amounts_of
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
 from chatscene.terms.pointing import meant
@@ -23,7 +25,6 @@ RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.ST
 """What rules a junction where somebody breaks such a rule."""
 COMES_OVER = frozenset((Act.CROSS, Act.CUT_IN))
 """Acts that lead from where somebody is at first to the other side."""
-AMOUNTS = ("speed", "acceleration", "distance", "time")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
 _WAYS = {Moves.DRIVES: "drives", Moves.RIDES: "rides", Moves.WALKS: "walks", Moves.LIES: "only lies there"}
 
@@ -110,19 +111,23 @@ def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
 def _of_deed(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
     row = deed.act.row
     if deed.to is not None and not row.sided:
-        yield Fault((*at, "to"), f"{deed.act!s} goes to no side")
+        some = ", ".join(act for act in Act if act.row.sided)
+        yield Fault((*at, "to"), f"{deed.act!s} goes to no side, so leave this out; {some} go to one")
     ruled = RULED_BY.get(deed.breaks) if deed.breaks is not None else None
     if ruled is not None and situation.road.control not in (None, ruled):
         yield Fault((*at, "breaks"), f"there is no {deed.breaks!s} where the control is {situation.road.control}")
     if deed.whom is not None:
         if not row.whom:
-            yield Fault((*at, "whom"), f"{deed.act!s} is done to nobody")
+            some = ", ".join(act for act in Act if act.row.whom)
+            yield Fault(
+                (*at, "whom"), f"{deed.act!s} is done to nobody, so leave this out; {some} are done to somebody"
+            )
         else:
             yield from _somebody(situation, deed.whom, (*at, "whom"), ego=True)
     for name in AMOUNTS:
         if getattr(deed, name) is not None and name not in row.takes:
-            has = f", but {' and '.join(sorted(row.takes))}" if row.takes else ""
-            yield Fault((*at, name), f"{deed.act!s} has no {name}{has}")
+            has = ", ".join(f"{one} ({says})" for one, says in amounts_of(deed.act).items())
+            yield Fault((*at, name), f"{deed.act!s} has no {name}, but {has or 'none of the amounts'}")
     if deed.when is not None:
         for name in ("after", "during"):
             if (reference := getattr(deed.when, name)) is not None:
@@ -135,9 +140,7 @@ def _some_deed(situation: Situation, reference: str, of: Deed, at: Path) -> Iter
             yield Fault(at, "a deed cannot wait for itself")
     except KeyError:
         known = [f"{who}.{deed.act}" for who, deeds in situation.everybody() for deed in deeds]
-        yield Fault(
-            at, f"there is no deed {reference!r}{meant(reference, known, alike=0.5)}; name one as in A.0 or ego.stop"
-        )
+        yield Fault(at, f"there is no deed {reference!r}, but {', '.join(known)}{meant(reference, known, alike=0.5)}")
 
 
 def _in_a_circle(situation: Situation) -> Iterator[Fault]:
@@ -167,7 +170,7 @@ def _in_a_circle(situation: Situation) -> Iterator[Fault]:
 def _somebody(situation: Situation, name: str, at: Path, *, ego: bool) -> Iterator[Fault]:
     known = [one.id for one in situation.others] + [EGO] * ego
     if name not in known:
-        yield Fault(at, f"there is no {name!r} in it, but {', '.join(known) or 'nobody'}")
+        yield Fault(at, f"there is no {name!r} in it, but {', '.join(known) or 'nobody'}{word_meant(name, known)}")
 
 
 def _of_road(situation: Situation) -> Iterator[Fault]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import is_dataclass
 from functools import cache
 from typing import Any, cast
 
@@ -14,8 +14,8 @@ from pydantic import TypeAdapter, ValidationError
 from chatscene.errors import SituationError
 from chatscene.situations.check import faults_of
 from chatscene.situations.faults import Fault, Malformed, Path, by_name, listed
+from chatscene.situations.meant import field_meant, fields_at, word_meant, words_at
 from chatscene.terms import situation as nouns
-from chatscene.terms.pointing import meant
 from chatscene.terms.situation import VERSION, Situation
 
 
@@ -88,36 +88,35 @@ def _faults(error: ValidationError) -> Iterator[Fault]:
         if path in told and one["type"] == "value_error":
             continue  # of each kind of amount that it might have been
         told.add(path)
-        given, context = one["input"], one.get("ctx", {})
-        match one["type"]:
-            case "unexpected_keyword_argument" | "extra_forbidden":
-                yield Fault(
-                    path, f"there is no {path[-1]!r} here{meant(str(path[-1]), _fields_at(path[:-1]), alike=0.6)}"
-                )
-            case "missing" | "missing_argument" | "missing_keyword_only_argument":
-                yield Fault(path, "is missing")
-            case "enum":
-                words = re.findall(r"'([^']*)'", str(context["expected"]))
-                yield Fault(path, f"{given!r} is none of {', '.join(words)}{meant(str(given), words, alike=0.6)}")
-            case "value_error":
-                yield Fault(path, str(context["error"]))
-            case "dataclass_type":
-                yield Fault(path, f"{given!r} is no mapping; write one with {', '.join(_fields_at(path))}")
-            case "tuple_type":
-                yield Fault(path, "a list stands here, as in [a, b]")
-            case _:
-                yield Fault(path, f"{given!r}: {one['msg'][0].lower()}{one['msg'][1:]}")
+        yield Fault(path, _said(one, path))
 
 
-def _fields_at(path: Path) -> tuple[str, ...]:
-    """The fields of the noun at a path."""
-    noun: Any = Situation
-    for step in path:
-        if isinstance(step, str) and is_dataclass(noun):
-            hint = str({one.name: one.type for one in fields(noun)}.get(step, ""))
-            names = [name for name in re.findall(r"\w+", hint) if is_dataclass(getattr(nouns, name, None))]
-            noun = getattr(nouns, names[0]) if names else None
-    return tuple(one.name for one in fields(noun)) if noun is not None else ()
+def _said(one: Any, path: Path) -> str:  # noqa: PLR0911
+    """What is wrong, by what pydantic says of it."""
+    given, context = one["input"], one.get("ctx", {})
+    match str(one["type"]).partition("_")[0]:
+        case "int":
+            return f"{given!r} is no whole number; write one, as in 2"
+        case "bool":
+            return f"{given!r} is neither true nor false"
+        case "string":
+            return f"{given!r} is no text; write it in quotes"
+        case "missing":
+            words = words_at(path)
+            return f"is missing; write one of {', '.join(words)}" if words else "is missing"
+        case "enum":
+            words = re.findall(r"'([^']*)'", str(context["expected"]))
+            return f"{given!r} is none of {', '.join(words)}{word_meant(str(given), words)}"
+        case "value":
+            return str(context["error"])
+        case "dataclass":
+            return f"{given!r} is no mapping; write one with {', '.join(fields_at(path))}"
+        case "tuple":
+            return "a list stands here, as in [a, b]"
+        case "unexpected" | "extra":
+            return f"there is no {path[-1]!r} here{field_meant(str(path[-1]), path[:-1])}"
+        case _:
+            return f"{given!r}: {one['msg'][0].lower()}{one['msg'][1:]}"
 
 
 @cache

@@ -311,6 +311,7 @@ class Doing:
     time: str = " for {time}"
 
 
+_IN_TIME = " with a gap of {time}"
 _TO, _OVER, _GAP, _BY = " to {speed}", " over {time}", " with a gap of {distance}", " by {distance}"
 
 ACTS: Mapping[Act, Doing] = {
@@ -330,7 +331,7 @@ ACTS: Mapping[Act, Doing] = {
     Act.HESITATE: Doing(does="[hesitate/hesitates/hesitating]"),
     Act.REVERSE: Doing(does="[back/backs/backing] up"),
     Act.PULL_OUT: Doing(does="[pull/pulls/pulling] out into {egos} lane"),
-    Act.CUT_IN: Doing(does="[cut/cuts/cutting] in", whom=" ahead of {whom}", distance=_GAP, time=_OVER),
+    Act.CUT_IN: Doing(does="[cut/cuts/cutting] in", whom=" ahead of {whom}", distance=_GAP, time=_IN_TIME),
     Act.LANE_CHANGE: Doing(does="[change/changes/changing] lanes", time=_OVER),
     Act.CUT_OUT: Doing(does="[move/moves/moving] out of {egos} lane", time=_OVER),
     Act.MERGE: Doing(does="[merge/merges/merging] into {egos} lane"),
@@ -345,7 +346,7 @@ ACTS: Mapping[Act, Doing] = {
     Act.PARK: Doing(does="[park/parks/parking]"),
     Act.EXIT: Doing(does="[take/takes/taking] the exit"),
     Act.YIELD: Doing(does="[give/gives/giving] way to {whom}"),
-    Act.OPEN_DOOR: Doing(does="[open/opens/opening] a door"),
+    Act.OPEN_DOOR: Doing(does="[open/opens/opening] a door", whom=" into the way of {whom}"),
     Act.DROP_LOAD: Doing(does="[drop/drops/dropping] something onto the road"),
     Act.FALL: Doing(does="[fall/falls/falling] over"),
 }

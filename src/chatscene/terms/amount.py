@@ -87,7 +87,8 @@ class Amount:
             named = ", ".join(unit for unit in cls.UNITS if unit)
             near = nearest(form["unit"], cls.UNITS)
             meant = f"; did you mean {near}?" if near else ""
-            raise ValueError(f"{form['unit']!r} is no unit of a {cls.QUANTITY}, which has {named}{meant}")
+            article = "an" if cls.QUANTITY[0] in "aeiou" else "a"
+            raise ValueError(f"{form['unit']!r} is no unit of {article} {cls.QUANTITY}, which has {named}{meant}")
         return cls._of_form(form, scale)
 
     @classmethod

@@ -30,6 +30,7 @@ class RouteQuery:
             the route's own place is then CURVE.
         control: How the junction is controlled; None for any.
         lanes_same_way: At least this many lanes in the ego's direction.
+        most_lanes: At most this many; None for any number.
         opposite_lane: Whether a lane of the opposite direction must lie directly beside the ego's. A bypass leads
             through that lane, or, where there must be none, through a second lane of the ego's direction.
         lane_beside: ``left`` or ``right`` if a lane of the ego's direction must lie directly on that side, ``none``
@@ -50,6 +51,7 @@ class RouteQuery:
     place: Place | None = None
     control: Control | None = None
     lanes_same_way: int = 1
+    most_lanes: int | None = None
     opposite_lane: bool | None = None
     lane_beside: str | None = None
     conflicting_from: tuple[str, ...] = ()
@@ -64,6 +66,7 @@ class RouteQuery:
         """A name for all that it asks for, so that a route's id stands for one route of the map."""
         parts = [self.maneuver, self.place, self.control]
         parts += [f"{self.lanes_same_way}-lanes"] * (self.lanes_same_way > 1)
+        parts += [None if self.most_lanes is None else f"{self.most_lanes}-lanes-at-most"]
         parts += [None if self.opposite_lane is None else "opposite" if self.opposite_lane else "one-way"]
         parts += ["one-lane" if self.lane_beside == "none" else f"lane-{self.lane_beside}"] if self.lane_beside else []
         parts += [f"from-{side}" for side in self.conflicting_from]

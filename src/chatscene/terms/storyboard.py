@@ -70,6 +70,7 @@ class Storyboard:
         parameters: What varies, each within its range.
         values: One value of each.
         surroundings: Light, weather and road.
+        unsaid: What plans say and it does not, in words.
     """
 
     actors: tuple[Actor, ...]
@@ -78,3 +79,4 @@ class Storyboard:
     parameters: tuple[ParameterRange, ...] = ()
     values: Mapping[str, float] = field(default_factory=dict[str, float])
     surroundings: Surroundings = field(default_factory=Surroundings)
+    unsaid: tuple[str, ...] = ()

@@ -383,7 +383,11 @@ class Act(RowWord):
     PARK = ("park", "comes to a stand at the edge of the road or in a parking place", _act(_WHEELS, "speed"))
     EXIT = ("exit", "leaves the road by a ramp, or a roundabout", _act(_WHEELS, "speed"))
     YIELD = ("yield", "waits until somebody has gone by", _act(_ALL, "", ego=True, whom=True))
-    OPEN_DOOR = ("open-door", "opens a door into somebody's way", _act(frozenset((Moves.DRIVES,)), "", sided=True))
+    OPEN_DOOR = (
+        "open-door",
+        "opens a door into somebody's way",
+        _act(frozenset((Moves.DRIVES,)), "", sided=True, whom=True),
+    )
     DROP_LOAD = ("drop-load", "loses something onto the road", _act(frozenset((Moves.DRIVES,))))
     FALL = ("fall", "falls down", _act(_ALL))
 

@@ -86,6 +86,7 @@ def routes_for(
     place: str | None = None,
     control: str | None = None,
     lanes: int = 1,
+    most: int | None = None,
     opposite: bool | None = None,
     beside: str | None = None,
     crossed: tuple[str, ...] = (),
@@ -104,6 +105,7 @@ def routes_for(
         place: A `Place`, or None for any.
         control: A `Control`, or None for any.
         lanes: Least number of lanes in the ego's direction.
+        most: The greatest, or None for any.
         opposite: Whether an oncoming lane must lie beside the ego's.
         beside: ``left`` or ``right`` if a lane of the ego's direction must lie directly there.
         crossed: From where another vehicle must be able to cross: ``left``, ``right``, ``oncoming``.
@@ -121,6 +123,7 @@ def routes_for(
         place=None if place is None else Place(place),
         control=None if control is None else Control(control),
         lanes_same_way=lanes,
+        most_lanes=most,
         opposite_lane=opposite,
         lane_beside=beside,
         conflicting_from=tuple(crossed),

@@ -1,0 +1,46 @@
+"""What each amount of each act says: the table from which the page and messages are made.
+
+`Act.row.takes` says which amounts an act takes; a new one needs a row here only where the usual words do not fit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from chatscene.terms.vocabulary import Act
+
+AMOUNTS = ("speed", "acceleration", "distance", "time")
+"""The amounts of a deed, in the order in which they are told."""
+_USUAL = {"speed": "how fast it does that", "time": "how long it does that"}
+_GAINS = {"speed": "to which speed", "acceleration": "how hard", "time": "how long it takes"}
+_LOSES = _GAINS | {"speed": "down to which speed"}
+_ASIDE = {"distance": "how far to the side", "time": "how long it takes"}
+_BEHIND = {"distance": "how far behind it keeps"}
+_MEANS: Mapping[Act, Mapping[str, str]] = {
+    Act.STAND: {"time": "how long it stands"},
+    Act.GO_ALONG: {"distance": "how far it does that"},
+    Act.SET_OFF: _GAINS,
+    Act.ACCELERATE: _GAINS,
+    Act.SLOW_DOWN: _LOSES,
+    Act.BRAKE: _LOSES,
+    Act.STOP: {"acceleration": "how hard", "distance": "in what distance", "time": "how long it then stands"},
+    Act.HESITATE: {"time": "how long it pauses"},
+    Act.REVERSE: {"distance": "how far back"},
+    Act.CUT_IN: {
+        "distance": "the gap that is left behind it",
+        "time": "that gap, as the time that whoever is behind needs for it",
+    },
+    Act.LANE_CHANGE: {"time": "how long it takes"},
+    Act.CUT_OUT: {"time": "how long it takes"},
+    Act.OVERTAKE: {"distance": "how far ahead it is before it comes back"},
+    Act.DRIFT: _ASIDE,
+    Act.SWERVE: _ASIDE,
+    Act.FOLLOW: _BEHIND,
+    Act.TAILGATE: _BEHIND,
+}
+
+
+def amounts_of(act: Act) -> dict[str, str]:
+    """The amounts that an act takes, each with what it says of it."""
+    means = _USUAL | dict(_MEANS.get(act, {}))
+    return {name: means[name] for name in AMOUNTS if name in act.row.takes}
