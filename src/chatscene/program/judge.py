@@ -202,10 +202,11 @@ class _Judge:
             )
 
     def _hidden(self, by: str, seen: Seen) -> bool:
-        """Whether it is hidden when it comes out: within a second before it has moved, or as long as it stands."""
+        """Whether it is hidden when it comes out: within a second before it has moved; who never moves, at any time."""
         moved = np.hypot(seen.track.x - seen.track.x[0], seen.track.y - seen.track.y[0])
         still = np.flatnonzero(moved < 1.0)
-        steps = still[-round(TOGETHER / seen.dt) :: 3 if seen.dt < 0.2 else 1].tolist()
+        comes_out = len(still) < len(moved)
+        steps = still[-round(TOGETHER / seen.dt) if comes_out else 0 :: 3 if seen.dt < 0.2 else 1].tolist()
         return any(in_between(thing, seen.ego, seen.track, step) for thing in self._tracks(by) for step in steps)
 
     def _deeds(self, one: Other, at: str, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
