@@ -7,19 +7,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from chatscene.build.asked import Asked, Meets, Stand, stands_first
-from chatscene.build.coming import Coming
+from chatscene.build.coming import Coming, goes_over
 from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
-from chatscene.build.opening import LANE
 from chatscene.build.phases import Phases
-from chatscene.build.place import GOES_OVER, NEXT_LANE, Found
+from chatscene.build.place import GOES_OVER, LANE, NEXT_LANE, Found
 from chatscene.build.starts import start_of
+from chatscene.build.timing import Body
 from chatscene.build.towards import is_passed
 from chatscene.errors import NotBuilt
-from chatscene.terms.actors import LIMITS, PROPS, Limits
+from chatscene.terms.actors import LIMITS, PROPS, AdversaryKind, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import SEVERAL, Deed, Other
 from chatscene.terms.vocabulary import Act, Role, Side, UserKind
@@ -29,7 +29,6 @@ BETWEEN = 1.2  # [m] between things in a row
 BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
 SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
 PASSED = (0.55, 0.75)  # of the ego's speed: of who is passed by another
-SOONER_OR_LATER = 0.08  # of its speed, by which who keeps up with the ego is there sooner or later
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
 _AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
@@ -157,14 +156,20 @@ class Actor:
         situation, numbers = self.ledger.situation, self.numbers
         if self.one.role is not Role.ADVERSARY or not self._goes_on_beside() or numbers.is_said("SPEED"):
             return
-        there = self.found.route.eventAt
+        there, seconds = goes_over(self.found.route, self.ego_speed)
+        seconds += self.ego.late or 0.0
         ahead = numbers.middle("Y") * (-1 if self.stand.behind else 1)
-        share = (there - ahead) / there  # of the ego's speed
+        body = Body(self.limits, self.walks)
         usual, top = numbers.range_of("SPEED")[1], MOST * self.limits.top_speed
-        if share * self.ego_speed > usual and situation.ego.speed is None:
-            self.reaches, self.needs = there, there * share / usual
-        needed = min(share * self.ego_speed, top)
-        numbers.narrow("SPEED", (1 - SOONER_OR_LATER) * needed, min((1 + SOONER_OR_LATER) * needed, top))
+        if there - ahead > usual * seconds and situation.ego.speed is None:
+            self.reaches, self.needs = seconds * self.ego_speed, (there - ahead) / usual
+        needed = min(body.wish_for((there - ahead) / seconds), top)
+        spare = 0.25 * (self.limits.length + AdversaryKind.CAR.row.limits.length)  # so that the two are level with it
+        share = spare / (there - ahead)
+        numbers.narrow("SPEED", (1 - share) * needed, min((1 + share) * needed, top))
+        if not numbers.is_said("Y"):
+            low, high, *_ = numbers.range_of("Y")
+            numbers.narrow("Y", max(low, numbers.middle("Y") - spare), min(high, numbers.middle("Y") + spare))
 
     @property
     def one_speed(self) -> bool:
@@ -186,10 +191,17 @@ class Actor:
     @property
     def met(self) -> float:
         """After how many seconds [s] an ego that nothing holds is where it meets it."""
+        return self.meets_at / self.ego_speed
+
+    @property
+    def meets_at(self) -> float:
+        """How far [m] along its way the ego is where it meets it."""
         route, stand = self.found.route, self.stand
         if stand.anywhere:
-            return self.numbers.middle("Y") / self.ego_speed
-        return (route.exitAt if "exitAt" in "".join(stand.lines) else route.eventAt) / self.ego_speed
+            return self.numbers.middle("Y")
+        if stand.found is not None:
+            return stand.found.ego_meets_at
+        return route.exitAt if "exitAt" in "".join(stand.lines) else route.eventAt
 
     # Its text
 

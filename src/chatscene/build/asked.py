@@ -8,6 +8,7 @@ from enum import StrEnum
 from chatscene.build.coming import Coming
 from chatscene.build.numbers import Numbers
 from chatscene.build.place import Found, beside_lane, rides_at_edge
+from chatscene.maps.crossings import CrossingPath
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
@@ -46,6 +47,7 @@ class Stand:
         slants: Whether it heads over the road at a slant.
         over: How far [rad] it turns to the left to cross, if it faces along the road at first.
         turn: How far [rad] it is turned to the left of its way, who stands.
+        found: Its way on the first route that was found, if that meets the ego's at a junction.
     """
 
     meets: Meets
@@ -64,6 +66,7 @@ class Stand:
     slants: bool = False
     over: str = ""
     turn: float = 0.0
+    found: CrossingPath | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -63,6 +63,8 @@ def _table(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
             yield Act.LANE_CHANGE, ALONG[Act.CUT_OUT]
         elif deed.to is not None and deed.to == actor.one.starts.side:
             raise NotBuilt(f"nothing builds yet: {actor.path}: lane-change to the {deed.to}, away from the ego's lane")
+    if deed.act is Act.ENTER and meets is Meets.THROUGH and where not in ROUNDABOUT_PLACES:
+        yield Act.ENTER, ALONG[Act.CROSS]  # its way leads onto the ego's road
     if deed.act in OFF and along and where in (Where.AHEAD, Where.BEHIND):
         yield deed.act, turning_off(deed.act, junction=at_junction(actor.ledger.situation))
     follows = actor.stand.behind and not actor.stand.rolls and not _touches(actor)

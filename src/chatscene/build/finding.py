@@ -229,7 +229,8 @@ def _answered(
                 lacking.append(f"nobody from the {' or '.join(arms)} meets the ego's way in the roundabout of {name!r}")
                 return None
     there = {(way.from_side, way.turn.value) for way in conflicting_paths(network, route.route)}
-    needs = {(arm, str(way_of(one))) for one in situation.others if (arm := arm_of(situation, one, sides))}
+    arms = ((one, arm_of(situation, one, sides)) for one in situation.others)
+    needs = {(arm, str(way_of(situation, one, arm))) for one, arm in arms if arm}
     if missing := needs - there:
         who = ", ".join(f"from the {arm} in a {turn}" for arm, turn in sorted(missing))
         lacking.append(f"on map {Path(path).stem!r} nobody who comes {who} meets the ego's way there")

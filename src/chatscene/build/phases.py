@@ -17,7 +17,7 @@ from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbers import FIRM
 from chatscene.build.opening import Opening
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_passing_speed
-from chatscene.build.timing import Body, Course, course
+from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
@@ -92,16 +92,23 @@ class Phases:
             return
         first = 1 if actor.deeds[0].act is Act.STAND and actor.deeds[0].time is None else 0
         bodies = list(self._bodies(first, go))
-        ahead = Course()
+        near = self._comes_near(first, bodies)
+        yield from Opening(self, first, bodies, near).texts()
+        for body in bodies:
+            yield from body
+
+    def begins(self, first: int, bodies: list[list[str]], start: Course, meeting: Meeting | None = None) -> Course:
+        """Where somebody is when its last deed is under way, and is to be seen when the ego is there."""
+        actor, ahead = self.actor, start
         for body in bodies[:-1]:
-            ahead = course(body, actor.numbers, self.body, ahead)
+            ahead = course(body, actor.numbers, self.body, ahead, meeting)
         gains = [text for text in bodies[-1] if "until self.pose[3] >" in text][:1]
-        begins = course(gains, actor.numbers, self.body, ahead)
+        begins = course(gains, actor.numbers, self.body, ahead, meeting)
         if actor.deeds[-1].speed is not None and self.steps[-1].pace in (Pace.KEEPS, Pace.GAINS):
             wish = self.paces.after[-1]
             if wish.name:  # until it is nearly as fast as was said
                 reaches = f"MoveAhead(${wish.name}) until self.pose[3] > {NEARLY:g} * ${wish.name}"
-                reached = course([reaches], actor.numbers, self.body, begins)
+                reached = course([reaches], actor.numbers, self.body, begins, meeting)
                 begins = replace(begins, seconds=min(reached.seconds, begins.seconds + LONGEST))
         takes = sum(
             seconds_to_get_by(actor, k)
@@ -111,11 +118,7 @@ class Phases:
         takes += sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds)))
         if any(self._stops_on_its_way_over(k, first) for k in range(len(actor.deeds))):
             takes += actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
-        begins = replace(begins, seconds=begins.seconds + takes)
-        near = self._comes_near(first, bodies)
-        yield from Opening(self, first, begins, near).texts()
-        for body in bodies:
-            yield from body
+        return replace(begins, seconds=begins.seconds + takes)
 
     def _comes_near(self, first: int, bodies: list[list[str]]) -> float:
         """How far [m] it goes before it comes into the ego's lane, which it needs more room for."""
@@ -171,7 +174,7 @@ class Phases:
                 turned = False
             if self._stops_on_its_way_over(k, first):
                 body.append(self._at(k, RESTS, before=True))
-            elif self._must_get_going(k, still=still):
+            elif self._must_get_going(k, still=still) and not (k == first and actor.stand.meets is Meets.THROUGH):
                 body += self._gets_going(k, first, meanwhile)
             body += self._of(k, steps, way, still=still, last=k == len(actor.deeds) - 1, go=meanwhile)
             way = steps.way or way

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 
 from chatscene.build.asked import Asked, Meets, Stand
+from chatscene.build.chain import in_terms_of
+from chatscene.build.coming import lost_in_curves
 from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.place import arm_of, at_junction, at_roundabout, beside_lane, from_left, ring_arms, way_of
+from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import CrossingPath
 from chatscene.maps.ring_ways import ROUND
@@ -105,7 +109,8 @@ def _through(asked: Asked) -> Stand:
         return _comes_along(asked)
     if at_roundabout(asked.situation):
         return _roundabout(asked)
-    arm, turn = arm_of(asked.situation, asked.one, asked.found.sides), way_of(asked.one)
+    arm = arm_of(asked.situation, asked.one, asked.found.sides)
+    turn = way_of(asked.situation, asked.one, arm)
     way = f'wayOf(trafficFrom(egoRoute, "{arm}"), "{turn}")'
     found = wayOf(trafficFrom(asked.found.route, arm), turn)
     return _on_its_way(asked, way, found, f"maximum(2, way{{i}}.entry - $Y{asked.less})")
@@ -121,6 +126,7 @@ def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> S
         lines=("meet{i} = way{i}.meets_at", "egoMeet{i} = way{i}.ego_meets_at"),
         ego_meets="egoMeet{i}",
         left="distanceLeft(way{i}, {first}, meet{i})",
+        found=found,
     )
     said = asked.one.starts
     if not asked.comes or (said.distance is not None and said.speed is None):
@@ -135,8 +141,23 @@ def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> S
         return stand
     if asked.first is not None:
         return replace(stand, at=f"back{{row}}{asked.less}", rolls=True)
-    back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoMeet{i}', '')})"
+    back = f"back{{i}} = backFrom(meet{{i}}, {_way_back(asked, found)})"
     return replace(stand, at="back{i}", lines=(*stand.lines, back), rolls=True)
+
+
+def _way_back(asked: Asked, found: CrossingPath) -> str:
+    """How far [m] somebody has to where it meets the ego, at the speed that it holds, and slower in curves."""
+    numbers, body = asked.numbers, Body(asked.one.kind.row.body.row.limits, walks=False)
+
+    def held() -> float:
+        return body.holds(numbers.middle("SPEED")) / numbers.middle("SPEED")
+
+    def sooner() -> float:
+        own = lost_in_curves(found.line, held() * numbers.middle("SPEED"), found.meets_at, math.inf)
+        return lost_in_curves(asked.found.route.line, asked.ego.speed, found.ego_meets_at) - own
+
+    curves = in_terms_of(numbers, ("$SPEED",), sooner)
+    return f"{held():.3f} * $SPEED * ({asked.ego.seconds('egoMeet{i}')} {curves} - $OFFSET)"
 
 
 def _in_time(asked: Asked, found: CrossingPath, seconds: float) -> bool:
