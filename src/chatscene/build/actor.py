@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from chatscene.build.asked import Asked, Meets, Stand, stands_first
+from chatscene.build.asked import Asked, Meets, Stand, bolts, stands_first
 from chatscene.build.coming import Coming, goes_over
 from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
@@ -22,13 +22,14 @@ from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, PROPS, AdversaryKind, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import SEVERAL, Deed, Other
-from chatscene.terms.vocabulary import Act, Role, Side, UserKind
+from chatscene.terms.vocabulary import Act, Breach, Role, Side, UserKind
 from chatscene.world.places import lanes_beside
 
 BETWEEN = 1.2  # [m] between things in a row
 BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
 SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
 PASSED = (0.55, 0.75)  # of the ego's speed: of who is passed by another
+HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
 _AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
@@ -71,6 +72,9 @@ class Actor:
         row = self.one.kind.row.body.row
         self.numbers = Numbers(self.one.id, row)
         self.deeds = self.one.does
+        if bolts(self.one):
+            self.deeds = (Deed(act=Act.CROSS),)
+            self.ledger.assume(f"{self.one.id} crosses our lane, which was not said")
         self._bind_speed()
         asked = Asked(
             situation=self.ledger.situation,
@@ -131,6 +135,9 @@ class Actor:
         numbers, deeds = self.numbers, self.deeds
         if is_passed(self.ledger.situation.others, self.one):
             numbers.narrow("SPEED", *(min(share * self.ego_speed, numbers.middle("SPEED")) for share in PASSED))
+        if any(deed.breaks is Breach.RED_LIGHT for deed in deeds):  # who does not slow down for it, but is in a hurry
+            fast = self.one.kind.row.body.row.fast
+            numbers.narrow("SPEED", *(min(share * fast, MOST * self.limits.top_speed) for share in HURRIES))
         paces = {deed.manner for deed in deeds if deed.manner in PACES}
         if len(paces) == 1 and any(deed.manner in PACES and deed.act in _AT_ONE_SPEED for deed in deeds):
             low, high, *_ = numbers.ranges[PACES[paces.pop()]]
@@ -299,7 +306,7 @@ class Actor:
 
     def _hides(self, hidden: Actor, n: int) -> tuple[str, str]:
         """Where the n-th of it stands between the ego and whom it hides: nearer to the ego and farther in turn."""
-        if hidden.stand.meets is not Meets.ACROSS or "level" not in hidden.stand.point:
+        if hidden.stand.meets is not Meets.ACROSS or "besideRoad" not in hidden.stand.point:
             raise NotBuilt(f"nothing builds yet: {self.one.id}, which hides somebody who is {hidden.one.starts.where}")
         side = str(hidden.one.starts.side)
         if self.one.starts.side not in (None, side):

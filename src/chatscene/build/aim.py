@@ -120,7 +120,8 @@ def _speed(actor: Actor) -> float:
     """How fast somebody is where it meets the ego."""
     speed = actor.numbers.middle("SPEED")
     if actor.stand.meets is Meets.ACROSS and actor.stand.left != "0" and not actor.stand.rolls:  # from a stand
-        return min(speed, Body(actor.limits, actor.walks).reaches(meeting_of(actor).metres))
+        over = meeting_of(actor).metres + 0.5 * (AdversaryKind.CAR.row.limits.width + actor.limits.length)
+        return min(speed, Body(actor.limits, actor.walks).reaches(over))
     if (found := actor.stand.found) is not None:
         return min(speed, curve_speeds(found.line)[found.line.segment_at(found.meets_at)])
     return speed

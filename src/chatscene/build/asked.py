@@ -13,7 +13,9 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.vocabulary import Act, UserKind, Where
+
+ANIMALS = frozenset((UserKind.ANIMAL, UserKind.DEER, UserKind.DOG))
 
 
 class Meets(StrEnum):
@@ -172,6 +174,11 @@ class Asked:
     def less(self) -> str:
         """The room that is taken off a place behind."""
         return f" - {self.room:g}" if self.room else ""
+
+
+def bolts(one: Other) -> bool:
+    """Whether it is an animal on the road of which nothing else is said: it runs over it when the ego comes."""
+    return one.kind in ANIMALS and one.starts.where is Where.AHEAD and not one.does and one.starts.facing is None
 
 
 def stands_first(one: Other) -> bool:

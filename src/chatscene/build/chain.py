@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 _NAME = re.compile(r"\$([A-Z][A-Z0-9_]*)")
+_ON_ROAD = re.compile(r"^pointOn\(.*, (-?[\d.]+)\)$")
 _FELT = 0.05  # [s] by which a time changes over a range, from which on that is told
 
 
@@ -74,6 +75,9 @@ def meeting_of(actor: Actor) -> Meeting:
 def _across(actor: Actor) -> float:
     if actor.stand.left == "0":
         return 0.1
-    aside = actor.numbers.middle("X") if "$X" in actor.stand.point else 0.0
-    straight = aside + (LANE if actor.one.starts.side is Side.LEFT else 0.0) + 1.0
+    if on_road := _ON_ROAD.search(actor.stand.point):
+        straight = abs(float(on_road[1])) - 1.0
+    else:
+        aside = actor.numbers.middle("X") if "$X" in actor.stand.point else 0.0
+        straight = aside + (LANE if actor.one.starts.side is Side.LEFT else 0.0) + 1.0
     return straight * (LONGER if actor.stand.left.startswith(f"{LONGER:g} *") else 1.0)

@@ -171,7 +171,7 @@ class Opening:
                 return "Park()"
             case Meets.ALONG:
                 return self._keeps_pace()
-            case Meets.ACROSS if actor.one.starts.where is Where.AHEAD and not stands:
+            case Meets.ACROSS if actor.stand.left == "0" and not stands:
                 return f"MoveAhead(${self._speed()})"  # on foot in the lane
             case _:
                 return "Halt()"

@@ -22,7 +22,7 @@ from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import Deed
-from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
+from chatscene.terms.vocabulary import Act, Manner, Role, Side
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -199,8 +199,8 @@ class Phases:
 
     def _stands(self) -> bool:
         """Whether it stands before its first deed."""
-        meets, where = self.actor.stand.meets, self.actor.one.starts.where
-        waits = meets is Meets.KERB or (meets is Meets.ACROSS and where is not Where.AHEAD)
+        meets = self.actor.stand.meets
+        waits = meets is Meets.KERB or (meets is Meets.ACROSS and self.actor.stand.left != "0")
         return stands_first(self.actor.one) or (waits and not self.actor.stand.rolls)
 
     def _gets_going(self, k: int, first: int, go: str) -> Iterator[str]:
