@@ -166,6 +166,9 @@ class Actor:
         there, seconds = goes_over(self.found.route, self.ego_speed)
         seconds += self.ego.late or 0.0
         ahead = numbers.middle("Y") * (-1 if self.stand.behind else 1)
+        contact = situation.contact
+        if contact is not None and not contact.happens and contact.whom in (None, self.one.id):
+            there += 0.75 * (self.limits.length + AdversaryKind.CAR.row.limits.length)  # by before the ego's nose
         body = Body(self.limits, self.walks)
         usual, top = numbers.range_of("SPEED")[1], MOST * self.limits.top_speed
         if there - ahead > usual * seconds and situation.ego.speed is None:

@@ -22,12 +22,14 @@ from chatscene.world.control import curve_speeds
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
-NEAR_MISS = 1.0  # [s] before the ego at most that somebody has gone by where there is no contact
+NEAR_MISS = 0.5  # [s] before the ego at most that somebody has gone by where there is no contact
 YIELDS = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
 GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
-_SPARE = 0.5  # [s] sooner and later than they could touch if their ways crossed at right angles, that is looked at too
-_STEPS = 81  # that are looked at
+_SPARE = 0.5  # [s] sooner and later than at right angles that somebody may be there if nothing was said of the contact
+_LOOKS, _STEPS = 3.0, 121  # [s] sooner and later that is looked at, and in how many steps
 _CORNER = 0.3  # of half its length ahead of its middle: from there on it is a corner that is met
+_END = 0.8  # of half its length: from there on it is its end that is met, as good as that can be of who crosses
+_ENDS = frozenset(("front", "rear"))
 _FAR = 40.0  # [m] of the way over the road
 Window = tuple[float, float]
 
@@ -62,25 +64,26 @@ def aimed(actor: Actor, usual: Window) -> tuple[float, float, *tuple[str, ...]]:
         How much sooner than the ego it is there, from and to, then the paths of what is aimed at. A part that cannot be
         met together with what stands before it is not aimed at.
     """
-    sooner = np.linspace(usual[0] - _SPARE, usual[1] + _SPARE, _STEPS)
+    sooner = np.linspace(min(usual[0], -_LOOKS), max(usual[1], _LOOKS), _STEPS)
     found = touches(_ego(actor), way, sooner) if (way := _other(actor)) is not None else []
     if not any(found):  # along each other
         found = [_FRONTAL if usual[0] <= one <= usual[1] else None for one in sooner.tolist()]
     contact = actor.ledger.situation.contact
     met = [one is not None for one in found]
-    low, high = _longest(met)
+    low, high = (float(sooner[one]) for one in _longest(met))
     if contact is None or contact.whom not in (None, actor.one.id):
-        return float(sooner[low]), float(sooner[high])
+        return max(low, usual[0] - _SPARE), min(high, usual[1] + _SPARE)
     if not contact.happens:
-        return float(sooner[high]), float(sooner[high]) + NEAR_MISS, "contact.happens"
+        by = usual[1] if met[-1] else high  # who turns into the ego's lane is never by
+        return by, by + NEAR_MISS, "contact.happens"
     taken: list[str] = []
     for path, holds in _asked(contact):
         both = [so and one is not None and holds(one) for so, one in zip(met, found, strict=True)]
         if way is not None and any(both):
             met = both
             taken.append(path)
-    low, high = _longest(met)
-    return float(sooner[low]), float(sooner[high]), *taken
+    low, high = (float(sooner[one]) for one in _longest(met))
+    return (low, high, *taken) if taken else (max(low, usual[0] - _SPARE), min(high, usual[1] + _SPARE))
 
 
 _FRONTAL = Touch("front", 1.0, "front", 1.0, by_ego=True)
@@ -97,11 +100,14 @@ def _asked(contact: Contact) -> Iterator[tuple[str, Callable[[Touch], bool]]]:
 
 
 def _is(part: Part, side: str, along: float) -> bool:
-    """Whether a place on a body is a part of it."""
+    """Whether a place on a body is a part of it, or a place on its flank the end that the part is of."""
     sides = SIDES_OF[part]
-    if side not in sides:
+    if len(sides) == 1 and side == sides[0]:
+        return True
+    if sides[0] not in _ENDS or (len(sides) == 2 and side not in sides):
         return False
-    return len(sides) == 1 or (along > _CORNER if sides[0] == "front" else along < -_CORNER)
+    least = _CORNER if len(sides) == 2 else _END
+    return (along if sides[0] == "front" else -along) > least
 
 
 def _longest(holds: list[bool]) -> tuple[int, int]:

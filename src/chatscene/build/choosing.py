@@ -73,6 +73,8 @@ def _table(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
     if deed.act is Act.OVERTAKE and along and where in NEXT_LANE:  # in the lane, or at the edge, where it is
         at_edge = rides_at_edge(actor.one, actor.ledger.situation.ego.route)
         yield Act.OVERTAKE, gets_by(comes_back=not at_edge)
+    if deed.act is Act.OVERTAKE and along and actor.stand.rolls and done_to(deed) == EGO:  # of which it comes by anyway
+        yield Act.OVERTAKE, ALONG[Act.GO_ALONG]
     if done_to(deed) != EGO:
         yield from _to_another(actor, deed)
 

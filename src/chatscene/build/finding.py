@@ -34,7 +34,7 @@ from chatscene.situations.check import COMES_OVER
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
-from chatscene.terms.scenario import Maneuver, Place, Site
+from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
 from chatscene.world.places import EgoRoute as Route
@@ -370,6 +370,9 @@ def _take(ledger: Ledger, found: Found) -> None:
         if comes_from(situation[name]) is side:
             continue  # which was said
         ledger.assume(f"{name} is on the {side}, which was not said")
+    stops = any(deed.act in (Act.STOP, Act.STAND) for deed in situation.ego.does)
+    if found.query.get("control") == Control.STOP_SIGN and not stops:
+        ledger.assume("the ego has a stop sign as well, since no map has a junction where only others have one")
     if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
         ledger.assume(f"the ego's {situation.ego.route} is to the left, which was not said")
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.aim import set_offset
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.choosing import steps_of
-from chatscene.build.deeds import GO, MOVE, RESTS, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
+from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
 from chatscene.build.facing import OVER
 from chatscene.build.gaps import backs_by, comes_in, gap_is_said, gets_ahead, seconds_to_get_ahead, seconds_to_get_by
 from chatscene.build.local import breaks, check_turn
@@ -266,7 +266,7 @@ class Phases:
         yield from gets_ahead(actor, k, way or "{p}", last=last)
         if gap_is_said(deed) and deed.speed is None:
             phases = (comes_in(actor, k), *phases[1:])
-        for text in phases:
+        for text in self._careful(phases) if last else phases:
             said = to_whom(self._of_deed(k, text, steps), deed)
             said = said.replace("{meets}", actor.stand.ego_meets)
             yield said.replace("{aside}", self._aside(deed, k)).replace("{p}", way or "{p}")
@@ -276,6 +276,14 @@ class Phases:
             actor.ledger.take(f"{actor.path}.does.{k}.to")
         if deed.whom is not None:
             actor.ledger.take(f"{actor.path}.does.{k}.whom")
+
+    def _careful(self, phases: tuple[str, ...]) -> tuple[str, ...]:
+        """The last phases, of somebody on foot who is not to touch an ego that stands where it is to go on."""
+        contact = self.actor.ledger.situation.contact
+        touches = contact is None or contact.happens or contact.whom not in (None, self.actor.one.id)
+        if touches or not self.actor.walks or phases[-1] != MOVE:
+            return phases
+        return (*phases[:-1], f"{MOVE} until {BARRED}", "Halt()")
 
     def _of_deed(self, k: int, text: str, steps: Steps) -> str:
         """A phase of a deed, with the numbers that were said of that deed and of no other."""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from chatscene.program.contacts import NOSE
 from chatscene.terms.polyline import Polyline
 
-_AROUND = 4.0  # [s] before and after the ego is where the ways meet
+_AROUND = 6.0  # [s] before and after the ego is where the ways meet
 _STEP = 0.05  # [s]
 
 Array = NDArray[np.float64]
