@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, stands_first
@@ -14,8 +14,9 @@ from chatscene.build.deeds import GO, MOVE
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, at_junction
-from chatscene.build.timing import Course, course
+from chatscene.build.timing import Course, Meeting, course
 from chatscene.build.waiting import when_of
+from chatscene.maps.crossings import MEETING
 from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import Act, Facing, Where
 
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
 NEAREST = 4.0  # [m] before a junction: who is nearer is in it
+DRIVES = 1.0  # [s]: who drives so long before it brakes is seen to come driving
+BEGUN = 0.8  # [s]: what is done so long before the ego is there is seen to begin
 STOOD = 0.6  # [s]: who stands so long before it sets off is seen to stand
 YIELDS = 1.0  # [m/s]: an ego that goes no faster yields
 LATEST = 12.0  # [s] that somebody goes with the ego before it does anything
@@ -69,6 +72,7 @@ class Opening:
             return
         if not actor.stand.rolls:
             self._make_room()
+            self._roll_up()
         if deed.act is Act.STAND and deed.time is not None:
             return  # it stands so long from the beginning
         if stands_first(actor.one):
@@ -85,15 +89,48 @@ class Opening:
         actor, deed, steps = self.phases.actor, self.phases.actor.deeds[self.first], self.phases.steps[self.first]
         if actor.stand.meets is not Meets.THROUGH or steps.lasting or deed.act is Act.SET_OFF:
             return
-        room, found = INSIDE, actor.stand.found
         brakes = _BRAKE.match(self.bodies[0][0])
-        if brakes and found is not None and (len(self.bodies) > 1 or deed.act is Act.YIELD):  # at the line
-            room += found.meets_at - found.entry + 0.5 * actor.limits.length
-        elif not brakes:
+        room = INSIDE + (self._from_line() or 0.0)
+        if not brakes:
             under_way = Course(speed=self._wish())
             room += self.phases.begins(self.first, self.bodies, under_way).metres
         stops = f"brakingDistance(self){f' / {brakes[1]}' if brakes else ''}"
         yield f"{self._go()} until {actor.stand.left} < {stops} + {room:.3g}"
+
+    def _from_line(self) -> float | None:
+        """How far [m] it has from before a junction to where the ways meet, if it stops there and then goes on."""
+        actor, found = self.phases.actor, self.phases.actor.stand.found
+        stops = bool(self.bodies[0]) and _BRAKE.match(self.bodies[0][0]) is not None
+        if found is None or not stops or (len(self.bodies) == 1 and actor.deeds[self.first].act is not Act.YIELD):
+            return None
+        return found.meets_at - found.entry + 0.5 * actor.limits.length
+
+    def _roll_up(self) -> None:
+        """Let who stops before a junction, and then goes on, come driving from so far that it does that in time."""
+        actor, from_line = self.phases.actor, self._from_line()
+        one, ego, numbers, phases = actor.one, actor.ego, actor.numbers, self.phases
+        said = one.starts.distance is not None or one.hidden_by is not None or actor.deeds[self.first].when is not None
+        if from_line is None or said or stands_first(one) or actor.first is not None or ego.late is None:
+            return
+        brake = _BRAKE.match(self.bodies[0][0])
+        assert brake is not None
+        room, hard = INSIDE + from_line, 2.0 * actor.limits.brake
+        texts = [text for body in self.bodies for text in body]
+
+        def takes() -> float:
+            share = numbers.middle(brake[1][1:]) if brake[1].startswith("$") else float(brake[1])
+            meeting = Meeting(metres=room + self._wish() ** 2 / (hard * share), beyond=MEETING)
+            return course([*texts, self._go()], numbers, phases.body, Course(speed=self._wish()), meeting).met
+
+        curves = lost_in_curves(actor.found.route.line, actor.ego_speed, actor.meets_at)
+        _, early, *_ = numbers.range_of("OFFSET")
+        actor.needs = takes() + early + DRIVES - curves
+        speed = f"${self._speed()}"
+        drives = (
+            f"{ego.seconds('egoMeet{i}')} {curves:+.2f} - ({in_terms_of(numbers, (*texts, speed), takes)}) - $OFFSET"
+        )
+        back = f"{room:.3g} + {speed} * {speed} / ({hard:g} * {brake[1]}) + {speed} * maximum(0, {drives})"
+        actor.stand = replace(actor.stand, at=f"backFrom(meet{{i}}, {back})", rolls=True)
 
     def _make_room(self) -> None:
         """Let it be so far along the ego's route that the ego is not there too soon."""
@@ -101,7 +138,8 @@ class Opening:
         _, early, *_ = actor.numbers.range_of("OFFSET")
         actor.needs = self._takes() + self._wait()
         route = actor.found.route
-        reaches = route.eventAt
+        known = stand.found is not None or actor.one.starts.distance is not None
+        reaches = actor.meets_at if known else route.eventAt
         if actor.one.starts.distance is None and actor.first is None and "$Y" in stand.at:
             self._fit(reaches / actor.ego_speed - self._wait())
             actor.needs = self._takes() + self._wait()
@@ -252,6 +290,9 @@ class Opening:
         bodies = [text for body in self.bodies for text in body]
         met = course([*bodies, self._go()], phases.actor.numbers, phases.body, close, meeting).met
         begins = phases.begins(self.first, self.bodies, close, meeting).seconds
+        over = met > 0.0 and met < begins + BEGUN and phases.actor.stand.meets is Meets.ACROSS
+        if over and len(self.bodies) > 1 and not phases.steps[-1].comes_in:
+            begins += BEGUN  # what it does on its way over
         return max(met, begins)
 
     def _alone(self, more: float) -> float:
