@@ -8,40 +8,43 @@ import numpy as np
 import pytest
 from test_starting import driven, someone, track
 
-from chatscene.build.aim import EGO, OTHER, STRIKER, aimed
 from chatscene.build.build import build
+from chatscene.build.sweep import Moving, touches
 from chatscene.situations.form import from_plain
-from chatscene.terms.situation import Contact, Other, Start
-from chatscene.terms.vocabulary import Part, Side, Striker, UserKind, Where
+from chatscene.terms.polyline import Polyline
 
-LEFT = Other(id="A", kind=UserKind.CAR, starts=Start(where=Where.ARM, side=Side.LEFT))
-
-
-def test_each_part_and_who_strikes_has_a_window_of_time() -> None:
-    assert set(EGO) == set(OTHER) == set(Part)
-    assert set(STRIKER) == set(Striker)
-    assert all(-1.0 <= low < high <= 1.0 for rows in (EGO, OTHER, STRIKER) for low, high in rows.values())
+LONG, STRAIGHT = 100.0, np.linspace(-1.0, 1.5, 51)
+EGO = Moving(line=Polyline([(-LONG, 0), (LONG, 0)]), meets_at=LONG, speed=10.0, length=4.5, width=2.0)
+FROM_LEFT = Moving(line=Polyline([(0, LONG), (0, -LONG)]), meets_at=LONG, speed=10.0, length=4.5, width=2.0)
 
 
-@pytest.mark.parametrize(
-    ("contact", "window", "taken"),
-    [
-        (None, (-0.6, 0.6), []),
-        (Contact(striker=Striker.OTHER), (-0.6, 0.0), ["contact.striker"]),
-        (Contact(ego=Part.LEFT_REAR, striker=Striker.OTHER), (-0.6, -0.33), ["contact.striker", "contact.ego"]),
-        (Contact(ego=Part.FRONT, other=Part.RIGHT_REAR), (0.33, 0.6), ["contact.ego", "contact.other"]),
-        (Contact(ego=Part.RIGHT), (-0.6, 0.6), []),  # who comes from the left meets no right side
-        (Contact(ego=Part.REAR, striker=Striker.EGO), (0.0, 0.6), ["contact.striker"]),
-        (Contact(happens=False), (0.6, 1.6), ["contact.happens"]),
-        (Contact(whom="B", ego=Part.REAR), (-0.6, 0.6), []),
-    ],
-)
-def test_the_part_that_was_said_narrows_when_somebody_is_there(
-    contact: Contact | None, window: tuple[float, float], taken: list[str]
-) -> None:
-    low, high, *paths = aimed(contact, LEFT, -0.6, 0.6)
-    assert (low, high) == pytest.approx(window)
-    assert paths == taken
+def test_who_comes_later_runs_into_the_flank_of_the_other() -> None:
+    found = touches(EGO, FROM_LEFT, STRAIGHT)
+    met = [(sooner, one) for sooner, one in zip(STRAIGHT.tolist(), found, strict=True) if one is not None]
+    assert {one.ego for sooner, one in met if sooner < -0.1} == {"left"}
+    assert {one.other for sooner, one in met if sooner > 0.1} == {"right"}
+    assert all(one.by_ego is (sooner > 0.0) for sooner, one in met if abs(sooner) > 0.1)
+    reach = (4.5 + 2.0) / 10.0
+    assert met[0][0] == pytest.approx(-reach, abs=0.1)
+    assert met[-1][0] == pytest.approx(reach, abs=0.1)
+
+
+def offset(**contact: Any) -> tuple[float, float, tuple[str, ...]]:
+    """From when to when [s] before the ego somebody from the left is there, and what is not aimed at."""
+    said = someone("arm", "go-straight", side="left", speed="40 km/h") | {"contact": contact}
+    built = build(from_plain(said))
+    (one,) = (one for one in built.program.parameters if one.name == "OPT_A_OFFSET")
+    return one.low, one.high, built.left_out
+
+
+def test_the_part_that_was_said_narrows_when_somebody_is_there() -> None:
+    low, high, _ = offset()
+    later, sooner = offset(striker="other"), offset(striker="ego")
+    assert low == later[0] < later[1] < sooner[0] < sooner[1] == high
+    flank, tail = offset(ego="left", striker="other"), offset(ego="front", other="right-rear")
+    assert low <= flank[0] < flank[1] < tail[0] < tail[1] <= high
+    assert offset(ego="right")[2] == ("contact.ego: right",)  # who comes from the left meets no right side
+    assert offset(happens=False)[0] >= high
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -6,30 +6,30 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from chatscene.build.asked import Asked, Meets, Stand, stands_first
-from chatscene.build.coming import Coming
+from chatscene.build.asked import Asked, Meets, Stand, bolts, stands_first
+from chatscene.build.coming import Coming, goes_over
 from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
-from chatscene.build.opening import LANE
 from chatscene.build.phases import Phases
-from chatscene.build.place import AT_CROSSWALKS, GOES_OVER, NEXT_LANE, Found, is_marked
+from chatscene.build.place import AT_CROSSWALKS, GOES_OVER, LANE, NEXT_LANE, Found, is_marked
 from chatscene.build.starts import start_of
+from chatscene.build.timing import Body
 from chatscene.build.towards import is_passed
 from chatscene.errors import NotBuilt
-from chatscene.terms.actors import LIMITS, PROPS, Limits
+from chatscene.terms.actors import LIMITS, PROPS, AdversaryKind, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import SEVERAL, Deed, Other
-from chatscene.terms.vocabulary import Act, Role, Side, UserKind
+from chatscene.terms.vocabulary import Act, Breach, Role, Side, UserKind
 from chatscene.world.places import lanes_beside
 
 BETWEEN = 1.2  # [m] between things in a row
 BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
 SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
 PASSED = (0.55, 0.75)  # of the ego's speed: of who is passed by another
-SOONER_OR_LATER = 0.08  # of its speed, by which who keeps up with the ego is there sooner or later
+HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
 _AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
@@ -72,6 +72,9 @@ class Actor:
         row = self.one.kind.row.body.row
         self.numbers = Numbers(self.one.id, row)
         self.deeds = self.one.does
+        if bolts(self.one):
+            self.deeds = (Deed(act=Act.CROSS),)
+            self.ledger.assume(f"{self.one.id} crosses our lane, which was not said")
         self._bind_speed()
         asked = Asked(
             situation=self.ledger.situation,
@@ -147,6 +150,9 @@ class Actor:
         numbers, deeds = self.numbers, self.deeds
         if is_passed(self.ledger.situation.others, self.one):
             numbers.narrow("SPEED", *(min(share * self.ego_speed, numbers.middle("SPEED")) for share in PASSED))
+        if any(deed.breaks is Breach.RED_LIGHT for deed in deeds):  # who does not slow down for it, but is in a hurry
+            fast = self.one.kind.row.body.row.fast
+            numbers.narrow("SPEED", *(min(share * fast, MOST * self.limits.top_speed) for share in HURRIES))
         paces = {deed.manner for deed in deeds if deed.manner in PACES}
         if len(paces) == 1 and any(deed.manner in PACES and deed.act in _AT_ONE_SPEED for deed in deeds):
             low, high, *_ = numbers.ranges[PACES[paces.pop()]]
@@ -172,14 +178,23 @@ class Actor:
         situation, numbers = self.ledger.situation, self.numbers
         if self.one.role is not Role.ADVERSARY or not self._goes_on_beside() or numbers.is_said("SPEED"):
             return
-        there = self.found.route.eventAt
+        there, seconds = goes_over(self.found.route, self.ego_speed)
+        seconds += self.ego.late or 0.0
         ahead = numbers.middle("Y") * (-1 if self.stand.behind else 1)
-        share = (there - ahead) / there  # of the ego's speed
+        contact = situation.contact
+        if contact is not None and not contact.happens and contact.whom in (None, self.one.id):
+            there += 0.75 * (self.limits.length + AdversaryKind.CAR.row.limits.length)  # by before the ego's nose
+        body = Body(self.limits, self.walks)
         usual, top = numbers.range_of("SPEED")[1], MOST * self.limits.top_speed
-        if share * self.ego_speed > usual and situation.ego.speed is None:
-            self.reaches, self.needs = there, there * share / usual
-        needed = min(share * self.ego_speed, top)
-        numbers.narrow("SPEED", (1 - SOONER_OR_LATER) * needed, min((1 + SOONER_OR_LATER) * needed, top))
+        if there - ahead > usual * seconds and situation.ego.speed is None:
+            self.reaches, self.needs = seconds * self.ego_speed, (there - ahead) / usual
+        needed = min(body.wish_for((there - ahead) / seconds), top)
+        spare = 0.25 * (self.limits.length + AdversaryKind.CAR.row.limits.length)  # so that the two are level with it
+        share = spare / (there - ahead)
+        numbers.narrow("SPEED", (1 - share) * needed, min((1 + share) * needed, top))
+        if not numbers.is_said("Y"):
+            low, high, *_ = numbers.range_of("Y")
+            numbers.narrow("Y", max(low, numbers.middle("Y") - spare), min(high, numbers.middle("Y") + spare))
 
     @property
     def one_speed(self) -> bool:
@@ -201,10 +216,17 @@ class Actor:
     @property
     def met(self) -> float:
         """After how many seconds [s] an ego that nothing holds is where it meets it."""
+        return self.meets_at / self.ego_speed
+
+    @property
+    def meets_at(self) -> float:
+        """How far [m] along its way the ego is where it meets it."""
         route, stand = self.found.route, self.stand
         if stand.anywhere:
-            return self.numbers.middle("Y") / self.ego_speed
-        return (route.exitAt if "exitAt" in "".join(stand.lines) else route.eventAt) / self.ego_speed
+            return self.numbers.middle("Y")
+        if stand.found is not None:
+            return stand.found.ego_meets_at
+        return route.exitAt if "exitAt" in "".join(stand.lines) else route.eventAt
 
     # Its text
 
@@ -302,7 +324,7 @@ class Actor:
 
     def _hides(self, hidden: Actor, n: int) -> tuple[str, str]:
         """Where the n-th of it stands between the ego and whom it hides: nearer to the ego and farther in turn."""
-        if hidden.stand.meets is not Meets.ACROSS or "level" not in hidden.stand.point:
+        if hidden.stand.meets is not Meets.ACROSS or "besideRoad" not in hidden.stand.point:
             raise NotBuilt(f"nothing builds yet: {self.one.id}, which hides somebody who is {hidden.one.starts.where}")
         side = str(hidden.one.starts.side)
         if self.one.starts.side not in (None, side):

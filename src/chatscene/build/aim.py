@@ -2,108 +2,159 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from chatscene.build.asked import Meets
+from chatscene.build.chain import meeting_of
+from chatscene.build.coming import EGO_GRIP
+from chatscene.build.sweep import Moving, Touch, touches
+from chatscene.build.timing import Body
+from chatscene.program.contacts import SIDES_OF
 from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.situation import Contact, Other
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.situation import Contact
 from chatscene.terms.vocabulary import Act, Part, Role, Side, Striker
+from chatscene.world.control import curve_speeds
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
-NEAR_MISS = 1.0  # [s] before the ego at most that somebody has gone by where there is no contact
+NEAR_MISS = 0.5  # [s] before the ego at most that somebody has gone by where there is no contact
 YIELDS = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
 GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
+_SPARE = 0.5  # [s] sooner and later than at right angles that somebody may be there if nothing was said of the contact
+_LOOKS, _STEPS = 3.0, 121  # [s] sooner and later that is looked at, and in how many steps
+_CORNER = 0.3  # of half its length ahead of its middle: from there on it is a corner that is met
+_END = 0.8  # of half its length: from there on it is its end that is met, as good as that can be of who crosses
+_ENDS = frozenset(("front", "rear"))
+_FAR = 40.0  # [m] of the way over the road
 Window = tuple[float, float]
-
-EGO: Mapping[Part, Window] = {
-    Part.FRONT: (0.0, 1.0),
-    Part.LEFT_FRONT: (-0.35, 0.3),
-    Part.RIGHT_FRONT: (-0.35, 0.3),
-    Part.LEFT: (-0.8, -0.2),
-    Part.RIGHT: (-0.8, -0.2),
-    Part.LEFT_REAR: (-1.0, -0.55),
-    Part.RIGHT_REAR: (-1.0, -0.55),
-    Part.REAR: (-1.0, -0.75),
-}
-OTHER: Mapping[Part, Window] = {
-    Part.FRONT: (-1.0, 0.0),
-    Part.LEFT_FRONT: (-0.3, 0.35),
-    Part.RIGHT_FRONT: (-0.3, 0.35),
-    Part.LEFT: (0.2, 0.8),
-    Part.RIGHT: (0.2, 0.8),
-    Part.LEFT_REAR: (0.55, 1.0),
-    Part.RIGHT_REAR: (0.55, 1.0),
-    Part.REAR: (0.75, 1.0),
-}
-STRIKER: Mapping[Striker, Window] = {Striker.EGO: (0.0, 1.0), Striker.OTHER: (-1.0, 0.0)}
-"""For a part of the ego or of who crosses its way, and for who strikes: the share of the window in which that is met.
-
-At -1 the other touches the ego's tail, at 0 both noses are there at once, at 1 the other has just gone by.
-"""
-_LEFT = frozenset((Part.LEFT, Part.LEFT_FRONT, Part.LEFT_REAR))
-_RIGHT = frozenset((Part.RIGHT, Part.RIGHT_FRONT, Part.RIGHT_REAR))
 
 
 def set_offset(actor: Actor) -> None:
-    """Let somebody be where the ways meet from when it would touch the ego's tail to when it would just have gone by.
+    """Let somebody be where the ways meet while they would touch if neither reacted; the middle is the middle of that.
 
     Whoever comes later strikes the other.
     """
     ego = AdversaryKind.CAR.row.limits
     late = -0.5 * (ego.length + actor.limits.length) / actor.ego_speed
-    early = (ego.width + actor.limits.length) / actor.numbers.middle("SPEED")
+    early = (ego.width + actor.limits.length) / _speed(actor)
     yields = bool(actor.deeds) and actor.deeds[0].act is Act.YIELD
     if yields:  # who waits for the ego is there well before it
         late, early = YIELDS
-    late, early, *taken = aimed(actor.ledger.situation.contact, actor.one, late, early)
-    actor.ledger.take(*taken)
+    else:
+        late, early, *taken = aimed(actor, (late, early))
+        actor.ledger.take(*taken)
     if actor.one.role is Role.SUPPORTING and not yields:  # not met: before the ego, which can still brake for it
         late, early = early + 0.5 * actor.ego_speed / GENTLE, early + actor.ego_speed / GENTLE
     actor.numbers.narrow("OFFSET", late, early)
 
 
-def aimed(contact: Contact | None, one: Other, late: float, early: float) -> tuple[float, float, *tuple[str, ...]]:
+def aimed(actor: Actor, usual: Window) -> tuple[float, float, *tuple[str, ...]]:
     """When somebody is where the ways meet, and the facts that this has.
 
     Args:
-        contact: What was said of the contact.
-        one: Who crosses the ego's way.
-        late: How much sooner than the ego [s] it is there if it touches the ego's tail; below 0.
-        early: The same if it has just gone by.
+        actor: Who crosses the ego's way.
+        usual: How much sooner than the ego [s] it is there if they touch, from and to, at right angles.
 
     Returns:
         How much sooner than the ego it is there, from and to, then the paths of what is aimed at. A part that cannot be
         met together with what stands before it is not aimed at.
     """
-    if contact is None or contact.whom not in (None, one.id):
-        return late, early
+    sooner = np.linspace(min(usual[0], -_LOOKS), max(usual[1], _LOOKS), _STEPS)
+    found = touches(_ego(actor), way, sooner) if (way := _other(actor)) is not None else []
+    if not any(found):  # along each other
+        found = [_FRONTAL if usual[0] <= one <= usual[1] else None for one in sooner.tolist()]
+    contact = actor.ledger.situation.contact
+    met = [one is not None for one in found]
+    low, high = (float(sooner[one]) for one in _longest(met))
+    if contact is None or contact.whom not in (None, actor.one.id):
+        return max(low, usual[0] - _SPARE), min(high, usual[1] + _SPARE)
     if not contact.happens:
-        return early, early + NEAR_MISS, "contact.happens"
-    low, high, taken = -1.0, 1.0, list[str]()
-    for path, window in _windows(contact, one):
-        if (least := max(low, window[0])) < (most := min(high, window[1])):
-            low, high = least, most
+        by = usual[1] if met[-1] else high  # who turns into the ego's lane is never by
+        return by, by + NEAR_MISS, "contact.happens"
+    taken: list[str] = []
+    for path, holds in _asked(contact):
+        both = [so and one is not None and holds(one) for so, one in zip(met, found, strict=True)]
+        if way is not None and any(both):
+            met = both
             taken.append(path)
-    return _at(low, late, early), _at(high, late, early), *taken
+    low, high = (float(sooner[one]) for one in _longest(met))
+    return (low, high, *taken) if taken else (max(low, usual[0] - _SPARE), min(high, usual[1] + _SPARE))
 
 
-def _windows(contact: Contact, one: Other) -> list[tuple[str, Window]]:
-    turned = {Side.LEFT: _RIGHT, Side.RIGHT: _LEFT}
-    away = turned[one.starts.side] if one.starts.side is not None else frozenset[Part]()
-    windows: list[tuple[str, Window]] = []
-    if contact.striker is not None:
-        windows.append(("contact.striker", STRIKER[contact.striker]))
-    if contact.ego is not None and contact.ego not in away:
-        windows.append(("contact.ego", EGO[contact.ego]))
-    if contact.other is not None and (one.starts.side is None or contact.other in away or contact.other in _ENDS):
-        windows.append(("contact.other", OTHER[contact.other]))
-    return windows
+_FRONTAL = Touch("front", 1.0, "front", 1.0, by_ego=True)
 
 
-_ENDS = frozenset((Part.FRONT, Part.REAR))
+def _asked(contact: Contact) -> Iterator[tuple[str, Callable[[Touch], bool]]]:
+    """What was said of the contact, and whether a touch is so."""
+    if (striker := contact.striker) is not None:
+        yield "contact.striker", lambda one: one.by_ego is (striker is Striker.EGO)
+    if (ego := contact.ego) is not None:
+        yield "contact.ego", lambda one: _is(ego, one.ego, one.ego_along)
+    if (other := contact.other) is not None:
+        yield "contact.other", lambda one: _is(other, one.other, one.other_along)
 
 
-def _at(share: float, late: float, early: float) -> float:
-    return -share * late if share < 0 else share * early
+def _is(part: Part, side: str, along: float) -> bool:
+    """Whether a place on a body is a part of it, or a place on its flank the end that the part is of."""
+    sides = SIDES_OF[part]
+    if len(sides) == 1 and side == sides[0]:
+        return True
+    if sides[0] not in _ENDS or (len(sides) == 2 and side not in sides):
+        return False
+    least = _CORNER if len(sides) == 2 else _END
+    return (along if sides[0] == "front" else -along) > least
+
+
+def _longest(holds: list[bool]) -> tuple[int, int]:
+    """The first and the last of the longest row of those that hold."""
+    best, begins = (0, -1), None
+    for i, one in enumerate([*holds, False]):
+        if one and begins is None:
+            begins = i
+        elif not one and begins is not None:
+            best = max(best, (begins, i - 1), key=lambda row: row[1] - row[0])
+            begins = None
+    return best
+
+
+def _speed(actor: Actor) -> float:
+    """How fast somebody is where it meets the ego."""
+    speed = actor.numbers.middle("SPEED")
+    if actor.stand.meets is Meets.ACROSS and actor.stand.left != "0" and not actor.stand.rolls:  # from a stand
+        over = meeting_of(actor).metres + 0.5 * (AdversaryKind.CAR.row.limits.width + actor.limits.length)
+        return min(speed, Body(actor.limits, actor.walks).reaches(over))
+    if (found := actor.stand.found) is not None:
+        return min(speed, curve_speeds(found.line)[found.line.segment_at(found.meets_at)])
+    return speed
+
+
+def _ego(actor: Actor) -> Moving:
+    line, limits = actor.found.route.line, AdversaryKind.CAR.row.limits
+    allowed = curve_speeds(line, EGO_GRIP)[line.segment_at(actor.meets_at)]
+    speed = min(actor.ego_speed, allowed)
+    return Moving(line=line, meets_at=actor.meets_at, speed=speed, length=limits.length, width=limits.width)
+
+
+def _other(actor: Actor) -> Moving | None:
+    """Somebody on its way over the ego's; None of who goes along it."""
+    stand, limits = actor.stand, actor.limits
+    size = {"length": limits.length, "width": limits.width, "speed": _speed(actor)}
+    if (found := stand.found) is not None:
+        return Moving(line=found.line, meets_at=found.meets_at, **size)
+    if stand.meets is not Meets.ACROSS or stand.left == "0":
+        return None
+    ego, at = actor.found.route.line, actor.meets_at
+    (x, y), heading = ego.point_at(at), ego.heading_at(at)
+    outward = heading + (0.5 if actor.one.starts.side is Side.LEFT or "left" in stand.facing else -0.5) * np.pi
+    ends = [(x + far * np.cos(outward), y + far * np.sin(outward)) for far in (_FAR, -_FAR)]
+    return Moving(line=Polyline(ends), meets_at=_FAR - 1.0, ends_at=_FAR if _stays(actor) else np.inf, **size)
+
+
+def _stays(actor: Actor) -> bool:
+    """Whether somebody stops in the ego's lane."""
+    return bool(actor.deeds) and actor.deeds[-1].act in (Act.ENTER, Act.STOP, Act.BRAKE)

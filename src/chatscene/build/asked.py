@@ -8,12 +8,15 @@ from enum import StrEnum
 from chatscene.build.coming import Coming
 from chatscene.build.numbers import Numbers
 from chatscene.build.place import Found, beside_lane, rides_at_edge
+from chatscene.maps.crossings import CrossingPath
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import NOSE_TO_TAIL, Act
+from chatscene.terms.vocabulary import NOSE_TO_TAIL, Act, UserKind, Where
+
+ANIMALS = frozenset((UserKind.ANIMAL, UserKind.DEER, UserKind.DOG))
 
 
 class Meets(StrEnum):
@@ -47,6 +50,7 @@ class Stand:
         slants: Whether it heads over the road at a slant.
         over: How far [rad] it turns to the left to cross, if it faces along the road at first.
         turn: How far [rad] it is turned to the left of its way, who stands.
+        found: Its way on the first route that was found, if that meets the ego's at a junction.
     """
 
     meets: Meets
@@ -65,6 +69,7 @@ class Stand:
     slants: bool = False
     over: str = ""
     turn: float = 0.0
+    found: CrossingPath | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -177,6 +182,11 @@ class Asked:
     def less(self) -> str:
         """The room that is taken off a place behind."""
         return f" - {self.room:g}" if self.room else ""
+
+
+def bolts(one: Other) -> bool:
+    """Whether it is an animal on the road of which nothing else is said: it runs over it when the ego comes."""
+    return one.kind in ANIMALS and one.starts.where is Where.AHEAD and not one.does and one.starts.facing is None
 
 
 def stands_first(one: Other) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from chatscene.build.actor import Actor
 from chatscene.build.asked import Meets, stands_first
@@ -64,10 +64,12 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
         raise NotBuilt(NOBODY)
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
-    ledger, found, ego, everybody, body = _cast(situation, NOMINAL.speed)
+    read = Ledger(situation)
+    found = find(read)
+    ledger, ego, everybody, body = _cast(read, found, NOMINAL.speed)
     slow = min((one.reaches / one.needs for one, _ in everybody if one.needs > 0.0), default=ego.coming.speed)
     if slow < ego.coming.speed and situation.ego.speed is None:  # it would be there before the others are done
-        ledger, found, ego, everybody, body = _cast(situation, max(slow, SLOWEST))
+        ledger, ego, everybody, body = _cast(read, found, max(slow, SLOWEST))
     numbers = sorted((one for actor, _ in everybody for one in actor.numbers.declared(body)), key=lambda one: one.name)
     around = _around(ledger)
     if (contact := situation.contact) is not None and contact.whom in {one.id for one in situation.adversaries}:
@@ -93,10 +95,9 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     return Built(program=program, map=found.map, left_out=ledger.close(), assumed=tuple(ledger.assumed))
 
 
-def _cast(situation: Situation, speed: float) -> tuple[Ledger, Found, BuiltEgo, list[tuple[Actor, Actor | None]], str]:
-    """Everybody, with an ego that wants a speed if none was said, and the text of all others."""
-    ledger = Ledger(situation)
-    found = find(ledger)
+def _cast(read: Ledger, found: Found, speed: float) -> tuple[Ledger, BuiltEgo, list[tuple[Actor, Actor | None]], str]:
+    """Everybody, with an ego that wants a speed if none was said, and the text of all others; with a ledger of it."""
+    ledger = replace(read, built=set(read.built), assumed=list(read.assumed))
     ego = ego_of(ledger, found, speed)
     everybody = _everybody(ledger, found, ego)
     for actor, _ in everybody:
@@ -108,7 +109,7 @@ def _cast(situation: Situation, speed: float) -> tuple[Ledger, Found, BuiltEgo, 
     lines = [line for actor, hidden in everybody for line in (*actor.code(hidden), "")]
     body = "\n".join((*lines, *beside_road(ledger, [actor for actor, _ in everybody])))
     _check_hidden(ledger, everybody)
-    return ledger, found, ego, everybody, body
+    return ledger, ego, everybody, body
 
 
 def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor, Actor | None]]:

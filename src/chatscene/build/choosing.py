@@ -64,6 +64,8 @@ def _table(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
             yield Act.LANE_CHANGE, ALONG[Act.CUT_OUT]
         elif deed.to is not None and deed.to == actor.one.starts.side:
             raise NotBuilt(f"nothing builds yet: {actor.path}: lane-change to the {deed.to}, away from the ego's lane")
+    if deed.act is Act.ENTER and meets is Meets.THROUGH and where not in ROUNDABOUT_PLACES:
+        yield Act.ENTER, ALONG[Act.CROSS]  # its way leads onto the ego's road
     if deed.act in OFF and along and where in (Where.AHEAD, Where.BEHIND):
         yield deed.act, turning_off(deed.act, junction=at_junction(actor.ledger.situation))
     follows = actor.stand.behind and not actor.stand.rolls and not _touches(actor)
@@ -72,6 +74,8 @@ def _table(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
     if deed.act is Act.OVERTAKE and along and where in NEXT_LANE:  # in the lane, or at the edge, where it is
         at_edge = rides_at_edge(actor.one, actor.ledger.situation.ego.route)
         yield Act.OVERTAKE, gets_by(comes_back=not at_edge)
+    if deed.act is Act.OVERTAKE and along and actor.stand.rolls and done_to(deed) == EGO:  # of which it comes by anyway
+        yield Act.OVERTAKE, ALONG[Act.GO_ALONG]
     if done_to(deed) != EGO:
         yield from _to_another(actor, deed)
 

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
+from chatscene.ego.intelligent_driver import CURVE_ACCELERATION
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL
+from chatscene.terms.polyline import Polyline
 from chatscene.terms.situation import Situation
+from chatscene.world.control import HELD_BACK, curve_speeds
+from chatscene.world.places import EgoRoute as Route
 
 _STEP = 0.1  # [s], in which a drive on an empty road is computed
 _LONGEST = 60.0  # [s] of it
@@ -65,3 +70,44 @@ def coming(speed: float, orders: tuple[Order, ...], metres: float, *, stands: bo
         now = min(allowed, now + NOMINAL.gain * _STEP)
         at, time = at + now * _STEP, time + _STEP
     return Coming(speed, max(0.0, time - metres / speed) if at >= metres else None, stands=at <= 0.0)
+
+
+OVER = 1.2  # [m] to the side of a straight line: an ego that is as far is about to go over the way of who is beside it
+
+
+def goes_over(route: Route, speed: float) -> tuple[float, float]:
+    """How far on [m] straight ahead, and when [s], an ego goes over the way of who is beside it."""
+    line, begins = route.line, route.eventAt
+    (x, y), heading = line.point_at(begins), line.heading_at(begins)
+    along = begins
+    for at in (begins + 0.5 * step for step in range(80)):
+        px, py = line.point_at(at)
+        along = begins + (px - x) * math.cos(heading) + (py - y) * math.sin(heading)
+        if abs((py - y) * math.cos(heading) - (px - x) * math.sin(heading)) > OVER:
+            break
+    else:
+        at = along = begins
+    return along, at / speed + lost_in_curves(line, speed, at)
+
+
+EGO_GRIP = CURVE_ACCELERATION / HELD_BACK
+"""What a road would have to hold [m/s²] for a driver to take its curves as an ego does."""
+
+
+def lost_in_curves(line: Polyline, speed: float, to: float, grip: float = EGO_GRIP) -> float:
+    """How much longer [s] somebody who wants a speed takes to somewhere on its way, since it is slower in curves.
+
+    Args:
+        line: Its way.
+        speed: What it wants [m/s].
+        to: How far along that [m].
+        grip: What the road holds [m/s²]; as an ego takes curves, if nothing is said.
+    """
+    lengths = line.columns[2]
+    lost, now = 0.0, speed
+    for begins, ends, allowed in zip(lengths, lengths[1:], curve_speeds(line, grip), strict=False):
+        if begins >= to:
+            break
+        now = min(allowed, speed, (now * now + 2.0 * NOMINAL.gain * (ends - begins)) ** 0.5)
+        lost += (ends - begins) * (1.0 / now - 1.0 / speed)
+    return lost

@@ -256,6 +256,11 @@ MOVE = "MoveAhead($SPEED)"
 _STOOD = "Halt() until self.pose[3] < 0.1"
 RESTS = MOVE + " until restsWithin(egoRoute, self, 0.5)"
 """Comes so near that it stands in the ego's way if it halts."""
+BARRED = (
+    "ego.pose[3] < 0.3 and abs(headway(egoRoute, self, ego)) < ego.length / 2 + 0.6"
+    " and 1 < abs(offsetFrom(egoRoute, self)) and abs(offsetFrom(egoRoute, self)) < 2"
+)
+"""The ego stands where somebody on foot is to go on."""
 _OVER = Steps(
     does=(MOVE + " until abs(offsetFrom(egoRoute, self)) < 1",), last=(MOVE,), binds={"speed": "SPEED"}, comes_in=True
 )

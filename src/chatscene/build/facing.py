@@ -13,7 +13,7 @@ from chatscene.terms.vocabulary import Act, Facing, Manner, Side
 
 OVER = frozenset((Act.CROSS, Act.ENTER, Act.GO_STRAIGHT))
 """What is done at a slant, if it is."""
-_LONGER = 1.25  # times as far as straight over is a way at the middle slant
+LONGER = 1.25  # times as far as straight over is a way at the middle slant
 _TURNS = {Facing.ALONG: 0.0, Facing.AGAINST: math.pi, Facing.ACROSS: math.pi / 2}
 FACES = {Meets.ALONG: Facing.ALONG, Meets.KERB: Facing.ALONG, Meets.TOWARD: Facing.AGAINST}
 """Which way somebody faces who comes to meet the ego so."""
@@ -57,7 +57,7 @@ def slanting(asked: Asked, stand: Stand, side: str) -> Stand:
     if not slants:
         return stand
     facing_so = f"{stand.facing} {'-' if side == Side.RIGHT else '+'} $SLANT"
-    return replace(stand, facing=facing_so, left=f"{_LONGER:g} * {stand.left}", slants=True)
+    return replace(stand, facing=facing_so, left=f"{LONGER:g} * {stand.left}", slants=True)
 
 
 def said_anyway(one: Other, meets: Meets) -> Iterator[str]:

@@ -202,7 +202,8 @@ def _answered(
                 lacking.append(f"nobody from the {' or '.join(arms)} meets the ego's way in the roundabout of {name!r}")
                 return None
     there = {(way.from_side, way.turn.value) for way in conflicting_paths(network, route.route)}
-    needs = {(arm, str(way_of(one))) for one in situation.others if (arm := arm_of(situation, one, sides))}
+    arms = ((one, arm_of(situation, one, sides)) for one in situation.others)
+    needs = {(arm, str(way_of(situation, one, arm))) for one, arm in arms if arm}
     if missing := needs - there:
         who = ", ".join(f"from the {arm} in a {turn}" for arm, turn in sorted(missing))
         lacking.append(f"on map {Path(path).stem!r} nobody who comes {who} meets the ego's way there")
@@ -366,6 +367,9 @@ def _take(ledger: Ledger, found: Found) -> None:
         if comes_from(situation[name]) is side:
             continue  # which was said
         ledger.assume(f"{name} is on the {side}, which was not said")
+    stops = any(deed.act in (Act.STOP, Act.STAND) for deed in situation.ego.does)
+    if found.query.get("control") == Control.STOP_SIGN and not stops:
+        ledger.assume("the ego has a stop sign as well, since no map has a junction where only others have one")
     if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
         ledger.assume(f"the ego's {situation.ego.route} is to the left, which was not said")
     said, there = situation.road.lanes, lanes_there(found)

@@ -6,8 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets
-from chatscene.build.opening import LANE
-from chatscene.build.place import ring_arms
+from chatscene.build.place import LANE, ring_arms
 from chatscene.errors import MapError, NotBuilt
 from chatscene.terms.situation import Deed
 from chatscene.terms.vocabulary import Act, Breach, EgoLight, Where

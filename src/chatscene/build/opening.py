@@ -2,30 +2,39 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, stands_first
+from chatscene.build.chain import in_terms_of, meeting_of
+from chatscene.build.coming import lost_in_curves
 from chatscene.build.deeds import GO, MOVE
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
-from chatscene.build.place import at_junction
-from chatscene.build.timing import Course
+from chatscene.build.place import LANE, at_junction
+from chatscene.build.timing import Course, Meeting, course
 from chatscene.build.waiting import when_of
+from chatscene.maps.crossings import MEETING
 from chatscene.terms.situation import Other
-from chatscene.terms.vocabulary import Act, Facing, Side, Where
+from chatscene.terms.vocabulary import Act, Facing, Where
 
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
-LANE = 3.5  # [m], a lane's width
 NEAREST = 4.0  # [m] before a junction: who is nearer is in it
+DRIVES = 1.0  # [s]: who drives so long before it brakes is seen to come driving
+BEGUN = 0.8  # [s]: what is done so long before the ego is there is seen to begin
 STOOD = 0.6  # [s]: who stands so long before it sets off is seen to stand
 YIELDS = 1.0  # [m/s]: an ego that goes no faster yields
 LATEST = 12.0  # [s] that somebody goes with the ego before it does anything
 LEAST = 2.0  # [m/s] that somebody goes at least who goes with an ego that is faster
+INSIDE = 3.0  # [m] before where the ways meet: who does something there does it in the ego's sight
 SHORT = 25.0  # [m] before the end of a road, or before a junction: nobody is placed farther
+
+
+_BRAKE = re.compile(r"BrakeOnPath\([^,]+, ([$\w.]+)\)")
 
 
 @dataclass(slots=True)
@@ -35,14 +44,19 @@ class Opening:
     Attributes:
         phases: Of whom.
         first: The number of the first deed that is not to stand from the beginning.
-        ahead: Where it is when its last deed begins, since the first did.
+        bodies: The phases of that deed and of all that follow.
         near: How far [m] it goes before it comes into the ego's lane by a deed.
     """
 
     phases: Phases
     first: int
-    ahead: Course
+    bodies: list[list[str]]
     near: float
+
+    @property
+    def ahead(self) -> Course:
+        """Where it is when its last deed begins, since the first did."""
+        return self.phases.begins(self.first, self.bodies, Course())
 
     def texts(self) -> Iterator[str]:
         """What is done until the first deed is due."""
@@ -58,6 +72,7 @@ class Opening:
             return
         if not actor.stand.rolls:
             self._make_room()
+            self._roll_up()
         if deed.act is Act.STAND and deed.time is not None:
             return  # it stands so long from the beginning
         if stands_first(actor.one):
@@ -67,9 +82,55 @@ class Opening:
         if actor.stand.meets is Meets.TOWARD and not steps[self.first].lasting:
             seconds = f"($LEAD_TIME + {self.ahead.seconds:.1f})" if self.ahead.seconds else "$LEAD_TIME"
             yield f"{self._go()} until gap(self, ego) < (self.pose[3] + ego.pose[3]) * {seconds}"
-        if actor.stand.meets is Meets.THROUGH and not steps[self.first].lasting and deed.act is not Act.SET_OFF:
-            room = 3 + self.ahead.metres
-            yield f"{self._go()} until {actor.stand.left} < brakingDistance(self) + {room:.3g}"
+        yield from self._comes_close()
+
+    def _comes_close(self) -> Iterator[str]:
+        """The phase in which it comes so close through a junction that it does the first deed in time."""
+        actor, deed, steps = self.phases.actor, self.phases.actor.deeds[self.first], self.phases.steps[self.first]
+        if actor.stand.meets is not Meets.THROUGH or steps.lasting or deed.act is Act.SET_OFF:
+            return
+        brakes = _BRAKE.match(self.bodies[0][0])
+        room = INSIDE + (self._from_line() or 0.0)
+        if not brakes:
+            under_way = Course(speed=self._wish())
+            room += self.phases.begins(self.first, self.bodies, under_way).metres
+        stops = f"brakingDistance(self){f' / {brakes[1]}' if brakes else ''}"
+        yield f"{self._go()} until {actor.stand.left} < {stops} + {room:.3g}"
+
+    def _from_line(self) -> float | None:
+        """How far [m] it has from before a junction to where the ways meet, if it stops there and then goes on."""
+        actor, found = self.phases.actor, self.phases.actor.stand.found
+        stops = bool(self.bodies[0]) and _BRAKE.match(self.bodies[0][0]) is not None
+        if found is None or not stops or (len(self.bodies) == 1 and actor.deeds[self.first].act is not Act.YIELD):
+            return None
+        return found.meets_at - found.entry + 0.5 * actor.limits.length
+
+    def _roll_up(self) -> None:
+        """Let who stops before a junction, and then goes on, come driving from so far that it does that in time."""
+        actor, from_line = self.phases.actor, self._from_line()
+        one, ego, numbers, phases = actor.one, actor.ego, actor.numbers, self.phases
+        said = one.starts.distance is not None or one.hidden_by is not None or actor.deeds[self.first].when is not None
+        if from_line is None or said or stands_first(one) or actor.first is not None or ego.late is None:
+            return
+        brake = _BRAKE.match(self.bodies[0][0])
+        assert brake is not None
+        room, hard = INSIDE + from_line, 2.0 * actor.limits.brake
+        texts = [text for body in self.bodies for text in body]
+
+        def takes() -> float:
+            share = numbers.middle(brake[1][1:]) if brake[1].startswith("$") else float(brake[1])
+            meeting = Meeting(metres=room + self._wish() ** 2 / (hard * share), beyond=MEETING)
+            return course([*texts, self._go()], numbers, phases.body, Course(speed=self._wish()), meeting).met
+
+        curves = lost_in_curves(actor.found.route.line, actor.ego_speed, actor.meets_at)
+        _, early, *_ = numbers.range_of("OFFSET")
+        actor.needs = takes() + early + DRIVES - curves
+        speed = f"${self._speed()}"
+        drives = (
+            f"{ego.seconds('egoMeet{i}')} {curves:+.2f} - ({in_terms_of(numbers, (*texts, speed), takes)}) - $OFFSET"
+        )
+        back = f"{room:.3g} + {speed} * {speed} / ({hard:g} * {brake[1]}) + {speed} * maximum(0, {drives})"
+        actor.stand = replace(actor.stand, at=f"backFrom(meet{{i}}, {back})", rolls=True)
 
     def _make_room(self) -> None:
         """Let it be so far along the ego's route that the ego is not there too soon."""
@@ -77,7 +138,8 @@ class Opening:
         _, early, *_ = actor.numbers.range_of("OFFSET")
         actor.needs = self._takes() + self._wait()
         route = actor.found.route
-        reaches = route.eventAt
+        known = stand.found is not None or actor.one.starts.distance is not None
+        reaches = actor.meets_at if known else route.eventAt
         if actor.one.starts.distance is None and actor.first is None and "$Y" in stand.at:
             self._fit(reaches / actor.ego_speed - self._wait())
             actor.needs = self._takes() + self._wait()
@@ -147,7 +209,7 @@ class Opening:
                 return "Park()"
             case Meets.ALONG:
                 return self._keeps_pace()
-            case Meets.ACROSS if actor.one.starts.where is Where.AHEAD and not stands:
+            case Meets.ACROSS if actor.stand.left == "0" and not stands:
                 return f"MoveAhead(${self._speed()})"  # on foot in the lane
             case _:
                 return "Halt()"
@@ -168,7 +230,8 @@ class Opening:
         stand, wait = self.phases.actor.stand, self._wait()
         match stand.meets:
             case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
-                own = f"{stand.left} / ${self._speed()} + {wait:.2f}"
+                texts = (*(text for body in self.bodies for text in body), self._go(), stand.at, stand.point)
+                own = f"{stand.left} / ${self._speed()} {in_terms_of(self.phases.actor.numbers, texts, self._wait)}"
                 due = f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {own} + $OFFSET"
                 if (
                     stand.meets is Meets.ACROSS and stand.left == "0" and not stands_first(self.phases.actor.one)
@@ -220,9 +283,24 @@ class Opening:
             return self._alone(more) + max(0.0, actor.met - actor.soon)
         return self._alone(more)
 
+    def _until_met(self) -> float:
+        """How long [s] it takes from when its first deed is due to where it meets the ego, or to its last deed."""
+        phases, meeting = self.phases, meeting_of(self.phases.actor)
+        close = course(self._comes_close(), phases.actor.numbers, phases.body, Course(), meeting)
+        bodies = [text for body in self.bodies for text in body]
+        met = course([*bodies, self._go()], phases.actor.numbers, phases.body, close, meeting).met
+        begins = phases.begins(self.first, self.bodies, close, meeting).seconds
+        over = met > 0.0 and met < begins + BEGUN and phases.actor.stand.meets is Meets.ACROSS
+        if over and len(self.bodies) > 1 and not phases.steps[-1].comes_in:
+            begins += BEGUN  # what it does on its way over
+        return max(met, begins)
+
     def _alone(self, more: float) -> float:
         actor, stand = self.phases.actor, self.phases.actor.stand
         match stand.meets:
+            case Meets.THROUGH | Meets.ACROSS if stand.left != "0":
+                route = actor.found.route
+                return self._until_met() - self._takes() - lost_in_curves(route.line, actor.ego_speed, actor.meets_at)
             case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
                 lost = max(0.0, self.phases.body.covers(self._to_meet(), self._wish()) - self._takes())
                 comes = 0.0 if any(one.comes_in for one in self.phases.steps) else self._takes() + lost
@@ -238,10 +316,4 @@ class Opening:
 
     def _to_meet(self) -> float:
         """How far [m] it has about to where it meets the ego."""
-        actor = self.phases.actor
-        if actor.stand.meets is Meets.ACROSS:
-            if actor.stand.left == "0":
-                return 0.1
-            aside = actor.numbers.middle("X") if "$X" in actor.stand.point else 0.0
-            return aside + (LANE if actor.one.starts.side is Side.LEFT else 0.0) + 1.0
-        return (actor.numbers.middle("Y") if "$Y" in actor.stand.at else 0.0) + 2 * LANE
+        return meeting_of(self.phases.actor).metres

@@ -10,19 +10,19 @@ from typing import TYPE_CHECKING
 from chatscene.build.aim import set_offset
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.choosing import steps_of
-from chatscene.build.deeds import GO, MOVE, RESTS, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
+from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
 from chatscene.build.facing import OVER
 from chatscene.build.gaps import backs_by, comes_in, gap_is_said, gets_ahead, seconds_to_get_ahead, seconds_to_get_by
 from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbers import FIRM
 from chatscene.build.opening import Opening
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_passing_speed
-from chatscene.build.timing import Body, Course, course
+from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import Deed
-from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
+from chatscene.terms.vocabulary import Act, Manner, Role, Side
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -92,16 +92,23 @@ class Phases:
             return
         first = 1 if actor.deeds[0].act is Act.STAND and actor.deeds[0].time is None else 0
         bodies = list(self._bodies(first, go))
-        ahead = Course()
+        near = self._comes_near(first, bodies)
+        yield from Opening(self, first, bodies, near).texts()
+        for body in bodies:
+            yield from body
+
+    def begins(self, first: int, bodies: list[list[str]], start: Course, meeting: Meeting | None = None) -> Course:
+        """Where somebody is when its last deed is under way, and is to be seen when the ego is there."""
+        actor, ahead = self.actor, start
         for body in bodies[:-1]:
-            ahead = course(body, actor.numbers, self.body, ahead)
+            ahead = course(body, actor.numbers, self.body, ahead, meeting)
         gains = [text for text in bodies[-1] if "until self.pose[3] >" in text][:1]
-        begins = course(gains, actor.numbers, self.body, ahead)
+        begins = course(gains, actor.numbers, self.body, ahead, meeting)
         if actor.deeds[-1].speed is not None and self.steps[-1].pace in (Pace.KEEPS, Pace.GAINS):
             wish = self.paces.after[-1]
             if wish.name:  # until it is nearly as fast as was said
                 reaches = f"MoveAhead(${wish.name}) until self.pose[3] > {NEARLY:g} * ${wish.name}"
-                reached = course([reaches], actor.numbers, self.body, begins)
+                reached = course([reaches], actor.numbers, self.body, begins, meeting)
                 begins = replace(begins, seconds=min(reached.seconds, begins.seconds + LONGEST))
         takes = sum(
             seconds_to_get_by(actor, k)
@@ -111,11 +118,7 @@ class Phases:
         takes += sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds)))
         if any(self._stops_on_its_way_over(k, first) for k in range(len(actor.deeds))):
             takes += actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
-        begins = replace(begins, seconds=begins.seconds + takes)
-        near = self._comes_near(first, bodies)
-        yield from Opening(self, first, begins, near).texts()
-        for body in bodies:
-            yield from body
+        return replace(begins, seconds=begins.seconds + takes)
 
     def _comes_near(self, first: int, bodies: list[list[str]]) -> float:
         """How far [m] it goes before it comes into the ego's lane, which it needs more room for."""
@@ -171,7 +174,7 @@ class Phases:
                 turned = False
             if self._stops_on_its_way_over(k, first):
                 body.append(self._at(k, RESTS, before=True))
-            elif self._must_get_going(k, still=still):
+            elif self._must_get_going(k, still=still) and not (k == first and actor.stand.meets is Meets.THROUGH):
                 body += self._gets_going(k, first, meanwhile)
             body += self._of(k, steps, way, still=still, last=k == len(actor.deeds) - 1, go=meanwhile)
             way = steps.way or way
@@ -196,8 +199,8 @@ class Phases:
 
     def _stands(self) -> bool:
         """Whether it stands before its first deed."""
-        meets, where = self.actor.stand.meets, self.actor.one.starts.where
-        waits = meets is Meets.KERB or (meets is Meets.ACROSS and where is not Where.AHEAD)
+        meets = self.actor.stand.meets
+        waits = meets is Meets.KERB or (meets is Meets.ACROSS and self.actor.stand.left != "0")
         return stands_first(self.actor.one) or (waits and not self.actor.stand.rolls)
 
     def _gets_going(self, k: int, first: int, go: str) -> Iterator[str]:
@@ -263,7 +266,7 @@ class Phases:
         yield from gets_ahead(actor, k, way or "{p}", last=last)
         if gap_is_said(deed) and deed.speed is None:
             phases = (comes_in(actor, k), *phases[1:])
-        for text in phases:
+        for text in self._careful(phases) if last else phases:
             said = to_whom(self._of_deed(k, text, steps), deed)
             said = said.replace("{meets}", actor.stand.ego_meets)
             yield said.replace("{aside}", self._aside(deed, k)).replace("{p}", way or "{p}")
@@ -273,6 +276,14 @@ class Phases:
             actor.ledger.take(f"{actor.path}.does.{k}.to")
         if deed.whom is not None:
             actor.ledger.take(f"{actor.path}.does.{k}.whom")
+
+    def _careful(self, phases: tuple[str, ...]) -> tuple[str, ...]:
+        """The last phases, of somebody on foot who is not to touch an ego that stands where it is to go on."""
+        contact = self.actor.ledger.situation.contact
+        touches = contact is None or contact.happens or contact.whom not in (None, self.actor.one.id)
+        if touches or not self.actor.walks or phases[-1] != MOVE:
+            return phases
+        return (*phases[:-1], f"{MOVE} until {BARRED}", "Halt()")
 
     def _of_deed(self, k: int, text: str, steps: Steps) -> str:
         """A phase of a deed, with the numbers that were said of that deed and of no other."""

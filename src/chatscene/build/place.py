@@ -14,6 +14,7 @@ from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Side, Where
 from chatscene.world.places import EgoRoute as Route
 
+LANE = 3.5  # [m], a lane's width
 NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
 AT_CROSSWALKS = frozenset((Where.CROSSING, Where.EXIT_CROSSING))
 ROUNDABOUT_PLACES = frozenset((Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
@@ -135,6 +136,16 @@ def from_left(situation: Situation, one: Other) -> bool:
     return out and one.starts.where is Where.ARM and one.starts.side in (Side.LEFT, None)
 
 
-def way_of(one: Other) -> Maneuver:
-    """What somebody who comes through a junction does there."""
-    return next((WAYS[deed.act] for deed in one.does if deed.act in WAYS), Maneuver.STRAIGHT)
+_COMES = {"left": -1, "right": 1, "oncoming": 2}
+_EXITS = {EgoRoute.LEFT_TURN: 1, EgoRoute.TURN: 1, EgoRoute.RIGHT_TURN: -1}
+_QUARTERS = {0: Maneuver.STRAIGHT, 1: Maneuver.LEFT_TURN, -1: Maneuver.RIGHT_TURN}
+
+
+def way_of(situation: Situation, one: Other, arm: str) -> Maneuver:
+    """What somebody who comes through a junction does there: as was said, or so that it comes onto the ego's road."""
+    said = next((WAYS[deed.act] for deed in one.does if deed.act in WAYS), None)
+    if said is None and any(deed.act is Act.ENTER for deed in one.does):
+        route = situation.ego.route
+        turn = (_EXITS.get(route, 0) if route is not None else 0) - _COMES[arm]  # in quarters of a circle to the left
+        return _QUARTERS.get((turn + 1) % 4 - 1, Maneuver.STRAIGHT)
+    return said or Maneuver.STRAIGHT

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from chatscene.build.asked import Asked, Meets, Stand
+from chatscene.build.asked import Asked, Meets, Stand, bolts
+from chatscene.build.chain import in_terms_of
+from chatscene.build.coming import lost_in_curves
 from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.place import (
+    LANE,
     arm_of,
     at_junction,
     at_roundabout,
@@ -17,6 +21,7 @@ from chatscene.build.place import (
     ring_arms,
     way_of,
 )
+from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import CrossingPath
 from chatscene.maps.ring_ways import ROUND
@@ -24,10 +29,29 @@ from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Side, Str
 from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
+EDGE, MEDIAN = 1.2, 1.9  # [m] from the ego's line, in its lane and between the directions
 _EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
 
 
+def _over(asked: Asked, aside: float, side: str) -> Stand:
+    """On foot on the road, so many metres to a side of the ego's line, on its way over to the other."""
+    asked.ahead(34, 50)
+    there = f"level{{i}}{asked.more}"
+    return Stand(
+        meets=Meets.ACROSS,
+        point=f"pointOn(egoRoute, {there}, {-aside if side == Side.RIGHT else aside:g})",
+        facing=faces(asked, there, Facing.ACROSS, side),
+        faces=True,
+        lines=("level{i} = $Y",),
+        ego_meets="progressOn(egoRoute, self)[0]",
+        left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
+        anywhere=True,
+    )
+
+
 def _ahead(asked: Asked) -> Stand:
+    if bolts(asked.one):
+        return _over(asked, EDGE, Side.RIGHT)
     if asked.walks:
         asked.ahead(30, 50)
         there = f"$Y{asked.more}"
@@ -92,6 +116,10 @@ def _next_lane(asked: Asked) -> Stand:
             f"nothing builds yet: others.{asked.one.id}.starts.where: {asked.one.starts.where} of a parked ego"
         )
     where, back = asked.one.starts.where, asked.one.starts.where is Where.BEHIND_BESIDE
+    if asked.walks and not back:
+        stand = _over(asked, LANE / 2, asked.side)  # which turns when it crosses
+        over = "1.5708" if asked.side == Side.RIGHT else "-1.5708"
+        return replace(stand, facing=faces(asked, f"level{{i}}{asked.more}", Facing.ALONG, asked.side), over=over)
     low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
     contact = asked.situation.contact
     strikes = contact is not None and contact.happens and contact.whom in (None, asked.one.id)
@@ -114,7 +142,8 @@ def _through(asked: Asked) -> Stand:
         return _comes_along(asked)
     if at_roundabout(asked.situation):
         return _roundabout(asked)
-    arm, turn = arm_of(asked.situation, asked.one, asked.found.sides), way_of(asked.one)
+    arm = arm_of(asked.situation, asked.one, asked.found.sides)
+    turn = way_of(asked.situation, asked.one, arm)
     way = f'wayOf(trafficFrom(egoRoute, "{arm}"), "{turn}")'
     found = wayOf(trafficFrom(asked.found.route, arm), turn)
     return _on_its_way(asked, way, found, f"maximum(2, way{{i}}.entry - $Y{asked.less})")
@@ -130,6 +159,7 @@ def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> S
         lines=("meet{i} = way{i}.meets_at", "egoMeet{i} = way{i}.ego_meets_at"),
         ego_meets="egoMeet{i}",
         left="distanceLeft(way{i}, {first}, meet{i})",
+        found=found,
     )
     said = asked.one.starts
     if not asked.comes or (said.distance is not None and said.speed is None):
@@ -137,15 +167,32 @@ def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> S
     seconds = found.ego_meets_at / asked.ego.speed + (asked.ego.late or 0.0)
     if said.distance is not None:
         return replace(stand, rolls=_in_time(asked, found, seconds))
-    if asked.numbers.range_of("SPEED")[1] * (seconds + _LATE) > found.meets_at:
+    (low, high), most = asked.numbers.range_of("SPEED")[:2], found.meets_at / (seconds + _LATE)
+    if high > most:
         if asked.numbers.is_said("SPEED"):
-            most = found.meets_at / (seconds + _LATE)
             raise NotBuilt(f"others.{asked.one.id}: the road by which it comes is too short for over {most:.1f} m/s")
-        return stand
+        if low > most:
+            return stand
+        asked.numbers.narrow("SPEED", low, most)
     if asked.first is not None:
         return replace(stand, at=f"back{{row}}{asked.less}", rolls=True)
-    back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoMeet{i}', '')})"
+    back = f"back{{i}} = backFrom(meet{{i}}, {_way_back(asked, found)})"
     return replace(stand, at="back{i}", lines=(*stand.lines, back), rolls=True)
+
+
+def _way_back(asked: Asked, found: CrossingPath) -> str:
+    """How far [m] somebody has to where it meets the ego, at the speed that it holds, and slower in curves."""
+    numbers, body = asked.numbers, Body(asked.one.kind.row.body.row.limits, walks=False)
+
+    def held() -> float:
+        return body.holds(numbers.middle("SPEED")) / numbers.middle("SPEED")
+
+    def sooner() -> float:
+        own = lost_in_curves(found.line, held() * numbers.middle("SPEED"), found.meets_at, math.inf)
+        return lost_in_curves(asked.found.route.line, asked.ego.speed, found.ego_meets_at) - own
+
+    curves = in_terms_of(numbers, ("$SPEED",), sooner)
+    return f"{held():.3f} * $SPEED * ({asked.ego.seconds('egoMeet{i}')} {curves} - $OFFSET)"
 
 
 def _in_time(asked: Asked, found: CrossingPath, seconds: float) -> bool:
@@ -242,7 +289,8 @@ def _beside_road(asked: Asked) -> Stand:
         point = f'asideOf(egoRoute, {there}, "{asked.side}", {asked.way_back(there, "1 + ")})'
     away = ""
     if asked.backs:
-        asked.numbers.narrow("SPEED", *BACKS)
+        if not asked.numbers.is_said("SPEED"):
+            asked.numbers.narrow("SPEED", *BACKS)
         away = " + 3.14159"
     stand = Stand(
         meets=Meets.ACROSS,
@@ -301,16 +349,9 @@ def _exit(asked: Asked) -> Stand:
 
 
 def _median(asked: Asked) -> Stand:
-    asked.ahead(34, 50)
-    stand = Stand(
-        meets=Meets.ACROSS,
-        point=f"pointOn(egoRoute, $Y{asked.more}, 1.9)",
-        facing=f'crossingDirection(egoRoute, $Y{asked.more}, "left")',
-        ego_meets="progressOn(egoRoute, self)[0]",
-        left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
-        anywhere=True,
-    )
-    return slanting(asked, stand, Side.LEFT)
+    stand = _over(asked, MEDIAN, Side.LEFT)
+    facing = f'crossingDirection(egoRoute, level{{i}}{asked.more}, "left")'
+    return slanting(asked, replace(stand, facing=facing), Side.LEFT)
 
 
 def _on_ramp(asked: Asked) -> Stand:
@@ -351,6 +392,10 @@ STARTS: dict[Where, Callable[[Asked], Stand]] = {
 }
 
 
+ON_FOOT = frozenset(
+    (Where.AHEAD, Where.AHEAD_BESIDE, Where.BESIDE, Where.ROADSIDE, Where.KERB, Where.DRIVEWAY, Where.CROSSING)
+) | {Where.EXIT_CROSSING, Where.MEDIAN}
+"""Where somebody on foot can be."""
 NEAREST = {Where.OFF_RAMP: f"{Where.AHEAD_BESIDE}, on the right, where the road has an {Feature.OFF_RAMP}"}
 """For places where nobody is put yet: what can be said in their place."""
 
@@ -362,6 +407,11 @@ def start_of(asked: Asked) -> Stand:
         NotBuilt: Nobody is placed there yet.
     """
     where = asked.one.starts.where
+    if asked.walks and where not in ON_FOOT:
+        raise NotBuilt(
+            f"nothing builds yet: others.{asked.one.id}.starts.where: {where} of somebody on foot; the nearest is"
+            f" {Where.EXIT_CROSSING if where is Where.ARM else Where.ROADSIDE}"
+        )
     if where not in STARTS:
         near = f"; the nearest is {NEAREST[where]}" if where in NEAREST else ""
         raise NotBuilt(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}{near}")

@@ -1,14 +1,15 @@
 """How long phases take, and how far somebody gets in them, by what its body can do: so that deeds begin in time.
 
-Computed with the middle of each range, on a straight line and with the pedals that a tracker presses.
+Computed with the middle of each range and with the pedals that a tracker presses, on a straight line or on the way to
+where somebody meets the ego.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
 
 from chatscene.build.numbers import Numbers
 from chatscene.terms.actors import Limits
@@ -23,8 +24,12 @@ _TOWARD = re.compile(rf"(?:MoveAhead\(|DrivePath\([^,]+, |SwerveOnPath\([^,]+, |
 _THROTTLE = re.compile(rf"ThrottleOnPath\([^,]+, ({_NUMBER}), 0, ({_NUMBER})\)")
 _BRAKE = re.compile(rf"BrakeOnPath\([^,]+, ({_NUMBER})\)")
 _TURN = re.compile(rf"TurnOff\((-?[\d.]+), ({_NUMBER}), ([\d.]+)\)")
+_BACKWARDS = re.compile(rf"ReverseStraight\(({_NUMBER})\)")
 _FOR = re.compile(r" for (\S+) seconds")
 _SPEED_IS = re.compile(r" until self\.pose\[3\] ([<>]) (.+)$")
+_ASIDE_IS = re.compile(r" until abs\(offsetFrom\(egoRoute, self\)\) ([<>]) ([\d.]+)$")
+_RESTS = re.compile(r" until restsWithin\(egoRoute, self, ([\d.]+)\)$")
+_CAN_STOP = re.compile(r" until distanceLeft\(.+\) < brakingDistance\(self\)(?: / ([$\w.]+))? \+ ([\d.]+)$")
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,12 +41,33 @@ class Course:
         metres: How far it got [m].
         speed: How fast it is [m/s].
         way: 1 where it goes as it first did, -1 after it turned back.
+        met: When it last came to where it meets the ego [s]; below 0 before it ever did.
     """
 
     seconds: float = 0.0
     metres: float = 0.0
     speed: float = 0.0
     way: float = 1.0
+    met: float = -1.0
+
+
+def _anywhere(_metres: float) -> float:
+    return math.inf
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Meeting:
+    """Where somebody meets the ego, seen from where its plan begins.
+
+    Attributes:
+        metres: How far it has to there [m].
+        beyond: How far it is from there on to the ego's line [m].
+        allowed: The speed [m/s] that its way lets it have, so many metres from where its plan begins.
+    """
+
+    metres: float
+    beyond: float
+    allowed: Callable[[float], float] = _anywhere
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +129,9 @@ class Body:
         return time
 
 
-def course(phases: Iterable[str], numbers: Numbers, body: Body, start: Course = Course()) -> Course:
+def course(
+    phases: Iterable[str], numbers: Numbers, body: Body, start: Course = Course(), meeting: Meeting | None = None
+) -> Course:
     """Where somebody is after phases; one that ends by what is seen of others takes no time.
 
     Args:
@@ -111,45 +139,74 @@ def course(phases: Iterable[str], numbers: Numbers, body: Body, start: Course = 
         numbers: The parameters.
         body: Who.
         start: Where it was.
+        meeting: Where it meets the ego; without it, a phase that ends by where somebody is takes no time either.
     """
     here = start
     for text in phases:
-        here = _phase(text, numbers, body, here)
+        here = _phase(text, numbers, body, here, meeting)
     return here
 
 
-def _phase(text: str, numbers: Numbers, body: Body, here: Course) -> Course:
+def _phase(text: str, numbers: Numbers, body: Body, here: Course, meeting: Meeting | None) -> Course:
     if turn := _TURN.match(text):
         wish = _value(turn[2], numbers)
         metres = abs(float(turn[1])) * float(turn[3])
         way = -here.way if abs(float(turn[1])) > 2.0 else here.way
-        return Course(here.seconds + metres / max(wish, 0.5), here.metres, wish, way)
-    wish, throttle, brake = 0.0, None, 1.0
-    if found := _THROTTLE.match(text):
-        throttle, wish = _value(found[1], numbers), _value(found[2], numbers)
-    elif found := _BRAKE.match(text):
-        brake = _value(found[1], numbers)
-    elif found := _TOWARD.match(text):
-        wish = _value(found[1], numbers)
-    elif not text.startswith(("Halt", "Park")):
-        wish = here.speed
+        return replace(here, seconds=here.seconds + metres / max(wish, 0.5), speed=wish, way=way)
+    wish, throttle, brake = _pressed(text, numbers, here)
     lasts = _value(found[1], numbers) if (found := _FOR.search(text)) else _MOST
-    until = _SPEED_IS.search(text)
-    if until is None and lasts == _MOST:
+    ends = _ends(text, numbers, body, meeting)
+    goes_on = " until " not in text and meeting is not None and wish > 0.0
+    if ends is None and lasts == _MOST and not goes_on:
         return here  # its end is seen on the road
-    bound = _value(until[2], numbers) if until is not None else math.nan
-    seconds, metres, speed = here.seconds, here.metres, here.speed
-    way = -here.way if ", 3.14159)" in text else here.way
+    seconds, metres, speed, met = here.seconds, here.metres, here.speed, here.met
+    way = -here.way if ", 3.14159)" in text or (_BACKWARDS.match(text) and " until " not in text) else here.way
     end = seconds + lasts
-    while seconds < end:
-        if until is not None and (speed < bound if until[1] == "<" else speed > bound):
+    while seconds < end and not (ends is not None and ends(metres, speed)):
+        if goes_on and lasts == _MOST and meeting is not None and metres >= meeting.metres:
             break
         if wish == 0.0 and throttle is None:
             speed = max(0.0, speed - brake * body.limits.brake * _STEP)
         else:
-            speed = body.after(speed, wish, throttle)
-        seconds, metres = seconds + _STEP, metres + way * _STEP * speed
-    return Course(seconds, metres, speed, way)
+            allowed = wish if meeting is None else min(wish, meeting.allowed(metres))
+            speed = body.after(speed, allowed, throttle)
+        before, seconds, metres = metres, seconds + _STEP, metres + way * _STEP * speed
+        if meeting is not None and before < meeting.metres <= metres:
+            met = seconds - (metres - meeting.metres) / max(speed, _STEP)
+    if seconds >= end and lasts == _MOST:
+        return replace(here, met=met)  # it never ends so
+    return Course(seconds, metres, speed, here.way if _BACKWARDS.match(text) else way, met)
+
+
+def _pressed(text: str, numbers: Numbers, here: Course) -> tuple[float, float | None, float]:
+    """The speed [m/s] that is wanted in a phase, the throttle if it is held, and the share of the brake."""
+    if found := _THROTTLE.match(text):
+        return _value(found[2], numbers), _value(found[1], numbers), 1.0
+    if found := _BRAKE.match(text):
+        return 0.0, None, _value(found[1], numbers)
+    if found := _TOWARD.match(text) or _BACKWARDS.match(text):
+        return _value(found[1], numbers), None, 1.0
+    return 0.0 if text.startswith(("Halt", "Park")) else here.speed, None, 1.0
+
+
+def _ends(text: str, numbers: Numbers, body: Body, meeting: Meeting | None) -> Callable[[float, float], bool] | None:
+    """Whether a phase is over so many metres on and at a speed; None where that is not known beforehand."""
+    if found := _SPEED_IS.search(text):
+        bound, below = _value(found[2], numbers), found[1] == "<"
+        return lambda _metres, speed: speed < bound if below else speed > bound
+    if meeting is None:
+        return None
+    there, line, brakes = meeting.metres, meeting.metres + meeting.beyond, 2.0 * body.limits.brake
+    if found := _ASIDE_IS.search(text):
+        near, inside = float(found[2]), found[1] == "<"
+        return lambda metres, _speed: abs(line - metres) < near if inside else abs(line - metres) > near
+    if found := _RESTS.search(text):
+        rests = float(found[1])
+        return lambda metres, speed: abs(line - metres) - speed**2 / brakes < rests
+    if found := _CAN_STOP.search(text):
+        share, room = _value(found[1] or "1", numbers), float(found[2])
+        return lambda metres, speed: there - metres < speed**2 / (share * brakes) + room
+    return None
 
 
 def _value(text: str, numbers: Numbers) -> float:

@@ -1,0 +1,106 @@
+"""Two bodies on two lines: whether they touch, where, and who runs into whom, by how much sooner one of them is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.program.contacts import NOSE
+from chatscene.terms.polyline import Polyline
+
+_AROUND = 6.0  # [s] before and after the ego is where the ways meet
+_STEP = 0.05  # [s]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Moving:
+    """Somebody on a line.
+
+    Attributes:
+        line: Its way.
+        meets_at: How far along it [m] it meets the other.
+        speed: How fast it then is [m/s].
+        length: [m].
+        width: [m].
+        ends_at: How far along it [m] it comes at most.
+    """
+
+    line: Polyline
+    meets_at: float
+    speed: float
+    length: float
+    width: float
+    ends_at: float = np.inf
+
+    def poses(self, seconds: Array) -> tuple[Array, Array, Array]:
+        """Where it is [m] and which way it faces [rad], so many seconds after it is where the ways meet."""
+        along = np.minimum(self.meets_at + self.speed * seconds, self.ends_at)
+        x, y, s, hx, hy = (np.asarray(one, np.float64) for one in self.line.columns)
+        at = np.clip(np.searchsorted(s, along, side="right") - 1, 0, len(hx) - 1)
+        on = along - s[at]
+        headings: Array = np.arctan2(hy[at], hx[at])
+        return x[at] + on * hx[at], y[at] + on * hy[at], headings
+
+
+@dataclass(frozen=True, slots=True)
+class Touch:
+    """How two first touch.
+
+    Attributes:
+        ego: Which side of the ego: ``front``, ``rear``, ``left`` or ``right``.
+        ego_along: How far ahead of its middle [share of half its length].
+        other: Which side of the other.
+        other_along: How far ahead of its middle.
+        by_ego: Whether the ego runs into the other.
+    """
+
+    ego: str
+    ego_along: float
+    other: str
+    other_along: float
+    by_ego: bool
+
+
+def touches(ego: Moving, other: Moving, sooner: Array) -> list[Touch | None]:
+    """How they first touch, for each of so many seconds by which the other is sooner where the ways meet."""
+    seconds = np.arange(-_AROUND, _AROUND, _STEP)
+    ex, ey, eh = (one[None, :] for one in ego.poses(seconds))
+    ox, oy, oh = other.poses(seconds[None, :] + sooner[:, None])
+    dx, dy, turned = ox - ex, oy - ey, oh - eh
+    c, s = np.abs(np.cos(turned)), np.abs(np.sin(turned))
+    along, across = dx * np.cos(eh) + dy * np.sin(eh), dy * np.cos(eh) - dx * np.sin(eh)
+    own_along, own_across = -(dx * np.cos(oh) + dy * np.sin(oh)), -(dy * np.cos(oh) - dx * np.sin(oh))
+    deep = (
+        0.5 * (ego.length + other.length * c + other.width * s) - np.abs(along),
+        0.5 * (ego.width + other.length * s + other.width * c) - np.abs(across),
+        0.5 * (other.length + ego.length * c + ego.width * s) - np.abs(own_along),
+        0.5 * (other.width + ego.length * s + ego.width * c) - np.abs(own_across),
+    )
+    inside = np.minimum.reduce(deep) >= 0.0
+    found: list[Touch | None] = []
+    for row, first in zip(range(len(sooner)), inside.argmax(axis=1).tolist(), strict=True):
+        if not inside[row, first]:
+            found.append(None)
+            continue
+        e, o = (along[row, first], across[row, first]), (own_along[row, first], own_across[row, first])
+        deeper = [bool(deep[k][row, first] < deep[k + 1][row, first]) for k in (0, 2)]
+        sides = _side(deeper[0], *e), _side(deeper[1], *o)
+        noses = sides[0] == "front", o[0] > 0.5 * other.length - NOSE or sides[1] == "front"
+        going = ego.speed * np.cos(np.arctan2(e[1], e[0])), other.speed * np.cos(np.arctan2(o[1], o[0]))
+        by_ego = noses[0] if noses[0] != noses[1] else bool(going[0] >= going[1])
+        found.append(Touch(sides[0], _share(e[0], ego.length), sides[1], _share(o[0], other.length), by_ego))
+    return found
+
+
+def _side(lengthwise: bool, along: float, across: float) -> str:
+    if lengthwise:
+        return "front" if along > 0.0 else "rear"
+    return "left" if across > 0.0 else "right"
+
+
+def _share(along: float, length: float) -> float:
+    return float(np.clip(along / (0.5 * length), -1.0, 1.0))

@@ -1,0 +1,88 @@
+"""Who crosses meets an ego that reacts to nobody: timed by the whole chain of its deeds, to where the ways meet."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from test_building import simulator
+
+from chatscene.build.build import Built, build
+from chatscene.ego.intelligent_driver import OWN, IntelligentDriver, Observation
+from chatscene.errors import NotBuilt
+from chatscene.program.sample import draw
+from chatscene.simulate.simulator import simulate
+from chatscene.situations.form import from_plain
+from chatscene.terms.episode import Episode
+from chatscene.terms.scene import Scene
+
+
+class Blind(IntelligentDriver):
+    """A driver that sees nobody."""
+
+    def wanting(self, speed: float) -> Blind:
+        return Blind(speed)
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        return super().act(observation[:OWN])
+
+
+def somebody(kind: str, where: str, *does: dict[str, Any] | str, side: str | None = None, **more: Any) -> Built:
+    start = {"where": where, **({"side": side} if side else {})}
+    deeds = [{"act": deed} if isinstance(deed, str) else deed for deed in does]
+    return build(from_plain({"others": [{"id": "A", "kind": kind, "starts": start, "does": deeds}], **more}))
+
+
+def met(built: Built, seed: int) -> Episode:
+    values = draw(built.program.parameters, seed=seed)
+    scene = Scene(id=f"s/route-00/{seed}", scenario_id="s", route=0, block=0, seed=seed, values=values)
+    speed = built.program.wanted_speed
+    assert speed is not None
+    episode = simulate(simulator(built.map, "native"), built.program, scene, Blind(speed))
+    assert isinstance(episode, Episode), episode
+    return episode
+
+
+@pytest.mark.parametrize(
+    "built",
+    [
+        somebody("pedestrian", "roadside", {"act": "cross", "speed": "8 km/h"}, side="left", ego={"speed": "50 km/h"}),
+        somebody("bicycle", "driveway", "cross", side="right"),
+        somebody("car", "arm", "stop", "set-off", side="left", road={"control": "stop-sign"}),
+        somebody("car", "arm", "go-straight", side="right"),
+        somebody("car", "arm", "enter", side="left", ego={"speed": "50 km/h"}),
+        somebody("car", "oncoming", "turn-left"),
+        somebody("bicycle", "behind-beside", "go-straight", side="right", ego={"route": "right-turn"}),
+        somebody("deer", "ahead"),
+        somebody("pedestrian", "ahead-beside", "enter", side="left"),
+    ],
+)
+def test_the_two_meet_if_neither_reacts(built: Built) -> None:
+    assert sum(met(built, seed).collision is not None for seed in range(4)) >= 3
+
+
+def test_who_stops_at_a_junction_does_so_before_it_and_then_comes_before_the_ego() -> None:
+    episode = met(somebody("car", "arm", "stop", "set-off", side="left", road={"control": "stop-sign"}), 0)
+    ego, other = episode.ego_track, next(track for track in episode.tracks if track.actor == "A")
+    stood = int(np.flatnonzero((other.speed < 0.1) & (np.arange(len(other.x)) > 20))[0])
+    assert np.hypot(other.x[stood] - ego.x[-1], other.y[stood] - ego.y[-1]) > 8.0
+
+
+def test_an_animal_on_the_road_runs_over_it_which_is_told() -> None:
+    assert "A crosses our lane, which was not said" in somebody("animal", "ahead").assumed
+
+
+def test_nobody_on_foot_is_in_a_lane_that_it_would_have_to_drive_along() -> None:
+    with pytest.raises(NotBuilt, match="arm of somebody on foot; the nearest is exit-crossing"):
+        somebody("pedestrian", "arm", "cross", side="right")
+
+
+def test_the_speed_of_who_backs_onto_the_road_is_what_was_said() -> None:
+    built = somebody("car", "driveway", {"act": "reverse", "speed": "15 km/h"}, side="right")
+    assert "ReverseStraight(4.16667)" in built.program.source
+
+
+def test_that_the_ego_has_a_stop_sign_too_is_told() -> None:
+    built = somebody("car", "arm", {"act": "go-straight", "breaks": "stop-sign"}, side="right")
+    assert any("the ego has a stop sign as well" in one for one in built.assumed)
