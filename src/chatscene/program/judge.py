@@ -227,7 +227,8 @@ class _Judge:
                 yield Finding(path=f"{path}.act", shown=False, told=told)
                 continue
             due = [one for one in after if _due(deed, one, done, seen)] or after
-            once = self._fitting(path, deed, [one for one in due if _to_side(deed, one, seen)] or due, seen)
+            sided = act is Said.DRIFT  # who swerves comes back, which is no swerve to the other side
+            once = self._fitting(path, deed, [one for one in due if sided and _to_side(deed, one, seen)] or due, seen)
             mine.append(once)  # one time seen is one deed
             done[f"{one.id}.{k}"] = once
             done.setdefault(f"{one.id}.{act}", once)
