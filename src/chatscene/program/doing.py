@@ -21,7 +21,8 @@ from chatscene.terms.vocabulary import Act as Said
 
 DRIFTED = 0.8  # [m]
 BACK = 0.5  # [m]
-ASIDE = 0.1  # [m/s] aside, with less of which somebody no longer leaves its line
+ON_LINE = 0.3  # [m] aside of its line at most, who is still on that
+BACK_ASIDE = 0.1  # [m] toward its line, from which somebody goes back to that
 MOST_OF = 0.6
 OUTSIDE = 1.4  # [m] from the ego's line: who is no farther away is not outside its lane
 
@@ -158,12 +159,13 @@ def _backs(came: Array) -> Iterator[Act]:
 
 
 def drifts(s: Seen, by: float = DRIFTED) -> Iterable[Act]:
-    """It leaves its line by so much as is seen [m], or by less if that was said."""
-    away, least = np.abs(s.drift), min(DRIFTED, by)
-    if (away > least).any():
-        done = int(np.argmax(away > least))
-        near = np.flatnonzero(away[:done] < min(0.3, least / 2))
-        yield Act(int(near[-1]) if near.size else 0, done)
+    """It leaves its line, to either side, by so much as is seen [m], or by less if that was said."""
+    least = min(DRIFTED, by)
+    for away in (s.drift, -s.drift):
+        if (away > least).any():
+            done = int(np.argmax(away > least))
+            near = np.flatnonzero(away[:done] < min(ON_LINE, least / 2))
+            yield Act(int(near[-1]) if near.size else 0, done)
 
 
 def _cuts_in(s: Seen) -> Iterable[Act]:
@@ -280,14 +282,18 @@ def stood(s: Seen, once: Act) -> tuple[int, int]:
 
 
 def gone_aside(s: Seen, once: Act) -> Array:
-    """(1,) [m], how far somebody leaves its line since a deed began, until it goes back or keeps beside it."""
-    aside = np.abs(s.drift[once.began :] - s.drift[once.began])
-    done = 0 if once.done is None else once.done - once.began
-    farther = np.diff(aside[done:]) > ASIDE * s.dt
-    return aside[done + (int(np.argmin(farther)) if not farther.all() else len(farther)), None]
+    """(1,) [m], how far somebody leaves its line since a deed began, until it goes back toward that."""
+    began = float(s.drift[once.began])
+    aside = np.abs(s.drift[once.began :] - (began if abs(began) > ON_LINE else 0.0))
+    farthest = np.maximum.accumulate(aside)
+    back = farthest - aside > BACK_ASIDE
+    if once.done is not None:
+        back[: once.done - once.began] = False
+    return farthest[[int(np.argmax(back)) if back.any() else -1]]
 
 
 def moved_left(s: Seen, once: Act) -> float:
-    """How far to the left [m] somebody goes by what is done."""
+    """How far to the left [m] of the ego, at its start, somebody goes by what is done."""
     end = once.done if once.done is not None else len(s.drift) - 1
-    return float(s.drift[end] - s.drift[once.began])
+    against = math.cos(float(s.facing[once.began])) < 0.0
+    return float(s.drift[end] - s.drift[once.began]) * (-1.0 if against else 1.0)

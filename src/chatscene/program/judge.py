@@ -47,6 +47,7 @@ from chatscene.terms.vocabulary import Act as Said
 __all__ = ["Finding", "failures", "judge"]
 
 
+_ASIDE = (Said.SWERVE, Said.DRIFT)
 NEARER = 2.0  # [m] by which an ego comes nearer to somebody whom it is about to overtake
 
 
@@ -226,17 +227,18 @@ class _Judge:
                     told = f"said {before}, then {act}, but it does it the other way round"
                 yield Finding(path=f"{path}.act", shown=False, told=told)
                 continue
-            once = self._fitting(path, deed, [one for one in after if _due(deed, one, done, seen)] or after, seen)
+            due = [one for one in after if _due(deed, one, done, seen)] or after
+            sided = act is Said.DRIFT  # who swerves comes back, which is no swerve to the other side
+            once = self._fitting(path, deed, [one for one in due if sided and _to_side(deed, one, seen)] or due, seen)
             mine.append(once)  # one time seen is one deed
             done[f"{one.id}.{k}"] = once
             done.setdefault(f"{one.id}.{act}", once)
             if not act.row.lasting:
                 latest, before = max(latest, once.began), str(act)
             yield Finding(path=f"{path}.act", shown=True, told=f"said {act}", at=once.began * seen.dt)
-            if deed.to is not None and act in (Said.SWERVE, Said.DRIFT):
-                left = moved_left(seen, once)
-                right = (left > 0) == (deed.to is Side.LEFT)
-                yield Finding(path=f"{path}.to", shown=right, told=f"said {deed.to}, it goes to the {_side(left)}")
+            if deed.to is not None and act in _ASIDE:
+                told = f"said {deed.to}, it goes to the {_side(moved_left(seen, once))}"
+                yield Finding(path=f"{path}.to", shown=_to_side(deed, once, seen), told=told)
             yield from self._amounts(path, deed, once, seen)
             if deed.manner is Manner.SLANTING:
                 slants = any(True for _ in ACTIONS[Action.DIAGONAL](seen))
@@ -333,6 +335,13 @@ def _due(deed: Deed, once: Act, done: Mapping[str, Act], seen: Seen) -> bool:
     references = (deed.when.after, deed.when.during) if deed.when is not None else ()
     others = (done[one] for one in references if one is not None and one in done)
     return all(once.began >= other.began - TOGETHER / seen.dt for other in others)
+
+
+def _to_side(deed: Deed, once: Act, seen: Seen) -> bool:
+    """Whether somebody who leaves its line does so to the side that was said, if one was."""
+    if deed.to is None or deed.act not in _ASIDE:
+        return True
+    return (moved_left(seen, once) > 0) == (deed.to is Side.LEFT)
 
 
 def _untold(deed: Deed) -> Iterator[str]:
