@@ -117,7 +117,10 @@ def test_a_place_may_be_told_by_road_lane_or_beside_somebody(beside: Path) -> No
     [
         (scenario(events=event(NEAR)), r"line \d+: <ByEntityCondition>|nobody does this here"),
         (scenario(events=event("<TeleportAction/>")), r"<TeleportAction>: nobody does this here"),
-        (scenario(events=event(condition=NEAR.replace("RelativeDistance", "TimeToCollision"))), "not known here"),
+        (
+            scenario(events=event(condition=NEAR.replace("RelativeDistance", "TimeToCollision"))),
+            "how long another than the ego",
+        ),
         (scenario(events=event().replace("rising", "falling")), "ceases"),
         (
             scenario(events=event().replace('name="brakes" p', 'name="brakes" maximumExecutionCount="3" p')),

@@ -33,6 +33,7 @@ from chatscene.terms.plan import (
     Phase,
     Relation,
     Until,
+    walk,
 )
 from chatscene.terms.plan_text import PARAMETERS, print_expression
 from chatscene.terms.polyline import Polyline
@@ -40,6 +41,7 @@ from chatscene.terms.storyboard import EGO_ROUTE, Actor, Start, Storyboard
 from chatscene.terms.sums import number, product, sum_of, valued
 
 LANE_CHANGE = 3.0  # [s]; in ours it takes as long as a driver takes who follows the new lane
+_EXPONENT = re.compile(r"\b\d[\d.]*e[-+]?\d+")  # of a number, which the format does not know in expressions
 AHEAD = 60.0  # [m], how far whoever goes straight on has a line to follow
 RULES: dict[Relation, str] = {
     "<": "lessThan",
@@ -194,7 +196,8 @@ def spelled(expression: Expression) -> str | float:
         case Parameter(name):
             return f"${name}"
         case _:
-            return f"${{{print_expression(expression).replace(f'{PARAMETERS}.', '$')}}}"
+            text = print_expression(expression).replace(f"{PARAMETERS}.", "$")
+            return f"${{{_EXPONENT.sub(lambda found: f'{float(found[0]):.6f}', text)}}}"
 
 
 def _ego(board: Storyboard, ego: Actor, track: Track) -> Xml.Element:
@@ -323,7 +326,7 @@ class _Teller:
             path = phase.argument("path")
             assert isinstance(path, Name)
             if path.id != self._way:
-                change = self._way is not None
+                change = self._way not in (None, "ahead")  # else it stood so far
                 self._way = path.id
                 if change:
                     yield "way", _private("LateralAction", self._changes(path.id))
@@ -420,7 +423,7 @@ class _Teller:
             groups = condition.terms if isinstance(condition, Boolean) and condition.operator == "or" else (condition,)
             for group in groups:
                 terms = group.terms if isinstance(group, Boolean) else (group,)
-                conditions = [self._condition(f"{self._actor.name} {index}", term) for term in terms]
+                conditions = [self._ended(f"{self._actor.name} {index}", term, index) for term in terms]
                 yield element("ConditionGroup", {}, self._its_turn(index, 0), *conditions)
 
     def _its_turn(self, index: int, delay: str | float) -> Xml.Element:
@@ -429,11 +432,26 @@ class _Teller:
         by_value = element("ByValueCondition", {}, element("VariableCondition", asked))
         return element("Condition", {"name": name, "delay": delay, "conditionEdge": "none"}, by_value)
 
+    def _ended(self, name: str, term: Expression, index: int) -> Xml.Element:
+        """A condition by which a phase ends."""
+        match term:
+            case Comparison(Call("abs", (Call("offsetFrom", (Name(line), _)),)), _) if line in self._board.lanes:
+                asked = {
+                    "storyboardElementType": "action",
+                    "storyboardElementRef": f"{self._actor.name} phase {index - 1}: way",
+                    "state": "completeState",
+                }
+                what = element("StoryboardElementStateCondition", asked)
+                named = {"name": f"{name}: the change is over", "delay": 0, "conditionEdge": "none"}
+                return element("Condition", named, element("ByValueCondition", {}, what))
+            case _:
+                return self._condition(name, term)
+
     def _condition(self, name: str, condition: Expression) -> Xml.Element:
         assert isinstance(condition, Comparison)
         ((relation, bound),) = condition.links
         rule, own = RULES[relation], self._actor.name
-        value = "" if _is_headway(bound) else spelled(bound)
+        value = "" if isinstance(bound, Arithmetic) and _is_speed(bound) else spelled(bound)
         match condition.first:
             case Call("secondsTo", (_, _, place)):
                 who, what = "ego", self._soon(place, rule, value)
@@ -448,6 +466,11 @@ class _Teller:
                 who, what = "ego", element("TraveledDistanceCondition", {"value": value})
             case Arithmetic("-", Call("progress"), _):
                 who, what = own, element("TraveledDistanceCondition", {"value": value})
+            case Call("gap") if isinstance(bound, Arithmetic) and _is_closing(bound.left):
+                target = element("TimeToCollisionConditionTarget", {}, element("EntityRef", {"entityRef": "ego"}))
+                apart = {"relativeDistanceType": "euclidianDistance", "coordinateSystem": "entity"}
+                asked = {"freespace": False, "rule": rule, "value": spelled(bound.right), **apart}
+                who, what = own, element("TimeToCollisionCondition", asked, target)
             case Call("gap"):
                 who, what = own, _apart("euclidianDistance", rule, value)
             case Call("abs", (Call("headway"),)):
@@ -481,9 +504,14 @@ class _Teller:
         return element("TimeToCollisionCondition", asked, element("TimeToCollisionConditionTarget", {}, position))
 
 
-def _is_headway(bound: Expression) -> bool:
-    """Whether a bound is so many seconds of the ego's way."""
-    return isinstance(bound, Arithmetic) and isinstance(bound.right, Call) and bound.right.function == "speed"
+def _is_speed(bound: Expression) -> bool:
+    """Whether a bound hangs on speeds, and so is a time."""
+    return any(isinstance(part, Call) and part.function == "speed" for part in walk(bound))
+
+
+def _is_closing(speeds: Expression) -> bool:
+    """Whether speeds are added, as of two who come toward each other."""
+    return isinstance(speeds, Arithmetic) and speeds.operator == "+" and _is_speed(speeds)
 
 
 def _apart(kind: str, rule: str, value: str | float, system: str = "entity") -> Xml.Element:

@@ -35,7 +35,7 @@ from chatscene.terms.plan import (
 from chatscene.terms.plan_text import print_expression, print_phase
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.snippet import ParameterRange
-from chatscene.terms.storyboard import EGO_ROUTE, START
+from chatscene.terms.storyboard import EGO_ROUTE, OVER, START
 from chatscene.terms.sums import Sum, called, combined, number, product, quotient, sum_of, valued
 
 _STANDS = ("Halt", "Park")
@@ -45,7 +45,9 @@ SAYABLE = frozenset((*_STANDS, *_ALONG, "MoveAhead"))
 _FLIPPED: dict[Relation, Relation] = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "==": "==", "!=": "!="}
 _STRAIGHT = 0.05  # [rad] of a line over `_NEAR` both ways, within which walking toward it is walking straight at it
 _NEAR = 10.0  # [m]
+_SAME = 0.5  # [m] within which two distances are one
 _STEP = 0.1  # [s] of a drive: a time that is waited for is longer, or it may be over before anybody asks
+_CLOSING = Arithmetic("+", Call("speed", (Name("self", Kind.ACTOR),)), Call("speed", (Name("ego", Kind.ACTOR),)))
 
 
 class Unsayable(Exception):  # noqa: N818 - reads as what it says
@@ -162,6 +164,7 @@ class _Teller:
         self.lanes: dict[str, int] = {}
         self.measured = False
         self.unsaid: list[str] = []
+        self._changes = False  # whether it begins to change to another line in this phase
         self._place: Sum = number(0.0)  # on the ego's route, to which it is asked how long the ego needs
         self._stands = True
         self._way: str | None = None  # the line that it follows
@@ -171,6 +174,7 @@ class _Teller:
     def phase(self, phase: Phase) -> Phase:
         if phase.values:
             raise Unsayable("a value is remembered for later")
+        self._changes = False
         name, arguments = self._does(phase)
         return Phase(name, arguments, self._end(phase.end))
 
@@ -197,6 +201,7 @@ class _Teller:
             raise Unsayable("nobody on foot follows a line")
         if self._number(told["left"] or Number(0)).number != 0:
             raise Unsayable("it goes beside a line")
+        stays = phase.primitive == "PaceOnPath" and self._stays(told)
         path = self._follows(told["path"])
         match phase.primitive:
             case "DrivePath":
@@ -209,7 +214,7 @@ class _Teller:
                 if throttle.number == 1.0:
                     return "DrivePath", (path, top.expression)
                 return "ThrottleOnPath", (path, throttle.expression, Number(0), top.expression)
-            case "PaceOnPath":
+            case "PaceOnPath" if not stays:
                 return phase.primitive, (path, *self._keeps(told))
             case _:
                 return "KeepStation", (path, self._of_ego(told))
@@ -230,6 +235,18 @@ class _Teller:
         self._sign(ahead, told["ahead"])
         return ego, ahead.expression, self._number(told["top"]).expression
 
+    def _stays(self, told: Mapping[str, Expression | None]) -> bool:
+        """Whether it keeps the distance that it has from the first, which may be ahead as well as behind."""
+        ahead, other = told["ahead"], told["other"]
+        if not self._stands or ahead is None or other != Name("ego", Kind.ACTOR):
+            return False
+        kept = self._number(ahead)
+        values = [value for (value,) in self._corners(kept)]
+        if not min(values) < 0 < max(values):
+            return False
+        starts = self._site.start_on(self._site.ego_line)[0]
+        return all(abs(value - start) < _SAME for value, start in self._corners(kept, starts))
+
     def _follows(self, path: Expression | None) -> Name:
         """The name of a line that it follows from now on."""
         assert path is not None
@@ -245,6 +262,7 @@ class _Teller:
             if known is not None:
                 raise Unsayable("it comes back to a line that it left")
             self.lanes[name] = self._site.lane_of(line)
+            self._changes = True
         self.lines.setdefault(name, line)
         self._stands, self._ahead, self._way = False, False, name
         return Name(name, Kind.PATH)
@@ -275,6 +293,11 @@ class _Teller:
                     None if any(one is None for one in chosen) else [c for one in chosen for c in one or ()]
                     for chosen in itertools.product(*parts)
                 ]
+            case Comparison(
+                Call("gap"), (("<" | "<=" as relation, Arithmetic("*", Arithmetic("+") as speeds, seconds)),)
+            ) if self._is_closing(speeds):
+                bound = Arithmetic("*", _CLOSING, self._number(seconds).expression)
+                return [[Comparison(self._live("gap"), ((relation, bound),))]]
             case Comparison(first, ((relation, second),)):
                 return [self._comparison(first, relation, second)]
             case Call("restsWithin", (path, actor, distance)):
@@ -284,6 +307,11 @@ class _Teller:
                 return [self._comparison(braking, "<", distance)]
             case _:
                 raise Unsayable(f"it ends with {print_expression(condition)!r}")
+
+    def _is_closing(self, speeds: Expression) -> bool:
+        """Whether speeds are those of two who come toward each other."""
+        _, _, turn = self._site.start_on(self._site.ego_line)
+        return speeds == _CLOSING and abs(turn) > math.pi - _STRAIGHT
 
     def _comparison(self, first: Expression, relation: Relation, second: Expression) -> list[Expression] | None:
         if not any(
@@ -300,6 +328,10 @@ class _Teller:
         ((quantity, count),) = whole.live.items()
         relation = relation if count > 0 else _FLIPPED[relation]
         least = whole.rest.times(-1 / count)
+        if quantity == "change":
+            if relation not in ("<", "<="):
+                raise Unsayable("it ends while it still changes to another line")
+            return [Comparison(self._live(quantity), (("<", Number(OVER)),))]
         if quantity in ("seconds", "seconds behind"):
             return [self._soon(quantity, relation, least)]
         bound = least.expression
@@ -343,6 +375,8 @@ class _Teller:
                 return Call("gap", (own, ego))
             case "headway":
                 return Call("abs", (Call("headway", (Name(EGO_ROUTE, Kind.PATH), ego, own)),))
+            case "change":
+                return Call("abs", (Call("offsetFrom", (Name(str(self._way), Kind.PATH), own)),))
             case "ego's speed":
                 return Call("speed", (ego,))
             case "beside":
@@ -400,6 +434,8 @@ class _Teller:
         match function:
             case "length" | "eventAt" | "entry":
                 return _Linear(number(float(self._site.value(whole))))
+            case "abs" if self._is_changing_to(arguments[0]):
+                return _Linear(number(0.0), {"change": 1.0})
             case "abs" if self._drives_beside(arguments[0]):
                 return _Linear(number(0.0), {"beside": 1.0})
             case "abs":
@@ -439,6 +475,13 @@ class _Teller:
             return _Linear(number(0.0), {"seconds behind": 1.0})
         self._place = place.rest
         return _Linear(number(0.0), {"seconds": 1.0})
+
+    def _is_changing_to(self, asked: Expression) -> bool:
+        """Whether it is asked how far it still is from the line to which it has begun to change."""
+        if not self._changes or not isinstance(asked, Call) or asked.function != "offsetFrom":
+            return False
+        own = asked.arguments[1] == Name("self", Kind.ACTOR)
+        return own and _same(self._site.value(asked.arguments[0]), self.lines[str(self._way)])
 
     def _drives_beside(self, asked: Expression) -> bool:
         """Whether it is asked how far beside the ego's route it is, driving: that is how far beside the ego."""

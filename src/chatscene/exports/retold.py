@@ -10,6 +10,7 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -33,7 +34,7 @@ from chatscene.terms.plan_text import BEHAVIOR, parse_plan
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.storyboard import EGO_ROUTE, THING, Actor, Start, Storyboard
-from chatscene.terms.sums import Sum, number, valued
+from chatscene.terms.sums import Sum, number, product, valued
 from chatscene.world.places import line_of
 
 _OWN = 60.0  # [m] either way, of a line that nobody follows
@@ -43,6 +44,7 @@ _TURNED = 0.02  # [rad]
 _THIN = 1e-3  # [m]
 _BESIDE = 30.0  # [m] of its route in which a line keeps the number of its lane
 _BEHAVES = re.compile(r"with behavior (\w+\(.*?\))(?=,\s*with\b|,?\s*$)", re.DOTALL)
+_PARAM = re.compile(r"^param [^\n]*", re.MULTILINE)
 _DEFINED = re.compile(r"^behavior (\w+)\(\):[^\n]*\n((?:[ \t]+[^\n]*\n|[ \t]*\n)+)", re.MULTILINE)
 
 
@@ -89,11 +91,14 @@ class _Retelling:
         self._ego_line = line_of(self._objects[0].route)
         self._base = _Placed(scene.values, _poses(placed))
         self._texts = self._said()
+        self._pairs: dict[tuple[str, str], _Placed] = {}  # everybody with both at the upper ends of their ranges
 
     def storyboard(self) -> Storyboard:
         plans = [self._plan(index) for index in range(len(self._objects))]
         read = {p for plan in plans if plan for p in _parameters(plan)}
-        self._ends = self._at_ends(sorted(set(self._scene.values) - read))
+        placing = _PARAM.sub("", _DEFINED.sub("", self._program.source))
+        named = {name for name in self._scene.values if re.search(rf"\b{name}\b", placing)}
+        self._ends = self._at_ends(sorted((set(self._scene.values) - read) | named))
         tracks = [self._track(pose) for pose in self._base.poses]
         lines: dict[str, Polyline] = {EGO_ROUTE: _thinned(self._ego_line)}
         lanes: dict[str, int] = {}
@@ -164,6 +169,9 @@ class _Retelling:
             ends = [{**self._scene.values, name: end} for end in (self._ranges[name].low, self._ranges[name].high)]
             low, high = (_Placed(values, _poses(self._place(values))) for values in ends)
             found[name] = low, high
+        for pair in combinations(names, 2):
+            values = {**self._scene.values, **{name: self._ranges[name].high for name in pair}}
+            self._pairs[pair] = _Placed(values, _poses(self._place(values)))
         if len(names) > 1:
             values = {**self._scene.values, **{name: self._ranges[name].high for name in names}}
             all_high = _Placed(values, _poses(self._place(values)))
@@ -190,6 +198,14 @@ class _Retelling:
                 if slope:
                     own = Sum(-slope * self._scene.values[name], ((slope, Parameter(name)),))
                     sums[axis] = sums[axis] + own
+        for pair, placed in self._pairs.items():
+            more = [on(placed)[axis] - valued(sums[axis].expression, placed.values) for axis in range(2)]
+            wide = all(self._ranges[name].high > self._scene.values[name] for name in pair)
+            sums = [
+                at + self._together(*pair, far) if wide and abs(far) > _ASTRAY else at
+                for at, far in zip(sums, more, strict=True)
+            ]
+        sums = [self._without_dust(one) for one in sums]
         for name, placed in ((n, p) for n, pair in self._ends.items() for p in pair):
             now = on(placed)
             away = max(abs(valued(sums[i].expression, placed.values) - now[i]) for i in range(2))
@@ -199,6 +215,30 @@ class _Retelling:
         if not 0.0 < base[0] < line.length and abs(base[1]) > 1.0:
             raise Unsayable("somebody starts beyond the end of a line")
         return sums[0], sums[1], base[2]
+
+    def _without_dust(self, one: Sum) -> Sum:
+        """A sum without what a parameter changes by less than a millimetre all over its range."""
+        kept: list[tuple[float, Expression]] = []
+        constant = one.constant
+        for factor, term in one.terms:
+            if isinstance(term, Parameter):
+                parameter = self._ranges[term.name]
+                if abs(factor) * (parameter.high - parameter.low) < _THIN:
+                    constant += factor * (parameter.high + parameter.low) / 2
+                    continue
+            kept.append((factor, term))
+        return number(constant) + Sum(0.0, tuple(kept))
+
+    def _together(self, one: str, other: str, more: float) -> Sum:
+        """What two parameters change only together, by how much that is [m] where both are at their upper ends."""
+        away = [Sum(-self._scene.values[name], ((1.0, Parameter(name)),)) for name in (one, other)]
+        widths = [self._ranges[name].high - self._scene.values[name] for name in (one, other)]
+        low, high = self._scene.values[one], self._scene.values[other]
+        factor = more / (widths[0] * widths[1])
+        factor = float(round(factor)) if abs(factor - round(factor)) * widths[0] * widths[1] < _ASTRAY else factor
+        both = product(Sum(0.0, away[0].terms), Sum(0.0, away[1].terms))
+        alone = away[0].times(-high) + away[1].times(-low) + number(-low * high)
+        return (both + alone).times(factor)
 
     def _site(self, index: int, track: Track) -> Site:
         compiler = Compiler(

@@ -112,7 +112,9 @@ class Conditions:
                 if index == 0:
                     raise Refused(one, "it waits for another actor's events; write the condition by which those begin")
                 if state in ("completeState", "endTransition"):
-                    return [self._state.done.end] if self._state.done.end is not None else None
+                    way = self._given.text(one, "storyboardElementType", "event") == "action"
+                    done = self._state.turned if way and self._state.turned.end is not None else self._state.done
+                    return [done.end] if done.end is not None else None
                 if state in ("runningState", "startTransition"):
                     return None
                 raise Refused(one, f"the state {state!r} is not waited for here; write completeState")
@@ -180,12 +182,26 @@ class Conditions:
     def _soon(self, actor: Name, one: Element) -> Expression:
         """How long the ego needs to a place."""
         position, ego = one.find("TimeToCollisionConditionTarget", "Position"), Name("ego", Kind.ACTOR)
+        if one.find("TimeToCollisionConditionTarget", "EntityRef") is not None:
+            return self._closing(actor, one)
         if position is None or actor != ego:
-            raise Refused(one, "it asks for another time to a collision than that of the ego with a place")
+            raise Refused(one, "it asks how long another than the ego needs to a place")
         self._given.notes.append(f"line {one.line}: the time is what the ego needs at the speed that it wants")
         place = self._player.ego_at(position).expression
         seconds = Call("secondsTo", (Name(EGO_ROUTE, Kind.PATH), ego, place))
         return Comparison(seconds, ((self._rule(one), self._given.sum(one, "value").expression),))
+
+    def _closing(self, actor: Name, one: Element) -> Expression:
+        """How long the ego and this actor need to each other, who come toward each other."""
+        ego, own = Name("ego", Kind.ACTOR), Name("self", Kind.ACTOR)
+        other = one.find("TimeToCollisionConditionTarget", "EntityRef")
+        whom = {ego: self._player.name, own: self._player.ego}[actor]
+        if other is None or self._other(other) != whom or self._given.text(one, "freespace") == "true":
+            raise Refused(one, "it asks for another time to a collision than that of this actor with the ego")
+        self._given.notes.append(f"line {one.line}: it is the time of two who come straight toward each other")
+        speeds = Arithmetic("+", Call("speed", (own,)), Call("speed", (ego,)))
+        bound = Arithmetic("*", speeds, self._given.sum(one, "value").expression)
+        return Comparison(Call("gap", (own, ego)), ((self._rule(one), bound),))
 
     def _other(self, one: Element) -> str:
         return self._given.text(one, "entityRef")

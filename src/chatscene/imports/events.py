@@ -26,10 +26,8 @@ from chatscene.terms.plan import (
     Value,
     walk,
 )
-from chatscene.terms.storyboard import START
+from chatscene.terms.storyboard import OVER, START
 from chatscene.terms.sums import Sum, number, quotient
-
-_OVER = 0.3  # [m] beside a line within which a change to it is over
 
 
 def plan_of(player: Player, events: list[Element], given: Given, first: list[Element] | None = None) -> Plan:
@@ -109,6 +107,7 @@ class _Reader:
                 raise Refused(kind, "nobody does this here; write speeds, lane changes and trajectories")
         if way is not None:
             self._turns_to(way)
+            self._state.turned = self._way_done(way)
         if speed is not None:
             self._state.phases.append(self._phase(event, speed, way))
         elif way is not None:
@@ -116,7 +115,7 @@ class _Reader:
         else:
             raise Refused(event, "nothing is done in it")
         if way is not None and speed is None:
-            self._state.done = self._way_done(way)
+            self._state.done = self._state.turned
 
     def _way_done(self, way: Element) -> Done:
         own, name = Name("self", Kind.ACTOR), self._state.way
@@ -125,7 +124,7 @@ class _Reader:
         line = Name(str(name), Kind.PATH)
         if way.tag == "LaneChangeAction":
             beside = Call("abs", (Call("offsetFrom", (line, own)),))
-            return Done(Until(Comparison(beside, (("<", Number(_OVER)),))))
+            return Done(Until(Comparison(beside, (("<", Number(OVER)),))))
         if way.tag == "FollowTrajectoryAction":
             end = Number(round(self._player.lines[str(name)].length, 2))
             return Done(Until(Comparison(Call("distanceLeft", (line, own, end)), (("<", Number(1.0)),))))
@@ -195,7 +194,8 @@ class _Reader:
         if player.walks:
             raise Refused(trajectory, "nobody on foot follows a line; write two RelativeObjectPositions of itself")
         name, line = player.line_of(trajectory, player.prefix)
-        if state.phases and state.way not in (None, name):
+        stood = state.way == AHEAD and all(phase.primitive == "Halt" for phase in state.phases)
+        if state.phases and state.way not in (None, name) and not stood:
             raise Refused(trajectory, "it comes to another line while it drives; write a LaneChangeAction")
         player.lines.setdefault(name, line)
         state.way = name

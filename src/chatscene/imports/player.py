@@ -98,4 +98,5 @@ class State:
     turn: float = 0.0
     phases: list[Phase] = field(default_factory=list[Phase])
     done: Done = field(default_factory=Done)
+    turned: Done = field(default_factory=Done)
     measured: bool = False

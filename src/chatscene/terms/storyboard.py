@@ -16,6 +16,7 @@ from chatscene.terms.surroundings import Surroundings
 
 EGO_ROUTE = "egoRoute"  # what the line of the ego's route is called
 THING = "Prop"  # the class of whatever is no road user
+OVER = 0.3  # [m] beside a line within which a change to it is over
 START = "start"  # what a plain plan calls where on its way an actor began [m]
 
 
