@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from chatscene.build.actor import Actor
 from chatscene.build.asked import Meets, stands_first
@@ -11,7 +11,7 @@ from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.finding import find, started
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
-from chatscene.build.place import Found
+from chatscene.build.place import Found, wrong_way
 from chatscene.build.possible import OFF_ROAD, impossible
 from chatscene.build.towards import at_distance, in_rows
 from chatscene.errors import NotBuilt
@@ -62,6 +62,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
         raise NotBuilt(NOBODY)
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
+    situation = replace(situation, others=tuple(map(wrong_way, situation.others)))
     ledger, found, ego, everybody, body = _cast(situation, NOMINAL.speed)
     slow = min((one.reaches / one.needs for one, _ in everybody if one.needs > 0.0), default=ego.coming.speed)
     if slow < ego.coming.speed and situation.ego.speed is None:  # it would be there before the others are done

@@ -334,7 +334,9 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
         query["place"] = PLACES.get(road.kind or RoadKind.ROAD, Place.ROAD).value
     elif straight and road.kind is not None and road.kind in _CURVES:
         query["place"] = PLACES[road.kind].value
-    against = any(one.starts.where in (Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE) for one in others)
+    places = {one.starts.where for one in others}
+    wrong_way = Where.ONCOMING_IN_OUR_LANE in places
+    against = Where.ONCOMING in places or (wrong_way and query.get("opposite", True))
     against = against and query.get("ends") != Beside.BACK  # who turns round has them anyway, some lanes away
     if query["maneuver"] == Maneuver.BYPASS:
         several = (road.lanes or 1) > 1 or (bool(lanes) and not against)
@@ -348,6 +350,8 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     elif straight and road.lanes in (None, 1) and any(_at_kerb(one) for one in others):
         yield query | {"beside": "none"}  # the outermost lane, or there is no kerb beside it
     yield query
+    if wrong_way and Where.ONCOMING not in places and straight:  # who needs no lane of its own
+        yield dict(base) if not lanes else base | {"beside": lanes[0]}
 
 
 def _round(situation: Situation, base: dict[str, Any]) -> Iterator[dict[str, Any]]:

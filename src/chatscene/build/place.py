@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from chatscene.maps.ring_ways import ROUND
@@ -11,7 +11,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, RightOfWay, RoadKind, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Facing, RightOfWay, RoadKind, Side, Where
 from chatscene.world.places import EgoRoute as Route
 
 NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
@@ -124,3 +124,11 @@ def from_left(situation: Situation, one: Other) -> bool:
 def way_of(one: Other) -> Maneuver:
     """What somebody who comes through a junction does there."""
     return next((WAYS[deed.act] for deed in one.does if deed.act in WAYS), Maneuver.STRAIGHT)
+
+
+def wrong_way(one: Other) -> Other:
+    """The same; who goes on wheels in the ego's lane, and faces it, comes the other way there."""
+    goes = any(deed.act is not Act.STAND for deed in one.does) and one.kind.moves in (Moves.DRIVES, Moves.RIDES)
+    if not goes or one.starts.where is not Where.AHEAD or one.starts.facing is not Facing.AGAINST:
+        return one
+    return replace(one, starts=replace(one.starts, where=Where.ONCOMING_IN_OUR_LANE))
