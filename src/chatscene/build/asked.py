@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -11,7 +12,7 @@ from chatscene.build.place import Found, beside_lane, rides_at_edge
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
-from chatscene.terms.situation import Other, Situation
+from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.vocabulary import Act
 
 
@@ -176,3 +177,18 @@ def stands_first(one: Other) -> bool:
     first = one.does[0].act if one.does else None
     still = one.starts.speed is not None and one.starts.speed.high <= 0.0
     return still or first in (Act.STAND, Act.SET_OFF, Act.PULL_OUT) or one.kind.moves is Moves.LIES
+
+
+_OVER = {
+    Meets.ACROSS: (frozenset((Act.CROSS,)), frozenset((Act.STOP, Act.BRAKE, Act.FALL))),
+    Meets.THROUGH: (frozenset((Act.GO_STRAIGHT,)), frozenset((Act.STOP, Act.FALL))),
+}
+"""What leads somebody over the ego's way, and what ends that in it."""
+
+
+def stops_on_its_way(meets: Meets, deeds: Sequence[Deed], k: int) -> bool:
+    """Whether somebody stops in its k-th deed where the ego goes, over whose way it was going by the deed before."""
+    if k < 1 or meets not in _OVER or deeds[k].when is not None:
+        return False
+    goes, ends = _OVER[meets]
+    return deeds[k - 1].act in goes and deeds[k].act in ends

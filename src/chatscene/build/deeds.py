@@ -80,13 +80,16 @@ ALONG: dict[Act, Steps] = {
         going=True,
         pace=Pace.ENDS,
     ),
-    Act.STOP: Steps(
-        does=(BRAKES, "Halt() for $STOP_TIME seconds"),
-        last=(BRAKES, "Halt()"),
-        binds={"acceleration": "BRAKE", "time": "STOP_TIME"},
-        still=True,
-        going=True,
-        pace=Pace.STANDS,
+    **_each(
+        (Act.STOP, Act.FALL),
+        Steps(
+            does=(BRAKES, "Halt() for $STOP_TIME seconds"),
+            last=(BRAKES, "Halt()"),
+            binds={"acceleration": "BRAKE", "time": "STOP_TIME"},
+            still=True,
+            going=True,
+            pace=Pace.STANDS,
+        ),
     ),
     Act.SLOW_DOWN: Steps(
         does=("DrivePath({p}, $SLOW) for 3 seconds",),
@@ -256,6 +259,8 @@ MOVE = "MoveAhead($SPEED)"
 _STOOD = "Halt() until self.pose[3] < 0.1"
 RESTS = MOVE + " until restsWithin(egoRoute, self, 0.5)"
 """Comes so near that it stands in the ego's way if it halts."""
+RESTS_THERE = "brakingDistance(self) - 2"
+"""How far [m] from where its way comes near the ego's somebody still goes who stands in that if it brakes."""
 _OVER = Steps(
     does=(MOVE + " until abs(offsetFrom(egoRoute, self)) < 1",), last=(MOVE,), binds={"speed": "SPEED"}, comes_in=True
 )
@@ -276,7 +281,7 @@ ACROSS: dict[Act, Steps] = {
         pace=Pace.STANDS,
     ),
     **_each(
-        (Act.STOP, Act.BRAKE),
+        (Act.STOP, Act.BRAKE, Act.FALL),
         Steps(
             does=(_STOOD, "Halt() for $STOP_TIME seconds"),
             last=("Halt()",),

@@ -55,6 +55,11 @@ def since(once: Act, step: int, s: Seen, *, stands: bool) -> Act:
     return replace(once, began=step) if once.began < step <= done and still else once
 
 
+def _falls(s: Seen) -> Iterator[Act]:
+    """It comes to a standstill; that it lies then, no track tells."""
+    yield from ACTIONS[Action.STOP](s)
+
+
 def _moves_on(s: Seen) -> Iterable[Act]:
     """Every time that it gets on by its own length, or by two metres, where that is more."""
     least = max(2.0, s.track.length)
@@ -207,6 +212,7 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.TURN_BACK: _turns_back,
     Said.PARK: ACTIONS[Action.STOP],
     Said.YIELD: ACTIONS[Action.STOP],
+    Said.FALL: _falls,
 }
 """When somebody is seen to do something; for those that are not here, no track tells."""
 FOLLOWS = 40.0  # [m] behind somebody: who is farther does not follow

@@ -382,7 +382,7 @@ class Act(RowWord):
     YIELD = ("yield", "waits until somebody has gone by", _act(_ALL, "", ego=True, whom=True))
     OPEN_DOOR = ("open-door", "opens a door into somebody's way", _act(frozenset((Moves.DRIVES,)), "", sided=True))
     DROP_LOAD = ("drop-load", "loses something onto the road", _act(frozenset((Moves.DRIVES,))))
-    FALL = ("fall", "falls down", _act(_ALL))
+    FALL = ("fall", "on foot or on two wheels: falls, and lies where it fell", _act(_FEET | {Moves.RIDES}))
 
 
 COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
