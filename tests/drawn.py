@@ -7,7 +7,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from chatscene.situations.check import AMOUNTS, JUNCTIONS, TURNS
+from chatscene.situations.check import AMOUNTS, COMES_OVER, JUNCTIONS, TURNS
 from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Speed
 from chatscene.terms.situation import (
     Around,
@@ -132,6 +132,7 @@ def situations(draw: st.DrawFn) -> Situation:
             speed=draw(maybe(amounts(Speed))),
             facing=draw(maybe(st.sampled_from(Facing))),
         )
+        does = [replace(one, to=None) if one.act in COMES_OVER and one.to is start.side else one for one in does]
         role = Role.ADVERSARY if not others else draw(st.sampled_from(Role))
         hidden = draw(maybe(st.sampled_from([one.id for one in others]))) if others else None
         count = draw(st.sampled_from((1, 1, 1, 2, 0)))

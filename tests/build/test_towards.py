@@ -65,8 +65,8 @@ def test_a_deed_is_begun_while_another_is_under_way(what: str) -> None:
 
 def test_a_deed_that_waits_for_what_nobody_sees_is_refused() -> None:
     waits = car("A", "ahead", deed("brake") | {"when": {"after": "B.0"}})
-    with pytest.raises(NotBuilt, match=r"does\.0\.when\.after: B\.0, which is open-door"):
-        build(others(waits, car("B", "kerb", deed("open-door"), deed("stand"), side="right")))
+    with pytest.raises(NotBuilt, match=r"does\.0\.when\.after: B\.0, which is u-turn"):
+        build(others(waits, car("B", "oncoming", deed("u-turn"))))
 
 
 WHOM = {
@@ -216,11 +216,12 @@ def test_who_stands_faces_as_was_said(where: str, facing: str, turned: float) ->
     assert abs(away) == pytest.approx(turned, abs=8)
 
 
-def test_an_opened_door_is_not_called_impossible_of_who_stands_but_is_not_built() -> None:
-    said = somebody("car", "kerb", deed("stand"), deed("open-door"))
-    assert not tuple(impossible(said))
-    with pytest.raises(NotBuilt, match="nothing builds yet: open-door"):
-        build(said)
+def test_a_door_that_does_not_reach_our_lane_is_refused() -> None:
+    for side, to in (("left", "right"), ("right", "right")):
+        said = others(car("A", "kerb", deed("stand"), deed("open-door", to=to), side=side))
+        assert not tuple(impossible(said))
+        with pytest.raises(NotBuilt, match=r"open-door but of one who|opens away from our lane"):
+            build(said)
 
 
 def test_a_bus_nearer_than_any_bay_is_refused() -> None:

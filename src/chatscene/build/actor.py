@@ -14,6 +14,7 @@ from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
 from chatscene.build.opening import LANE
+from chatscene.build.parts import parts_of
 from chatscene.build.phases import Phases
 from chatscene.build.place import GOES_OVER, NEXT_LANE, Found
 from chatscene.build.starts import start_of
@@ -50,6 +51,7 @@ class Actor:
         first: In whose row it stands, whose place it shares; None if it is the first.
         needs: How long [s] the ego must need at least to where they meet.
         reaches: How far [m] the ego has to there.
+        begins: For each of its deeds, how many of its phases come before it.
         soon: When [s] the ego meets somebody else, who may end the scene; None if nobody is known to.
     """
 
@@ -66,6 +68,7 @@ class Actor:
     needs: float = field(init=False, default=0.0)
     reaches: float = field(init=False, default=0.0)
     soon: float | None = None
+    begins: tuple[int, ...] = field(init=False, default=())
     _texts: tuple[str, ...] | None = field(init=False, default=None)
 
     def __post_init__(self) -> None:
@@ -180,7 +183,9 @@ class Actor:
     def phases(self) -> tuple[str, ...]:
         """What it does until its first deed is due, then deed after deed; empty for what only lies or hides."""
         if self._texts is None:
-            self._texts = Phases(self).texts()
+            phases = Phases(self)
+            self._texts = phases.texts()
+            self.begins = tuple(phases.begins)
         return tuple(self.filled(text) for text in self._texts)
 
     @property
@@ -230,8 +235,9 @@ class Actor:
         for n in range(self.count):
             place, facing = self._hides(hidden, n) if hidden is not None else self._place(n)
             said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
-            said += f", with label '{self.one.id}'" + self._role()
-            lines.append(said + self._moving(phases) + (f", with behavior Does{one}()" if phases else ""))
+            said += f", with label '{self.one.id}'" + self.role()
+            lines.append(said + self.moving(phases) + (f", with behavior Does{one}()" if phases else ""))
+        lines += parts_of(self, self.begins)
         if self.one.starts.speed is not None and self.one.starts.speed.high <= 0.0:
             self.ledger.take(f"{self.path}.starts.speed")  # it stands
         self.ledger.take(*self.numbers.built())
@@ -249,7 +255,7 @@ class Actor:
             raise NotBuilt(f"no map has such a place: {self.path} has no lane to the {side} of ours")
         return f"extended({OWN}, 60).offset({'' if side == Side.LEFT else '-'}{LANE})"
 
-    def _moving(self, phases: Sequence[str]) -> str:
+    def moving(self, phases: Sequence[str]) -> str:
         """Its speed at first: who goes the ego's way is under way as the ego is."""
         if phases and self.stand.rolls:
             self.ledger.take(f"{self.path}.starts.speed")
@@ -267,7 +273,8 @@ class Actor:
             else f", with speed {self.ego_speed:g}"
         )
 
-    def _role(self) -> str:
+    def role(self) -> str:
+        """What it is there for, as a program says it."""
         role = {Role.ADVERSARY: "adversary", Role.SUPPORTING: "background", Role.HIDES: "occluder"}[self.one.role]
         return f", with role '{role}'"
 
@@ -281,9 +288,8 @@ class Actor:
             return self.filled(point), self.filled(facing)
         sign = "+" if stand.meets is Meets.ALONG and not stand.behind else "-"  # away from the ego
         at = self.filled(stand.at) + (f" {sign} {n * (length + 2.5):g}" if n else "")
-        aside = f", {stand.aside:g}" if stand.aside else ""
         turn = f", {stand.turn:g}" if stand.turn else ""
-        return f"pointOn(way{one}, {at}{aside})", f"directionOn(way{one}, {at}{turn})"
+        return f"pointOn(way{one}, {at})", f"directionOn(way{one}, {at}{turn})"
 
     def _hides(self, hidden: Actor, n: int) -> tuple[str, str]:
         """Where the n-th of it stands between the ego and whom it hides: nearer to the ego and farther in turn."""

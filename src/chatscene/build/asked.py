@@ -34,7 +34,6 @@ class Stand:
         meets: How it comes to meet the ego.
         way: The line it goes along.
         at: Arc length [m] on that.
-        aside: How far [m] to the left of it.
         point: Where it is instead of on its way.
         facing: Which way it faces there.
         lines: What is named before.
@@ -52,7 +51,6 @@ class Stand:
     meets: Meets
     way: str = "egoRoute"
     at: str = ""
-    aside: float = 0.0
     point: str = ""
     facing: str = ""
     lines: tuple[str, ...] = ()

@@ -183,6 +183,8 @@ ALONG: dict[Act, Steps] = {
         binds={"speed": "SPEED"},
     ),
     Act.CROSS: replace(_GOES, lasting=False),
+    Act.OPEN_DOOR: Steps(does=("Park() for 3 seconds",), last=("Park()",), still=True, pace=Pace.STANDS),
+    Act.DROP_LOAD: Steps(does=(GO + " for 2 seconds",), last=(GO,), going=True),
     Act.PARK: Steps(
         does=("DrivePath({p}, $SLOW, -2.8) for 3 seconds", BRAKES),
         last=("DrivePath({p}, $SLOW, -2.8) for 3 seconds", BRAKES, "Halt()"),

@@ -13,7 +13,7 @@ from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import at_junction
 from chatscene.build.timing import Course
 from chatscene.build.waiting import when_of
-from chatscene.terms.situation import Other
+from chatscene.terms.situation import EGO, Other
 from chatscene.terms.vocabulary import Act, Facing, Side, Where
 
 if TYPE_CHECKING:
@@ -25,6 +25,7 @@ STOOD = 0.6  # [s]: who stands so long before it sets off is seen to stand
 YIELDS = 1.0  # [m/s]: an ego that goes no faster yields
 LATEST = 12.0  # [s] that somebody goes with the ego before it does anything
 LEAST = 2.0  # [m/s] that somebody goes at least who goes with an ego that is faster
+IS_OPEN = 1.5  # [s] before the ego is there that somebody begins to open a door
 SHORT = 25.0  # [m] before the end of a road, or before a junction: nobody is placed farther
 
 
@@ -54,7 +55,7 @@ class Opening:
             if when.ego_within is not None or actor.stand.ego_meets == "egoRoute.eventAt":
                 return
         lasting = all(one.lasting for one in steps)
-        if lasting and (actor.stand.meets is Meets.ALONG or self._goes_along()):
+        if (lasting or self._only_waits()) and (actor.stand.meets is Meets.ALONG or self._goes_along()):
             return
         if not actor.stand.rolls:
             self._make_room()
@@ -70,6 +71,14 @@ class Opening:
         if actor.stand.meets is Meets.THROUGH and not steps[self.first].lasting and deed.act is not Act.SET_OFF:
             room = 3 + self.ahead.metres
             yield f"{self._go()} until {actor.stand.left} < brakingDistance(self) + {room:.3g}"
+
+    def _only_waits(self) -> bool:
+        """Whether it only goes on until somebody else has done what its first deed that does not last waits for."""
+        actor = self.phases.actor
+        first = next(k for k, steps in enumerate(self.phases.steps) if not steps.lasting)
+        when = actor.deeds[first].when
+        waits = (when.after or when.during or "") if when is not None else ""
+        return first > self.first and waits.partition(".")[0] not in ("", EGO, actor.one.id)
 
     def _make_room(self) -> None:
         """Let it be so far along the ego's route that the ego is not there too soon."""
@@ -176,7 +185,9 @@ class Opening:
                     return f"{due} or secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.2f} + $OFFSET"
                 return due + self._or_yields()
             case Meets.KERB:
-                return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {wait:.2f} + $OFFSET" + self._or_yields()
+                comes = self._in_whose_way()
+                due = f"secondsTo(egoRoute, {comes}, {stand.ego_meets}) < {wait:.2f} + $OFFSET"
+                return due + (self._or_yields() if comes == EGO else "")
             case Meets.ALONG if stands_first(self.phases.actor.one) and not stand.behind:
                 there = "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0])"
                 return f"{there} < {wait:.2f} + $OFFSET" + self._or_yields()
@@ -193,6 +204,17 @@ class Opening:
             return None
         others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
         return next((one for one in others if one.starts.where is Where.AHEAD and stands_first(one)), None)
+
+    def _in_whose_way(self) -> str:
+        """Who comes past whoever opens a door: who waits for that on the ego's road, else the ego."""
+        actor = self.phases.actor
+        if actor.deeds[-1].act is Act.OPEN_DOOR:
+            doors = {f"{actor.one.id}.{Act.OPEN_DOOR}", f"{actor.one.id}.{len(actor.deeds) - 1}"}
+            for one in actor.ledger.situation.others:
+                whens = [deed.when for deed in one.does if deed.when is not None]
+                if one.starts.where in (Where.AHEAD, Where.BESIDE) and any(doors & {when.after} for when in whens):
+                    return name_of(one.id)
+        return EGO
 
     def _or_yields(self) -> str:
         """An ego that stops for who stands in or beside its lane would wait for it as long as it waits for the ego."""
@@ -228,6 +250,8 @@ class Opening:
                 comes = 0.0 if any(one.comes_in for one in self.phases.steps) else self._takes() + lost
                 late = more - self.near / self._wish() - comes
                 return lost + (late if self.near > 0.0 else max(0.0, late))
+            case Meets.KERB if actor.deeds[-1].act is Act.OPEN_DOOR:
+                return IS_OPEN
             case Meets.KERB:  # it is in the lane once it has gone its own length and the width of a lane
                 return self.phases.body.covers(actor.limits.length + LANE, self._wish()) + more
             case Meets.ALONG if stands_first(actor.one) and not stand.behind:

@@ -44,12 +44,14 @@ class Phases:
         steps: For each deed, how it is done.
         paces: How fast it is before and after each.
         body: What its body can do.
+        begins: For each deed, how many phases come before the last of its own.
     """
 
     actor: Actor
     steps: list[Steps] = field(init=False)
     paces: Paces = field(init=False)
     body: Body = field(init=False)
+    begins: list[int] = field(init=False, default_factory=list[int])
 
     def texts(self) -> tuple[str, ...]:
         """What it does until its first deed is due, then deed after deed; empty for what only lies or hides."""
@@ -114,8 +116,11 @@ class Phases:
             takes += actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
         begins = replace(begins, seconds=begins.seconds + takes)
         near = self._comes_near(first, bodies)
-        yield from Opening(self, first, begins, near).texts()
+        opening = list(Opening(self, first, begins, near).texts())
+        yield from opening
+        self.begins = [0] * first
         for body in bodies:
+            self.begins.append(len(opening) + sum(map(len, bodies[: len(self.begins) - first])) + len(body) - 1)
             yield from body
 
     def _comes_near(self, first: int, bodies: list[list[str]]) -> float:

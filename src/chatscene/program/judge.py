@@ -1,7 +1,7 @@
 """A situation and a drive: which facts are seen on the tracks, when, and which are not.
 
 Tracks, map and lights alone are read, never a program's text. What has no test here has no finding: which way somebody
-faces, lanes, the ego's light, an opened door.
+faces, lanes, the ego's light.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from chatscene.program.contacts import SIDES_OF, striker_of
 from chatscene.program.deeds import ACTIONS, MOVING, STANDING, Act
 from chatscene.program.doing import (
     ACTS,
+    PARTS,
     TO_SOMEBODY,
     accelerates,
     enters,
@@ -273,6 +274,9 @@ class _Judge:
             sees = enters
         if act is Said.ACCELERATE and (speed := one.does[k].speed) is not None and not speed.than_ego:
             sees = partial(accelerates, to=speed.high)
+        if act in PARTS:
+            parts = self._tracks(f"{one.id}-{PARTS[act]}")[sum(deed.act is act for deed in one.does[:k]) :]
+            seen = watch(self.episode, self.route, parts[0], self.contact) if parts else seen
         for once in sees(seen):
             if self._counts(once, seen):
                 yield since(once, latest, seen, stands=stands) if stands or act in COMES_IN else once
@@ -380,7 +384,8 @@ class _Judge:
             yield Finding(path="contact.happens", shown=False, told="said that there is no contact, there is one")
             return
         whom = said.whom or next(one.id for one in self.situation.adversaries)
-        right = re.fullmatch(rf"{re.escape(whom)}(-\d+)?", collision.other) is not None
+        part = rf"(-({'|'.join(PARTS.values())}))?"
+        right = re.fullmatch(rf"{re.escape(whom)}{part}(-\d+)?", collision.other) is not None
         yield Finding(path="contact.whom", shown=right, told=f"said {whom}, it is {collision.other}")
         if said.ego is not None:
             right = collision.side in SIDES_OF[said.ego]

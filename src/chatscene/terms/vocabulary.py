@@ -205,6 +205,7 @@ class UserKind(RowWord):
     DOG = ("dog", "a dog", _is(AdversaryKind.DOG))
     DEER = ("deer", "a deer or another large wild animal", _is(AdversaryKind.DEER))
     ANIMAL = ("animal", "an animal, not said of which kind", KindRow(body=AdversaryKind.DEER, general=True))
+    BALL = ("ball", "a ball that rolls", KindRow(body=AdversaryKind.DOG, prop="Ball"))
     OBJECT = ("object", "a thing on the road, not said which", KindRow(body=AdversaryKind.BOX, general=True))
     DEBRIS = ("debris", "a lost load, a branch, rubble", _is(AdversaryKind.DEBRIS))
     CONE = ("cone", "a traffic cone or a barrier", _is(AdversaryKind.CONE))
