@@ -23,7 +23,7 @@ from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, PROPS, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import SEVERAL, Deed, Other
-from chatscene.terms.vocabulary import Act, Role, Side, UserKind
+from chatscene.terms.vocabulary import Act, Role, Side, UserKind, Where
 from chatscene.world.places import lanes_beside
 
 BETWEEN = 1.2  # [m] between things in a row
@@ -293,6 +293,9 @@ class Actor:
 
     def _hides(self, hidden: Actor, n: int) -> tuple[str, str]:
         """Where the n-th of it stands between the ego and whom it hides: nearer to the ego and farther in turn."""
+        if hidden.stand.meets is Meets.THROUGH and hidden.one.starts.where is Where.ARM:
+            self.ledger.take(f"{hidden.path}.hidden_by")
+            return self._at_corner(hidden, n)
         if hidden.stand.meets is not Meets.ACROSS or "level" not in hidden.stand.point:
             raise NotBuilt(f"nothing builds yet: {self.one.id}, which hides somebody who is {hidden.one.starts.where}")
         side = str(hidden.one.starts.side)
@@ -307,6 +310,17 @@ class Actor:
             away = max(away, BEYOND / (LANE / 2 + aside) * SEEN_FROM * hidden.numbers.middle("Y"))
         at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
         return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
+
+    def _at_corner(self, hidden: Actor, n: int) -> tuple[str, str]:
+        """Where the n-th of it stands beside the way of whom it hides on an arm, in the line of sight as that sets off.
+
+        Beside whom it hides lies the lane of the other direction, if the ego comes from that one's left.
+        """
+        left = hidden.one.starts.side is Side.RIGHT
+        aside = (1.5 * LANE if left else 0.5 * LANE) + 0.5 * self.limits.width + BETWEEN
+        along = aside * hidden.numbers.middle("SPEED") / self.ego_speed + n * (self.limits.length + BETWEEN)
+        at, way = f"{hidden.filled(hidden.stand.at)} + {along:.3g}", f"way{name_of(hidden.one.id)}"
+        return f"pointOn({way}, {at}, {aside if left else -aside:.3g})", f"directionOn({way}, {at})"
 
     def said(self) -> str:
         """What it is and does, for a comment."""
