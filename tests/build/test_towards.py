@@ -246,3 +246,9 @@ def test_who_comes_over_from_beside_strikes_or_is_struck_as_was_said(striker: st
 def test_who_goes_over_goes_where_others_come_if_there_is_no_other_lane() -> None:
     said = others(car("A", "behind", deed("overtake")), car("B", "oncoming", deed("go-along")), road={"two_way": True})
     assert build(said).program.source
+
+
+def test_somebody_on_foot_where_only_vehicles_come_from_is_refused_with_where_people_are() -> None:
+    for where in ("arm", "oncoming", "behind"):
+        with pytest.raises(NotBuilt, match="of a pedestrian; say roadside, crossing or exit-crossing"):
+            build(others(car("A", where, deed("go-along"), kind="pedestrian")))

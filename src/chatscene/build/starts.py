@@ -21,11 +21,11 @@ _EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a 
 def _ahead(asked: Asked) -> Stand:
     if asked.walks:
         asked.ahead(30, 50)
-        there = f"$Y{asked.more}"
         return Stand(
             meets=Meets.ACROSS,
-            point=f"pointOn(egoRoute, {there})",
-            facing=faces(asked, there, Facing.ALONG, Side.RIGHT),
+            point="pointOn(egoRoute, level{i})",
+            facing=faces(asked, "level{i}", Facing.ALONG, Side.RIGHT),
+            lines=(f"level{{i}} = $Y{asked.more}",),
             ego_meets="progressOn(egoRoute, self)[0]",
             faces=True,
             anywhere=True,
@@ -82,6 +82,8 @@ BESIDE_TO_STRIKE = {Striker.EGO: (2.5, 5.0), Striker.OTHER: (-2.5, 0.8)}
 
 
 def _next_lane(asked: Asked) -> Stand:
+    if asked.walks and asked.one.starts.where is Where.AHEAD_BESIDE:
+        return _beside_lane(asked, asked.side, 2.6)
     if asked.begins_beside:
         if asked.one.starts.where is Where.BEHIND_BESIDE:
             return _comes_along(asked)
@@ -291,16 +293,22 @@ def _exit(asked: Asked) -> Stand:
 
 
 def _median(asked: Asked) -> Stand:
+    return _beside_lane(asked, Side.LEFT, 1.9)
+
+
+def _beside_lane(asked: Asked, side: str, aside: float) -> Stand:
+    """Ahead, so far [m] to a side of the ego's line, and facing that."""
     asked.ahead(34, 50)
     stand = Stand(
         meets=Meets.ACROSS,
-        point=f"pointOn(egoRoute, $Y{asked.more}, 1.9)",
-        facing=f'crossingDirection(egoRoute, $Y{asked.more}, "left")',
+        point=f"pointOn(egoRoute, level{{i}}, {aside if side == Side.LEFT else -aside:g})",
+        facing=f'crossingDirection(egoRoute, level{{i}}, "{side}")',
+        lines=(f"level{{i}} = $Y{asked.more}",),
         ego_meets="progressOn(egoRoute, self)[0]",
         left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
         anywhere=True,
     )
-    return slanting(asked, stand, Side.LEFT)
+    return slanting(asked, stand, Side(side))
 
 
 def _on_ramp(asked: Asked) -> Stand:

@@ -53,6 +53,7 @@ from chatscene.terms.vocabulary import Act as Said
 SLACK = 0.15  # of a number that was said: what a watcher does not see
 SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
 BACK_SLACK = 0.7  # [m]
+LOST_AT_ONCE = 0.5  # [m/s] that the ego has lost in the last steps, if it was losing speed when it was hit
 OVER = 5  # [steps] over which a deceleration is seen
 
 
@@ -169,7 +170,9 @@ class _Judge:
             state = _EGO_ACTS[deed.act]
             if deed.act is Said.BRAKE and (deed.speed is not None or deed.time is not None):
                 state = EgoState.SLOWS_DOWN  # as much as was said, which may be less than half
-            yield Finding(path=path, shown=EGO_STATES[state](speed, dt), told=f"said {deed.act}, {course}")
+            begun = self.contact is not None and speed[-1] < speed[-OVER:].max() - LOST_AT_ONCE  # and is cut short
+            shown = EGO_STATES[state](speed, dt) or (None if begun else False)
+            yield Finding(path=path, shown=shown, told=f"said {deed.act}, {course}")
 
     # Somebody else
 
