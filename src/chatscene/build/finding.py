@@ -34,7 +34,7 @@ from chatscene.situations.check import COMES_OVER
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
-from chatscene.terms.scenario import Maneuver, Place, Site
+from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
 from chatscene.world.places import EgoRoute as Route
@@ -313,8 +313,8 @@ def _at_junction(
     if any(rides_at_edge(one, situation.ego.route) and one.starts.where in NEXT_LANE for one in others):
         arms.append("oncoming")  # an arm opposite, or there is no straight on
     query = base | {"place": PLACES.get(road.kind or RoadKind.JUNCTION, Place.JUNCTION).value}
-    if (control := control_of(situation)) is not None and control in CONTROLS:
-        query["control"] = CONTROLS[control].value
+    if (control := control_of(situation)) is not None:
+        query["control"] = CONTROLS.get(control, Control.NONE).value
     if arms:
         query["crossed"] = tuple(dict.fromkeys(arms))
     if lanes:
@@ -369,6 +369,8 @@ def _take(ledger: Ledger, found: Found) -> None:
     """What of the road is as it was said, once a route is found; and what was chosen."""
     situation = ledger.situation
     ledger.take(*_as_said(situation, found))
+    if situation.road.control is RightOfWay.YIELD_SIGN and "control" in found.query:
+        ledger.assume("no sign at the junction says who gives way, since no map has such signs")
     for name, side in found.sides.items():
         if comes_from(situation[name]) is side:
             continue  # which was said
@@ -389,7 +391,7 @@ def _as_said(situation: Situation, found: Found) -> Iterator[str]:
         "road.ego_lane": query.get("lane") == road.ego_lane,
         "road.kind": _is_kind(road.kind, found),
         "road.control": (road.control in CONTROLS and "control" in query)
-        or (road.control is RightOfWay.YIELD_SIGN and site == Site.ROUNDABOUT),
+        or (road.control is RightOfWay.YIELD_SIGN and (site == Site.ROUNDABOUT or "control" in query)),
         "road.two_way": road.two_way is against,
         "road.setting": road.setting is not None and settings.get(road.setting, False),
     }

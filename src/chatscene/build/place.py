@@ -8,7 +8,7 @@ from typing import Any
 from chatscene.maps.ring_ways import ROUND
 from chatscene.situations.check import RULED_BY, TURNS
 from chatscene.terms.actors import Manner as Moves
-from chatscene.terms.routing import BEGINS, CONTROLS, ENDS
+from chatscene.terms.routing import BEGINS, ENDS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Facing, RightOfWay, RoadKind, Side, Where
@@ -48,7 +48,7 @@ def at_junction(situation: Situation) -> bool:
     return not (at_roundabout(situation) or beside_lane(situation)) and (
         road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
         or situation.ego.route in TURNS
-        or control_of(situation) in CONTROLS
+        or control_of(situation) is not None
         or any(one.starts.where.row.junction for one in others if one.starts.where not in ROUNDABOUT_PLACES)
         or any(deed.act is Act.GO_STRAIGHT for one in others for deed in one.does)
     )
