@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from chatscene.build.asked import Asked, Meets, Stand, stands_first
@@ -306,7 +306,7 @@ class Actor:
         side = str(hidden.one.starts.side)
         if self.one.starts.side not in (None, side):
             raise NotBuilt(f"nothing builds yet: {self.path}, which hides {hidden.one.id} from its side")
-        self.ledger.take(f"{hidden.path}.hidden_by")
+        self.ledger.take(*(f"others.{name}.hidden_by" for name in self._hidden_with(hidden.one)))
         length = self.limits.length or 1.2
         away = 2.6 + 0.5 * length + n // 2 * (length + BETWEEN)
         beyond, aside = 1.2, hidden.numbers.middle("X")
@@ -315,6 +315,17 @@ class Actor:
             away = max(away, BEYOND / (LANE / 2 + aside) * SEEN_FROM * hidden.numbers.middle("Y"))
         at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
         return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
+
+    def _hidden_with(self, one: Other) -> Iterator[str]:
+        """The ids of all that it hides with somebody, from whose gap they come."""
+        for other in self.ledger.situation.others:
+            same = (other.starts.where, other.starts.side) == (
+                one.starts.where,
+                self.ledger.situation[one.id].starts.side,
+            )
+            if other.hidden_by == self.one.id and same and other.starts.distance is None:
+                yield other.id
+        yield one.id
 
     def _at_corner(self, hidden: Actor, n: int) -> tuple[str, str]:
         """Where the n-th of it stands beside the way of whom it hides on an arm, in the line of sight as that sets off.

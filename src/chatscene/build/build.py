@@ -124,7 +124,8 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         actor = Actor(ledger, found, started(one, found.sides), ego.coming, room, first)
         built[one.id] = actor
         if hidden is None:
-            long = 2.5 if actor.stand.meets is Meets.ACROSS else actor.count * (actor.limits.length + ROOM)
+            abreast = 1.5 if one.hidden_by is not None else 2.5  # from the same gap
+            long = abreast if actor.stand.meets is Meets.ACROSS else actor.count * (actor.limits.length + ROOM)
             rows[place] = (first or actor, room + long)
         order.append((actor, built[hidden] if hidden is not None else None))
     return order
