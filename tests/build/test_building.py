@@ -16,6 +16,7 @@ from chatscene.build.build import Built, build
 from chatscene.build.deeds import ACROSS, ALONG, TOWARD
 from chatscene.build.ledger import LEFT_OUT
 from chatscene.build.numbers import RANGES, Numbers
+from chatscene.build.parts import PARTS
 from chatscene.build.starts import STARTS
 from chatscene.ego.policy import load_ego, wanting
 from chatscene.errors import MapError, NotBuilt, SituationError
@@ -96,12 +97,13 @@ def test_every_plan_is_data(name: str) -> None:
 def test_everybody_who_was_said_is_there_in_the_number_and_part_that_was_said(name: str) -> None:
     said, episode = situation(name), drive(built(name))
     assert isinstance(episode, Episode)
-    parts = {"adversary": Role.ADVERSARY, "supporting": Role.BACKGROUND, "hides": Role.OCCLUDER}
+    roles = {"adversary": Role.ADVERSARY, "supporting": Role.BACKGROUND, "hides": Role.OCCLUDER}
     for one in said.others:
         there = [track for track in episode.tracks if re.fullmatch(rf"{one.id}(-\d+)?", track.actor)]
         assert len(there) == (one.count or 3)
-        assert {track.role for track in there} == {parts[one.role]}
-    assert len(episode.tracks) == 1 + sum(one.count or 3 for one in said.others)
+        assert {track.role for track in there} == {roles[one.role]}
+    parts = sum(deed.act in PARTS for one in said.others for deed in one.does)
+    assert len(episode.tracks) == 1 + sum(one.count or 3 for one in said.others) + parts
 
 
 def test_every_place_of_these_tables_is_tried_here() -> None:
@@ -153,7 +155,7 @@ def test_bounds_and_differences_to_the_ego_narrow_what_is_searched() -> None:
     ("changed", "told"),
     [
         ({"ego": {"route": "reverse"}}, "ego.route: reverse"),
-        (ahead({"act": "drop-load"}), "drop-load of somebody who is ahead"),
+        ({"road": {"kind": "parking-lot"}}, "road.kind: parking-lot"),
         (
             {"others": [{"id": "A", "kind": "car", "starts": {"where": "off-ramp"}}]},
             "others.A.starts.where: off-ramp; the nearest is ahead-beside, on the right",

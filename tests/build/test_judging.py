@@ -115,6 +115,6 @@ def test_a_contact_is_held_against_who_touches_whom_and_not_asked_of_a_drive_wit
 
 
 def test_what_no_track_tells_is_a_short_list() -> None:
-    assert set(Act) - set(ACTS) == {Act.OPEN_DOOR, Act.DROP_LOAD, Act.FALL}
+    assert set(Act) <= set(ACTS)
     unseen = {Where.OFF_RAMP, Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY}
     assert set(Where) - set(STARTS) == unseen

@@ -66,8 +66,8 @@ def test_a_deed_is_begun_while_another_is_under_way(what: str) -> None:
 
 def test_a_deed_that_waits_for_what_nobody_sees_is_refused() -> None:
     waits = car("A", "ahead", deed("brake") | {"when": {"after": "B.0"}})
-    with pytest.raises(NotBuilt, match=r"does\.0\.when\.after: B\.0, which is open-door"):
-        build(others(waits, car("B", "kerb", deed("open-door"), deed("stand"), side="right")))
+    with pytest.raises(NotBuilt, match=r"does\.0\.when\.after: B\.0, which is u-turn"):
+        build(others(waits, car("B", "oncoming", deed("u-turn"))))
 
 
 WHOM = {
@@ -261,11 +261,12 @@ def test_who_stands_faces_as_was_said(where: str, facing: str, turned: float) ->
     assert abs(away) == pytest.approx(turned, abs=8)
 
 
-def test_an_opened_door_is_not_called_impossible_of_who_stands_but_is_not_built() -> None:
-    said = somebody("car", "kerb", deed("stand"), deed("open-door"))
-    assert not tuple(impossible(said))
-    with pytest.raises(NotBuilt, match="nothing builds yet: open-door"):
-        build(said)
+def test_a_door_that_does_not_reach_our_lane_is_refused() -> None:
+    for side, to in (("left", "right"), ("right", "right")):
+        said = others(car("A", "kerb", deed("stand"), deed("open-door", to=to), side=side))
+        assert not tuple(impossible(said))
+        with pytest.raises(NotBuilt, match=r"open-door but of one who|opens away from our lane"):
+            build(said)
 
 
 def test_a_bus_nearer_than_any_bay_is_refused() -> None:
@@ -290,3 +291,9 @@ def test_who_comes_over_from_beside_strikes_or_is_struck_as_was_said(striker: st
 def test_who_goes_over_goes_where_others_come_if_there_is_no_other_lane() -> None:
     said = others(car("A", "behind", deed("overtake")), car("B", "oncoming", deed("go-along")), road={"two_way": True})
     assert build(said).program.source
+
+
+def test_somebody_on_foot_where_only_vehicles_come_from_is_refused_with_where_people_are() -> None:
+    for where in ("arm", "oncoming", "behind"):
+        with pytest.raises(NotBuilt, match="of a pedestrian; say roadside, crossing or exit-crossing"):
+            build(others(car("A", where, deed("go-along"), kind="pedestrian")))

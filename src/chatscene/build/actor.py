@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from chatscene.build.asked import Asked, Meets, Stand, bolts, stands_first
@@ -13,6 +13,7 @@ from chatscene.build.facing import said_anyway
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
+from chatscene.build.parts import parts_of
 from chatscene.build.phases import Phases
 from chatscene.build.place import AT_CROSSWALKS, GOES_OVER, LANE, NEXT_LANE, Found, is_marked
 from chatscene.build.starts import start_of
@@ -22,7 +23,7 @@ from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, PROPS, AdversaryKind, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import SEVERAL, Deed, Other
-from chatscene.terms.vocabulary import Act, Breach, Role, Side, UserKind
+from chatscene.terms.vocabulary import Act, Breach, Role, Side, UserKind, Where
 from chatscene.world.places import lanes_beside
 
 BETWEEN = 1.2  # [m] between things in a row
@@ -50,6 +51,7 @@ class Actor:
         first: In whose row it stands, whose place it shares; None if it is the first.
         needs: How long [s] the ego must need at least to where they meet.
         reaches: How far [m] the ego has to there.
+        begins: For each of its deeds, how many of its phases come before it.
         soon: When [s] the ego meets somebody else, who may end the scene; None if nobody is known to.
     """
 
@@ -66,6 +68,7 @@ class Actor:
     needs: float = field(init=False, default=0.0)
     reaches: float = field(init=False, default=0.0)
     soon: float | None = None
+    begins: tuple[int, ...] = field(init=False, default=())
     _texts: tuple[str, ...] | None = field(init=False, default=None)
 
     def __post_init__(self) -> None:
@@ -86,6 +89,11 @@ class Actor:
             first=self.first.stand if self.first is not None else None,
         )
         self.stand = start_of(asked)
+        if self.walks and self.stand.meets is not Meets.ACROSS:
+            where = f"{self.path}.starts.where: {self.one.starts.where}"
+            raise NotBuilt(
+                f"nothing builds yet: {where}, of a {self.one.kind}; say roadside, crossing or exit-crossing"
+            )
         self._keep_up()
         self.named = {}
         at = f"others.{self.one.id}"
@@ -210,7 +218,9 @@ class Actor:
     def phases(self) -> tuple[str, ...]:
         """What it does until its first deed is due, then deed after deed; empty for what only lies or hides."""
         if self._texts is None:
-            self._texts = Phases(self).texts()
+            phases = Phases(self)
+            self._texts = phases.texts()
+            self.begins = tuple(phases.due_after)
         return tuple(self.filled(text) for text in self._texts)
 
     @property
@@ -267,8 +277,9 @@ class Actor:
         for n in range(self.count):
             place, facing = self._hides(hidden, n) if hidden is not None else self._place(n)
             said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
-            said += f", with label '{self.one.id}'" + self._role()
-            lines.append(said + self._moving(phases) + (f", with behavior Does{one}()" if phases else ""))
+            said += f", with label '{self.one.id}'" + self.role()
+            lines.append(said + self.moving(phases) + (f", with behavior Does{one}()" if phases else ""))
+        lines += parts_of(self, self.begins)
         if self.one.starts.speed is not None and self.one.starts.speed.high <= 0.0:
             self.ledger.take(f"{self.path}.starts.speed")  # it stands
         self.ledger.take(*self.numbers.built())
@@ -286,7 +297,7 @@ class Actor:
             raise NotBuilt(f"no map has such a place: {self.path} has no lane to the {side} of ours")
         return f"extended({OWN}, 60).offset({'' if side == Side.LEFT else '-'}{LANE})"
 
-    def _moving(self, phases: Sequence[str]) -> str:
+    def moving(self, phases: Sequence[str]) -> str:
         """Its speed at first: who goes the ego's way is under way as the ego is."""
         if phases and self.stand.rolls:
             self.ledger.take(f"{self.path}.starts.speed")
@@ -304,7 +315,8 @@ class Actor:
             else f", with speed {self.ego_speed:g}"
         )
 
-    def _role(self) -> str:
+    def role(self) -> str:
+        """What it is there for, as a program says it."""
         role = {Role.ADVERSARY: "adversary", Role.SUPPORTING: "background", Role.HIDES: "occluder"}[self.one.role]
         return f", with role '{role}'"
 
@@ -318,18 +330,20 @@ class Actor:
             return self.filled(point), self.filled(facing)
         sign = "+" if stand.meets is Meets.ALONG and not stand.behind else "-"  # away from the ego
         at = self.filled(stand.at) + (f" {sign} {n * (length + 2.5):g}" if n else "")
-        aside = f", {stand.aside:g}" if stand.aside else ""
         turn = f", {stand.turn:g}" if stand.turn else ""
-        return f"pointOn(way{one}, {at}{aside})", f"directionOn(way{one}, {at}{turn})"
+        return f"pointOn(way{one}, {at})", f"directionOn(way{one}, {at}{turn})"
 
     def _hides(self, hidden: Actor, n: int) -> tuple[str, str]:
         """Where the n-th of it stands between the ego and whom it hides: nearer to the ego and farther in turn."""
+        if hidden.stand.meets is Meets.THROUGH and hidden.one.starts.where is Where.ARM:
+            self.ledger.take(f"{hidden.path}.hidden_by")
+            return self._at_corner(hidden, n)
         if hidden.stand.meets is not Meets.ACROSS or "besideRoad" not in hidden.stand.point:
             raise NotBuilt(f"nothing builds yet: {self.one.id}, which hides somebody who is {hidden.one.starts.where}")
         side = str(hidden.one.starts.side)
         if self.one.starts.side not in (None, side):
             raise NotBuilt(f"nothing builds yet: {self.path}, which hides {hidden.one.id} from its side")
-        self.ledger.take(f"{hidden.path}.hidden_by")
+        self.ledger.take(*(f"others.{name}.hidden_by" for name in self._hidden_with(hidden.one)))
         length = self.limits.length or 1.2
         away = 2.6 + 0.5 * length + n // 2 * (length + BETWEEN)
         beyond, aside = 1.2, hidden.numbers.middle("X")
@@ -338,6 +352,28 @@ class Actor:
             away = max(away, BEYOND / (LANE / 2 + aside) * SEEN_FROM * hidden.numbers.middle("Y"))
         at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
         return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
+
+    def _hidden_with(self, one: Other) -> Iterator[str]:
+        """The ids of all that it hides with somebody, from whose gap they come."""
+        for other in self.ledger.situation.others:
+            same = (other.starts.where, other.starts.side) == (
+                one.starts.where,
+                self.ledger.situation[one.id].starts.side,
+            )
+            if other.hidden_by == self.one.id and same and other.starts.distance is None:
+                yield other.id
+        yield one.id
+
+    def _at_corner(self, hidden: Actor, n: int) -> tuple[str, str]:
+        """Where the n-th of it stands beside the way of whom it hides on an arm, in the line of sight as that sets off.
+
+        Beside whom it hides lies the lane of the other direction, if the ego comes from that one's left.
+        """
+        left = hidden.one.starts.side is Side.RIGHT
+        aside = (1.5 * LANE if left else 0.5 * LANE) + 0.5 * self.limits.width + BETWEEN
+        along = aside * hidden.numbers.middle("SPEED") / self.ego_speed + n * (self.limits.length + BETWEEN)
+        at, way = f"{hidden.filled(hidden.stand.at)} + {along:.3g}", f"way{name_of(hidden.one.id)}"
+        return f"pointOn({way}, {at}, {aside if left else -aside:.3g})", f"directionOn({way}, {at})"
 
     def said(self) -> str:
         """What it is and does, for a comment."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from chatscene.build.asked import Meets
+from chatscene.build.asked import Meets, stops_on_its_way
 from chatscene.build.chain import meeting_of
 from chatscene.build.coming import EGO_GRIP
 from chatscene.build.sweep import Moving, Touch, touches
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 NEAR_MISS = 0.5  # [s] before the ego at most that somebody has gone by where there is no contact
 YIELDS = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
+STOOD = 1.0  # [s] that somebody has stood in the ego's way when the ego comes, so that it is seen to stop
 GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
 _SPARE = 0.5  # [s] sooner and later than at right angles that somebody may be there if nothing was said of the contact
 _LOOKS, _STEPS = 3.0, 121  # [s] sooner and later that is looked at, and in how many steps
@@ -50,6 +51,11 @@ def set_offset(actor: Actor) -> None:
         actor.ledger.take(*taken)
     if actor.one.role is Role.SUPPORTING and not yields:  # not met: before the ego, which can still brake for it
         late, early = early + 0.5 * actor.ego_speed / GENTLE, early + actor.ego_speed / GENTLE
+    if actor.stand.meets is Meets.THROUGH and any(
+        stops_on_its_way(Meets.THROUGH, actor.deeds, k) for k in range(len(actor.deeds))
+    ):
+        stops = 0.5 * actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
+        late, early = stops, stops + early  # it stands there when the ego comes
     actor.numbers.narrow("OFFSET", late, early)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -13,7 +14,7 @@ from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
-from chatscene.terms.situation import Other, Situation
+from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.vocabulary import NOSE_TO_TAIL, Act, UserKind, Where
 
 ANIMALS = frozenset((UserKind.ANIMAL, UserKind.DEER, UserKind.DOG))
@@ -37,7 +38,6 @@ class Stand:
         meets: How it comes to meet the ego.
         way: The line it goes along.
         at: Arc length [m] on that.
-        aside: How far [m] to the left of it.
         point: Where it is instead of on its way.
         facing: Which way it faces there.
         lines: What is named before.
@@ -56,7 +56,6 @@ class Stand:
     meets: Meets
     way: str = "egoRoute"
     at: str = ""
-    aside: float = 0.0
     point: str = ""
     facing: str = ""
     lines: tuple[str, ...] = ()
@@ -194,3 +193,18 @@ def stands_first(one: Other) -> bool:
     first = one.does[0].act if one.does else None
     still = one.starts.speed is not None and one.starts.speed.high <= 0.0
     return still or first in (Act.STAND, Act.SET_OFF, Act.PULL_OUT) or one.kind.moves is Moves.LIES
+
+
+_OVER = {
+    Meets.ACROSS: (frozenset((Act.CROSS,)), frozenset((Act.STOP, Act.BRAKE, Act.FALL))),
+    Meets.THROUGH: (frozenset((Act.GO_STRAIGHT, Act.CROSS)), frozenset((Act.STOP, Act.FALL))),
+}
+"""What leads somebody over the ego's way, and what ends that in it."""
+
+
+def stops_on_its_way(meets: Meets, deeds: Sequence[Deed], k: int) -> bool:
+    """Whether somebody stops in its k-th deed where the ego goes, over whose way it was going by the deed before."""
+    if k < 1 or meets not in _OVER or deeds[k].when is not None:
+        return False
+    goes, ends = _OVER[meets]
+    return deeds[k - 1].act in goes and deeds[k].act in ends

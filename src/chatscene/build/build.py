@@ -12,7 +12,7 @@ from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.finding import find, started
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
-from chatscene.build.place import Found
+from chatscene.build.place import Found, wrong_way
 from chatscene.build.possible import OFF_ROAD, impossible
 from chatscene.build.roadside import beside_road
 from chatscene.build.towards import at_distance, in_rows, screens
@@ -64,6 +64,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
         raise NotBuilt(NOBODY)
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
+    situation = replace(situation, others=tuple(map(wrong_way, situation.others)))
     read = Ledger(situation)
     found = find(read)
     ledger, ego, everybody, body = _cast(read, found, NOMINAL.speed)
@@ -128,7 +129,8 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         actor = Actor(ledger, found, started(one, found.sides), ego.coming, room, first)
         built[one.id] = actor
         if hidden is None:
-            long = 2.5 if actor.stand.meets is Meets.ACROSS else actor.count * (actor.limits.length + ROOM)
+            abreast = 1.5 if one.hidden_by is not None else 2.5  # from the same gap
+            long = abreast if actor.stand.meets is Meets.ACROSS else actor.count * (actor.limits.length + ROOM)
             rows[place] = (first or actor, room + long)
         order.append((actor, built[hidden] if hidden is not None else None))
     for actor, by in _behind_leaders(order):

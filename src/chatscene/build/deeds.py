@@ -80,13 +80,16 @@ ALONG: dict[Act, Steps] = {
         going=True,
         pace=Pace.ENDS,
     ),
-    Act.STOP: Steps(
-        does=(BRAKES, "Halt() for $STOP_TIME seconds"),
-        last=(BRAKES, "Halt()"),
-        binds={"acceleration": "BRAKE", "time": "STOP_TIME"},
-        still=True,
-        going=True,
-        pace=Pace.STANDS,
+    **_each(
+        (Act.STOP, Act.FALL),
+        Steps(
+            does=(BRAKES, "Halt() for $STOP_TIME seconds"),
+            last=(BRAKES, "Halt()"),
+            binds={"acceleration": "BRAKE", "time": "STOP_TIME"},
+            still=True,
+            going=True,
+            pace=Pace.STANDS,
+        ),
     ),
     Act.SLOW_DOWN: Steps(
         does=("DrivePath({p}, $SLOW) for 3 seconds",),
@@ -180,6 +183,8 @@ ALONG: dict[Act, Steps] = {
         binds={"speed": "SPEED"},
     ),
     Act.CROSS: replace(_GOES, lasting=False),
+    Act.OPEN_DOOR: Steps(does=("Park() for 3 seconds",), last=("Park()",), still=True, pace=Pace.STANDS),
+    Act.DROP_LOAD: Steps(does=(GO + " for 2 seconds",), last=(GO,), going=True),
     Act.PARK: Steps(
         does=("DrivePath({p}, $SLOW, -2.8) for 3 seconds", BRAKES),
         last=("DrivePath({p}, $SLOW, -2.8) for 3 seconds", BRAKES, "Halt()"),
@@ -261,6 +266,8 @@ BARRED = (
     " and 1 < abs(offsetFrom(egoRoute, self)) and abs(offsetFrom(egoRoute, self)) < 2"
 )
 """The ego stands where somebody on foot is to go on."""
+RESTS_THERE = "brakingDistance(self) - 2"
+"""How far [m] from where its way comes near the ego's somebody still goes who stands in that if it brakes."""
 _OVER = Steps(
     does=(MOVE + " until abs(offsetFrom(egoRoute, self)) < 1",), last=(MOVE,), binds={"speed": "SPEED"}, comes_in=True
 )
@@ -281,7 +288,7 @@ ACROSS: dict[Act, Steps] = {
         pace=Pace.STANDS,
     ),
     **_each(
-        (Act.STOP, Act.BRAKE),
+        (Act.STOP, Act.BRAKE, Act.FALL),
         Steps(
             does=(_STOOD, "Halt() for $STOP_TIME seconds"),
             last=("Halt()",),

@@ -14,13 +14,14 @@ from chatscene.maps.routes import TO_LINE
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.routing import BEGINS
-from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, EgoLight, Manner
+from chatscene.terms.situation import EGO, Deed, Situation
+from chatscene.terms.vocabulary import Act, EgoLight, Manner, Where
 
 LINE = 3.5  # [m] before the junction the centre of an ego stands whose nose is at the line
 STAND = 4.0  # [s] that somebody stands who sets off again
 BESIDE = 3.0  # [s] that the ego stands beside its lane before it comes into it
 SLOW = 3.0  # [m/s]
+_LOSES = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -97,6 +98,10 @@ def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) 
     for k, deed in enumerate(deeds):
         at, then = f"ego.does.{k}", deeds[k + 1].act if k + 1 < len(deeds) else None
         ledger.take(f"{at}.act", *_in_a_row(deed, at))
+        if (leader := _behind_whom(ledger.situation, deed)) is not None:  # it answers by itself, as it has to
+            ledger.take(f"{at}.when.after")
+            ledger.assume(f"the ego's {deed.act} after that of {leader} is left to whoever drives it")
+            continue
         again = then in (Act.SET_OFF, Act.GO_ALONG, Act.ACCELERATE)
         there = begins * speed if begins else stop  # where it is to be slow, or to stand
         match deed.act:
@@ -122,6 +127,15 @@ def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) 
                 pass  # which is left to the ego
             case _:
                 raise NotBuilt(f"nothing builds yet: {at}.act: {deed.act}")
+
+
+def _behind_whom(situation: Situation, deed: Deed) -> str | None:
+    """After whom the ego loses speed or stops, who is in its lane before it and does so; None if after nobody."""
+    after = (deed.when.after if deed.when is not None else None) or ""
+    who = next((one for one in situation.others if one.id == after.partition(".")[0]), None)
+    if who is None or deed.act not in _LOSES or who.starts.where is not Where.AHEAD:
+        return None
+    return who.id if situation.deed(after).act in _LOSES else None
 
 
 def _in_a_row(deed: Deed, at: str) -> Iterator[str]:

@@ -37,7 +37,7 @@ from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RoadKind, Setting, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
 from chatscene.world.places import EgoRoute as Route
 from chatscene.world.places import choose_route, lanesBeside, neighbourPath, ownLane
 
@@ -300,8 +300,8 @@ def _at_junction(
     if any(rides_at_edge(one, situation.ego.route) and one.starts.where in NEXT_LANE for one in others):
         arms.append("oncoming")  # an arm opposite, or there is no straight on
     query = base | {"place": PLACES.get(road.kind or RoadKind.JUNCTION, Place.JUNCTION).value}
-    if (control := control_of(situation)) is not None and control in CONTROLS:
-        query["control"] = CONTROLS[control].value
+    if (control := control_of(situation)) is not None:
+        query["control"] = CONTROLS.get(control, Control.NONE).value
     if arms:
         query["crossed"] = tuple(dict.fromkeys(arms))
     if lanes:
@@ -332,7 +332,9 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
         query["place"] = PLACES.get(road.kind or RoadKind.ROAD, Place.ROAD).value
     elif straight and road.kind is not None and road.kind in _CURVES:
         query["place"] = PLACES[road.kind].value
-    against = any(one.starts.where in (Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE) for one in others)
+    places = {one.starts.where for one in others}
+    wrong_way = Where.ONCOMING_IN_OUR_LANE in places
+    against = Where.ONCOMING in places or (wrong_way and query.get("opposite", True))
     against = against and query.get("ends") != Beside.BACK  # who turns round has them anyway, some lanes away
     if query["maneuver"] == Maneuver.BYPASS:
         several = (road.lanes or 1) > 1 or (bool(lanes) and not against)
@@ -346,6 +348,8 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     elif straight and road.lanes in (None, 1) and any(_at_kerb(one) for one in others):
         yield query | {"beside": "none"}  # the outermost lane, or there is no kerb beside it
     yield query
+    if wrong_way and Where.ONCOMING not in places and straight:  # who needs no lane of its own
+        yield dict(base) if not lanes else base | {"beside": lanes[0]}
 
 
 def _round(situation: Situation, base: dict[str, Any]) -> Iterator[dict[str, Any]]:
@@ -363,6 +367,8 @@ def _take(ledger: Ledger, found: Found) -> None:
     """What of the road is as it was said, once a route is found; and what was chosen."""
     situation = ledger.situation
     ledger.take(*as_said(situation, found))
+    if situation.road.control is RightOfWay.YIELD_SIGN and "control" in found.query:
+        ledger.assume("no sign at the junction says who gives way, since no map has such signs")
     for name, side in found.sides.items():
         if comes_from(situation[name]) is side:
             continue  # which was said

@@ -59,7 +59,7 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
         "road.ego_lane": query.get("lane") == road.ego_lane,
         "road.kind": _is_kind(road.kind, found),
         "road.control": (road.control in CONTROLS and "control" in query)
-        or (road.control is RightOfWay.YIELD_SIGN and site == Site.ROUNDABOUT)
+        or (road.control is RightOfWay.YIELD_SIGN and (site == Site.ROUNDABOUT or "control" in query))
         or (road.control is RightOfWay.NONE and site == Site.CROSSWALK),
         "road.two_way": road.two_way is against,
         "road.setting": (road.setting is Setting.TOWN and found.map == PACKAGED[0])

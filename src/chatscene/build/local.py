@@ -9,7 +9,7 @@ from chatscene.build.asked import Meets
 from chatscene.build.place import LANE, ring_arms
 from chatscene.errors import MapError, NotBuilt
 from chatscene.terms.situation import Deed
-from chatscene.terms.vocabulary import Act, Breach, EgoLight, Where
+from chatscene.terms.vocabulary import COMES_IN, Act, Breach, EgoLight, Where
 from chatscene.world.control import curve_speeds
 from chatscene.world.places import line_of, ringTraffic
 
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 _QUIET = frozenset((Act.STAND, Act.STOP))
+_INTO_THE_WAY = COMES_IN | {Act.TURN_LEFT, Act.TURN_RIGHT, Act.U_TURN, Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE}
+"""What comes into the way of others, whoever does it."""
 
 
 def breaks(actor: Actor, deed: Deed) -> bool:
@@ -31,7 +33,7 @@ def breaks(actor: Actor, deed: Deed) -> bool:
         case Breach.STOP_SIGN:
             return moves and control == "stop-sign"
         case _:
-            return moves
+            return moves or deed.act in _INTO_THE_WAY
 
 
 def check_round(actor: Actor, k: int) -> None:

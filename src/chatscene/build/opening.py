@@ -17,7 +17,7 @@ from chatscene.build.place import LANE, at_junction
 from chatscene.build.timing import Course, Meeting, course
 from chatscene.build.waiting import when_of
 from chatscene.maps.crossings import MEETING
-from chatscene.terms.situation import Other
+from chatscene.terms.situation import EGO, Other
 from chatscene.terms.vocabulary import Act, Facing, Where
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ YIELDS = 1.0  # [m/s]: an ego that goes no faster yields
 LATEST = 12.0  # [s] that somebody goes with the ego before it does anything
 LEAST = 2.0  # [m/s] that somebody goes at least who goes with an ego that is faster
 INSIDE = 3.0  # [m] before where the ways meet: who does something there does it in the ego's sight
+IS_OPEN = 1.5  # [s] before the ego is there that somebody begins to open a door
 SHORT = 25.0  # [m] before the end of a road, or before a junction: nobody is placed farther
 
 
@@ -56,7 +57,7 @@ class Opening:
     @property
     def ahead(self) -> Course:
         """Where it is when its last deed begins, since the first did."""
-        return self.phases.begins(self.first, self.bodies, Course())
+        return self.phases.begins(self.bodies, Course())
 
     def texts(self) -> Iterator[str]:
         """What is done until the first deed is due."""
@@ -68,7 +69,7 @@ class Opening:
             if when.ego_within is not None or actor.stand.ego_meets == "egoRoute.eventAt":
                 return
         lasting = all(one.lasting for one in steps)
-        if lasting and (actor.stand.meets is Meets.ALONG or self._goes_along()):
+        if (lasting or self._only_waits()) and (actor.stand.meets is Meets.ALONG or self._goes_along()):
             return
         if not actor.stand.rolls:
             self._make_room()
@@ -93,7 +94,7 @@ class Opening:
         room = INSIDE + (self._from_line() or 0.0)
         if not brakes:
             under_way = Course(speed=self._wish())
-            room += self.phases.begins(self.first, self.bodies, under_way).metres
+            room += self.phases.begins(self.bodies, under_way).metres
         stops = f"brakingDistance(self){f' / {brakes[1]}' if brakes else ''}"
         yield f"{self._go()} until {actor.stand.left} < {stops} + {room:.3g}"
 
@@ -131,6 +132,14 @@ class Opening:
         )
         back = f"{room:.3g} + {speed} * {speed} / ({hard:g} * {brake[1]}) + {speed} * maximum(0, {drives})"
         actor.stand = replace(actor.stand, at=f"backFrom(meet{{i}}, {back})", rolls=True)
+
+    def _only_waits(self) -> bool:
+        """Whether it only goes on until somebody else has done what its first deed that does not last waits for."""
+        actor = self.phases.actor
+        first = next(k for k, steps in enumerate(self.phases.steps) if not steps.lasting)
+        when = actor.deeds[first].when
+        waits = (when.after or when.during or "") if when is not None else ""
+        return first > self.first and waits.partition(".")[0] not in ("", EGO, actor.one.id)
 
     def _make_room(self) -> None:
         """Let it be so far along the ego's route that the ego is not there too soon."""
@@ -239,7 +248,9 @@ class Opening:
                     return f"{due} or secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.2f} + $OFFSET"
                 return due + self._or_yields()
             case Meets.KERB:
-                return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {wait:.2f} + $OFFSET" + self._or_yields()
+                comes = self._in_whose_way()
+                due = f"secondsTo(egoRoute, {comes}, {stand.ego_meets}) < {wait:.2f} + $OFFSET"
+                return due + (self._or_yields() if comes == EGO else "")
             case Meets.ALONG if stands_first(self.phases.actor.one) and not stand.behind:
                 there = "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0])"
                 return f"{there} < {wait:.2f} + $OFFSET" + self._or_yields()
@@ -256,6 +267,17 @@ class Opening:
             return None
         others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
         return next((one for one in others if one.starts.where is Where.AHEAD and stands_first(one)), None)
+
+    def _in_whose_way(self) -> str:
+        """Who comes past whoever opens a door: who waits for that on the ego's road, else the ego."""
+        actor = self.phases.actor
+        if actor.deeds[-1].act is Act.OPEN_DOOR:
+            doors = {f"{actor.one.id}.{Act.OPEN_DOOR}", f"{actor.one.id}.{len(actor.deeds) - 1}"}
+            for one in actor.ledger.situation.others:
+                whens = [deed.when for deed in one.does if deed.when is not None]
+                if one.starts.where in (Where.AHEAD, Where.BESIDE) and any(doors & {when.after} for when in whens):
+                    return name_of(one.id)
+        return EGO
 
     def _or_yields(self) -> str:
         """An ego that stops for who stands in or beside its lane would wait for it as long as it waits for the ego."""
@@ -289,7 +311,7 @@ class Opening:
         close = course(self._comes_close(), phases.actor.numbers, phases.body, Course(), meeting)
         bodies = [text for body in self.bodies for text in body]
         met = course([*bodies, self._go()], phases.actor.numbers, phases.body, close, meeting).met
-        begins = phases.begins(self.first, self.bodies, close, meeting).seconds
+        begins = phases.begins(self.bodies, close, meeting).seconds
         over = met > 0.0 and met < begins + BEGUN and phases.actor.stand.meets is Meets.ACROSS
         if over and len(self.bodies) > 1 and not phases.steps[-1].comes_in:
             begins += BEGUN  # what it does on its way over
@@ -306,6 +328,8 @@ class Opening:
                 comes = 0.0 if any(one.comes_in for one in self.phases.steps) else self._takes() + lost
                 late = more - self.near / self._wish() - comes
                 return lost + (late if self.near > 0.0 else max(0.0, late))
+            case Meets.KERB if actor.deeds[-1].act is Act.OPEN_DOOR:
+                return IS_OPEN
             case Meets.KERB:  # it is in the lane once it has gone its own length and the width of a lane
                 return self.phases.body.covers(actor.limits.length + LANE, self._wish()) + more
             case Meets.ALONG if stands_first(actor.one) and not stand.behind:

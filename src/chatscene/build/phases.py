@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from chatscene.build.aim import set_offset
-from chatscene.build.asked import Meets, stands_first
+from chatscene.build.aim import STOOD, set_offset
+from chatscene.build.asked import Meets, stands_first, stops_on_its_way
 from chatscene.build.choosing import steps_of
-from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
+from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, RESTS_THERE, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
 from chatscene.build.facing import OVER
 from chatscene.build.gaps import backs_by, comes_in, gap_is_said, gets_ahead, seconds_to_get_ahead, seconds_to_get_by
 from chatscene.build.local import breaks, check_turn
@@ -31,7 +31,6 @@ BACK, DRIFTS = 1.5, 8.0  # [m] that somebody goes back; that it goes on while it
 WAVE = 20.0  # [m], five times as far as a tracker looks ahead: a shorter wave is cut
 GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 NEARLY, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
-STOOD = 1.0  # [s] that somebody has stood in the ego's lane when the ego comes, so that it is seen to stop
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 
@@ -45,12 +44,14 @@ class Phases:
         steps: For each deed, how it is done.
         paces: How fast it is before and after each.
         body: What its body can do.
+        due_after: For each deed, how many phases come before the last of its own.
     """
 
     actor: Actor
     steps: list[Steps] = field(init=False)
     paces: Paces = field(init=False)
     body: Body = field(init=False)
+    due_after: list[int] = field(init=False, default_factory=list[int])
 
     def texts(self) -> tuple[str, ...]:
         """What it does until its first deed is due, then deed after deed; empty for what only lies or hides."""
@@ -61,6 +62,8 @@ class Phases:
             if actor.stand.slants and deed.manner is Manner.SLANTING and deed.act in OVER:
                 actor.ledger.take(f"{actor.path}.does.{k}.manner")
             actor.ledger.take(f"{actor.path}.does.{k}.act", *broken)
+            if deed.act is Act.FALL:
+                actor.ledger.assume(f"{one.id} stays where it falls, as high as it was")
         in_the_way = any(other.hidden_by == one.id for other in actor.ledger.situation.others)
         hides = one.role is Role.HIDES or (in_the_way and one.role is Role.SUPPORTING)
         if actor.lies or (hides and all(deed.act is Act.STAND for deed in deeds)):
@@ -93,11 +96,15 @@ class Phases:
         first = 1 if actor.deeds[0].act is Act.STAND and actor.deeds[0].time is None else 0
         bodies = list(self._bodies(first, go))
         near = self._comes_near(first, bodies)
-        yield from Opening(self, first, bodies, near).texts()
+        opening = list(Opening(self, first, bodies, near).texts())
+        yield from opening
+        self.due_after = [0] * first
         for body in bodies:
+            before = sum(map(len, bodies[: len(self.due_after) - first]))
+            self.due_after.append(len(opening) + before + len(body) - 1)
             yield from body
 
-    def begins(self, first: int, bodies: list[list[str]], start: Course, meeting: Meeting | None = None) -> Course:
+    def begins(self, bodies: list[list[str]], start: Course, meeting: Meeting | None = None) -> Course:
         """Where somebody is when its last deed is under way, and is to be seen when the ego is there."""
         actor, ahead = self.actor, start
         for body in bodies[:-1]:
@@ -116,7 +123,9 @@ class Phases:
             if f"FAST_{k}" in actor.numbers.ranges and deed.act is Act.OVERTAKE
         )
         takes += sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds)))
-        if any(self._stops_on_its_way_over(k, first) for k in range(len(actor.deeds))):
+        if actor.stand.meets is Meets.ACROSS and any(
+            stops_on_its_way(Meets.ACROSS, actor.deeds, k) for k in range(len(actor.deeds))
+        ):
             takes += actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
         return replace(begins, seconds=begins.seconds + takes)
 
@@ -172,8 +181,9 @@ class Phases:
                 body += [f"{MOVE} until abs(offsetFrom(egoRoute, self)) > {OUTSIDE}"]
                 body += [ROUND_ON_FOOT if actor.walks else ROUND]
                 turned = False
-            if self._stops_on_its_way_over(k, first):
-                body.append(self._at(k, RESTS, before=True))
+            if stops_on_its_way(actor.stand.meets, actor.deeds, k):
+                near = RESTS if actor.stand.meets is Meets.ACROSS else f"{GO} until {actor.stand.left} < {RESTS_THERE}"
+                body.append(self._at(k, near, before=True))
             elif self._must_get_going(k, still=still) and not (k == first and actor.stand.meets is Meets.THROUGH):
                 body += self._gets_going(k, first, meanwhile)
             body += self._of(k, steps, way, still=still, last=k == len(actor.deeds) - 1, go=meanwhile)
@@ -183,12 +193,6 @@ class Phases:
             still = steps.pace is Pace.STANDS
             turned ^= deed.act is Act.TURN_BACK
             yield body
-
-    def _stops_on_its_way_over(self, k: int, first: int) -> bool:
-        """Whether it stops in the ego's lane, over which it was on its way."""
-        deeds = self.actor.deeds
-        over = self.actor.stand.meets is Meets.ACROSS and k > first and deeds[k - 1].act is Act.CROSS
-        return over and deeds[k].act in (Act.STOP, Act.BRAKE) and deeds[k].when is None
 
     def _must_get_going(self, k: int, *, still: bool) -> bool:
         """Whether it must get under way before a deed, from a stand or to a speed that was chosen for it."""
@@ -216,7 +220,11 @@ class Phases:
             if metres > RUN_UP:
                 return
             actor.numbers.move("X", metres)
-        near = RESTS if deed in (Act.STOP, Act.BRAKE) else f"{MOVE} until abs(offsetFrom(egoRoute, self)) < {OUTSIDE}"
+        near = (
+            RESTS
+            if deed in (Act.STOP, Act.BRAKE, Act.FALL)
+            else f"{MOVE} until abs(offsetFrom(egoRoute, self)) < {OUTSIDE}"
+        )
         yield self._at(k, near, before=True)
 
     def _at(self, k: int, text: str, *, before: bool = False) -> str:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from chatscene.maps.ring_ways import ROUND
 from chatscene.situations.check import RULED_BY, TURNS
 from chatscene.terms.actors import Manner as Moves
-from chatscene.terms.routing import BEGINS, CONTROLS, ENDS
+from chatscene.terms.routing import BEGINS, ENDS
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, RightOfWay, RoadKind, Side, Where
 from chatscene.world.places import EgoRoute as Route
 
 LANE = 3.5  # [m], a lane's width
@@ -50,7 +50,7 @@ def at_junction(situation: Situation) -> bool:
     return not (at_roundabout(situation) or beside_lane(situation)) and (
         road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
         or situation.ego.route in TURNS
-        or (control_of(situation) in CONTROLS and not at_free_crosswalk(situation))
+        or (control_of(situation) is not None and not at_free_crosswalk(situation))
         or any(one.starts.where.row.junction for one in others if one.starts.where not in ROUNDABOUT_PLACES)
         or any(deed.act is Act.GO_STRAIGHT for one in others for deed in one.does)
     )
@@ -149,3 +149,11 @@ def way_of(situation: Situation, one: Other, arm: str) -> Maneuver:
         turn = (_EXITS.get(route, 0) if route is not None else 0) - _COMES[arm]  # in quarters of a circle to the left
         return _QUARTERS.get((turn + 1) % 4 - 1, Maneuver.STRAIGHT)
     return said or Maneuver.STRAIGHT
+
+
+def wrong_way(one: Other) -> Other:
+    """The same; who goes on wheels in the ego's lane, and faces it, comes the other way there."""
+    goes = any(deed.act is not Act.STAND for deed in one.does) and one.kind.moves in (Moves.DRIVES, Moves.RIDES)
+    if not goes or one.starts.where is not Where.AHEAD or one.starts.facing is not Facing.AGAINST:
+        return one
+    return replace(one, starts=replace(one.starts, where=Where.ONCOMING_IN_OUR_LANE))

@@ -36,6 +36,8 @@ FROM: dict[Act, frozenset[Where]] = {
     Act.TURN_RIGHT: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
     Act.YIELD: _JOINS | _AGAINST | {Where.ARM},
     Act.TURN_BACK: OFF_ROAD | {Where.AHEAD, Where.ARM},
+    Act.OPEN_DOOR: frozenset((Where.KERB,)),
+    Act.DROP_LOAD: frozenset((Where.AHEAD,)),
     Act.DRIFT: frozenset(Where) - OFF_ROAD - {Where.ONCOMING_IN_OUR_LANE},
 }
 """Where an act can be begun from; of one that is done to somebody, where it is done to the ego."""
@@ -47,13 +49,15 @@ TO_ANOTHER: dict[Act, frozenset[Where]] = {
 }
 """Where from to somebody else."""
 _TURNED = frozenset((Act.U_TURN, Act.TURN_BACK, Act.TURN_LEFT, Act.TURN_RIGHT, Act.EXIT))
-_STILL = frozenset((Act.STAND, Act.STOP, Act.PARK, Act.YIELD))
-_MAY_STAND = _STILL | {Act.BRAKE, Act.REVERSE, Act.FALL, Act.OPEN_DOOR}
-_GOES = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.CROSS, Act.ACCELERATE, Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
+_STILL = frozenset((Act.STAND, Act.STOP, Act.PARK, Act.YIELD, Act.FALL))
+_MAY_STAND = _STILL | {Act.BRAKE, Act.REVERSE, Act.OPEN_DOOR}
+_GOES = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.CROSS, Act.ACCELERATE, Act.SLOW_DOWN, Act.BRAKE, Act.STOP)) | {
+    Act.FALL
+}
 _OFF = frozenset(
     (Act.SET_OFF, Act.GO_ALONG, Act.GO_STRAIGHT, Act.ACCELERATE, Act.REVERSE, Act.CROSS, Act.ENTER, Act.PULL_OUT)
 ) | {Act.TURN_LEFT, Act.TURN_RIGHT, Act.U_TURN, Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.TURN_BACK, Act.STAND}
-_WHERE_IT_STANDS = frozenset((Act.OPEN_DOOR, Act.FALL, Act.DROP_LOAD))
+_WHERE_IT_STANDS = frozenset((Act.OPEN_DOOR, Act.DROP_LOAD))
 """What is done standing, too."""
 
 

@@ -54,11 +54,11 @@ def _ahead(asked: Asked) -> Stand:
         return _over(asked, EDGE, Side.RIGHT)
     if asked.walks:
         asked.ahead(30, 50)
-        there = f"$Y{asked.more}"
         return Stand(
             meets=Meets.ACROSS,
-            point=f"pointOn(egoRoute, {there})",
-            facing=faces(asked, there, Facing.ALONG, Side.RIGHT),
+            point="pointOn(egoRoute, level{i})",
+            facing=faces(asked, "level{i}", Facing.ALONG, Side.RIGHT),
+            lines=(f"level{{i}} = $Y{asked.more}",),
             ego_meets="progressOn(egoRoute, self)[0]",
             faces=True,
             anywhere=True,
@@ -66,13 +66,19 @@ def _ahead(asked: Asked) -> Stand:
     aside = -0.9 if asked.rides else 0.0
     if asked.swings_out and asked.stands:
         asked.reach(-2, 2, "how far beyond where the ego swings out it stands")
-        return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"egoRoute.eventAt + $Y{asked.more}", aside=aside)
+        way = _within("ownLane(egoRoute)", aside)
+        return Stand(meets=Meets.ALONG, way=way, at=f"egoRoute.eventAt + $Y{asked.more}")
     if asked.swings_out:  # who is passed while it goes: it is there when the ego is
         asked.ahead(22, 30)
-        return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"$Y{asked.more}", aside=aside)
+        return Stand(meets=Meets.ALONG, way=_within("ownLane(egoRoute)", aside), at=f"$Y{asked.more}")
     far = asked.stands and not asked.ego.stands  # so that it has done what it does when the ego is there
     asked.ahead(*((38, 56) if far else (11, 19)))
-    return Stand(meets=Meets.ALONG, way=asked.lane, at=f"$Y{asked.more}", aside=aside, anywhere=far)
+    return Stand(meets=Meets.ALONG, way=_within(asked.lane, aside), at=f"$Y{asked.more}", anywhere=far)
+
+
+def _within(way: str, aside: float) -> str:
+    """A line so far [m] to the left of a way."""
+    return f"{way}.offset({aside:g})" if aside else way
 
 
 def _behind(asked: Asked) -> Stand:
@@ -312,7 +318,8 @@ def _kerb(asked: Asked) -> Stand:
     asked.reach(-2, 2) if asked.swings_out else asked.ahead(30, 44)
     level = f"{'egoRoute.eventAt + ' if asked.swings_out else ''}$Y{asked.more}"
     if asked.side == Side.RIGHT:
-        edge = 'besideRoad(egoRoute, 20, "right", 1.3)'
+        opens = any(deed.act is Act.OPEN_DOOR for deed in asked.one.does)  # into the lane, at whose edge it is then
+        edge = f'besideRoad(egoRoute, 20, "right", {0.5 * asked.numbers.row.limits.width if opens else 1.3:.3g})'
     else:
         beside = 'neighbourPath(egoRoute, "left")'
         edge = f"pointOn({beside}, levelOn({beside}, egoRoute, 20), -2.1)"

@@ -23,7 +23,8 @@ _QUIET = frozenset((Act.STAND, Act.STOP))
 class Sign:
     """What is seen of a deed of somebody else, so that a plan can wait for it.
 
-    In texts ``{who}`` is who does it, ``{whom}`` to whom, ``{usual}`` the speed [m/s] that it has before.
+    In texts ``{who}`` is who does it, ``{whom}`` to whom, ``{usual}`` the speed [m/s] that it has before, ``{k}`` the
+    number of the deed.
 
     Attributes:
         begun: What is seen once it is under way.
@@ -40,7 +41,7 @@ _OVER = Sign("abs(offsetFrom(egoRoute, {who})) > 0.8", "abs(offsetFrom(egoRoute,
 _NEAR = "(ego.length + {who}.length) / 2"
 _STANDS = Sign("{who}.pose[3] < 0.1")
 SIGNS: dict[Act, Sign] = {
-    **dict.fromkeys((Act.STOP, Act.STAND, Act.YIELD, Act.PARK), _STANDS),
+    **dict.fromkeys((Act.STOP, Act.STAND, Act.YIELD, Act.PARK, Act.FALL), _STANDS),
     Act.BRAKE: Sign("{who}.pose[3] < 0.8 * {usual}", "{who}.pose[3] < 0.4 * {usual}"),
     Act.SLOW_DOWN: Sign("{who}.pose[3] < 0.85 * {usual}", "{who}.pose[3] < 0.65 * {usual}"),
     Act.HESITATE: Sign("{who}.pose[3] < 0.5"),
@@ -53,6 +54,8 @@ SIGNS: dict[Act, Sign] = {
     Act.OVERTAKE: Sign(
         f"headway(egoRoute, {{whom}}, {{who}}) > -{_NEAR} - 3", f"headway(egoRoute, {{whom}}, {{who}}) > {_NEAR}"
     ),
+    Act.OPEN_DOOR: Sign("abs(offsetFrom(way{who}, {who}_door_{k})) > 0.7"),
+    Act.DROP_LOAD: Sign("{who}_load_{k}.pose[3] < 0.9 * {who}.pose[3]"),
     **dict.fromkeys((Act.TAILGATE, Act.KEEP_LEVEL), Sign(f"gap({{whom}}, {{who}}) < {_NEAR} + 8")),
 }
 """Deeds of somebody else, or of the ego, that a plan can wait for."""
@@ -108,7 +111,7 @@ def _seen(actor: Actor, k: int, name: str, reference: str) -> str:
         raise NotBuilt(f"nothing builds yet: {at}: {reference}, which is {deed.act}")
     called, whom = (one if one == EGO else name_of(one) for one in (who, deed.whom or EGO))
     text = (sign.begun if name == "during" else sign.done or sign.begun).format(
-        who=called, whom=whom, usual=f"{_usual(actor, who):.3g}"
+        who=called, whom=whom, usual=f"{_usual(actor, who):.3g}", k=does.index(deed)
     )
     return f"{text} and progressOn(egoRoute, ego)[0] > 4" if who == EGO and deed.act in _QUIET else text
 

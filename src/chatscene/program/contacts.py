@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 
 from chatscene.program.deeds import MOVING
+from chatscene.program.doing import PARTS
 from chatscene.program.finding import Finding
 from chatscene.simulate.contact import contact_side
 from chatscene.terms.episode import Episode, Track, contact_point
@@ -73,7 +74,7 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
         yield Finding(path="contact.happens", shown=False, told="said that there is no contact, there is one")
         return
     whom = said.whom or next(one.id for one in situation.adversaries)
-    right = is_of(collision.other, whom)
+    right = is_with(collision.other, whom)
     yield Finding(path="contact.whom", shown=right, told=f"said {whom}, it is {collision.other}")
     if said.ego is not None:
         right = collision.side in SIDES_OF[said.ego]
@@ -94,6 +95,11 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
 def is_of(actor: str, name: str) -> bool:
     """Whether a track is of somebody, or of one of several who have a name together."""
     return re.fullmatch(rf"{re.escape(name)}(-\d+)?", actor) is not None
+
+
+def is_with(actor: str, name: str) -> bool:
+    """Whether a track is of somebody, or of what it lets go: its door, its load."""
+    return any(is_of(actor, one) for one in (name, *(f"{name}-{part}" for part in PARTS.values())))
 
 
 def _body(track: Track, step: int) -> Body:

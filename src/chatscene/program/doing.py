@@ -57,6 +57,20 @@ def since(once: Act, step: int, s: Seen, *, stands: bool) -> Act:
     return replace(once, began=step) if once.began < step <= done and still else once
 
 
+def _falls(s: Seen) -> Iterator[Act]:
+    """It comes to a standstill; that it lies then, no track tells."""
+    yield from ACTIONS[Action.STOP](s)
+
+
+def _opens(s: Seen) -> Iterator[Act]:
+    """A door comes out."""
+    moving = _speed(s) > STANDING
+    if moving.any():
+        began = int(np.argmax(moving))
+        still = ~moving[began:]
+        yield Act(began, began + int(np.argmax(still)) if still.any() else None)
+
+
 def _moves_on(s: Seen) -> Iterable[Act]:
     """Every time that it gets on by its own length, or by two metres, where that is more."""
     least = max(2.0, s.track.length)
@@ -219,8 +233,13 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.TURN_BACK: _turns_back,
     Said.PARK: ACTIONS[Action.STOP],
     Said.YIELD: ACTIONS[Action.STOP],
+    Said.FALL: _falls,
+    Said.OPEN_DOOR: _opens,
+    Said.DROP_LOAD: ACTIONS[Action.STOP],
 }
 """When somebody is seen to do something; for those that are not here, no track tells."""
+PARTS = {Said.OPEN_DOOR: "door", Said.DROP_LOAD: "load"}
+"""What is seen to do it in the place of whoever does it: a body of its own, called after both."""
 FOLLOWS = 40.0  # [m] behind somebody: who is farther does not follow
 FOLLOWED = 15  # [steps] that somebody must be behind another to be seen to follow
 

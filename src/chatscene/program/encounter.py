@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.program.contacts import is_of
+from chatscene.program.contacts import is_with
 from chatscene.program.deeds import LOSING, MOVING, STANDING
 from chatscene.program.finding import Finding
 from chatscene.program.meaning import TOGETHER
@@ -71,7 +71,7 @@ def encounter(
         since: The step at which it begins with what it does.
     """
     path, crash, ego = f"encounter.{one.id}", episode.collision, episode.ego_track
-    if crash is not None and is_of(crash.other, one.id):
+    if crash is not None and is_with(crash.other, one.id):
         return Finding(path=path, shown=True, told="they touch", at=crash.step * episode.dt)
     found = [meeting(ego, _goes_on_evenly(track, episode), route.line, episode.dt, since) for track in tracks]
     least = min(found, key=lambda one: one.between)

@@ -17,6 +17,7 @@ from chatscene.program.deeds import ACTIONS, MOVING, STANDING, Act
 from chatscene.program.doing import (
     ACTS,
     MOST_OF,
+    PARTS,
     TO_SOMEBODY,
     accelerates,
     drifts,
@@ -48,6 +49,8 @@ __all__ = ["Finding", "failures", "judge"]
 
 
 _ASIDE = (Said.SWERVE, Said.DRIFT)
+OVER = 5  # [steps] at the end of which an ego that is hit is seen to lose speed
+LOST_AT_ONCE = 0.5  # [m/s] that it has lost then, if it was losing speed when it was hit
 NEARER = 2.0  # [m] by which an ego comes nearer to somebody whom it is about to overtake
 
 
@@ -150,7 +153,9 @@ class _Judge:
             state = _EGO_ACTS[deed.act]
             if deed.act is Said.BRAKE and (deed.speed is not None or deed.time is not None):
                 state = EgoState.SLOWS_DOWN  # as much as was said, which may be less than half
-            yield Finding(path=path, shown=EGO_STATES[state](speed, dt), told=f"said {deed.act}, {course}")
+            begun = self.contact is not None and speed[-1] < speed[-OVER:].max() - LOST_AT_ONCE  # and is cut short
+            shown = EGO_STATES[state](speed, dt) or (None if begun else False)
+            yield Finding(path=path, shown=shown, told=f"said {deed.act}, {course}")
         else:
             yield not_judged(path)
 
@@ -269,6 +274,9 @@ class _Judge:
             sees = partial(accelerates, to=speed.high)
         if act is Said.DRIFT and (far := one.does[k].distance) is not None:
             sees = partial(drifts, by=MOST_OF * (far.low if math.isfinite(far.low) else far.high))
+        if act in PARTS:
+            parts = self._tracks(f"{one.id}-{PARTS[act]}")[sum(deed.act is act for deed in one.does[:k]) :]
+            seen = watch(self.episode, self.route, parts[0], self.contact) if parts else seen
         for once in sees(seen):
             if self._counts(once, seen):
                 yield since(once, latest, seen, stands=stands) if stands or act in COMES_IN else once

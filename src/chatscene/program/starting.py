@@ -8,6 +8,7 @@ from collections.abc import Callable
 from chatscene.program.deeds import STANDING
 from chatscene.program.meaning import POSITIONS
 from chatscene.program.watching import Seen
+from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.scenario import Position
 from chatscene.terms.vocabulary import Facing, Where
 
@@ -39,13 +40,18 @@ def _rides_beside(s: Seen) -> bool:
     return abs(s.along[0]) < 8.0 and 1.0 < abs(s.across[0]) < 6.0
 
 
+def _goes_along(s: Seen) -> bool:
+    """On wheels along the ego's way, on foot any way."""
+    return abs(s.bearing[0]) < 1.0 or manner_of(s.track.kind) is Manner.WALKS
+
+
 def _beside_road(s: Seen) -> bool:
     return s.lead[0] > 0.0 and abs(s.offset[0]) > 1.6
 
 
 STARTS: dict[Where, Callable[[Seen], bool]] = {
     Where.AHEAD: lambda s: s.lead[0] > 2.0 and _in_lane(s),
-    Where.AHEAD_BESIDE: lambda s: s.along[0] > 1.0 and 1.0 < abs(s.across[0]) < 6.0 and abs(s.bearing[0]) < 1.0,
+    Where.AHEAD_BESIDE: lambda s: s.along[0] > 1.0 and 1.0 < abs(s.across[0]) < 6.0 and _goes_along(s),
     Where.BESIDE: _rides_beside,
     Where.BEHIND: _behind,
     Where.BEHIND_BESIDE: lambda s: s.along[0] < -1.0 and 1.0 < abs(s.across[0]) < 6.0,

@@ -7,7 +7,7 @@ from itertools import combinations
 
 import numpy as np
 
-from chatscene.program.contacts import is_of
+from chatscene.program.contacts import is_of, is_with
 from chatscene.program.deeds import BRAKING, OF_GRIP
 from chatscene.program.finding import Finding
 from chatscene.program.watching import Seen, headings
@@ -35,7 +35,7 @@ def unasked(situation: Situation, episode: Episode, until: int | None) -> Iterat
     """What befalls the ego and others that was not said, up to a step; nothing where all is as it was said."""
     crash, contact = episode.collision, situation.contact
     if crash is not None and contact is None:
-        adversary = any(is_of(crash.other, one.id) for one in situation.adversaries)
+        adversary = any(is_with(crash.other, one.id) for one in situation.adversaries)
         if not adversary:
             told = f"the ego and {crash.other} touch, which nobody said"
             yield Finding(path="unasked.contact", shown=False, told=told, at=crash.step * episode.dt)

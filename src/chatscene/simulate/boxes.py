@@ -67,6 +67,7 @@ class Pair:
 
     @staticmethod
     def of(a: Boxes, b: Boxes) -> Pair:
+        """How two sets of boxes lie to each other, row by row."""
         c, s = np.abs(a.cos * b.cos + a.sin * b.sin), np.abs(a.cos * b.sin - a.sin * b.cos)
         axis_x, axis_y = np.array((a.cos, -a.sin, b.cos, -b.sin)), np.array((a.sin, a.cos, b.sin, b.cos))
         reach = np.array(

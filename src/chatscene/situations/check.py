@@ -26,7 +26,12 @@ RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.ST
 COMES_OVER = frozenset((Act.CROSS, Act.CUT_IN))
 """Acts that lead from where somebody is at first to the other side."""
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
-_WAYS = {Moves.DRIVES: "drives", Moves.RIDES: "rides", Moves.WALKS: "walks", Moves.LIES: "only lies there"}
+_WAYS = {
+    Moves.DRIVES: "drives",
+    Moves.RIDES: "rides",
+    Moves.WALKS: "walks",
+    Moves.LIES: "only lies there (a ball rolls)",
+}
 
 
 def faults_of(situation: Situation) -> Iterator[Fault]:

@@ -215,6 +215,7 @@ KINDS: Mapping[UserKind, Noun] = {
     UserKind.DOG: Noun(one="a dog", many="dogs", goes=_RUNS),
     UserKind.DEER: Noun(one="a deer", many="deer", goes=_RUNS),
     UserKind.ANIMAL: Noun(one="an animal", many="animals", goes=_MOVES),
+    UserKind.BALL: Noun(one="a ball", many="balls", goes="[roll/rolls/rolling]"),
     UserKind.OBJECT: Noun(one="an object", many="objects", goes=_MOVES),
     UserKind.DEBRIS: Noun(one="a piece of debris", many="pieces of debris", goes=_MOVES),
     UserKind.CONE: Noun(one="a traffic cone", many="traffic cones", goes=_MOVES),

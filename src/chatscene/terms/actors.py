@@ -730,7 +730,24 @@ PROPS: dict[str, Limits] = {
     "Billboard": Limits(length=2.0, width=0.6),
 }
 """Things that stand beside the road, by their class; nobody meets them."""
-LIMITS: dict[str, Limits] = {name: kind.row.limits for name, kind in BY_CLASS.items()}
+LET_GO: dict[str, Limits] = {
+    "Ball": Limits(length=0.22, width=0.22, throttle=8.0, brake=1.0, top_speed=10.0),
+    "Door": Limits(length=1.1, width=0.1, throttle=5.0, brake=6.0, top_speed=3.0),
+    "Load": Limits(
+        length=1.2,
+        width=1.0,
+        throttle=6.0,
+        brake=5.0,
+        top_speed=60.0,
+        wheelbase=0.8,
+        wheel_angle=0.6,
+        wheel_rate=2.0,
+        lateral=5.0,
+        characteristic_speed=math.inf,
+    ),
+}
+"""What somebody lets go, by its class: a ball that rolls, the door of a car, a load, which slides with half of g."""
+LIMITS: dict[str, Limits] = {name: kind.row.limits for name, kind in BY_CLASS.items()} | LET_GO
 
 
 def manner_of(kind: str) -> Manner | None:

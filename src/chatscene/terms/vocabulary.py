@@ -204,6 +204,7 @@ class UserKind(RowWord):
     DOG = ("dog", "a dog", _is(AdversaryKind.DOG))
     DEER = ("deer", "a deer or another large wild animal", _is(AdversaryKind.DEER))
     ANIMAL = ("animal", "an animal, not said of which kind", KindRow(body=AdversaryKind.DEER, general=True))
+    BALL = ("ball", "a ball that rolls", KindRow(body=AdversaryKind.DOG, prop="Ball"))
     OBJECT = ("object", "a thing on the road, not said which", KindRow(body=AdversaryKind.BOX, general=True))
     DEBRIS = ("debris", "a lost load, a branch, rubble", _is(AdversaryKind.DEBRIS))
     CONE = ("cone", "a traffic cone or a barrier", _is(AdversaryKind.CONE))
@@ -389,7 +390,7 @@ class Act(RowWord):
         _act(frozenset((Moves.DRIVES,)), "", sided=True, whom=True),
     )
     DROP_LOAD = ("drop-load", "loses something onto the road", _act(frozenset((Moves.DRIVES,))))
-    FALL = ("fall", "falls down", _act(_ALL))
+    FALL = ("fall", "on foot or on two wheels: falls, and lies where it fell", _act(_FEET | {Moves.RIDES}))
 
 
 COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))

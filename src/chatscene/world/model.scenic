@@ -180,6 +180,24 @@ class Debris(Box):
     length: _LIMITS['Debris'].length
     width: _LIMITS['Debris'].width
 
+## What somebody lets go
+
+class Ball(Pedestrian):
+    length: _LIMITS['Ball'].length
+    width: _LIMITS['Ball'].width
+
+class Door(Pedestrian):
+    length: _LIMITS['Door'].length
+    width: _LIMITS['Door'].width
+    allowCollisions: True
+
+class Load(Car):
+    length: _LIMITS['Load'].length
+    width: _LIMITS['Load'].width
+    wheelbase: _wheelbase_of('Load', self.length)
+    wheelAngle: _LIMITS['Load'].wheel_angle
+    allowCollisions: True
+
 ## Things that stand in the way or in the line of sight
 
 class Prop(Placed, DrivingObject):

@@ -1,0 +1,115 @@
+"""What somebody has with it and lets go: a load that it drops onto the road, a door that it opens into the lane.
+
+Each is a body of its own. Until its deed is due it does nothing but be carried: it waits for all that whoever has it
+waits for, phase by phase.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from chatscene.build.asked import Meets
+from chatscene.build.naming import name_of
+from chatscene.errors import NotBuilt
+from chatscene.terms.actors import LIMITS
+from chatscene.terms.vocabulary import Act, Side
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+
+OPENS = 1.5  # [m/s] that a door comes out
+HINGE = 0.8  # [m] ahead of the middle of a car that its front door is hinged
+_ENDS = re.compile(r" (until|for) .*$", re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Part:
+    """What is let go by an act.
+
+    Attributes:
+        scenic: The class of the world that it is.
+        name: What it is called.
+        told: What is told of it; ``{}`` is whose it is.
+    """
+
+    scenic: str
+    name: str
+    told: str
+
+
+PARTS = {
+    Act.OPEN_DOOR: Part(scenic="Door", name="door", told="the door of {} slides out, and does not swing"),
+    Act.DROP_LOAD: Part(scenic="Load", name="load", told="the load of {} slides to a stand on the road"),
+}
+"""What is let go, by the act."""
+
+
+def parts_of(actor: Actor, begins: Sequence[int]) -> Iterator[str]:
+    """The lines of a program for all that somebody lets go.
+
+    Args:
+        actor: Who.
+        begins: For each of its deeds, how many of its phases come before it.
+
+    Raises:
+        NotBuilt: It cannot be let go from there.
+    """
+    for k, deed in enumerate(actor.deeds):
+        if (part := PARTS.get(deed.act)) is None:
+            continue
+        one, called = name_of(actor.one.id), f"{name_of(actor.one.id)}_{part.name}_{k}"
+        before = [actor.filled(text) for text in actor.phases()[: begins[k]]]
+        opens = deed.act is Act.OPEN_DOOR
+        meanwhile = "Halt()" if opens else f"PaceOnPath(way{one}, {one}, {_carried(actor):.3g}, 60)"
+        waits = [_waits(text, meanwhile, one) for text in before]
+        does = (*waits, *(_opens(actor, k) if opens else (f"BrakeOnPath(way{one})",)))
+        yield f"behavior Does{called}():"
+        yield from (f"    do {text}" for text in does)
+        earlier = sum(other.act is deed.act for other in actor.deeds[:k])
+        label = f"{actor.one.id}-{part.name}" + (f"-{earlier + 1}" if earlier else "")
+        yield (
+            f"{called} = new {part.scenic} at {_place(actor, opens=opens)}, with label '{label}'{actor.role()}"
+            f"{'' if opens else actor.moving(actor.phases())}, with behavior Does{called}()"
+        )
+        actor.ledger.assume(part.told.format(actor.one.id))
+
+
+def _waits(text: str, meanwhile: str, one: str) -> str:
+    """A phase of whoever has it, as that which is carried waits it out."""
+    end = _ENDS.search(text)
+    if end is None:
+        raise NotBuilt(f"nothing builds yet: what {one} lets go after {text.partition('(')[0]}")
+    return meanwhile + re.sub(r"\bself\b", one, end[0])
+
+
+def _carried(actor: Actor) -> float:
+    """How far [m] ahead of the middle of who has it a load is: at its tail."""
+    return 0.5 * (LIMITS["Load"].length - actor.limits.length)
+
+
+def _opens(actor: Actor, k: int) -> tuple[str, ...]:
+    """How a door opens.
+
+    Raises:
+        NotBuilt: It does not reach the ego's lane.
+    """
+    if actor.stand.meets is not Meets.KERB or actor.one.starts.side is not Side.RIGHT or actor.count > 1:
+        raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}: open-door but of one who stands at the right kerb")
+    if actor.deeds[k].to is Side.RIGHT:
+        raise NotBuilt(f"{actor.path}.does.{k}.to: right: that door opens away from our lane")
+    door = LIMITS["Door"]
+    out = 0.5 * (actor.limits.width + door.length) - OPENS**2 / (2.0 * door.brake)
+    there = f"abs(offsetFrom(way{name_of(actor.one.id)}, self)) > {out:.3g}"
+    return f"MoveAhead({OPENS:g}) until {there}", "Halt()"
+
+
+def _place(actor: Actor, *, opens: bool) -> str:
+    """Where it is at first."""
+    way, at = f"way{name_of(actor.one.id)}", actor.filled(actor.stand.at)
+    if not opens:
+        return f"pointOn({way}, {at} + {_carried(actor):.3g}), facing directionOn({way}, {at})"
+    aside = 0.5 * (actor.limits.width - LIMITS["Door"].length)
+    return f"pointOn({way}, {at} + {HINGE:g}, {aside:.3g}), facing directionOn({way}, {at} + {HINGE:g}, 1.5708)"
