@@ -16,8 +16,8 @@ from chatscene.build.numbers import MOST, PACES, Numbers
 from chatscene.build.opening import LANE
 from chatscene.build.phases import Phases
 from chatscene.build.place import GOES_OVER, NEXT_LANE, Found
+from chatscene.build.relations import speed_beside
 from chatscene.build.starts import start_of
-from chatscene.build.towards import is_passed
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, PROPS, Limits
 from chatscene.terms.actors import Manner as Moves
@@ -28,8 +28,8 @@ from chatscene.world.places import lanes_beside
 BETWEEN = 1.2  # [m] between things in a row
 BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
 SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
-PASSED = (0.55, 0.75)  # of the ego's speed: of who is passed by another
 SOONER_OR_LATER = 0.08  # of its speed, by which who keeps up with the ego is there sooner or later
+FASTER = (1.2, 1.5)  # of the speed of the traffic: who is fast in it
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
 _AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
@@ -130,8 +130,12 @@ class Actor:
     def _bind_speed(self) -> None:
         """Let it come as fast as was said of how it begins, or of how it goes on."""
         numbers, deeds = self.numbers, self.deeds
-        if is_passed(self.ledger.situation.others, self.one):
-            numbers.narrow("SPEED", *(min(share * self.ego_speed, numbers.middle("SPEED")) for share in PASSED))
+        ego, top = self.ego_speed, MOST * self.limits.top_speed
+        beside = speed_beside(self.ledger.situation, self.one, ego)
+        if beside is not None:
+            low, high, *_ = numbers.ranges["FAST"]  # than the traffic is
+            numbers.narrow("FAST", *(min(max(*ends), top) for ends in ((low, FASTER[0] * ego), (high, FASTER[1] * ego))))
+            numbers.narrow("SPEED", *(min(speed, top) for speed in beside))
         paces = {deed.manner for deed in deeds if deed.manner in PACES}
         if len(paces) == 1 and any(deed.manner in PACES and deed.act in _AT_ONE_SPEED for deed in deeds):
             low, high, *_ = numbers.ranges[PACES[paces.pop()]]

@@ -13,6 +13,7 @@ from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.place import Found
 from chatscene.build.possible import OFF_ROAD, impossible
+from chatscene.build.relations import check_passed_by_ego
 from chatscene.build.towards import at_distance, in_rows
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
@@ -96,6 +97,7 @@ def _cast(situation: Situation, speed: float) -> tuple[Ledger, Found, BuiltEgo, 
     ledger = Ledger(situation)
     found = find(ledger)
     ego = ego_of(ledger, found, speed)
+    check_passed_by_ego(ledger.situation, ego.coming.speed)
     everybody = _everybody(ledger, found, ego)
     for actor, _ in everybody:
         if actor.one.role is Role.ADVERSARY:

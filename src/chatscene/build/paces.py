@@ -13,10 +13,12 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.numbers import MOST, PACES, Numbers
+from chatscene.build.relations import GAINS, PASSES, speed_of
 from chatscene.build.timing import Body
+from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.seeing import LOST, SHARE_LOST, gain_of, loss_of
-from chatscene.terms.situation import Deed
+from chatscene.terms.situation import EGO, Deed
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -25,7 +27,6 @@ if TYPE_CHECKING:
 SEEN = 1.1  # times what a watcher must see at least
 NEARLY = 0.95  # of the speed that a pedal holds, from which on it is held
 LEAST = 0.3  # [m/s], nobody goes slower on purpose
-PASSES = 1.2  # times as fast as the ego is who gets by it before the road ends
 FOLLOWS = 0.64  # of the ego's speed, the least of who goes with it
 CRAWLS = 1.0  # [m/s]: who must be slower before it gains speed gains it from a stand
 
@@ -243,23 +244,29 @@ def _said_speed(actor: Actor, k: int, steps: Steps, body: Body) -> tuple[str, tu
 
 
 def set_passing_speed(actor: Actor, k: int) -> None:
-    """Let somebody be so much faster than the ego that it gets by in its k-th deed.
+    """Let somebody be so much faster than whom it passes in its k-th deed that it gets by.
 
     Raises:
         NotBuilt: It is not, or no such body is.
     """
-    deed = actor.deeds[k]
-    least, name = PASSES * actor.ego_speed, f"FAST_{k}"
+    deed, name, numbers = actor.deeds[k], f"FAST_{k}", actor.numbers
+    situation, whom = actor.ledger.situation, done_to(actor.deeds[k])
+    passed = speed_of(situation, whom, actor.ego_speed)
+    least, most = passed + PASSES, MOST * actor.limits.top_speed
+    low, high = (passed + gain for gain in GAINS)
     if deed.speed is not None:
-        actor.numbers.bind(name, deed.speed, actor.ego_speed, f"{actor.path}.does.{k}.speed")
-    low, high, *_ = actor.numbers.range_of(name)
-    most = high if deed.speed is not None else MOST * actor.limits.top_speed
+        numbers.bind(name, deed.speed, actor.ego_speed, f"{actor.path}.does.{k}.speed")
+        low, high, *_ = numbers.ranges[name]
+        most = high
+    elif numbers.is_said("SPEED") and numbers.ranges["SPEED"][1] >= least:
+        low, high, *_ = numbers.ranges["SPEED"]
     if most < least:
         raise NotBuilt(
-            f"{actor.path}.does.{k}: a {actor.one.kind} at {3.6 * most:.0f} km/h does not overtake an ego at "
-            f"{3.6 * actor.ego_speed:.0f} km/h; say {3.6 * least:.0f} km/h at least, or a slower ego"
+            f"{actor.path}.does.{k}: a {actor.one.kind} at {_kmh(most)} does not overtake "
+            f"{'an ego' if whom == EGO else whom} at {_kmh(passed)}; say {_kmh(least)} at least, or a slower "
+            f"{'ego' if whom == EGO else whom}"
         )
-    actor.numbers.narrow(name, max(low, least), max(high, least))
+    numbers.narrow(name, min(max(low, least), most), min(max(high, least), most))
 
 
 def _told(before: float, after: float) -> str:

@@ -50,9 +50,3 @@ def at_distance(ledger: Ledger, one: Other) -> Other:
             ledger.take(f"ego.does.{k}.distance")
             return replace(one, starts=replace(one.starts, distance=deed.distance))
     return one
-
-
-def is_passed(others: Sequence[Other], one: Other) -> bool:
-    """Whether another gets by somebody who is no slower than the ego by what was said of it."""
-    by = any(deed.act is Act.OVERTAKE and deed.whom == one.id for other in others for deed in other.does)
-    return by and one.starts.speed is None and all(deed.speed is None for deed in one.does)
