@@ -22,7 +22,7 @@ from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, PROPS, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import SEVERAL, Deed, Other
-from chatscene.terms.vocabulary import Act, Role, Side, UserKind
+from chatscene.terms.vocabulary import Act, Role, Side, UserKind, Where
 from chatscene.world.places import lanes_beside
 
 BETWEEN = 1.2  # [m] between things in a row
@@ -124,6 +124,12 @@ class Actor:
     def count(self) -> int:
         """How many there are."""
         return self.one.count or SOME
+
+    @property
+    def leads(self) -> bool:
+        """Whether it goes before an ego that nothing slows down, at the speed that the ego wants."""
+        ahead = self.one.starts.where is Where.AHEAD and self.stand.meets is Meets.ALONG
+        return ahead and not self.ledger.situation.ego.does and self.one.kind.row.body.row.motorised
 
     # Numbers
 

@@ -8,11 +8,17 @@ from enum import StrEnum
 from chatscene.build.coming import Coming
 from chatscene.build.numbers import Numbers
 from chatscene.build.place import Found, beside_lane, rides_at_edge
+from chatscene.terms.actors import LIMITS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.vocabulary import Act, Where
+
+
+FROM_NOSE = frozenset((Where.AHEAD, Where.AHEAD_BESIDE, Where.BEHIND, Where.BEHIND_BESIDE))
+"""Places whose distance is told from the nose of who is behind to the tail of who is before it."""
+NEAREST = 3.0  # [m] between who begin one behind the other
 
 
 class Meets(StrEnum):
@@ -149,6 +155,17 @@ class Asked:
         """Whether the ego's way swings out round something."""
         return self.found.query["maneuver"] == Maneuver.BYPASS
 
+    @property
+    def middles(self) -> float:
+        """How far [m] the middles of the ego and of it are apart where they touch, one behind the other."""
+        row = self.one.kind.row.body.row
+        return 0.5 * (LIMITS["Car"].length + row.limits.length)
+
+    def headway(self, low: float, high: float) -> None:
+        """From where to where [s] before or behind the ego it may be, nose to tail, if no distance was said."""
+        speed = self.ego.speed
+        self.reach(*(self.middles + max(one * speed, NEAREST) for one in (low, high)))
+
     def ahead(self, low: float, high: float) -> None:
         """From where to where [m] ahead it may be, if that was not said: farther where the ego comes faster."""
         self.reach(low * self.found.further, high * self.found.further)
@@ -156,7 +173,9 @@ class Asked:
     def reach(self, low: float, high: float, meaning: str = "how far ahead of the ego it is") -> None:
         """From where to where [m] it may be, if that was not said."""
         if (said := self.one.starts.distance) is not None:
-            low, high = said.within(low, max(high, said.low)) if not said.exact else (said.low, said.low)
+            nose = self.middles if self.one.starts.where in FROM_NOSE else 0.0
+            low, high = said.within(low - nose, max(high - nose, said.low)) if not said.exact else (said.low, said.low)
+            low, high = low + nose, high + nose
         path = f"others.{self.one.id}.starts.distance" if said is not None else ""
         self.numbers.measure("Y", low, max(low, high), "m", meaning, path)
 

@@ -31,6 +31,7 @@ RANGES: dict[str, tuple[float, float, str, str]] = {
     "DRIFT": (1.4, 2, "m", "how far it drifts"),
     "PACE_TIME": (2, 3.5, "s", "for how long it keeps so"),
     "LEVEL": (-2, 2, "m", "how far ahead of the ego it keeps"),
+    "STEADY": (0.6, 1.8, "s", "for how long it goes on before it does anything"),
     "GAP": (0.5, 2.5, "m", "how much room it leaves"),
     "ROOM": (5, 12, "m", "how far behind whom it follows it is"),
     "AHEAD": (3, 8, "m", "how far ahead it is before it comes back"),

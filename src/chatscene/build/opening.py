@@ -11,14 +11,18 @@ from chatscene.build.deeds import GO, MOVE
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import at_junction
+from chatscene.build.relations import AGAINST, ALONG
 from chatscene.build.timing import Course
 from chatscene.build.waiting import when_of
+from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import Act, Facing, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
+_ANYWHERE = (None, Site.MOTORWAY, Site.RURAL)
+_GOES_ON = frozenset((Act.GO_ALONG, Act.FOLLOW))
 LANE = 3.5  # [m], a lane's width
 NEAREST = 4.0  # [m] before a junction: who is nearer is in it
 STOOD = 0.6  # [s]: who stands so long before it sets off is seen to stand
@@ -56,13 +60,16 @@ class Opening:
         lasting = all(one.lasting for one in steps)
         if lasting and (actor.stand.meets is Meets.ALONG or self._goes_along()):
             return
-        if not actor.stand.rolls:
+        soon = self._begins_soon()
+        if not (actor.stand.rolls or soon):
             self._make_room()
         if deed.act is Act.STAND and deed.time is not None:
             return  # it stands so long from the beginning
         if stands_first(actor.one):
             yield f"{waits} for {STOOD:g} seconds"
-        if not actor.stand.rolls or actor.stand.meets is Meets.ALONG:
+        if soon:
+            yield f"{waits} for $STEADY seconds"
+        elif not actor.stand.rolls or actor.stand.meets is Meets.ALONG:
             yield f"{waits} until {self._due()}"
         if actor.stand.meets is Meets.TOWARD and not steps[self.first].lasting:
             seconds = f"($LEAD_TIME + {self.ahead.seconds:.1f})" if self.ahead.seconds else "$LEAD_TIME"
@@ -70,6 +77,15 @@ class Opening:
         if actor.stand.meets is Meets.THROUGH and not steps[self.first].lasting and deed.act is not Act.SET_OFF:
             room = 3 + self.ahead.metres
             yield f"{self._go()} until {actor.stand.left} < brakingDistance(self) + {room:.3g}"
+
+    def _begins_soon(self) -> bool:
+        """Whether nothing says where its first deed is to be: on an open road among those who go along it."""
+        actor = self.phases.actor
+        situation, stand, query = actor.ledger.situation, actor.stand, actor.found.query
+        place = query["maneuver"] != Maneuver.STRAIGHT or at_junction(situation) or query.get("site") not in _ANYWHERE
+        others = all(one.starts.where in ALONG | AGAINST and not stands_first(one) for one in situation.others)
+        waits = any(deed.act not in _GOES_ON for deed in situation.ego.does)
+        return stand.meets is Meets.ALONG and not (place or waits or stand.rolls) and others
 
     def _make_room(self) -> None:
         """Let it be so far along the ego's route that the ego is not there too soon."""
@@ -158,6 +174,8 @@ class Opening:
         if speed.name and keeps_distance(self.phases.actor):
             return GO.replace("$SPEED", f"${speed.name}")
         ahead = "-$Y" if self.phases.actor.stand.behind else "$Y"
+        if self.phases.actor.leads:
+            return GO.replace("$SPEED", f"{self.phases.actor.ego_speed:.4g}")
         if not keeps_distance(self.phases.actor):
             least = min(LEAST, 0.8 * self.phases.actor.ego_speed)
             return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, {least:.3g})"

@@ -211,7 +211,7 @@ def _first(actor: Actor, *, as_ego: bool) -> Speed:
 
 def slowest_with_ego(actor: Actor) -> float:
     """The least speed [m/s] of who keeps its distance to the ego: else both would slow down for each other."""
-    return FOLLOWS * actor.ego_speed
+    return actor.ego_speed if actor.leads else FOLLOWS * actor.ego_speed
 
 
 def keeps_distance(actor: Actor) -> bool:

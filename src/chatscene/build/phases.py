@@ -190,9 +190,19 @@ class Phases:
     def _must_get_going(self, k: int, *, still: bool) -> bool:
         """Whether it must get under way before a deed, from a stand or to a speed that was chosen for it."""
         steps, before = self.steps[k], self.paces.before[k]
+        if self._goes_on_braking(k):
+            return False
+        if k and self.actor.deeds[k].act is self.actor.deeds[k - 1].act is Act.BRAKE:
+            return True  # it brakes twice
         if not steps.going or (steps.pace is Pace.GAINS and before.high <= CRAWLS):
             return False
         return still or (bool(before.name) and steps.pace is not Pace.GAINS)
+
+    def _goes_on_braking(self, k: int) -> bool:
+        """Whether it comes to a stand by the braking that it has begun."""
+        deeds = self.actor.deeds
+        stops = deeds[k].act is Act.STOP and k > 0 and deeds[k].when is None
+        return stops and deeds[k - 1].act in (Act.BRAKE, Act.SLOW_DOWN)
 
     def _stands(self) -> bool:
         """Whether it stands before its first deed."""
@@ -299,6 +309,8 @@ class Phases:
             text = _renamed(text, name, own)
         if deed.act is Act.OVERTAKE and "FAST" in steps.binds.values():
             text = _renamed(text, "FAST", f"FAST_{k}")
+        if self._goes_on_braking(k) and deed.acceleration is None and f"BRAKE_{k - 1}" in numbers.ranges:
+            text = _renamed(text, "BRAKE", f"BRAKE_{k - 1}")
         if deed.manner is not None and deed.manner in FIRM and deed.acceleration is None and "$BRAKE" in text:
             numbers.narrow(f"BRAKE_{k}", FIRM[deed.manner], 1.0)
             text = _renamed(text, "BRAKE", f"BRAKE_{k}")

@@ -15,6 +15,7 @@ from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Side, Str
 from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
+HEADWAY = 0.9, 1.7  # [s] behind whom it follows an ego is, from and to
 _EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
 
 
@@ -38,7 +39,7 @@ def _ahead(asked: Asked) -> Stand:
         asked.ahead(22, 30)
         return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"$Y{asked.more}", aside=aside)
     far = asked.stands and not asked.ego.stands  # so that it has done what it does when the ego is there
-    asked.ahead(*((38, 56) if far else (11, 19)))
+    asked.ahead(38, 56) if far else asked.headway(*HEADWAY)
     return Stand(meets=Meets.ALONG, way=asked.lane, at=f"$Y{asked.more}", aside=aside, anywhere=far)
 
 
