@@ -31,7 +31,10 @@ SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidde
 SOONER_OR_LATER = 0.08  # of its speed, by which who keeps up with the ego is there sooner or later
 FASTER = (1.2, 1.5)  # of the speed of the traffic: who is fast in it
 SOME = 3  # of a group whose size was not said
-_DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
+_DRIVES = re.compile(r"(?:DrivePath|FollowTraffic)\([^,]+, ([^,()]+)")
+_GOES = re.compile(r"^DrivePath\(([^,]+), ([^,()]+)\)( |$)")
+_CLOSE_BEHIND = re.compile(r"(PaceOnPath\([^,]+, )ego, -\(")
+_KEEPS = re.compile(r"(PaceOnPath\([^,]+, ego, )([^,]+)")
 _AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
 _OFF = frozenset((Act.SET_OFF, Act.STAND))
 _GOES_ON = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW))
@@ -191,7 +194,19 @@ class Actor:
         """What it does until its first deed is due, then deed after deed; empty for what only lies or hides."""
         if self._texts is None:
             self._texts = Phases(self).texts()
+            if self.careful:
+                self._texts = tuple(_GOES.sub(r"FollowTraffic(\1, \2)\3", text) for text in self._texts)
+            if self.first is not None and self.stand.behind and self.first.stand.behind:
+                ahead = rf"\1{name_of(self.first.one.id)}, -("
+                self._texts = tuple(_CLOSE_BEHIND.sub(ahead, text) for text in self._texts)
         return tuple(self.filled(text) for text in self._texts)
+
+    @property
+    def careful(self) -> bool:
+        """Whether it keeps its distance to whoever is before it: who is not met, and who goes behind others."""
+        ahead = sum(other.starts.where is Where.AHEAD for other in self.ledger.situation.others)
+        queues = self.one.starts.where is Where.AHEAD and ahead > 1
+        return self.stand.meets is Meets.ALONG and not self.walks and (self.one.role is Role.SUPPORTING or queues)
 
     @property
     def met(self) -> float:
@@ -231,6 +246,10 @@ class Actor:
             named.append(f"ours{one} = against(ownLane(egoRoute))")
         if phases:
             named += [f"behavior Does{one}():", *(f"    do {text}" for text in phases)]
+        rows = [self._in_row(phases, n) for n in range(self.count)]
+        for n, texts in enumerate(rows):
+            if texts != phases:
+                named += [f"behavior Does{one}_{n}():", *(f"    do {text}" for text in texts)]
         cls = (
             "VendingMachine"
             if self.one.role is Role.HIDES and self.one.kind is UserKind.OBJECT
@@ -241,11 +260,29 @@ class Actor:
             place, facing = self._hides(hidden, n) if hidden is not None else self._place(n)
             said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
             said += f", with label '{self.one.id}'" + self._role()
-            lines.append(said + self._moving(phases) + (f", with behavior Does{one}()" if phases else ""))
+            does = f"Does{one}" if rows[n] == phases else f"Does{one}_{n}"
+            lines.append(said + self._moving(phases) + (f", with behavior {does}()" if phases else ""))
         if self.one.starts.speed is not None and self.one.starts.speed.high <= 0.0:
             self.ledger.take(f"{self.path}.starts.speed")  # it stands
         self.ledger.take(*self.numbers.built())
         return [f"## {self.one.id}: {self.said()}", *lines]
+
+    def _in_row(self, phases: tuple[str, ...], n: int) -> tuple[str, ...]:
+        """The phases of the n-th of it, which keeps its place in the row."""
+        if not n or self.stand.meets is not Meets.ALONG:
+            return phases
+        more = f" {self._away} {n * self._apart:g}"
+        return tuple(_KEEPS.sub(rf"\1\2{more}", text) for text in phases)
+
+    @property
+    def _apart(self) -> float:
+        """How far [m] the middles of two in its row are apart."""
+        return (self.limits.length or 1.5) + 2.5
+
+    @property
+    def _away(self) -> str:
+        """The sign of who is farther from the ego along its way."""
+        return "+" if self.stand.meets is Meets.ALONG and not self.stand.behind else "-"
 
     def _beside(self) -> str:
         """The line beside the ego's lane: that of a lane of its direction if there is one; else where others come."""
@@ -284,13 +321,11 @@ class Actor:
     def _place(self, n: int) -> tuple[str, str]:
         """Where the n-th of it stands, and which way it faces."""
         stand, one = self.stand, name_of(self.one.id)
-        length = self.limits.length if self.limits.length else 1.5
         if stand.point:
             aside = f" + {1.3 * ((n + 1) // 2) * (-1 if n % 2 else 1):g}" if n else ""
             point, facing = (text.replace("level{i}", f"level{{i}}{aside}") for text in (stand.point, stand.facing))
             return self.filled(point), self.filled(facing)
-        sign = "+" if stand.meets is Meets.ALONG and not stand.behind else "-"  # away from the ego
-        at = self.filled(stand.at) + (f" {sign} {n * (length + 2.5):g}" if n else "")
+        at = self.filled(stand.at) + (f" {self._away} {n * self._apart:g}" if n else "")
         aside = f", {stand.aside:g}" if stand.aside else ""
         turn = f", {stand.turn:g}" if stand.turn else ""
         return f"pointOn(way{one}, {at}{aside})", f"directionOn(way{one}, {at}{turn})"

@@ -12,6 +12,7 @@ from chatscene.build.deeds import (
     BEHIND_ANOTHER,
     BRAKES,
     BRAKES_TO,
+    COMES_OVER,
     LOSES_SLOWLY,
     OFF,
     Steps,
@@ -20,6 +21,7 @@ from chatscene.build.deeds import (
     turning_off,
     yielding_to,
 )
+from chatscene.build.gaps import stops_before
 from chatscene.build.local import check_round
 from chatscene.build.naming import name_of
 from chatscene.build.paces import Pace
@@ -70,7 +72,9 @@ def _table(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
         yield deed.act, ALONG[Act.TAILGATE]  # or it would run into the ego
     if deed.act is Act.OVERTAKE and along and where in NEXT_LANE:  # in the lane, or at the edge, where it is
         at_edge = rides_at_edge(actor.one, actor.ledger.situation.ego.route)
-        yield Act.OVERTAKE, gets_by(comes_back=not at_edge)
+        others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
+        free = all(one.starts.where is not Where.AHEAD for one in others)
+        yield Act.OVERTAKE, gets_by(comes_back=free and not at_edge)
     if done_to(deed) != EGO:
         yield from _to_another(actor, deed)
 
@@ -90,6 +94,8 @@ def _by_numbers(actor: Actor, k: int, steps: Steps) -> Steps:
     brakes = deed.act is Act.BRAKE or (deed.act is Act.SLOW_DOWN and deed.acceleration is not None)
     if brakes and not across and deed.speed is not None:
         return BRAKES_TO
+    if stops_before(actor, k):
+        return COMES_OVER
     if deed.act is Act.OVERTAKE and then in _COMES_BACK and actor.stand.meets is Meets.ALONG:
         way = "{beside}" if "{beside}" in steps.does[0] else ""
         return replace(steps, does=steps.does[:1], last=(), way=way)  # what comes then says how it comes back

@@ -54,6 +54,7 @@ def _each(acts: Iterable[Act], steps: Steps) -> dict[Act, Steps]:
 
 GO = "DrivePath({p}, $SPEED)"
 BRAKES = f"BrakeOnPath({{p}}, $BRAKE) until {STILL}"
+_EASES = "BrakeOnPath({p}, $EASE) until self.pose[3] < $SLOW"
 _BY = "Halt() until progressOn(egoRoute, ego)[0] > {meets} + 6"
 _TURNS = (Act.TURN_LEFT, Act.TURN_RIGHT)
 _GOES = Steps(
@@ -89,8 +90,8 @@ ALONG: dict[Act, Steps] = {
         pace=Pace.STANDS,
     ),
     Act.SLOW_DOWN: Steps(
-        does=("DrivePath({p}, $SLOW) for 3 seconds",),
-        last=("DrivePath({p}, $SLOW)",),
+        does=(_EASES, "DrivePath({p}, $SLOW) for 2 seconds"),
+        last=(_EASES, "DrivePath({p}, $SLOW)"),
         binds={"speed": "SLOW"},
         going=True,
         pace=Pace.LOSES,
@@ -239,6 +240,15 @@ BEHIND_ANOTHER = Steps(
     lasting=True,
 )
 """Of somebody who follows another: ``ego`` is then whom it follows."""
+COMES_OVER = Steps(
+    does=(
+        *(f"DrivePath({{p}}, $SPEED, {{aside}} * {k * 1.2:g}) for {{drift}} seconds" for k in (1, 2)),
+        *_INTO_OWN.does,
+    ),
+    way=OWN,
+    binds={"speed": "SPEED"},
+)
+"""Of somebody who drifts out of the next lane all over into the ego's."""
 BRAKES_TO = Steps(
     does=("BrakeOnPath({p}, $BRAKE) until self.pose[3] < $SLOW", "DrivePath({p}, $SLOW) for 2 seconds"),
     last=("BrakeOnPath({p}, $BRAKE) until self.pose[3] < $SLOW", "DrivePath({p}, $SLOW)"),

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from chatscene.build.asked import Meets
 from chatscene.build.deeds import OWN
+from chatscene.build.place import NEXT_LANE
 from chatscene.build.towards import done_to, to_whom
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Where
+from chatscene.terms.vocabulary import Act, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -17,6 +19,10 @@ if TYPE_CHECKING:
 _MIDDLES = "(ego.length + self.length) / 2 + "
 """What is between the middles of two who leave so much room."""
 _COMES_BEFORE = frozenset((Act.CUT_IN, Act.TURN_LEFT, Act.TURN_RIGHT))
+LOSES = frozenset((Act.BRAKE, Act.SLOW_DOWN, Act.STOP, Act.HESITATE))
+_OVER = frozenset((Act.LANE_CHANGE, Act.MERGE, Act.ENTER))
+_GOES_ON = frozenset((Act.GO_ALONG, Act.FOLLOW))
+WAITS = 0.6  # of its speed, the least of who lets the ego come near again
 NEARLY = 1.0  # [m] of a gap that was said
 GAINS = 5.0  # [m/s] that somebody is faster than the ego on the average who gets before it
 BACKS = 1.5  # [m/s] that somebody backs up at, of whom only the way was said
@@ -37,18 +43,52 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
         last: Whether it does nothing then.
     """
     deed = actor.deeds[k]
-    if deed.act not in _COMES_BEFORE:
+    if deed.act not in _COMES_BEFORE and not (leaves_room(actor) and deed.act in _OVER) and not stops_before(actor, k):
         return
-    from_behind = _from_behind(actor, k)
+    from_behind = _from_behind(actor, k) or leaves_room(actor)
     if gap_is_said(deed):
         ahead = f"{_MIDDLES}${_bound(actor, k)}"
         there = f"abs(headway(egoRoute, ego, self) - ({ahead})) < {NEARLY:g}"
         yield to_whom(f"PaceOnPath({way}, ego, {ahead}, 40) until {there}", deed)
+    elif stops_before(actor, k) or (deed.act in _OVER and leaves_room(actor)):
+        ahead = f"{_MIDDLES}$AHEAD"
+        yield f"PaceOnPath({way}, ego, {ahead} + 2, 40) until headway(egoRoute, ego, self) > {ahead}"
     elif deed.act is Act.CUT_IN and (not last or from_behind or done_to(deed) != EGO):
         ahead = f"{_MIDDLES}$AHEAD"  # or the ego would run into it before it does the next thing
         yield to_whom(f"PaceOnPath({way}, ego, {ahead} + 2, 40) until headway(egoRoute, ego, self) > {ahead}", deed)
     elif from_behind and k and actor.one.starts.where is Where.BEHIND:
         yield f"PaceOnPath({way}, ego, {_MIDDLES}$AHEAD, 40) until headway(egoRoute, ego, self) > {_MIDDLES}$AHEAD - 2"
+
+
+def leaves_room(actor: Actor) -> bool:
+    """Whether it was said that somebody who comes over from the next lane does not touch the ego."""
+    contact, one = actor.ledger.situation.contact, actor.one
+    misses = contact is not None and not contact.happens and contact.whom in (None, one.id)
+    return misses and one.role is Role.ADVERSARY and one.starts.where in NEXT_LANE and actor.stand.meets is Meets.ALONG
+
+
+def stops_before(actor: Actor, k: int) -> bool:
+    """Whether somebody leaves its line for the ego's lane, in which it loses speed before the ego then."""
+    deed, one = actor.deeds[k], actor.one
+    there = one.starts.where in NEXT_LANE and deed.to in (None, *(side for side in Side if side is not one.starts.side))
+    over = deed.act in (Act.DRIFT, Act.SWERVE) and deed.distance is None and actor.stand.meets is Meets.ALONG
+    return over and there and any(then.act in LOSES for then in actor.deeds[k + 1 :])
+
+
+def goes_before(actor: Actor, k: int) -> bool:
+    """Whether somebody goes on before the ego, in its lane, between two deeds by which it loses speed."""
+    deeds, then = actor.deeds, k + 1 if actor.deeds[k].act in _GOES_ON else k
+    lost = any(deed.act in LOSES for deed in deeds[:k])
+    ours = actor.one.starts.where is Where.AHEAD or any(deed.act in _COMES_BEFORE for deed in deeds[:k])
+    ours = ours or any(stops_before(actor, earlier) for earlier in range(k))
+    along = actor.stand.meets is Meets.ALONG and deeds[k].speed is None and deeds[k].time is None
+    return along and lost and ours and then < len(deeds) and deeds[then].act in LOSES
+
+
+def keeps_before(actor: Actor, way: str) -> str:
+    """How somebody goes on before the ego that it has slowed down: so that the ego comes near again."""
+    top, least = actor.ego_speed, WAITS * actor.ego_speed
+    return f"PaceOnPath({way}, ego, {_MIDDLES}$AHEAD, {top:.4g}, {least:.3g}) for $NEAR_TIME seconds"
 
 
 def _from_behind(actor: Actor, k: int) -> bool:

@@ -173,7 +173,8 @@ class Opening:
         speed = self.phases.paces.before[self.first]
         if speed.name and keeps_distance(self.phases.actor):
             return GO.replace("$SPEED", f"${speed.name}")
-        ahead = "-$Y" if self.phases.actor.stand.behind else "$Y"
+        room = self.phases.actor.room
+        ahead = f"-$Y - {room:g}" if self.phases.actor.stand.behind else f"$Y + {room:g}"
         if self.phases.actor.leads:
             return GO.replace("$SPEED", f"{self.phases.actor.ego_speed:.4g}")
         if not keeps_distance(self.phases.actor):

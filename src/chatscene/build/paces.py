@@ -19,6 +19,7 @@ from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.seeing import LOST, SHARE_LOST, gain_of, loss_of
 from chatscene.terms.situation import EGO, Deed
+from chatscene.terms.vocabulary import Act, Manner
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -29,6 +30,9 @@ NEARLY = 0.95  # of the speed that a pedal holds, from which on it is held
 LEAST = 0.3  # [m/s], nobody goes slower on purpose
 FOLLOWS = 0.64  # of the ego's speed, the least of who goes with it
 CRAWLS = 1.0  # [m/s]: who must be slower before it gains speed gains it from a stand
+
+
+_OVER_LANES = frozenset((Act.CUT_IN, Act.CUT_OUT, Act.LANE_CHANGE, Act.MERGE))
 
 
 class Pace(StrEnum):
@@ -234,6 +238,9 @@ def _said_speed(actor: Actor, k: int, steps: Steps, body: Body) -> tuple[str, tu
             low, high = body.wish_for(low), body.wish_for(high)
             numbers.narrow(own, low, high)
         return own, (low, high)
+    if deed.manner is Manner.FAST and deed.act in _OVER_LANES:
+        actor.ledger.take(f"{at}.manner")  # as it does at any speed
+        return own, None
     if deed.manner in PACES and deed.speed is None and bound and steps.pace is Pace.KEEPS:
         actor.ledger.take(f"{at}.manner")
         low, high, *_ = numbers.ranges[PACES[deed.manner]]

@@ -12,10 +12,22 @@ from chatscene.build.asked import Meets, stands_first
 from chatscene.build.choosing import steps_of
 from chatscene.build.deeds import GO, MOVE, RESTS, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
 from chatscene.build.facing import OVER
-from chatscene.build.gaps import backs_by, comes_in, gap_is_said, gets_ahead, seconds_to_get_ahead, seconds_to_get_by
+from chatscene.build.gaps import (
+    LOSES,
+    backs_by,
+    comes_in,
+    gap_is_said,
+    gets_ahead,
+    goes_before,
+    keeps_before,
+    seconds_to_get_ahead,
+    seconds_to_get_by,
+    stops_before,
+)
 from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbers import FIRM
-from chatscene.build.opening import Opening
+from chatscene.build.opening import LANE, Opening
+from chatscene.build.place import NEXT_LANE
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_passing_speed
 from chatscene.build.timing import Body, Course, course
 from chatscene.build.towards import to_whom
@@ -163,7 +175,8 @@ class Phases:
             steps, deed = self.steps[k], actor.deeds[k]
             body: list[str] = []
             if k > first and deed.when is not None:
-                body += when_of(actor, k, deed.when, self._at(k, meanwhile))
+                changes = steps.pace in (Pace.GAINS, Pace.LOSES)
+                body += when_of(actor, k, deed.when, self._at(k, meanwhile, before=changes))
             if steps.comes_in and turned:
                 check_turn(actor, k)
                 body += [f"{MOVE} until abs(offsetFrom(egoRoute, self)) > {OUTSIDE}"]
@@ -172,14 +185,26 @@ class Phases:
             if self._stops_on_its_way_over(k, first):
                 body.append(self._at(k, RESTS, before=True))
             elif self._must_get_going(k, still=still):
-                body += self._gets_going(k, first, meanwhile)
+                if deed.act is not Act.GO_ALONG and goes_before(actor, k) and actor.deeds[k - 1].act in LOSES:
+                    body.append(keeps_before(actor, way or "{p}"))
+                else:
+                    body += self._gets_going(k, first, meanwhile)
             body += self._of(k, steps, way, still=still, last=k == len(actor.deeds) - 1, go=meanwhile)
-            way = steps.way or way
+            way = steps.way or self._line_aside(k, way) or way
             if actor.stand.meets is not Meets.ACROSS and way:
                 meanwhile = GO.replace("{p}", way)
             still = steps.pace is Pace.STANDS
             turned ^= deed.act is Act.TURN_BACK
             yield body
+
+    def _line_aside(self, k: int, way: str | None) -> str:
+        """The line beside its own on which somebody goes on that left it, and does not come back."""
+        actor, deed = self.actor, self.actor.deeds[k]
+        stays = deed.act is Act.DRIFT or (deed.act is Act.SWERVE and self._then(k) in LOSES)
+        if not stays or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD) or k + 1 == len(actor.deeds):
+            return ""
+        name = str(deed.act).upper() + (f"_{k}" if deed.distance is not None else "")
+        return f"{way or '{p}'}.offset({self._aside(deed, k)} * ${name})"
 
     def _stops_on_its_way_over(self, k: int, first: int) -> bool:
         """Whether it stops in the ego's lane, over which it was on its way."""
@@ -250,8 +275,15 @@ class Phases:
     def _then(self, k: int) -> Act | None:
         return self.actor.deeds[k + 1].act if k + 1 < len(self.actor.deeds) else None
 
+    def _tell_exit(self) -> None:
+        """Say that somebody who leaves the road by a ramp stays on it."""
+        if self.actor.stand.meets is Meets.ALONG:
+            self.actor.ledger.assume(f"{self.actor.one.id} stays on the road where it would exit, as no ramp is taken yet")
+
     def _of(self, k: int, steps: Steps, way: str | None, *, still: bool, last: bool, go: str) -> Iterator[str]:
         actor, deed = self.actor, self.actor.deeds[k]
+        if deed.act is Act.EXIT:
+            self._tell_exit()
         ends = last and bool(steps.last) and deed.time is None
         phases = steps.last if ends else steps.does
         own = steps.way or way
@@ -271,6 +303,8 @@ class Phases:
         if deed.act in OVER and all(one.act not in OVER for one in actor.deeds[:k]) and actor.stand.over:
             phases = (phases[0].replace(MOVE, f"MoveAhead($SPEED, {actor.stand.over})"), *phases[1:])
         yield from gets_ahead(actor, k, way or "{p}", last=last)
+        if deed.act in (Act.GO_ALONG, Act.FOLLOW) and goes_before(actor, k):
+            phases = (keeps_before(actor, way or "{p}"),)
         if gap_is_said(deed) and deed.speed is None:
             phases = (comes_in(actor, k), *phases[1:])
         for text in phases:
@@ -306,6 +340,8 @@ class Phases:
                 text = _renamed(text, name, own)
                 continue
             numbers.bind(own, said, actor.ego_speed, f"{at}.{amount}")
+            if name in ("DRIFT", "SWERVE") and self._over_the_edge(deed):
+                numbers.move(own, 0.5 * (LANE - actor.limits.width))
             text = _renamed(text, name, own)
         if deed.act is Act.OVERTAKE and "FAST" in steps.binds.values():
             text = _renamed(text, "FAST", f"FAST_{k}")
@@ -318,6 +354,12 @@ class Phases:
         elif deed.manner is Manner.SUDDEN and not steps.lasting:  # nobody shows beforehand what it is about to do
             actor.ledger.take(f"{at}.manner")
         return text
+
+    def _over_the_edge(self, deed: Deed) -> bool:
+        """Whether somebody leaves its lane for the ego's by as much as was said, which is how far it is over its edge."""
+        start, toward = self.actor.one.starts, self.actor.stand.meets is Meets.TOWARD
+        away = start.side if not toward else Side.LEFT
+        return (toward or start.where in NEXT_LANE) and deed.to is not away
 
     def _at_full_power(self, k: int, text: str) -> str:
         """A phase with the pedal that gives the acceleration that was said, at the speed that it has before."""
