@@ -123,7 +123,7 @@ def test_steps_read_no_parameter_that_has_no_range() -> None:
 def test_a_number_that_was_said_is_a_number_of_the_program() -> None:
     braking = built("the car ahead brakes with 4 m/s²").program
     assert "BrakeOnPath(wayA, 0.5)" in braking.source  # of 8 m/s²
-    assert "pointOn(wayA, 15)" in braking.source
+    assert "pointOn(wayA, 19.9)" in braking.source  # 15 m from nose to tail
     assert "OPT_A_BRAKE" not in braking.source
     assert "wantedSpeed 8.333" in built("a truck runs a red light from the left, we want 30 km/h").program.source
 

@@ -53,6 +53,7 @@ class Actor:
         first: In whose row it stands, whose place it shares; None if it is the first.
         needs: How long [s] the ego must need at least to where they meet.
         reaches: How far [m] the ego has to there.
+        takes: How much road [m] the ego drives along while it does all that it does; 0 where that does not matter.
         soon: When [s] the ego meets somebody else, who may end the scene; None if nobody is known to.
     """
 
@@ -68,6 +69,7 @@ class Actor:
     named: dict[str, str] = field(init=False)
     needs: float = field(init=False, default=0.0)
     reaches: float = field(init=False, default=0.0)
+    takes: float = field(init=False, default=0.0)
     soon: float | None = None
     _texts: tuple[str, ...] | None = field(init=False, default=None)
 
@@ -143,7 +145,9 @@ class Actor:
         beside = speed_beside(self.ledger.situation, self.one, ego)
         if beside is not None:
             low, high, *_ = numbers.ranges["FAST"]  # than the traffic is
-            numbers.narrow("FAST", *(min(max(*ends), top) for ends in ((low, FASTER[0] * ego), (high, FASTER[1] * ego))))
+            numbers.narrow(
+                "FAST", *(min(max(*ends), top) for ends in ((low, FASTER[0] * ego), (high, FASTER[1] * ego)))
+            )
             numbers.narrow("SPEED", *(min(speed, top) for speed in beside))
         paces = {deed.manner for deed in deeds if deed.manner in PACES}
         if len(paces) == 1 and any(deed.manner in PACES and deed.act in _AT_ONE_SPEED for deed in deeds):
@@ -222,7 +226,7 @@ class Actor:
         """A text with names and parameters in the place of marks."""
         one = name_of(self.one.id)
         first = one if self.count > 1 else "self"
-        text = text.replace("{beside}", f"beside{one}").replace("{ours}", f"ours{one}")
+        text = text.replace("{beside}", f"beside{one}").replace("{ours}", f"ours{one}").replace("{home}", f"home{one}")
         row = name_of(self.first.one.id) if self.first is not None else one
         text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first).replace("{row}", row)
         if self.first is not None and self.stand.rolls and not self.numbers.is_said("SPEED"):
@@ -244,6 +248,8 @@ class Actor:
             named.append(f"beside{one} = {self._beside()}")
         if f"ours{one}" in body:
             named.append(f"ours{one} = against(ownLane(egoRoute))")
+        if f"home{one}" in body:
+            named.append(f'home{one} = neighbourPath(egoRoute, "left")')
         if phases:
             named += [f"behavior Does{one}():", *(f"    do {text}" for text in phases)]
         rows = [self._in_row(phases, n) for n in range(self.count)]

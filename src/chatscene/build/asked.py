@@ -13,11 +13,8 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, Where
+from chatscene.terms.vocabulary import FROM_NOSE, Act
 
-
-FROM_NOSE = frozenset((Where.AHEAD, Where.AHEAD_BESIDE, Where.BEHIND, Where.BEHIND_BESIDE))
-"""Places whose distance is told from the nose of who is behind to the tail of who is before it."""
 NEAREST = 3.0  # [m] between who begin one behind the other
 
 
@@ -164,7 +161,7 @@ class Asked:
     def headway(self, low: float, high: float) -> None:
         """From where to where [s] before or behind the ego it may be, nose to tail, if no distance was said."""
         speed = self.ego.speed
-        self.reach(*(self.middles + max(one * speed, NEAREST) for one in (low, high)))
+        self.reach(self.middles + max(low * speed, NEAREST), self.middles + max(high * speed, NEAREST + 1.0))
 
     def ahead(self, low: float, high: float) -> None:
         """From where to where [m] ahead it may be, if that was not said: farther where the ego comes faster."""

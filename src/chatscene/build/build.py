@@ -14,7 +14,7 @@ from chatscene.build.naming import name_of
 from chatscene.build.place import Found
 from chatscene.build.possible import OFF_ROAD, impossible
 from chatscene.build.relations import check_passed_by_ego
-from chatscene.build.towards import at_distance, in_rows
+from chatscene.build.towards import at_distance, in_one_row, in_rows, passes
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
 from chatscene.terms.pace import NOMINAL
@@ -63,10 +63,13 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
         raise NotBuilt(NOBODY)
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
-    ledger, found, ego, everybody, body = _cast(situation, NOMINAL.speed)
+    ledger, found, ego, everybody, body = _cast(situation, NOMINAL.speed, 0.0)
+    road = max(one.takes for one, _ in everybody)
+    if road > found.route.line.length:  # what is done goes on for longer
+        ledger, found, ego, everybody, body = _cast(situation, NOMINAL.speed, road)
     slow = min((one.reaches / one.needs for one, _ in everybody if one.needs > 0.0), default=ego.coming.speed)
     if slow < ego.coming.speed and situation.ego.speed is None:  # it would be there before the others are done
-        ledger, found, ego, everybody, body = _cast(situation, max(slow, SLOWEST))
+        ledger, found, ego, everybody, body = _cast(situation, max(slow, SLOWEST), road)
     numbers = sorted((one for actor, _ in everybody for one in actor.numbers.declared(body)), key=lambda one: one.name)
     around = _around(ledger)
     if (contact := situation.contact) is not None and contact.whom in {one.id for one in situation.adversaries}:
@@ -92,10 +95,12 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     return Built(program=program, map=found.map, left_out=ledger.close(), assumed=tuple(ledger.assumed))
 
 
-def _cast(situation: Situation, speed: float) -> tuple[Ledger, Found, BuiltEgo, list[tuple[Actor, Actor | None]], str]:
-    """Everybody, with an ego that wants a speed if none was said, and the text of all others."""
+def _cast(
+    situation: Situation, speed: float, road: float
+) -> tuple[Ledger, Found, BuiltEgo, list[tuple[Actor, Actor | None]], str]:
+    """Everybody on so much road if there is as much, with an ego that wants a speed if none was said; their text."""
     ledger = Ledger(situation)
-    found = find(ledger)
+    found = find(ledger, road)
     ego = ego_of(ledger, found, speed)
     check_passed_by_ego(ledger.situation, ego.coming.speed)
     everybody = _everybody(ledger, found, ego)
@@ -119,7 +124,9 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
     for one in sorted(others, key=lambda other: _hides(situation, other) is not None):
         hidden = _hides(situation, one)
         stands = stands_first(one) and one.starts.where not in OFF_ROAD
-        place = (_SAME.get(one.starts.where, str(one.starts.where)), str(one.starts.side), stands)
+        in_row = next((other for other in others if passes(one, other) and in_one_row(one, other)), one)
+        where = in_row.starts.where
+        place = (_SAME.get(where, str(where)), str(one.starts.side), stands)
         shares = hidden is None and one.starts.distance is None  # else it stands where it was said to
         first, room = rows.get(place, (None, 0.0)) if shares else (None, 0.0)
         actor = Actor(ledger, found, started(one, found.sides), ego.coming, room, first)

@@ -12,11 +12,13 @@ from chatscene.build.deeds import (
     BEHIND_ANOTHER,
     BRAKES,
     BRAKES_TO,
+    COMES_BACK,
     COMES_OVER,
     LOSES_SLOWLY,
     OFF,
     Steps,
     gets_by,
+    passes_against,
     steps_for,
     turning_off,
     yielding_to,
@@ -75,14 +77,35 @@ def _table(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
         others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
         free = all(one.starts.where is not Where.AHEAD for one in others)
         yield Act.OVERTAKE, gets_by(comes_back=free and not at_edge)
+    if meets is Meets.TOWARD and deed.act in _COMES_BACK and _is_in_ours(actor, deed):
+        yield deed.act, _back(actor, deed)
     if done_to(deed) != EGO:
         yield from _to_another(actor, deed)
+
+
+def _is_in_ours(actor: Actor, deed: Deed) -> bool:
+    """Whether somebody who comes against the ego is in its lane before a deed."""
+    before = actor.deeds[: actor.deeds.index(deed)]
+    ours = actor.one.starts.where is Where.ONCOMING_IN_OUR_LANE
+    return ours or any(one.act in _COMES_BACK or one.act in (Act.OVERTAKE, Act.ENTER) for one in before)
+
+
+def _back(actor: Actor, deed: Deed) -> Steps:
+    """How somebody goes back to its lane, as fast as it passed another if it did."""
+    passed = [k for k, one in enumerate(actor.deeds[: actor.deeds.index(deed)]) if one.act is Act.OVERTAKE]
+    if not passed:
+        return COMES_BACK
+    fast = tuple(text.replace("$SPEED", f"$FAST_{passed[-1]}") for text in COMES_BACK.does)
+    return replace(COMES_BACK, does=fast)
 
 
 def _to_another(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
     """The rows of what is done to another than the ego."""
     if deed.act is Act.FOLLOW and deed.speed is None:
         yield Act.FOLLOW, BEHIND_ANOTHER
+    elif deed.act is Act.OVERTAKE and actor.stand.meets is Meets.TOWARD:
+        then = next((one.act for one in actor.deeds[actor.deeds.index(deed) + 1 :]), None)
+        yield Act.OVERTAKE, passes_against(comes_back=then not in _COMES_BACK)
     elif deed.act is Act.YIELD and actor.stand.meets is not Meets.ACROSS:
         yield Act.YIELD, yielding_to(name_of(done_to(deed)))
 

@@ -227,6 +227,25 @@ def gets_by(*, comes_back: bool) -> Steps:
     return replace(row, does=(passes,), last=(passes, GO), way="")
 
 
+def passes_against(*, comes_back: bool) -> Steps:
+    """How somebody who comes against the ego passes another: in the ego's lane, and back then."""
+    by = "headway(egoRoute, self, ego) > (ego.length + self.length) / 2 + $AHEAD"  # ``ego`` is then whom it passes
+    passes = f"DrivePath({{ours}}, $FAST) until {by}"
+    binds = {"speed": "FAST", "distance": "AHEAD"}
+    if not comes_back:
+        return Steps(does=(passes,), way="{ours}", binds=binds)
+    back = "DrivePath({home}, $FAST) until abs(offsetFrom({home}, self)) < 0.8"
+    return Steps(does=(passes, back), last=(passes, back, "DrivePath({home}, $FAST)"), way="{home}", binds=binds)
+
+
+COMES_BACK = Steps(
+    does=("DrivePath({home}, $SPEED) until abs(offsetFrom({home}, self)) < 0.8",),
+    way="{home}",
+    binds={"speed": "SPEED"},
+)
+"""Of somebody who comes against the ego in its lane, and goes back to the lane that it came from."""
+
+
 def yielding_to(name: str) -> Steps:
     """How somebody lets another by: until that came over its line, and is off it."""
     by = tuple(f"Halt() until abs(offsetFrom({{p}}, {name})) {sign}" for sign in ("< 2.5", "> 3"))

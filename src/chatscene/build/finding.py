@@ -22,6 +22,7 @@ from chatscene.build.place import (
     from_left,
     rides_at_edge,
     ring_arms,
+    room_against,
     way_of,
 )
 from chatscene.errors import MapError, NotBuilt
@@ -38,7 +39,7 @@ from chatscene.terms.scenario import Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
 from chatscene.world.places import EgoRoute as Route
-from chatscene.world.places import choose_route, lanesBeside, neighbourPath, ownLane
+from chatscene.world.places import choose_route, lanesBeside
 
 SITES = {
     Feature.CROSSWALK: Site.CROSSWALK,
@@ -70,11 +71,12 @@ _SITES_OF: dict[EgoRoute | None, Site] = {
 }
 
 
-def find(ledger: Ledger) -> Found:
+def find(ledger: Ledger, road: float = 0.0) -> Found:
     """The first query that a map answers with a route on which all ways are that others need.
 
     Args:
         ledger: What was said.
+        road: How much road [m] is taken if there is as much.
 
     Raises:
         NotBuilt: No map has such a place; the message says what each lacks.
@@ -90,7 +92,7 @@ def find(ledger: Ledger) -> Found:
             )
     lacking: list[str] = []
     rooms: dict[str, float] = {}
-    for more in _lengths(situation):
+    for more in _lengths(situation, road):
         for sides in _open_sides(situation.others):
             for name in (situation.map,) if situation.map else PACKAGED:
                 for query in _queries(situation, sides):
@@ -148,9 +150,11 @@ def _longer(query: dict[str, Any], more: float) -> dict[str, Any]:
     return query | {"approach": round(more * _usual(query), 1)}
 
 
-def _lengths(situation: Situation) -> Iterator[float]:
+def _lengths(situation: Situation, road: float) -> Iterator[float]:
     """How many times as much road as usual is looked for: as the ego's speed asks for, then less."""
-    more = max(further(situation), *(_far(one) / OPEN_ROAD * _BEYOND for one in situation.others), 1.0)
+    more = max(
+        further(situation), road / OPEN_ROAD, *(_far(one) / OPEN_ROAD * _BEYOND for one in situation.others), 1.0
+    )
     while more > 1.0:
         yield more
         more /= _MORE
@@ -172,7 +176,7 @@ def _room(route: Route, one: Other) -> float:
     if one.starts.where is Where.ONCOMING and route.route.junction is None:
         if not any(against for _, against in lanesBeside(route)):
             return math.inf  # which the map is asked for elsewhere
-        return ownLane(route).project(*neighbourPath(route, "left").point_at(0.0))[0]
+        return room_against(route)
     if one.starts.where not in _BEFORE:
         return math.inf
     return route.eventAt if route.route.junction is not None else route.line.length - _ROOM_BEYOND

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import Meets
 from chatscene.build.deeds import OWN
 from chatscene.build.place import NEXT_LANE
+from chatscene.build.relations import speed_of
 from chatscene.build.towards import done_to, to_whom
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import EGO, Deed
@@ -23,6 +24,8 @@ LOSES = frozenset((Act.BRAKE, Act.SLOW_DOWN, Act.STOP, Act.HESITATE))
 _OVER = frozenset((Act.LANE_CHANGE, Act.MERGE, Act.ENTER))
 _GOES_ON = frozenset((Act.GO_ALONG, Act.FOLLOW))
 WAITS = 0.6  # of its speed, the least of who lets the ego come near again
+BACK_OVER = 2.5  # [s] in which who comes against the ego goes back to its lane before it
+HALF_BY = 0.6  # of its time beside whom it passes, in which somebody meets the ego that it does not miss
 NEARLY = 1.0  # [m] of a gap that was said
 GAINS = 5.0  # [m/s] that somebody is faster than the ego on the average who gets before it
 BACKS = 1.5  # [m/s] that somebody backs up at, of whom only the way was said
@@ -106,17 +109,35 @@ def seconds_to_get_ahead(actor: Actor, k: int) -> float:
 
 
 def seconds_to_get_by(actor: Actor, k: int) -> float:
-    """How long [s] it takes somebody to get by the ego in its k-th deed."""
-    faster = actor.numbers.middle(f"FAST_{k}") - actor.ego_speed
-    metres = actor.numbers.middle("Y") if actor.stand.behind and "Y" in actor.numbers.ranges else 0.0
-    metres += 0.5 * (actor.limits.length + AdversaryKind.CAR.row.limits.length)
-    return (metres + actor.numbers.middle("AHEAD")) / max(faster, 0.5)
+    """How long [s] it takes somebody to get by whom it passes in its k-th deed."""
+    numbers, whom = actor.numbers, done_to(actor.deeds[k])
+    length, row = AdversaryKind.CAR.row.limits.length, 0.0
+    if whom != EGO:
+        other = actor.ledger.situation[whom]
+        length, row = other.kind.row.body.row.limits.length, actor.room
+    elif actor.stand.behind and "Y" in numbers.ranges:
+        row = numbers.middle("Y")
+    faster = numbers.middle(f"FAST_{k}") - speed_of(actor.ledger.situation, whom, actor.ego_speed)
+    metres = row + 0.5 * (actor.limits.length + length) + numbers.middle("AHEAD")
+    seconds = metres / max(faster, 0.5) + faster / actor.limits.throttle  # until it is as fast
+    if actor.stand.meets is not Meets.TOWARD:
+        return seconds
+    return seconds + BACK_OVER if _comes_back(actor, k) else HALF_BY * seconds
+
+
+def _comes_back(actor: Actor, k: int) -> bool:
+    """Whether somebody who passes in the ego's lane is to be back in its own before it meets the ego."""
+    contact = actor.ledger.situation.contact
+    return (contact is not None and not contact.happens) or k + 1 < len(actor.deeds)
 
 
 def comes_in(actor: Actor, k: int) -> str:
     """How somebody comes into the lane so that it leaves the room that was said: beside whom it leaves it."""
     ahead = f"{_MIDDLES}${_bound(actor, k)}"
-    return to_whom(f"PaceOnPath({OWN}, ego, {ahead}, 40) until abs(offsetFrom({OWN}, self)) < 0.8", actor.deeds[k])
+    least = f"{WAITS * actor.ego_speed:.3g}"  # or both would stop for each other
+    return to_whom(
+        f"PaceOnPath({OWN}, ego, {ahead}, 40, {least}) until abs(offsetFrom({OWN}, self)) < 0.8", actor.deeds[k]
+    )
 
 
 def _bound(actor: Actor, k: int) -> str:

@@ -10,7 +10,7 @@ from chatscene.build.asked import Meets, stands_first
 from chatscene.build.deeds import GO, MOVE
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
-from chatscene.build.place import at_junction
+from chatscene.build.place import at_junction, room_against
 from chatscene.build.relations import AGAINST, ALONG
 from chatscene.build.timing import Course
 from chatscene.build.waiting import when_of
@@ -21,6 +21,8 @@ from chatscene.terms.vocabulary import Act, Facing, Side, Where
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
+LASTS = 3.0  # [s] in which the last of what somebody does is seen
+SPARE = 30.0  # [m] of road behind who comes against the ego, for those behind it
 _ANYWHERE = (None, Site.MOTORWAY, Site.RURAL)
 _GOES_ON = frozenset((Act.GO_ALONG, Act.FOLLOW))
 LANE = 3.5  # [m], a lane's width
@@ -53,6 +55,8 @@ class Opening:
         actor, steps = self.phases.actor, self.phases.steps
         deed, when = actor.deeds[self.first], actor.deeds[self.first].when
         waits = self._waits()
+        if actor.stand.rolls and actor.stand.meets is Meets.TOWARD:
+            self._come_from_afar()
         if when is not None:
             yield from when_of(actor, self.first, when, waits)
             if when.ego_within is not None or actor.stand.ego_meets == "egoRoute.eventAt":
@@ -68,15 +72,45 @@ class Opening:
         if stands_first(actor.one):
             yield f"{waits} for {STOOD:g} seconds"
         if soon:
-            yield f"{waits} for $STEADY seconds"
+            yield self._soon(waits)
         elif not actor.stand.rolls or actor.stand.meets is Meets.ALONG:
             yield f"{waits} until {self._due()}"
+        yield from self._comes_to_meet()
+
+    def _soon(self, waits: str) -> str:
+        """It goes on for a while, as it began."""
+        actor = self.phases.actor
+        actor.takes = (actor.numbers.range_of("STEADY")[1] + self.ahead.seconds + LASTS) * actor.ego_speed
+        return f"{waits} for $STEADY seconds"
+
+    def _comes_to_meet(self) -> Iterator[str]:
+        """It goes on until it is so near to the ego, or to the junction, that its first deed is due."""
+        actor, steps = self.phases.actor, self.phases.steps
+        deed = actor.deeds[self.first]
         if actor.stand.meets is Meets.TOWARD and not steps[self.first].lasting:
             seconds = f"($LEAD_TIME + {self.ahead.seconds:.1f})" if self.ahead.seconds else "$LEAD_TIME"
             yield f"{self._go()} until gap(self, ego) < (self.pose[3] + ego.pose[3]) * {seconds}"
         if actor.stand.meets is Meets.THROUGH and not steps[self.first].lasting and deed.act is not Act.SET_OFF:
             room = 3 + self.ahead.metres
             yield f"{self._go()} until {actor.stand.left} < brakingDistance(self) + {room:.3g}"
+
+    def _come_from_afar(self) -> None:
+        """Let who comes driving against the ego be so far off that it does all before they meet."""
+        actor = self.phases.actor
+        first = actor.first or actor
+        if first.one.starts.distance is not None or "$Y" not in first.stand.at:
+            return
+        low, high, unit, meaning = first.numbers.range_of("Y")
+        seconds = self.ahead.seconds + actor.numbers.range_of("LEAD_TIME")[1] + actor.numbers.range_of("STEADY")[0]
+        needed = (actor.ego_speed + self._fastest()) * seconds - actor.room
+        most = max(room_against(actor.found.route) - SPARE, high)
+        actor.takes = needed + SPARE
+        first.numbers.measure("Y", min(max(low, needed), most), min(max(high, needed), most), unit, meaning)
+
+    def _fastest(self) -> float:
+        """The most [m/s] that it goes at, at a speed that was chosen in the middle of what it may be."""
+        names = [name for name in self.phases.actor.numbers.ranges if name.startswith("FAST_")]
+        return max(self.phases.actor.numbers.middle(name) for name in ("SPEED", *names))
 
     def _begins_soon(self) -> bool:
         """Whether nothing says where its first deed is to be: on an open road among those who go along it."""

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.numbers import MOST, PACES, Numbers
-from chatscene.build.relations import GAINS, PASSES, speed_of
+from chatscene.build.relations import GAINS, GAINS_AGAINST, PASSES, speed_of
 from chatscene.build.timing import Body
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
@@ -260,7 +260,7 @@ def set_passing_speed(actor: Actor, k: int) -> None:
     situation, whom = actor.ledger.situation, done_to(actor.deeds[k])
     passed = speed_of(situation, whom, actor.ego_speed)
     least, most = passed + PASSES, MOST * actor.limits.top_speed
-    low, high = (passed + gain for gain in GAINS)
+    low, high = (passed + gain for gain in (GAINS if actor.stand.meets is Meets.ALONG else GAINS_AGAINST))
     if deed.speed is not None:
         numbers.bind(name, deed.speed, actor.ego_speed, f"{actor.path}.does.{k}.speed")
         low, high, *_ = numbers.ranges[name]

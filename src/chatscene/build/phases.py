@@ -22,13 +22,13 @@ from chatscene.build.gaps import (
     keeps_before,
     seconds_to_get_ahead,
     seconds_to_get_by,
-    stops_before,
 )
 from chatscene.build.local import breaks, check_turn
+from chatscene.build.naming import name_of
 from chatscene.build.numbers import FIRM
 from chatscene.build.opening import LANE, Opening
-from chatscene.build.place import NEXT_LANE
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_passing_speed
+from chatscene.build.place import NEXT_LANE
 from chatscene.build.timing import Body, Course, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
@@ -204,7 +204,8 @@ class Phases:
         if not stays or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD) or k + 1 == len(actor.deeds):
             return ""
         name = str(deed.act).upper() + (f"_{k}" if deed.distance is not None else "")
-        return f"{way or '{p}'}.offset({self._aside(deed, k)} * ${name})"
+        own = f"way{name_of(actor.one.id)}" + (".line" if actor.stand.way == "egoRoute" else "")
+        return f"{way or own}.offset({self._aside(deed, k)} * ${name})"
 
     def _stops_on_its_way_over(self, k: int, first: int) -> bool:
         """Whether it stops in the ego's lane, over which it was on its way."""
@@ -215,18 +216,18 @@ class Phases:
     def _must_get_going(self, k: int, *, still: bool) -> bool:
         """Whether it must get under way before a deed, from a stand or to a speed that was chosen for it."""
         steps, before = self.steps[k], self.paces.before[k]
-        if self._goes_on_braking(k):
-            return False
-        if k and self.actor.deeds[k].act is self.actor.deeds[k - 1].act is Act.BRAKE:
-            return True  # it brakes twice
-        if not steps.going or (steps.pace is Pace.GAINS and before.high <= CRAWLS):
+        twice = k > 0 and self.actor.deeds[k].act is self.actor.deeds[k - 1].act is Act.BRAKE
+        if twice and self.actor.stand.meets is not Meets.ACROSS:
+            return True
+        if self._goes_on_braking(k) or not steps.going or (steps.pace is Pace.GAINS and before.high <= CRAWLS):
             return False
         return still or (bool(before.name) and steps.pace is not Pace.GAINS)
 
     def _goes_on_braking(self, k: int) -> bool:
         """Whether it comes to a stand by the braking that it has begun."""
         deeds = self.actor.deeds
-        stops = deeds[k].act is Act.STOP and k > 0 and deeds[k].when is None
+        across = self.actor.stand.meets is Meets.ACROSS
+        stops = deeds[k].act is Act.STOP and k > 0 and deeds[k].when is None and not across
         return stops and deeds[k - 1].act in (Act.BRAKE, Act.SLOW_DOWN)
 
     def _stands(self) -> bool:
@@ -275,15 +276,8 @@ class Phases:
     def _then(self, k: int) -> Act | None:
         return self.actor.deeds[k + 1].act if k + 1 < len(self.actor.deeds) else None
 
-    def _tell_exit(self) -> None:
-        """Say that somebody who leaves the road by a ramp stays on it."""
-        if self.actor.stand.meets is Meets.ALONG:
-            self.actor.ledger.assume(f"{self.actor.one.id} stays on the road where it would exit, as no ramp is taken yet")
-
     def _of(self, k: int, steps: Steps, way: str | None, *, still: bool, last: bool, go: str) -> Iterator[str]:
         actor, deed = self.actor, self.actor.deeds[k]
-        if deed.act is Act.EXIT:
-            self._tell_exit()
         ends = last and bool(steps.last) and deed.time is None
         phases = steps.last if ends else steps.does
         own = steps.way or way
@@ -303,14 +297,27 @@ class Phases:
         if deed.act in OVER and all(one.act not in OVER for one in actor.deeds[:k]) and actor.stand.over:
             phases = (phases[0].replace(MOVE, f"MoveAhead($SPEED, {actor.stand.over})"), *phases[1:])
         yield from gets_ahead(actor, k, way or "{p}", last=last)
-        if deed.act in (Act.GO_ALONG, Act.FOLLOW) and goes_before(actor, k):
-            phases = (keeps_before(actor, way or "{p}"),)
-        if gap_is_said(deed) and deed.speed is None:
-            phases = (comes_in(actor, k), *phases[1:])
+        phases = self._beside_ego(k, phases, way or "{p}")
         for text in phases:
             said = to_whom(self._of_deed(k, text, steps), deed)
             said = said.replace("{meets}", actor.stand.ego_meets)
             yield said.replace("{aside}", self._aside(deed, k)).replace("{p}", way or "{p}")
+        self._take_side(k)
+
+    def _beside_ego(self, k: int, phases: tuple[str, ...], way: str) -> tuple[str, ...]:
+        """The phases of a deed by how far before the ego somebody is to be in it."""
+        actor, deed = self.actor, self.actor.deeds[k]
+        if deed.act in (Act.GO_ALONG, Act.FOLLOW) and goes_before(actor, k):
+            return (keeps_before(actor, way),)
+        if gap_is_said(deed) and deed.speed is None:
+            return (comes_in(actor, k), *phases[1:])
+        return phases
+
+    def _take_side(self, k: int) -> None:
+        """Take to which side and to whom a deed is done, and tell what is not done of it."""
+        actor, deed = self.actor, self.actor.deeds[k]
+        if deed.act is Act.EXIT and actor.stand.meets is Meets.ALONG:
+            actor.ledger.assume(f"{actor.one.id} stays on the road where it would exit, as no ramp is taken yet")
         if deed.to is not None and deed.act in (Act.CUT_OUT, Act.LANE_CHANGE, Act.OVERTAKE):
             if actor.named.setdefault("side", str(deed.to)) != str(deed.to):
                 raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, after the other side")
@@ -345,6 +352,12 @@ class Phases:
             text = _renamed(text, name, own)
         if deed.act is Act.OVERTAKE and "FAST" in steps.binds.values():
             text = _renamed(text, "FAST", f"FAST_{k}")
+        return self._braking(k, text, steps)
+
+    def _braking(self, k: int, text: str, steps: Steps) -> str:
+        """A phase that brakes as hard as was said, or as it began to."""
+        actor, deed = self.actor, self.actor.deeds[k]
+        numbers, at = actor.numbers, f"{actor.path}.does.{k}"
         if self._goes_on_braking(k) and deed.acceleration is None and f"BRAKE_{k - 1}" in numbers.ranges:
             text = _renamed(text, "BRAKE", f"BRAKE_{k - 1}")
         if deed.manner is not None and deed.manner in FIRM and deed.acceleration is None and "$BRAKE" in text:
@@ -356,7 +369,7 @@ class Phases:
         return text
 
     def _over_the_edge(self, deed: Deed) -> bool:
-        """Whether somebody leaves its lane for the ego's by as much as was said, which is how far it is over its edge."""
+        """Whether somebody leaves its lane for the ego's: what was said is then how far it is over the edge of that."""
         start, toward = self.actor.one.starts, self.actor.stand.meets is Meets.TOWARD
         away = start.side if not toward else Side.LEFT
         return (toward or start.where in NEXT_LANE) and deed.to is not away
@@ -386,7 +399,9 @@ class Phases:
             sign = 1 if deed.to is Side.LEFT else -1
             return str(-sign if toward else sign)
         if toward:
-            return "(1 if offsetFrom(egoRoute, self) > 0 else -1)"
+            return "1"
+        if self.actor.stand.meets is Meets.ALONG:
+            return "-1" if self.actor.one.starts.side is Side.LEFT else "1"
         return "(-1 if offsetFrom(egoRoute, self) > 0 else 1)"
 
 

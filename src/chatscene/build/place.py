@@ -13,6 +13,7 @@ from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, RightOfWay, RoadKind, Side, Where
 from chatscene.world.places import EgoRoute as Route
+from chatscene.world.places import neighbourPath, ownLane
 
 NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
 ROUNDABOUT_PLACES = frozenset((Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
@@ -124,3 +125,8 @@ def from_left(situation: Situation, one: Other) -> bool:
 def way_of(one: Other) -> Maneuver:
     """What somebody who comes through a junction does there."""
     return next((WAYS[deed.act] for deed in one.does if deed.act in WAYS), Maneuver.STRAIGHT)
+
+
+def room_against(route: Route) -> float:
+    """How far ahead [m] of the ego somebody can be at most who comes against it in the lane to its left."""
+    return ownLane(route).project(*neighbourPath(route, "left").point_at(0.0))[0]

@@ -22,7 +22,10 @@ PASSES = 1.5  # [m/s] that somebody is faster at least than whom it passes
 GAINS = (3.0, 5.5)  # [m/s] by which it is, where that was not said, so that it is past before the road ends
 AGAINST = frozenset((Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE))
 AHEAD = frozenset((Where.AHEAD, Where.AHEAD_BESIDE))
+BEHIND = frozenset((Where.BEHIND, Where.BEHIND_BESIDE))
 ALONG = NEXT_LANE | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP}
+GAINS_AGAINST = (5.0, 8.0)  # [m/s], of who passes in the lane of those who come against it
+_WITH = frozenset((Act.KEEP_LEVEL, Act.FOLLOW, Act.TAILGATE))
 _BESIDE = 0.38  # of a swing, at its end, in which the ego is as far aside as it must be to pass
 _SLOWER = 0.85  # of the most that somebody may have, from which on its speed is drawn
 _ROOM = 2.0  # [m] between two of whom one has passed the other
@@ -44,18 +47,16 @@ def relation_of(situation: Situation, one: Other) -> Relation | None:
     where, acts = one.starts.where, [deed.act for deed in one.does]
     if where not in ALONG | AGAINST or not one.kind.row.body.row.motorised:
         return None
-    only_goes = one.role is Role.ADVERSARY and all(act.row.lasting and act is not Act.KEEP_LEVEL for act in acts)
-    if any(deed.act is Act.OVERTAKE and deed.whom == one.id for other in situation.others for deed in other.does):
-        return Relation.PASSED
-    if where in AGAINST:
-        return Relation.AGAINST
-    if where in AHEAD and only_goes and not any(deed.act is Act.FOLLOW for deed in situation.ego.does):
-        return Relation.CAUGHT_UP
-    if where in (Where.BEHIND, Where.BEHIND_BESIDE) and only_goes and not set(acts) & {Act.FOLLOW, Act.TAILGATE}:
-        return Relation.COMES_UP
-    if acts and acts[-1] is Act.OVERTAKE and one.does[-1].whom in (None, EGO):
-        return Relation.HAS_PASSED
-    return Relation.WITH
+    only_goes = one.role is Role.ADVERSARY and all(act.row.lasting and act not in _WITH for act in acts)
+    followed = any(deed.act is Act.FOLLOW for deed in situation.ego.does)
+    rows = (
+        (Relation.PASSED, any(True for _ in _passes(situation, one))),
+        (Relation.AGAINST, where in AGAINST),
+        (Relation.CAUGHT_UP, where in AHEAD and only_goes and not followed),
+        (Relation.COMES_UP, where in BEHIND and only_goes),
+        (Relation.HAS_PASSED, bool(acts) and acts[-1] is Act.OVERTAKE and one.does[-1].whom in (None, EGO)),
+    )
+    return next((relation for relation, holds in rows if holds), Relation.WITH)
 
 
 def speed_beside(situation: Situation, one: Other, ego: float) -> tuple[float, float] | None:
@@ -65,9 +66,6 @@ def speed_beside(situation: Situation, one: Other, ego: float) -> tuple[float, f
         situation: What was said.
         one: Who.
         ego: What the ego drives at [m/s].
-
-    Raises:
-        NotBuilt: By what was said of another it is slower than whom it is to pass, or faster than who passes it.
     """
     if is_passed_by_ego(situation, one):
         most = passed_share(one) * ego

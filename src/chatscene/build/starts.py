@@ -195,7 +195,7 @@ def _oncoming(asked: Asked) -> Stand:
         at=f"levelOn(way{{i}}, egoRoute, $Y{asked.more})",
         lines=("meet{i} = levelOn(way{i}, egoRoute, egoRoute.eventAt)",),
         left="distanceLeft(way{i}, {first}, meet{i})",
-        rolls=asked.comes,
+        rolls=asked.rolls and asked.one.kind.row.body.row.motorised,
     )
     if not asked.swings_out or asked.one.starts.distance is not None or not asked.comes:
         return stand

@@ -28,13 +28,24 @@ def to_whom(text: str, deed: Deed) -> str:
     return text if done_to(deed) == EGO else _EGO.sub(name_of(done_to(deed)), text)
 
 
+def passes(one: Other, other: Other) -> bool:
+    """Whether somebody passes another."""
+    return any(deed.act is Act.OVERTAKE and deed.whom == other.id for deed in one.does)
+
+
+def in_one_row(one: Other, other: Other) -> bool:
+    """Whether two begin one behind the other: in one lane, or where one is beside others that it passes."""
+    where, there = one.starts.where, other.starts.where
+    return where is there or (where is Where.ONCOMING_IN_OUR_LANE and there is Where.ONCOMING)
+
+
 def in_rows(others: Sequence[Other]) -> list[Other]:
     """All, in such an order that of those who share a place each is behind whom it follows, or gets by."""
     order = list(others)
     for one in others:
         for deed in one.does:
             other = next((other for other in order if other.id == deed.whom), None)
-            if other is None or deed.act not in BEHIND or other.starts.where is not one.starts.where:
+            if other is None or deed.act not in BEHIND or not in_one_row(one, other):
                 continue
             first, then = (one, other) if one.starts.where in _FARTHER else (other, one)
             order.remove(then)

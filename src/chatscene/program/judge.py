@@ -46,7 +46,7 @@ from chatscene.terms.route import Route
 from chatscene.terms.routing import CONTROLS, PLACES
 from chatscene.terms.scenario import EgoState, Maneuver
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation, When
-from chatscene.terms.vocabulary import COMES_IN, Breach, EgoRoute, Manner, RoadKind, Side, Where
+from chatscene.terms.vocabulary import COMES_IN, FROM_NOSE, Breach, EgoRoute, Manner, RoadKind, Side, Where
 from chatscene.terms.vocabulary import Act as Said
 
 SLACK = 0.15  # of a number that was said: what a watcher does not see
@@ -200,7 +200,8 @@ class _Judge:
             right = (left > 0) == (start.side is Side.LEFT)
             yield Finding(path=f"{at}.starts.side", shown=right, told=f"said {start.side}, {where}", at=0.0)
         if start.distance is not None and start.where not in (Where.ARM, Where.ONCOMING):
-            lead = np.abs(seen.lead[:1])
+            nose = 0.5 * (seen.ego.length + seen.track.length) if start.where in FROM_NOSE else 0.0
+            lead = np.abs(seen.lead[:1]) - nose
             yield self._number(
                 f"{at}.starts.distance", start.distance, lead, SLACK_LENGTH, "starts this far:", cut=False
             )

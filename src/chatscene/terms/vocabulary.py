@@ -285,6 +285,10 @@ class Where(RowWord):
     BUS_BAY = ("bus-bay", "in a bus bay beside the lane, in front", WhereRow(sides=(Side.RIGHT,)))
 
 
+FROM_NOSE = frozenset((Where.AHEAD, Where.AHEAD_BESIDE, Where.BEHIND, Where.BEHIND_BESIDE))
+"""Places whose distance is told from the nose of who is behind to the tail of who is before it."""
+
+
 class Facing(Word):
     """Which way somebody faces who is beside or on the road."""
 
