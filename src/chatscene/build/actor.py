@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from chatscene.build.asked import Asked, Meets, Stand, stands_first
+from chatscene.build.asked import Asked, Meets, Stand, between, stands_first
 from chatscene.build.coming import Coming
 from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
@@ -283,6 +283,8 @@ class Actor:
     @property
     def _apart(self) -> float:
         """How far [m] the middles of two in its row are apart."""
+        if self.stand.meets in (Meets.ALONG, Meets.TOWARD):
+            return (self.limits.length or 1.5) + between(self.one, self.ego_speed)
         return (self.limits.length or 1.5) + 2.5
 
     @property

@@ -13,8 +13,10 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import FROM_NOSE, Act
+from chatscene.terms.vocabulary import FROM_NOSE, Act, Where
 
+ROOM = 3.0  # [m] between who stand in a row
+APART = 0.5  # [s] between who drive in a row, from nose to tail
 NEAREST = 3.0  # [m] between who begin one behind the other
 
 
@@ -185,6 +187,21 @@ class Asked:
     def less(self) -> str:
         """The room that is taken off a place behind."""
         return f" - {self.room:g}" if self.room else ""
+
+
+def between(one: Other, speed: float) -> float:
+    """How much room [m] is between those who are in a row, more where they drive at a speed [m/s]."""
+    drives = one.kind.row.body.row.motorised and not stands_first(one)
+    return max(ROOM, APART * speed) if drives else ROOM
+
+
+STOPS = frozenset((Act.STOP, Act.BRAKE))
+
+
+def stops_ahead(one: Other) -> bool:
+    """Whether somebody stops in the ego's lane, in which it goes before it."""
+    stops = any(deed.act in STOPS for deed in one.does)
+    return one.starts.where is Where.AHEAD and stops and not stands_first(one)
 
 
 def stands_first(one: Other) -> bool:

@@ -6,7 +6,7 @@ import textwrap
 from dataclasses import dataclass
 
 from chatscene.build.actor import Actor
-from chatscene.build.asked import Meets, stands_first
+from chatscene.build.asked import Meets, between, stands_first
 from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.finding import find, started
 from chatscene.build.ledger import Ledger
@@ -23,7 +23,6 @@ from chatscene.terms.situation import Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
 from chatscene.terms.vocabulary import Act, Role, Where
 
-ROOM = 3.0  # [m] between who stand in a row
 _SAME = {Where.DRIVEWAY: "roadside", Where.IN_ROUNDABOUT: "roundabout-entry"}
 """Where those stand in one row who are said to be in two places."""
 NOBODY = "nobody meets the ego: others: nobody has the role adversary"
@@ -132,7 +131,11 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         actor = Actor(ledger, found, started(one, found.sides), ego.coming, room, first)
         built[one.id] = actor
         if hidden is None:
-            long = 2.5 if actor.stand.meets is Meets.ACROSS else actor.count * (actor.limits.length + ROOM)
+            long = (
+                2.5
+                if actor.stand.meets is Meets.ACROSS
+                else actor.count * (actor.limits.length + between(one, ego.coming.speed))
+            )
             rows[place] = (first or actor, room + long)
         order.append((actor, built[hidden] if hidden is not None else None))
     return order

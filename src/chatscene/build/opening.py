@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import Meets, stands_first
+from chatscene.build.asked import STOPS, Meets, stands_first, stops_ahead
 from chatscene.build.deeds import GO, MOVE
+from chatscene.build.gaps import LOSES
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import at_junction, room_against
@@ -21,6 +22,8 @@ from chatscene.terms.vocabulary import Act, Facing, Side, Where
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
+REACTS = 0.85  # of the speed that the ego wants: who is behind it sees it brake
+BEHIND_IT = 3.0  # [m] behind whom it stops somebody stands
 LASTS = 3.0  # [s] in which the last of what somebody does is seen
 SPARE = 30.0  # [m] of road behind who comes against the ego, for those behind it
 _ANYWHERE = (None, Site.MOTORWAY, Site.RURAL)
@@ -71,11 +74,45 @@ class Opening:
             return  # it stands so long from the beginning
         if stands_first(actor.one):
             yield f"{waits} for {STOOD:g} seconds"
-        if soon:
+        yield from self._goes_on(waits, soon=soon)
+        yield from self._comes_to_meet()
+
+    def _goes_on(self, waits: str, *, soon: bool) -> Iterator[str]:
+        """It goes on, or waits, until its first deed is due, if that is not seen by how near it is to the ego."""
+        actor = self.phases.actor
+        if before := self._stands_before():
+            yield f"{waits} until {self._is_near(before)}"
+        elif self._reacts():
+            yield f"{waits} until ego.pose[3] < {REACTS:g} * {actor.ego_speed:.4g}"
+        elif soon:
             yield self._soon(waits)
         elif not actor.stand.rolls or actor.stand.meets is Meets.ALONG:
             yield f"{waits} until {self._due()}"
-        yield from self._comes_to_meet()
+
+    def _stands_before(self) -> Other | None:
+        """Who stands before it in the ego's lane, if it stops and so stops behind that."""
+        actor = self.phases.actor
+        stops = actor.deeds[self.first].act in STOPS and stops_ahead(actor.one)
+        return self._standing_ahead() if stops and actor.stand.meets is Meets.ALONG else None
+
+    def _standing_ahead(self) -> Other | None:
+        others = (one for one in self.phases.actor.ledger.situation.others if one.id != self.phases.actor.one.id)
+        return next((one for one in others if one.starts.where is Where.AHEAD and stands_first(one)), None)
+
+    def _is_near(self, before: Other) -> str:
+        """When it is so near to who stands before it that it must brake to stand behind that."""
+        actor, name = self.phases.actor, name_of(before.id)
+        braking = f"self.pose[3] ** 2 / (2 * $BRAKE * {actor.limits.brake:g})"
+        return f"headway(egoRoute, self, {name}) < {braking} + (self.length + {name}.length) / 2 + {BEHIND_IT:g}"
+
+    def _reacts(self) -> bool:
+        """Whether it is behind an ego that loses speed, and so does then."""
+        actor, situation = self.phases.actor, self.phases.actor.ledger.situation
+        loses = any(deed.act in LOSES for deed in situation.ego.does)
+        ahead = (one for one in situation.others if one.starts.where is Where.AHEAD and one.id != actor.one.id)
+        loses = loses or any(deed.act in LOSES for one in ahead for deed in one.does)
+        behind = actor.stand.behind and actor.one.starts.where is Where.BEHIND and not actor.stand.rolls
+        return behind and loses and actor.deeds[self.first].act in LOSES
 
     def _soon(self, waits: str) -> str:
         """It goes on for a while, as it began."""
@@ -118,7 +155,8 @@ class Opening:
         situation, stand, query = actor.ledger.situation, actor.stand, actor.found.query
         place = query["maneuver"] != Maneuver.STRAIGHT or at_junction(situation) or query.get("site") not in _ANYWHERE
         others = all(one.starts.where in ALONG | AGAINST and not stands_first(one) for one in situation.others)
-        waits = any(deed.act not in _GOES_ON for deed in situation.ego.does)
+        before = stand.meets is Meets.ALONG and not stand.behind and actor.one.starts.where is Where.AHEAD
+        waits = any(deed.act not in _GOES_ON | (LOSES if before else set()) for deed in situation.ego.does)
         return stand.meets is Meets.ALONG and not (place or waits or stand.rolls) and others
 
     def _make_room(self) -> None:
@@ -234,7 +272,7 @@ class Opening:
                 there = "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0])"
                 return f"{there} < {wait:.2f} + $OFFSET" + self._or_yields()
             case _ if (shown := self._shows()) is not None:
-                return f"headway(egoRoute, self, {name_of(shown.id)}) < self.pose[3] * (1 + $LEAD_TIME) + 5"
+                return f"headway(egoRoute, self, {name_of(shown.id)}) < self.pose[3] * (0.6 + $LEAD_TIME) + 5"
             case _:
                 due = f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
                 return due + (self._or_yields() if self.phases.actor.ego.stands else "")
@@ -244,8 +282,7 @@ class Opening:
         actor = self.phases.actor
         if actor.one.starts.where is not Where.AHEAD or not actor.deeds or actor.deeds[0].act is not Act.CUT_OUT:
             return None
-        others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
-        return next((one for one in others if one.starts.where is Where.AHEAD and stands_first(one)), None)
+        return self._standing_ahead()
 
     def _or_yields(self) -> str:
         """An ego that stops for who stands in or beside its lane would wait for it as long as it waits for the ego."""

@@ -352,6 +352,8 @@ class Phases:
             text = _renamed(text, name, own)
         if deed.act is Act.OVERTAKE and "FAST" in steps.binds.values():
             text = _renamed(text, "FAST", f"FAST_{k}")
+        if deed.act is Act.KEEP_LEVEL and numbers.is_said("SPEED"):
+            text = text.replace(", 25, 2)", ", $SPEED, 0.97 * $SPEED)")  # which it does not give up
         return self._braking(k, text, steps)
 
     def _braking(self, k: int, text: str, steps: Steps) -> str:

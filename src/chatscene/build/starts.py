@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from chatscene.build.asked import Asked, Meets, Stand
+from chatscene.build.asked import ROOM, Asked, Meets, Stand, stops_ahead
 from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.place import arm_of, at_junction, at_roundabout, beside_lane, from_left, ring_arms, way_of
 from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import CrossingPath
 from chatscene.maps.ring_ways import ROUND
-from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Side, Striker, Where
+from chatscene.terms.situation import Situation
+from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Role, Side, Striker, Where
 from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
@@ -34,7 +35,9 @@ def _ahead(asked: Asked) -> Stand:
     aside = -0.9 if asked.rides else 0.0
     if asked.swings_out and asked.stands:
         asked.reach(-2, 2, "how far beyond where the ego swings out it stands")
-        return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"egoRoute.eventAt + $Y{asked.more}", aside=aside)
+        queue = sum(one.kind.row.body.row.limits.length + ROOM for one in asked.situation.others if stops_ahead(one))
+        more = asked.more + (f" + {queue:g}" if queue else "")  # of whom it swings out round first
+        return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"egoRoute.eventAt + $Y{more}", aside=aside)
     if asked.swings_out:  # who is passed while it goes: it is there when the ego is
         asked.ahead(22, 30)
         return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"$Y{asked.more}", aside=aside)
@@ -76,6 +79,15 @@ BESIDE_TO_STRIKE = {Striker.EGO: (2.5, 5.0), Striker.OTHER: (-2.5, 0.8)}
 """How far [m] ahead of the ego somebody beside it is who comes over, by who runs into whom."""
 
 
+LETS_IN = 1.5, 2.5  # [s] behind the ego, from and to, is who lets it into its lane
+_INTO = {EgoRoute.LANE_CHANGE_LEFT: Side.LEFT, EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT, EgoRoute.MERGE: Side.LEFT}
+
+
+def changes_to(situation: Situation, side: str) -> bool:
+    """Whether the ego changes to the lane on a side."""
+    return situation.ego.route is not None and _INTO.get(situation.ego.route) == side
+
+
 def _next_lane(asked: Asked) -> Stand:
     if asked.begins_beside:
         if asked.one.starts.where is Where.BEHIND_BESIDE:
@@ -85,6 +97,8 @@ def _next_lane(asked: Asked) -> Stand:
         )
     where, back = asked.one.starts.where, asked.one.starts.where is Where.BEHIND_BESIDE
     low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
+    if where is Where.BEHIND_BESIDE and asked.one.role is Role.SUPPORTING and changes_to(asked.situation, asked.side):
+        low, high = (asked.middles + one * asked.ego.speed for one in LETS_IN)
     contact = asked.situation.contact
     strikes = contact is not None and contact.happens and contact.whom in (None, asked.one.id)
     if where is Where.BESIDE and strikes and contact is not None and contact.striker is not None:
