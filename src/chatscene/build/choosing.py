@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -21,10 +22,11 @@ from chatscene.build.deeds import (
     passes_against,
     steps_for,
     turning_off,
+    turning_round,
     yielding_to,
 )
 from chatscene.build.gaps import stops_before
-from chatscene.build.local import check_round
+from chatscene.build.local import check_round, radius_to_turn_round
 from chatscene.build.naming import name_of
 from chatscene.build.paces import Pace
 from chatscene.build.place import NEXT_LANE, ROUNDABOUT_PLACES, at_junction, rides_at_edge
@@ -36,6 +38,7 @@ from chatscene.terms.vocabulary import Act, Where
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
+TURNS_AT = 3.0  # [m/s²], sideways, of who turns round
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
 _ASIDE = frozenset((Act.WEAVE, Act.DRIFT, Act.SWERVE, Act.LANE_CHANGE, Act.CUT_OUT))
 _OFF = frozenset((Act.SET_OFF, Act.STAND))
@@ -51,14 +54,15 @@ def steps_of(actor: Actor, k: int) -> Steps:
     deed, where = actor.deeds[k], actor.one.starts.where
     if where in ROUNDABOUT_PLACES:
         check_round(actor, k)
-    table = dict(_table(actor, deed))
+    table = dict(_table(actor, k))
     if deed.act not in table or (deed.act in _ASIDE and where in ROUNDABOUT_PLACES):  # nobody sees it on a bend
         raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}")
     return _by_numbers(actor, k, table[deed.act])
 
 
-def _table(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
+def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     """The rows, those that hold in this place last."""
+    deed = actor.deeds[k]
     where, meets = actor.one.starts.where, actor.stand.meets
     yield from steps_for(meets, walks=actor.walks, beside=where in NEXT_LANE).items()
     along = meets is Meets.ALONG
@@ -69,6 +73,9 @@ def _table(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
             raise NotBuilt(f"nothing builds yet: {actor.path}: lane-change to the {deed.to}, away from the ego's lane")
     if deed.act in OFF and along and where in (Where.AHEAD, Where.BEHIND):
         yield deed.act, turning_off(deed.act, junction=at_junction(actor.ledger.situation))
+    if deed.act is Act.U_TURN and meets in (Meets.ALONG, Meets.KERB):
+        radius = radius_to_turn_round(actor, k)
+        yield Act.U_TURN, turning_round(radius, 0.0 if deed.speed is not None else math.sqrt(TURNS_AT * radius))
     follows = actor.stand.behind and not actor.stand.rolls and not _touches(actor)
     if where is Where.BEHIND and deed.act in _GOING_ON and follows:
         yield deed.act, ALONG[Act.TAILGATE]  # or it would run into the ego

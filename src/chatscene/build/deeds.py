@@ -9,6 +9,7 @@ from chatscene.build.asked import Meets
 from chatscene.build.paces import Pace
 from chatscene.terms.vocabulary import Act
 
+TURNED_ROUND = 2.9  # [rad] of turning round, after which it drives along the lane it is in
 STILL = "self.pose[3] < 0.05"
 UNDER_WAY = "self.pose[3] > {held} * $SPEED"
 """It is as fast as it wants to be; ``{held}`` is the share of that speed that its pedals hold."""
@@ -216,6 +217,25 @@ def turning_off(act: Act, *, junction: bool) -> Steps:
     there = f"DrivePath({{p}}, $SLOW) until progressOn(egoRoute, self)[0] > egoRoute.eventAt + {_ENTRY[act]:g}"
     does = (there, OFF[act]) if junction else (OFF[act],)
     return Steps(does=does, last=(*does, "MoveAhead($SLOW)"), binds={"speed": "SLOW"})
+
+
+def turning_round(radius: float, speed: float) -> Steps:
+    """How somebody turns round on the road, into the lane of those who come against it.
+
+    Args:
+        radius: Of its circle [m].
+        speed: At which it turns, if none was said [m/s].
+    """
+    wish = "$SLOW" if speed <= 0.0 else f"{speed:.3g}"
+    slows = f"BrakeOnPath({{p}}, 0.6) until self.pose[3] < 1.1 * {wish}"
+    turns = f"TurnOff({TURNED_ROUND:g}, {wish}, {radius:.3g})"
+    return Steps(
+        does=(slows, turns, f"DrivePath({{home}}, {wish}) for 2 seconds"),
+        last=(slows, turns, "DrivePath({home}, $SPEED)"),
+        way="{home}",
+        binds={"speed": "SLOW"},
+        pace=Pace.ENDS,
+    )
 
 
 def gets_by(*, comes_back: bool) -> Steps:

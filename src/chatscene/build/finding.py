@@ -339,6 +339,7 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     elif straight and road.kind is not None and road.kind in _CURVES:
         query["place"] = PLACES[road.kind].value
     against = any(one.starts.where in (Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE) for one in others)
+    against = against or any(_turns_round(one) for one in others)
     against = against and query.get("ends") != Beside.BACK  # who turns round has them anyway, some lanes away
     if query["maneuver"] == Maneuver.BYPASS:
         several = (road.lanes or 1) > 1 or (bool(lanes) and not against)
@@ -352,6 +353,12 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     elif straight and road.lanes in (None, 1) and any(_at_kerb(one) for one in others):
         yield query | {"beside": "none"}  # the outermost lane, or there is no kerb beside it
     yield query
+
+
+def _turns_round(one: Other) -> bool:
+    """Whether somebody turns round into the lane beside the ego's."""
+    there = one.starts.where in (Where.AHEAD, Where.BEHIND, Where.KERB)
+    return there and any(deed.act is Act.U_TURN for deed in one.does)
 
 
 def _round(situation: Situation, base: dict[str, Any]) -> Iterator[dict[str, Any]]:
