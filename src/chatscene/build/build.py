@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from chatscene.build.actor import Actor
 from chatscene.build.asked import Meets, between, stands_first
+from chatscene.build.coming import wanted_by
 from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.finding import find, started
 from chatscene.build.ledger import Ledger
@@ -17,7 +18,6 @@ from chatscene.build.relations import check_passed_by_ego
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
-from chatscene.terms.pace import NOMINAL
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
@@ -62,10 +62,11 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
         raise NotBuilt(NOBODY)
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
-    ledger, found, ego, everybody, body = _cast(situation, NOMINAL.speed, 0.0)
+    usual = wanted_by(situation)
+    ledger, found, ego, everybody, body = _cast(situation, usual, 0.0)
     road = max(one.takes for one, _ in everybody)
     if road > found.route.line.length:  # what is done goes on for longer
-        ledger, found, ego, everybody, body = _cast(situation, NOMINAL.speed, road)
+        ledger, found, ego, everybody, body = _cast(situation, usual, road)
     slow = min((one.reaches / one.needs for one, _ in everybody if one.needs > 0.0), default=ego.coming.speed)
     if slow < ego.coming.speed and situation.ego.speed is None:  # it would be there before the others are done
         ledger, found, ego, everybody, body = _cast(situation, max(slow, SLOWEST), road)

@@ -33,7 +33,7 @@ from chatscene.build.place import NEXT_LANE, ROUNDABOUT_PLACES, at_junction, rid
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Where
+from chatscene.terms.vocabulary import Act, Role, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -77,7 +77,7 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         radius = radius_to_turn_round(actor, k)
         yield Act.U_TURN, turning_round(radius, 0.0 if deed.speed is not None else math.sqrt(TURNS_AT * radius))
     follows = actor.stand.behind and not actor.stand.rolls and not _touches(actor)
-    if where is Where.BEHIND and deed.act in _GOING_ON and follows:
+    if where is Where.BEHIND and deed.act in _GOING_ON and follows and not _goes_by_itself(actor, deed):
         yield deed.act, ALONG[Act.TAILGATE]  # or it would run into the ego
     if deed.act is Act.OVERTAKE and along and where in NEXT_LANE:  # in the lane, or at the edge, where it is
         at_edge = rides_at_edge(actor.one, actor.ledger.situation.ego.route)
@@ -88,6 +88,11 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         yield deed.act, _back(actor, deed)
     if done_to(deed) != EGO:
         yield from _to_another(actor, deed)
+
+
+def _goes_by_itself(actor: Actor, deed: Deed) -> bool:
+    """Whether somebody behind the ego keeps as far from it as a careful driver does, as no distance was said."""
+    return actor.one.role is Role.SUPPORTING and deed.distance is None
 
 
 def _is_in_ours(actor: Actor, deed: Deed) -> bool:

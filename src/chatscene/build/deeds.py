@@ -168,7 +168,8 @@ ALONG: dict[Act, Steps] = {
     Act.OVERTAKE: Steps(
         does=(
             "DrivePath({beside}, $FAST) until headway(egoRoute, ego, self) > (ego.length + self.length) / 2 + $AHEAD",
-            f"DrivePath({OWN}, $SPEED) until abs(offsetFrom({OWN}, self)) < 1",
+            f"DrivePath({OWN}, $FAST) until abs(offsetFrom({OWN}, self)) < 1",
+            f"BrakeOnPath({OWN}, $EASE) until self.pose[3] < 1.05 * $SPEED",
         ),
         way=OWN,
         binds={"speed": "FAST", "distance": "AHEAD"},
@@ -244,7 +245,8 @@ def gets_by(*, comes_back: bool) -> Steps:
     passes = row.does[0].replace("{beside}", "{p}")
     if comes_back:
         return replace(row, does=(passes, *row.does[1:]))
-    return replace(row, does=(passes,), last=(passes, GO), way="")
+    eases = "BrakeOnPath({p}, $EASE) until self.pose[3] < 1.05 * $SPEED"
+    return replace(row, does=(passes,), last=(passes, eases, GO), way="")
 
 
 def passes_against(*, comes_back: bool) -> Steps:

@@ -25,6 +25,7 @@ from chatscene.build.place import (
     room_against,
     way_of,
 )
+from chatscene.build.relations import AGAINST
 from chatscene.errors import MapError, NotBuilt
 from chatscene.maps.crossings import conflicting_paths
 from chatscene.maps.network import load_network, resolve_map
@@ -261,7 +262,8 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
     if road.two_way is not None and not at_junction(situation):
         base["opposite"] = road.two_way
     over: list[str] = []
-    if not (lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
+    against = any(one.starts.where in AGAINST for one in others)  # for whom that lane is
+    if not (against or lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
         over = [str(side) for one in others if (side := _goes_over(one)) is not None]
     sites = [SITES[one].value for one in road.has if one in SITES and not at_junction(situation)]
     if any(one.starts.where is Where.BUS_BAY for one in others) and not at_junction(situation):
@@ -346,6 +348,8 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
         query |= {"lanes": max(2, road.lanes or 2), "opposite": False} if several else {"opposite": True}
     elif lanes:
         query |= {"beside": lanes[0]} if straight else {"lanes": max(2, road.lanes or 2)}
+        if against:
+            query["opposite"] = True
         if len(set(lanes)) > 1:
             query["lanes"] = max(3, road.lanes or 3)
     elif against:

@@ -48,6 +48,8 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
     deed = actor.deeds[k]
     if deed.act not in _COMES_BEFORE and not (leaves_room(actor) and deed.act in _OVER) and not stops_before(actor, k):
         return
+    if k and actor.deeds[k - 1].act is Act.OVERTAKE:
+        yield to_whom(f"BrakeOnPath({way}, $EASE) until self.pose[3] < ego.pose[3] + {NEARLY:g}", deed)
     from_behind = _from_behind(actor, k) or leaves_room(actor)
     if gap_is_said(deed):
         ahead = f"{_MIDDLES}${_bound(actor, k)}"

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.aim import set_offset
-from chatscene.build.asked import Meets, stands_first
+from chatscene.build.asked import Meets, stands_first, stops_ahead
 from chatscene.build.choosing import steps_of
 from chatscene.build.deeds import GO, MOVE, RESTS, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
 from chatscene.build.facing import OVER
@@ -33,7 +33,7 @@ from chatscene.build.timing import Body, Course, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
-from chatscene.terms.situation import Deed
+from chatscene.terms.situation import Deed, Other
 from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
 
 if TYPE_CHECKING:
@@ -45,6 +45,7 @@ GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 NEARLY, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
 STOOD = 1.0  # [s] that somebody has stood in the ego's lane when the ego comes, so that it is seen to stop
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
+CLEAR = 0.4  # [m] at least between two of whom one swerves round the other
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 
 
@@ -200,12 +201,32 @@ class Phases:
     def _line_aside(self, k: int, way: str | None) -> str:
         """The line beside its own on which somebody goes on that left it, and does not come back."""
         actor, deed = self.actor, self.actor.deeds[k]
-        stays = deed.act is Act.DRIFT or (deed.act is Act.SWERVE and self._then(k) in LOSES)
-        if not stays or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD) or k + 1 == len(actor.deeds):
+        last, avoids = k + 1 == len(actor.deeds), self._avoids(k)
+        stays = avoids or (not last and (deed.act is Act.DRIFT or (deed.act is Act.SWERVE and self._then(k) in LOSES)))
+        if not stays or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD):
             return ""
+        if avoids and deed.distance is None:
+            width = max(one.kind.row.body.row.limits.width for one in self._before())
+            least = 0.5 * (actor.limits.width + width) + CLEAR
+            actor.numbers.narrow("SWERVE", least, least + CLEAR)
         name = str(deed.act).upper() + (f"_{k}" if deed.distance is not None else "")
         own = f"way{name_of(actor.one.id)}" + (".line" if actor.stand.way == "egoRoute" else "")
         return f"{way or own}.offset({self._aside(deed, k)} * ${name})"
+
+    def _avoids(self, k: int) -> bool:
+        """Whether it swerves round somebody who stops or stands before it."""
+        swerves = self.actor.deeds[k].act is Act.SWERVE and self.actor.one.starts.where is Where.AHEAD
+        return swerves and self.actor.stand.meets is Meets.ALONG and any(True for _ in self._before())
+
+    def _before(self) -> Iterator[Other]:
+        """Those who stop or stand in the ego's lane, beside it."""
+        for one in self.actor.ledger.situation.others:
+            if (
+                one.id != self.actor.one.id
+                and one.starts.where is Where.AHEAD
+                and (stops_ahead(one) or stands_first(one))
+            ):
+                yield one
 
     def _stops_on_its_way_over(self, k: int, first: int) -> bool:
         """Whether it stops in the ego's lane, over which it was on its way."""
@@ -280,7 +301,7 @@ class Phases:
         actor, deed = self.actor, self.actor.deeds[k]
         ends = last and bool(steps.last) and deed.time is None
         phases = steps.last if ends else steps.does
-        own = steps.way or way
+        own = steps.way or self._line_aside(k, way) or way
         if last and not ends:
             phases = (*phases, GO.replace("{p}", own) if own and actor.stand.meets is not Meets.ACROSS else go)
         if deed.act in (Act.STOP, Act.BRAKE, Act.STAND) and self._then(k) is Act.STAND and deed.time is None:

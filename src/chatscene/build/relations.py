@@ -109,6 +109,24 @@ def _least(said: Speed, ego: float) -> float:
     return low + ego * said.than_ego
 
 
+def speed_of_traffic(situation: Situation) -> float:
+    """The most [m/s] that was said of anybody who goes the ego's way, so far as the ego goes as fast; 0 if nothing was.
+
+    Who passes the ego, or comes up to it, is faster than it is.
+    """
+    most = 0.0
+    for one in situation.others:
+        relation = relation_of(situation, one)
+        if one.starts.where not in ALONG or relation in (None, Relation.CAUGHT_UP, Relation.PASSED):
+            continue
+        passes = any(deed.act is Act.OVERTAKE and deed.whom in (None, EGO) for deed in one.does)
+        said = [one.starts.speed, *(deed.speed for deed in one.does if deed.act in (Act.GO_ALONG, Act.OVERTAKE))]
+        fastest = max((_least(speed, 0.0) for speed in said if speed is not None and not speed.than_ego), default=0.0)
+        faster = passes or relation in (Relation.COMES_UP, Relation.HAS_PASSED)
+        most = max(most, fastest - GAINS[0] if faster else fastest)
+    return most
+
+
 def speed_of(situation: Situation, name: str, ego: float) -> float:
     """The most [m/s] at which somebody goes on, by what was said of it or by how it stands to the ego."""
     if name == EGO:

@@ -7,7 +7,16 @@ from dataclasses import replace
 
 from chatscene.build.asked import ROOM, Asked, Meets, Stand, stops_ahead
 from chatscene.build.facing import faces, slanting, turned
-from chatscene.build.place import arm_of, at_junction, at_roundabout, beside_lane, from_left, ring_arms, way_of
+from chatscene.build.place import (
+    arm_of,
+    at_junction,
+    at_roundabout,
+    beside_lane,
+    from_left,
+    ring_arms,
+    room_against,
+    way_of,
+)
 from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import CrossingPath
 from chatscene.maps.ring_ways import ROUND
@@ -17,6 +26,7 @@ from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
 HEADWAY = 0.9, 1.7  # [s] behind whom it follows an ego is, from and to
+CAREFUL = 1.5, 2.5  # [s] behind the ego, from and to, is who is careful, and lets it into its lane
 _EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
 
 
@@ -49,8 +59,13 @@ def _ahead(asked: Asked) -> Stand:
 def _behind(asked: Asked) -> Stand:
     if asked.begins_beside:
         return _comes_along(asked)
-    low, high = (28.0, 45.0) if asked.ego.stands and not asked.stands else (9.0, 17.0)
-    asked.reach(low, high, "how far behind the ego it is")
+    close = asked.one.role is Role.ADVERSARY or any(deed.act is Act.TAILGATE for deed in asked.one.does)
+    if asked.ego.stands and not asked.stands:
+        asked.reach(28.0, 45.0, "how far behind the ego it is")
+    elif close:
+        asked.reach(9.0, 17.0, "how far behind the ego it is")
+    else:
+        asked.headway(*CAREFUL)
     way = "ownLane(egoRoute)" if beside_lane(asked.situation) else "egoRoute"
     return Stand(meets=Meets.ALONG, way=f"extended({way}, 80)", at=f"80 - $Y{asked.less}", behind=True)
 
@@ -79,7 +94,6 @@ BESIDE_TO_STRIKE = {Striker.EGO: (2.5, 5.0), Striker.OTHER: (-2.5, 0.8)}
 """How far [m] ahead of the ego somebody beside it is who comes over, by who runs into whom."""
 
 
-LETS_IN = 1.5, 2.5  # [s] behind the ego, from and to, is who lets it into its lane
 _INTO = {EgoRoute.LANE_CHANGE_LEFT: Side.LEFT, EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT, EgoRoute.MERGE: Side.LEFT}
 
 
@@ -98,7 +112,7 @@ def _next_lane(asked: Asked) -> Stand:
     where, back = asked.one.starts.where, asked.one.starts.where is Where.BEHIND_BESIDE
     low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
     if where is Where.BEHIND_BESIDE and asked.one.role is Role.SUPPORTING and changes_to(asked.situation, asked.side):
-        low, high = (asked.middles + one * asked.ego.speed for one in LETS_IN)
+        low, high = (asked.middles + one * asked.ego.speed for one in CAREFUL)
     contact = asked.situation.contact
     strikes = contact is not None and contact.happens and contact.whom in (None, asked.one.id)
     if where is Where.BESIDE and strikes and contact is not None and contact.striker is not None:
@@ -213,10 +227,29 @@ def _oncoming(asked: Asked) -> Stand:
     )
     if not asked.swings_out or asked.one.starts.distance is not None or not asked.comes:
         return stand
+    _slow_enough(asked)
     if asked.first is not None:  # who meets an ego that swings out is there when it does
         return replace(stand, at=f"back{{row}}{asked.less}")
     back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoRoute.eventAt', '')})"
     return replace(stand, at="back{i}", lines=(*stand.lines, back))
+
+
+def _slow_enough(asked: Asked) -> None:
+    """Let who comes against an ego that swings out be no faster than the road behind it is long for.
+
+    Raises:
+        NotBuilt: It was said to be.
+    """
+    route = asked.found.route
+    seconds = route.eventAt / asked.ego.speed + (asked.ego.late or 0.0) + _LATE
+    most = (room_against(route) - route.eventAt) / seconds
+    low, high, *_ = asked.numbers.range_of("SPEED")
+    if low <= most:
+        asked.numbers.narrow("SPEED", low, min(high, most))
+    elif asked.numbers.is_said("SPEED"):
+        raise NotBuilt(f"others.{asked.one.id}: the road by which it comes is too short for over {most:.1f} m/s")
+    else:
+        asked.numbers.narrow("SPEED", 0.85 * most, most)
 
 
 def _beside_road(asked: Asked) -> Stand:
