@@ -16,7 +16,7 @@ from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import FROM_NOSE, Act, Where
 
 ROOM = 3.0  # [m] between who stand in a row
-APART = 0.5  # [s] between who drive in a row, from nose to tail
+APART = 1.0  # [s] between who drive in a row, from nose to tail
 NEAREST = 3.0  # [m] between who begin one behind the other
 
 

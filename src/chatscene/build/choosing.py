@@ -25,7 +25,7 @@ from chatscene.build.deeds import (
     turning_round,
     yielding_to,
 )
-from chatscene.build.gaps import stops_before
+from chatscene.build.gaps import eases, stops_before
 from chatscene.build.local import check_round, radius_to_turn_round
 from chatscene.build.naming import name_of
 from chatscene.build.paces import Pace
@@ -133,7 +133,8 @@ def _by_numbers(actor: Actor, k: int, steps: Steps) -> Steps:
         return COMES_OVER
     if deed.act is Act.OVERTAKE and then in _COMES_BACK and actor.stand.meets is Meets.ALONG:
         way = "{beside}" if "{beside}" in steps.does[0] else ""
-        return replace(steps, does=steps.does[:1], last=(), way=way)  # what comes then says how it comes back
+        does = (steps.does[0], eases(actor, k, way or "{p}"))
+        return replace(steps, does=does, last=(), way=way)  # what comes then says how it comes back
     if deed.act is Act.BRAKE and across and deed.speed is not None:
         return LOSES_SLOWLY
     if deed.act is Act.BRAKE and not across and deed.time is None and then in _OFF:

@@ -48,8 +48,6 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
     deed = actor.deeds[k]
     if deed.act not in _COMES_BEFORE and not (leaves_room(actor) and deed.act in _OVER) and not stops_before(actor, k):
         return
-    if k and actor.deeds[k - 1].act is Act.OVERTAKE:
-        yield to_whom(f"BrakeOnPath({way}, $EASE) until self.pose[3] < ego.pose[3] + {NEARLY:g}", deed)
     from_behind = _from_behind(actor, k) or leaves_room(actor)
     if gap_is_said(deed):
         ahead = f"{_MIDDLES}${_bound(actor, k)}"
@@ -125,6 +123,12 @@ def seconds_to_get_by(actor: Actor, k: int) -> float:
     if actor.stand.meets is not Meets.TOWARD:
         return seconds
     return seconds + BACK_OVER if _comes_back(actor, k) else HALF_BY * seconds
+
+
+def eases(actor: Actor, k: int, way: str) -> str:
+    """How somebody who has passed another in its k-th deed comes to be no faster than that, before it comes in."""
+    least = speed_of(actor.ledger.situation, done_to(actor.deeds[k]), actor.ego_speed) + NEARLY
+    return f"BrakeOnPath({way}, $EASE) until self.pose[3] < {least:.4g}"
 
 
 def _comes_back(actor: Actor, k: int) -> bool:

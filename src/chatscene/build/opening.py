@@ -60,6 +60,10 @@ class Opening:
         waits = self._waits()
         if actor.stand.rolls and actor.stand.meets is Meets.TOWARD:
             self._come_from_afar()
+        if (before := self.phases.avoids(self.first)) is not None:
+            yield f"{waits} until {self.phases.must_avoid(before)}"
+            actor.ledger.take(*(f"{actor.path}.does.{self.first}.when.{name}" for name in ("after", "during")))
+            return
         if when is not None:
             yield from when_of(actor, self.first, when, waits)
             if when.ego_within is not None or actor.stand.ego_meets == "egoRoute.eventAt":

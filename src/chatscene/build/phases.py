@@ -46,6 +46,7 @@ NEARLY, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited 
 STOOD = 1.0  # [s] that somebody has stood in the ego's lane when the ego comes, so that it is seen to stop
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
 CLEAR = 0.4  # [m] at least between two of whom one swerves round the other
+SWERVES_AT, NEAR, SLOWER = 1.0, 2.0, 0.7  # [s], [m] before whom it swerves round; of the speed that one then has
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 
 
@@ -175,7 +176,10 @@ class Phases:
         for k in range(first, len(actor.deeds)):
             steps, deed = self.steps[k], actor.deeds[k]
             body: list[str] = []
-            if k > first and deed.when is not None:
+            if k > first and (before := self.avoids(k)) is not None:
+                body.append(f"{self._at(k, meanwhile)} until {self.must_avoid(before)}")
+                actor.ledger.take(*(f"{actor.path}.does.{k}.when.{name}" for name in ("after", "during")))
+            elif k > first and deed.when is not None:
                 changes = steps.pace in (Pace.GAINS, Pace.LOSES)
                 body += when_of(actor, k, deed.when, self._at(k, meanwhile, before=changes))
             if steps.comes_in and turned:
@@ -201,32 +205,33 @@ class Phases:
     def _line_aside(self, k: int, way: str | None) -> str:
         """The line beside its own on which somebody goes on that left it, and does not come back."""
         actor, deed = self.actor, self.actor.deeds[k]
-        last, avoids = k + 1 == len(actor.deeds), self._avoids(k)
-        stays = avoids or (not last and (deed.act is Act.DRIFT or (deed.act is Act.SWERVE and self._then(k) in LOSES)))
+        last, avoids = k + 1 == len(actor.deeds), self.avoids(k)
+        stays = avoids is not None or (
+            not last and (deed.act is Act.DRIFT or (deed.act is Act.SWERVE and self._then(k) in LOSES))
+        )
         if not stays or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD):
             return ""
-        if avoids and deed.distance is None:
-            width = max(one.kind.row.body.row.limits.width for one in self._before())
-            least = 0.5 * (actor.limits.width + width) + CLEAR
+        if avoids is not None and deed.distance is None:
+            least = 0.5 * (actor.limits.width + avoids.kind.row.body.row.limits.width) + CLEAR
             actor.numbers.narrow("SWERVE", least, least + CLEAR)
         name = str(deed.act).upper() + (f"_{k}" if deed.distance is not None else "")
         own = f"way{name_of(actor.one.id)}" + (".line" if actor.stand.way == "egoRoute" else "")
         return f"{way or own}.offset({self._aside(deed, k)} * ${name})"
 
-    def _avoids(self, k: int) -> bool:
-        """Whether it swerves round somebody who stops or stands before it."""
-        swerves = self.actor.deeds[k].act is Act.SWERVE and self.actor.one.starts.where is Where.AHEAD
-        return swerves and self.actor.stand.meets is Meets.ALONG and any(True for _ in self._before())
+    def avoids(self, k: int) -> Other | None:
+        """Who stops or stands in the ego's lane, if somebody there swerves round that."""
+        actor, here = self.actor, self.actor.one
+        swerves = actor.deeds[k].act is Act.SWERVE and here.starts.where is Where.AHEAD
+        if not swerves or actor.stand.meets is not Meets.ALONG:
+            return None
+        others = (one for one in actor.ledger.situation.others if one.id != here.id and one.starts.where is Where.AHEAD)
+        return next((one for one in others if stops_ahead(one) or stands_first(one)), None)
 
-    def _before(self) -> Iterator[Other]:
-        """Those who stop or stand in the ego's lane, beside it."""
-        for one in self.actor.ledger.situation.others:
-            if (
-                one.id != self.actor.one.id
-                and one.starts.where is Where.AHEAD
-                and (stops_ahead(one) or stands_first(one))
-            ):
-                yield one
+    def must_avoid(self, one: Other) -> str:
+        """When somebody is so near to whom it swerves round that it must."""
+        name, slow = name_of(one.id), SLOWER * self.actor.ego_speed
+        near = f"self.pose[3] * {SWERVES_AT:g} + (self.length + {name}.length) / 2 + {NEAR:g}"
+        return f"{name}.pose[3] < {slow:.3g} and headway(egoRoute, self, {name}) < {near}"
 
     def _stops_on_its_way_over(self, k: int, first: int) -> bool:
         """Whether it stops in the ego's lane, over which it was on its way."""
