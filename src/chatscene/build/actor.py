@@ -14,6 +14,7 @@ from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
 from chatscene.build.opening import LANE
+from chatscene.build.paces import AT_ONE_SPEED
 from chatscene.build.phases import Phases
 from chatscene.build.place import GOES_OVER, NEXT_LANE, Found
 from chatscene.build.relations import speed_beside
@@ -35,7 +36,6 @@ _DRIVES = re.compile(r"(?:DrivePath|FollowTraffic)\([^,]+, ([^,()]+)")
 _GOES = re.compile(r"^DrivePath\(([^,]+), ([^,()]+)\)( |$)")
 _CLOSE_BEHIND = re.compile(r"(PaceOnPath\([^,]+, )ego, -\(")
 _KEEPS = re.compile(r"(PaceOnPath\([^,]+, ego, )([^,]+)")
-_AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
 _OFF = frozenset((Act.SET_OFF, Act.STAND))
 _GOES_ON = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW))
 
@@ -150,13 +150,13 @@ class Actor:
             )
             numbers.narrow("SPEED", *(min(speed, top) for speed in beside))
         paces = {deed.manner for deed in deeds if deed.manner in PACES}
-        if len(paces) == 1 and any(deed.manner in PACES and deed.act in _AT_ONE_SPEED for deed in deeds):
+        if len(paces) == 1 and any(deed.manner in PACES and deed.act in AT_ONE_SPEED for deed in deeds):
             low, high, *_ = numbers.ranges[PACES[paces.pop()]]
             numbers.narrow("SPEED", low, high)
         if (start := self.one.starts.speed) is not None and not stands_first(self.one):
             numbers.bind("SPEED", start, self.ego_speed, f"{self.path}.starts.speed")
         for k, deed in enumerate(deeds):
-            if deed.speed is not None and self.one_speed and self.moves_first(k) and deed.act in _AT_ONE_SPEED:
+            if deed.speed is not None and self.one_speed and self.moves_first(k) and deed.act in AT_ONE_SPEED:
                 numbers.bind("SPEED", deed.speed, self.ego_speed, f"{self.path}.does.{k}.speed")
 
     def _goes_on_beside(self) -> bool:

@@ -129,8 +129,7 @@ class Opening:
         actor, steps = self.phases.actor, self.phases.steps
         deed = actor.deeds[self.first]
         if actor.stand.meets is Meets.TOWARD and not steps[self.first].lasting:
-            seconds = f"($LEAD_TIME + {self.ahead.seconds:.1f})" if self.ahead.seconds else "$LEAD_TIME"
-            yield f"{self._go()} until gap(self, ego) < (self.pose[3] + ego.pose[3]) * {seconds}"
+            yield f"{self._go()} until gap(self, ego) < {self._far('(self.pose[3] + ego.pose[3]) * $LEAD_TIME')}"
         if actor.stand.meets is Meets.THROUGH and not steps[self.first].lasting and deed.act is not Act.SET_OFF:
             room = 3 + self.ahead.metres
             yield f"{self._go()} until {actor.stand.left} < brakingDistance(self) + {room:.3g}"
@@ -142,16 +141,18 @@ class Opening:
         if first.one.starts.distance is not None or "$Y" not in first.stand.at:
             return
         low, high, unit, meaning = first.numbers.range_of("Y")
-        seconds = self.ahead.seconds + actor.numbers.range_of("LEAD_TIME")[1] + actor.numbers.range_of("STEADY")[0]
-        needed = (actor.ego_speed + self._fastest()) * seconds - actor.room
+        soon = actor.numbers.range_of("LEAD_TIME")[1] + actor.numbers.range_of("STEADY")[0]
+        needed = self.ahead.metres + actor.ego_speed * self.ahead.seconds + (actor.ego_speed + self._wish()) * soon
+        needed -= actor.room
         most = max(room_against(actor.found.route) - SPARE, high)
         actor.takes = needed + SPARE
         first.numbers.measure("Y", min(max(low, needed), most), min(max(high, needed), most), unit, meaning)
 
-    def _fastest(self) -> float:
-        """The most [m/s] that it goes at, at a speed that was chosen in the middle of what it may be."""
-        names = [name for name in self.phases.actor.numbers.ranges if name.startswith("FAST_")]
-        return max(self.phases.actor.numbers.middle(name) for name in ("SPEED", *names))
+    def _far(self, lead: str) -> str:
+        """How far [m] it and the ego come toward each other until its last deed begins, and a time before they meet."""
+        if not self.ahead.seconds:
+            return lead
+        return f"{lead} + {self.ahead.metres:.1f} + ego.pose[3] * {self.ahead.seconds:.1f}"
 
     def _begins_soon(self) -> bool:
         """Whether nothing says where its first deed is to be: on an open road among those who go along it."""

@@ -32,6 +32,7 @@ FOLLOWS = 0.64  # of the ego's speed, the least of who goes with it
 CRAWLS = 1.0  # [m/s]: who must be slower before it gains speed gains it from a stand
 
 
+AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
 _OVER_LANES = frozenset((Act.CUT_IN, Act.CUT_OUT, Act.LANE_CHANGE, Act.MERGE))
 
 
@@ -244,10 +245,17 @@ def _said_speed(actor: Actor, k: int, steps: Steps, body: Body) -> tuple[str, tu
     if deed.manner in PACES and deed.speed is None and bound and steps.pace is Pace.KEEPS:
         actor.ledger.take(f"{at}.manner")
         low, high, *_ = numbers.ranges[PACES[deed.manner]]
-        own = "SPEED" if len({one.manner for one in actor.deeds if one.manner in PACES}) == 1 else own
+        if deed.act in AT_ONE_SPEED and in_one_manner(actor):
+            return "SPEED", numbers.ranges["SPEED"][:2]  # as it comes
+        own = "SPEED" if in_one_manner(actor) else own
         numbers.narrow(own, low, high)
         return own, (low, high)
     return own, None
+
+
+def in_one_manner(actor: Actor) -> bool:
+    """Whether somebody does all that it does slowly, or all of it fast."""
+    return len({one.manner for one in actor.deeds if one.manner in PACES}) == 1
 
 
 def set_passing_speed(actor: Actor, k: int) -> None:

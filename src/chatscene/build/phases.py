@@ -106,7 +106,8 @@ class Phases:
             return
         first = 1 if actor.deeds[0].act is Act.STAND and actor.deeds[0].time is None else 0
         bodies = list(self._bodies(first, go))
-        ahead = Course()
+        drives = meets in (Meets.ALONG, Meets.TOWARD) and not self._stands()
+        ahead = Course(speed=actor.numbers.middle("SPEED") if drives else 0.0)
         for body in bodies[:-1]:
             ahead = course(body, actor.numbers, self.body, ahead)
         gains = [text for text in bodies[-1] if "until self.pose[3] >" in text][:1]
@@ -125,7 +126,8 @@ class Phases:
         takes += sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds)))
         if any(self._stops_on_its_way_over(k, first) for k in range(len(actor.deeds))):
             takes += actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
-        begins = replace(begins, seconds=begins.seconds + takes)
+        far = takes * max((actor.numbers.middle(name) for name in actor.numbers.ranges if "FAST_" in name), default=0.0)
+        begins = replace(begins, seconds=begins.seconds + takes, metres=begins.metres + far)
         near = self._comes_near(first, bodies)
         yield from Opening(self, first, begins, near).texts()
         for body in bodies:
@@ -344,6 +346,9 @@ class Phases:
         actor, deed = self.actor, self.actor.deeds[k]
         if deed.act is Act.EXIT and actor.stand.meets is Meets.ALONG:
             actor.ledger.assume(f"{actor.one.id} stays on the road where it would exit, as no ramp is taken yet")
+        beside = actor.one.starts.where in NEXT_LANE and deed.act is Act.OVERTAKE
+        if beside and deed.to not in (None, actor.one.starts.side):
+            raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, of who is on the other side")
         if deed.to is not None and deed.act in (Act.CUT_OUT, Act.LANE_CHANGE, Act.OVERTAKE):
             if actor.named.setdefault("side", str(deed.to)) != str(deed.to):
                 raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, after the other side")
