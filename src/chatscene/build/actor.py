@@ -22,9 +22,10 @@ from chatscene.build.starts import start_of
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, PROPS, Limits
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import SEVERAL, Deed, Other
 from chatscene.terms.vocabulary import Act, Role, Side, UserKind, Where
-from chatscene.world.places import lanes_beside
+from chatscene.world.places import lanes_beside, ownLane
 
 BETWEEN = 1.2  # [m] between things in a row
 BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
@@ -136,6 +137,13 @@ class Actor:
         ahead = self.one.starts.where is Where.AHEAD and self.stand.meets is Meets.ALONG
         return ahead and not self.ledger.situation.ego.does and self.one.kind.row.body.row.motorised
 
+    @property
+    def _lane_ends(self) -> bool:
+        """Whether the lane in which the ego begins ends on its way straight on, so that it goes on in another."""
+        route = self.found.route
+        straight = self.found.query["maneuver"] == Maneuver.STRAIGHT
+        return straight and ownLane(route).length < route.line.length - LANE
+
     # Numbers
 
     def _bind_speed(self) -> None:
@@ -225,6 +233,8 @@ class Actor:
     def filled(self, text: str) -> str:
         """A text with names and parameters in the place of marks."""
         one = name_of(self.one.id)
+        if self._lane_ends:
+            text = text.replace(OWN, "ownWay(egoRoute)")
         first = one if self.count > 1 else "self"
         text = text.replace("{beside}", f"beside{one}").replace("{ours}", f"ours{one}").replace("{home}", f"home{one}")
         row = name_of(self.first.one.id) if self.first is not None else one

@@ -26,6 +26,8 @@ _GOES_ON = frozenset((Act.GO_ALONG, Act.FOLLOW))
 WAITS = 0.6  # of its speed, the least of who lets the ego come near again
 BACK_OVER = 0.5  # [s] in which who comes against the ego goes back to its lane before it
 HALF_BY = 0.6  # of its time beside whom it passes, in which somebody meets the ego that it does not miss
+GETS_BY = 3.0  # [m/s] that somebody is faster at most who gets as far before another as it must be …
+FALLS_BACK = 0.75  # … and the least of that one's speed
 NEARLY = 1.0  # [m] of a gap that was said
 GAINS = 5.0  # [m/s] that somebody is faster than the ego on the average who gets before it
 BACKS = 1.5  # [m/s] that somebody backs up at, of whom only the way was said
@@ -45,22 +47,31 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
         way: The line it goes along.
         last: Whether it does nothing then.
     """
-    deed = actor.deeds[k]
+    deed, speeds = actor.deeds[k], _speeds(actor, k)
     if deed.act not in _COMES_BEFORE and not (leaves_room(actor) and deed.act in _OVER) and not stops_before(actor, k):
         return
     from_behind = _from_behind(actor, k) or leaves_room(actor)
     if gap_is_said(deed):
         ahead = f"{_MIDDLES}${_bound(actor, k)}"
         there = f"abs(headway(egoRoute, ego, self) - ({ahead})) < {NEARLY:g}"
-        yield to_whom(f"PaceOnPath({way}, ego, {ahead}, 40) until {there}", deed)
+        yield to_whom(f"PaceOnPath({way}, ego, {ahead}, {speeds}) until {there}", deed)
     elif stops_before(actor, k) or (deed.act in _OVER and leaves_room(actor)):
         ahead = f"{_MIDDLES}$AHEAD"
-        yield f"PaceOnPath({way}, ego, {ahead} + 2, 40) until headway(egoRoute, ego, self) > {ahead}"
+        yield f"PaceOnPath({way}, ego, {ahead} + 2, {speeds}) until headway(egoRoute, ego, self) > {ahead}"
     elif deed.act is Act.CUT_IN and (not last or from_behind or done_to(deed) != EGO):
         ahead = f"{_MIDDLES}$AHEAD"  # or the ego would run into it before it does the next thing
-        yield to_whom(f"PaceOnPath({way}, ego, {ahead} + 2, 40) until headway(egoRoute, ego, self) > {ahead}", deed)
+        yield to_whom(
+            f"PaceOnPath({way}, ego, {ahead} + 2, {speeds}) until headway(egoRoute, ego, self) > {ahead}", deed
+        )
     elif from_behind and k and actor.one.starts.where is Where.BEHIND:
-        yield f"PaceOnPath({way}, ego, {_MIDDLES}$AHEAD, 40) until headway(egoRoute, ego, self) > {_MIDDLES}$AHEAD - 2"
+        ahead = f"{_MIDDLES}$AHEAD"
+        yield f"PaceOnPath({way}, ego, {ahead}, {speeds}) until headway(egoRoute, ego, self) > {ahead} - 2"
+
+
+def _speeds(actor: Actor, k: int) -> str:
+    """The most and the least speed [m/s] of somebody who gets as far before another as its k-th deed needs."""
+    passed = speed_of(actor.ledger.situation, done_to(actor.deeds[k]), actor.ego_speed)
+    return f"{passed + GETS_BY:.4g}, {FALLS_BACK * passed:.4g}"
 
 
 def leaves_room(actor: Actor) -> bool:
