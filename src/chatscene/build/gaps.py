@@ -12,7 +12,7 @@ from chatscene.build.relations import speed_of
 from chatscene.build.towards import done_to, to_whom
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Role, Side, Where
+from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -26,6 +26,7 @@ _GOES_ON = frozenset((Act.GO_ALONG, Act.FOLLOW))
 WAITS = 0.6  # of its speed, the least of who lets the ego come near again
 BACK_OVER = 0.5  # [s] in which who comes against the ego goes back to its lane before it
 HALF_BY = 0.6  # of its time beside whom it passes, in which somebody meets the ego that it does not miss
+CLOSE = (1.0, 3.0)  # [m], from and to, that somebody leaves who comes in suddenly, or all but touches the ego
 GETS_BY = 3.0  # [m/s] that somebody is faster at most who gets as far before another as it must be …
 FALLS_BACK = 0.75  # … and the least of that one's speed
 NEARLY = 1.0  # [m] of a gap that was said
@@ -56,16 +57,25 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
         there = f"abs(headway(egoRoute, ego, self) - ({ahead})) < {NEARLY:g}"
         yield to_whom(f"PaceOnPath({way}, ego, {ahead}, {speeds}) until {there}", deed)
     elif stops_before(actor, k) or (deed.act in _OVER and leaves_room(actor)):
-        ahead = f"{_MIDDLES}$AHEAD"
+        ahead = f"{_MIDDLES}${_room(actor, k)}"
         yield f"PaceOnPath({way}, ego, {ahead} + 2, {speeds}) until headway(egoRoute, ego, self) > {ahead}"
     elif deed.act is Act.CUT_IN and (not last or from_behind or done_to(deed) != EGO):
-        ahead = f"{_MIDDLES}$AHEAD"  # or the ego would run into it before it does the next thing
+        ahead = f"{_MIDDLES}${_room(actor, k)}"  # or the ego would run into it before it does the next thing
         yield to_whom(
             f"PaceOnPath({way}, ego, {ahead} + 2, {speeds}) until headway(egoRoute, ego, self) > {ahead}", deed
         )
     elif from_behind and k and actor.one.starts.where is Where.BEHIND:
-        ahead = f"{_MIDDLES}$AHEAD"
+        ahead = f"{_MIDDLES}${_room(actor, k)}"
         yield f"PaceOnPath({way}, ego, {ahead}, {speeds}) until headway(egoRoute, ego, self) > {ahead} - 2"
+
+
+def _room(actor: Actor, k: int) -> str:
+    """The parameter that is the room that somebody leaves of whom none was said: little where that is the danger."""
+    name = "AHEAD"
+    if actor.deeds[k].act is Act.CUT_IN and (actor.deeds[k].manner is Manner.SUDDEN or leaves_room(actor)):
+        name = f"AHEAD_{k}"
+        actor.numbers.narrow(name, *CLOSE)
+    return name
 
 
 def _speeds(actor: Actor, k: int) -> str:
