@@ -16,7 +16,7 @@ from chatscene.build.numbers import MOST, PACES, Numbers
 from chatscene.build.opening import LANE
 from chatscene.build.paces import AT_ONE_SPEED
 from chatscene.build.phases import Phases
-from chatscene.build.place import GOES_OVER, NEXT_LANE, Found
+from chatscene.build.place import GOES_OVER, NEXT_LANE, Found, at_roundabout
 from chatscene.build.relations import speed_beside
 from chatscene.build.starts import start_of
 from chatscene.errors import NotBuilt
@@ -141,7 +141,8 @@ class Actor:
     def _lane_ends(self) -> bool:
         """Whether the lane in which the ego begins ends on its way straight on, so that it goes on in another."""
         route = self.found.route
-        straight = self.found.query["maneuver"] == Maneuver.STRAIGHT
+        between = route.route.junction is None and not at_roundabout(self.ledger.situation)
+        straight = self.found.query["maneuver"] == Maneuver.STRAIGHT and between
         return straight and ownLane(route).length < route.line.length - LANE
 
     # Numbers
