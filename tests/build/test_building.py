@@ -17,6 +17,7 @@ from chatscene.build.deeds import ACROSS, ALONG, TOWARD
 from chatscene.build.ledger import LEFT_OUT
 from chatscene.build.numbers import RANGES, Numbers
 from chatscene.build.parts import PARTS
+from chatscene.build.place import NEXT_LANE
 from chatscene.build.starts import STARTS
 from chatscene.ego.policy import load_ego, wanting
 from chatscene.errors import MapError, NotBuilt, SituationError
@@ -252,6 +253,7 @@ def test_a_fact_more_is_another_program_or_is_left_out_with_a_word_or_refused(
     except (NotBuilt, MapError, SituationError):
         return
     so_anyway = path == "starts.facing" and where in (_AGAINST if value == "against" else _ALONG)
+    so_anyway |= path == "does.0.to" and act is Act.OVERTAKE and where in NEXT_LANE  # it passes where it is
     assert with_it.program.source != without.program.source or with_it.left_out or so_anyway
 
 

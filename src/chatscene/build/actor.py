@@ -6,34 +6,39 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from chatscene.build.asked import Asked, Meets, Stand, bolts, stands_first
+from chatscene.build.asked import Asked, Meets, Stand, between, bolts, stands_first
 from chatscene.build.coming import Coming, goes_over
 from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
+from chatscene.build.paces import AT_ONE_SPEED
 from chatscene.build.parts import parts_of
 from chatscene.build.phases import Phases
-from chatscene.build.place import AT_CROSSWALKS, GOES_OVER, LANE, NEXT_LANE, Found, is_marked
+from chatscene.build.place import AT_CROSSWALKS, GOES_OVER, LANE, NEXT_LANE, Found, at_roundabout, is_marked
+from chatscene.build.relations import speed_beside
 from chatscene.build.starts import start_of
 from chatscene.build.timing import Body
-from chatscene.build.towards import is_passed
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, PROPS, AdversaryKind, Limits
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import SEVERAL, Deed, Other
 from chatscene.terms.vocabulary import Act, Breach, Role, Side, UserKind, Where
-from chatscene.world.places import lanes_beside
+from chatscene.world.places import lanes_beside, ownLane
 
 BETWEEN = 1.2  # [m] between things in a row
 BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
 SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
-PASSED = (0.55, 0.75)  # of the ego's speed: of who is passed by another
 HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast
+SOONER_OR_LATER = 0.08  # of its speed, by which who keeps up with the ego is there sooner or later
+FASTER = (1.2, 1.5)  # of the speed of the traffic: who is fast in it
 SOME = 3  # of a group whose size was not said
-_DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
-_AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
+_DRIVES = re.compile(r"(?:DrivePath|FollowTraffic)\([^,]+, ([^,()]+)")
+_GOES = re.compile(r"^DrivePath\(([^,]+), ([^,()]+)\)( |$)")
+_CLOSE_BEHIND = re.compile(r"(PaceOnPath\([^,]+, )ego, -\(")
+_KEEPS = re.compile(r"(PaceOnPath\([^,]+, ego, )([^,]+)")
 _OFF = frozenset((Act.SET_OFF, Act.STAND))
 _GOES_ON = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW))
 
@@ -52,6 +57,7 @@ class Actor:
         needs: How long [s] the ego must need at least to where they meet.
         reaches: How far [m] the ego has to there.
         begins: For each of its deeds, how many of its phases come before it.
+        takes: How much road [m] the ego drives along while it does all that it does; 0 where that does not matter.
         soon: When [s] the ego meets somebody else, who may end the scene; None if nobody is known to.
     """
 
@@ -67,6 +73,7 @@ class Actor:
     named: dict[str, str] = field(init=False)
     needs: float = field(init=False, default=0.0)
     reaches: float = field(init=False, default=0.0)
+    takes: float = field(init=False, default=0.0)
     soon: float | None = None
     begins: tuple[int, ...] = field(init=False, default=())
     _texts: tuple[str, ...] | None = field(init=False, default=None)
@@ -137,6 +144,20 @@ class Actor:
         return self.one.count or SOME
 
     @property
+    def leads(self) -> bool:
+        """Whether it goes before an ego that nothing slows down, at the speed that the ego wants."""
+        ahead = self.one.starts.where is Where.AHEAD and self.stand.meets is Meets.ALONG
+        return ahead and not self.ledger.situation.ego.does and self.one.kind.row.body.row.motorised
+
+    @property
+    def _lane_ends(self) -> bool:
+        """Whether the lane in which the ego begins ends on its way straight on, so that it goes on in another."""
+        route = self.found.route
+        between = route.route.junction is None and not at_roundabout(self.ledger.situation)
+        straight = self.found.query["maneuver"] == Maneuver.STRAIGHT and between
+        return straight and ownLane(route).length < route.line.length - LANE
+
+    @property
     def nearest(self) -> float:
         """How far ahead of the ego's centre [m] its tail is at least, in the ego's lane."""
         return self._along(0) - self.limits.length / 2
@@ -156,19 +177,25 @@ class Actor:
     def _bind_speed(self) -> None:
         """Let it come as fast as was said of how it begins, or of how it goes on."""
         numbers, deeds = self.numbers, self.deeds
-        if is_passed(self.ledger.situation.others, self.one):
-            numbers.narrow("SPEED", *(min(share * self.ego_speed, numbers.middle("SPEED")) for share in PASSED))
+        ego, top = self.ego_speed, MOST * self.limits.top_speed
+        beside = speed_beside(self.ledger.situation, self.one, ego)
+        if beside is not None:
+            low, high, *_ = numbers.ranges["FAST"]  # than the traffic is
+            numbers.narrow(
+                "FAST", *(min(max(*ends), top) for ends in ((low, FASTER[0] * ego), (high, FASTER[1] * ego)))
+            )
+            numbers.narrow("SPEED", *(min(speed, top) for speed in beside))
         if any(deed.breaks is Breach.RED_LIGHT for deed in deeds):  # who does not slow down for it, but is in a hurry
             fast = self.one.kind.row.body.row.fast
             numbers.narrow("SPEED", *(min(share * fast, MOST * self.limits.top_speed) for share in HURRIES))
         paces = {deed.manner for deed in deeds if deed.manner in PACES}
-        if len(paces) == 1 and any(deed.manner in PACES and deed.act in _AT_ONE_SPEED for deed in deeds):
+        if len(paces) == 1 and any(deed.manner in PACES and deed.act in AT_ONE_SPEED for deed in deeds):
             low, high, *_ = numbers.ranges[PACES[paces.pop()]]
             numbers.narrow("SPEED", low, high)
         if (start := self.one.starts.speed) is not None and not stands_first(self.one):
             numbers.bind("SPEED", start, self.ego_speed, f"{self.path}.starts.speed")
         for k, deed in enumerate(deeds):
-            if deed.speed is not None and self.one_speed and self.moves_first(k) and deed.act in _AT_ONE_SPEED:
+            if deed.speed is not None and self.one_speed and self.moves_first(k) and deed.act in AT_ONE_SPEED:
                 numbers.bind("SPEED", deed.speed, self.ego_speed, f"{self.path}.does.{k}.speed")
 
     def _goes_on_beside(self) -> bool:
@@ -221,7 +248,19 @@ class Actor:
             phases = Phases(self)
             self._texts = phases.texts()
             self.begins = tuple(phases.due_after)
+            if self.careful:
+                self._texts = tuple(_GOES.sub(r"FollowTraffic(\1, \2)\3", text) for text in self._texts)
+            if self.first is not None and self.stand.behind and self.first.stand.behind:
+                ahead = rf"\1{name_of(self.first.one.id)}, -("
+                self._texts = tuple(_CLOSE_BEHIND.sub(ahead, text) for text in self._texts)
         return tuple(self.filled(text) for text in self._texts)
+
+    @property
+    def careful(self) -> bool:
+        """Whether it keeps its distance to whoever is before it: who is not met, and who goes behind others."""
+        ahead = sum(other.starts.where is Where.AHEAD for other in self.ledger.situation.others)
+        queues = self.one.starts.where is Where.AHEAD and ahead > 1
+        return self.stand.meets is Meets.ALONG and not self.walks and (self.one.role is Role.SUPPORTING or queues)
 
     @property
     def met(self) -> float:
@@ -243,8 +282,10 @@ class Actor:
     def filled(self, text: str) -> str:
         """A text with names and parameters in the place of marks."""
         one = name_of(self.one.id)
+        if self._lane_ends:
+            text = text.replace(OWN, "ownWay(egoRoute)")
         first = one if self.count > 1 else "self"
-        text = text.replace("{beside}", f"beside{one}").replace("{ours}", f"ours{one}")
+        text = text.replace("{beside}", f"beside{one}").replace("{ours}", f"ours{one}").replace("{home}", f"home{one}")
         row = name_of(self.first.one.id) if self.first is not None else one
         text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first).replace("{row}", row)
         if self.first is not None and self.stand.rolls and not self.numbers.is_said("SPEED"):
@@ -266,8 +307,14 @@ class Actor:
             named.append(f"beside{one} = {self._beside()}")
         if f"ours{one}" in body:
             named.append(f"ours{one} = against(ownLane(egoRoute))")
+        if f"home{one}" in body:
+            named.append(f'home{one} = neighbourPath(egoRoute, "left")')
         if phases:
             named += [f"behavior Does{one}():", *(f"    do {text}" for text in phases)]
+        rows = [self._in_row(phases, n) for n in range(self.count)]
+        for n, texts in enumerate(rows):
+            if texts != phases:
+                named += [f"behavior Does{one}_{n}():", *(f"    do {text}" for text in texts)]
         cls = (
             "VendingMachine"
             if self.one.role is Role.HIDES and self.one.kind is UserKind.OBJECT
@@ -278,12 +325,32 @@ class Actor:
             place, facing = self._hides(hidden, n) if hidden is not None else self._place(n)
             said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
             said += f", with label '{self.one.id}'" + self.role()
-            lines.append(said + self.moving(phases) + (f", with behavior Does{one}()" if phases else ""))
+            does = f"Does{one}" if rows[n] == phases else f"Does{one}_{n}"
+            lines.append(said + self.moving(phases) + (f", with behavior {does}()" if phases else ""))
         lines += parts_of(self, self.begins)
         if self.one.starts.speed is not None and self.one.starts.speed.high <= 0.0:
             self.ledger.take(f"{self.path}.starts.speed")  # it stands
         self.ledger.take(*self.numbers.built())
         return [f"## {self.one.id}: {self.said()}", *lines]
+
+    def _in_row(self, phases: tuple[str, ...], n: int) -> tuple[str, ...]:
+        """The phases of the n-th of it, which keeps its place in the row."""
+        if not n or self.stand.meets is not Meets.ALONG:
+            return phases
+        more = f" {self._away} {n * self._apart:g}"
+        return tuple(_KEEPS.sub(rf"\1\2{more}", text) for text in phases)
+
+    @property
+    def _apart(self) -> float:
+        """How far [m] the middles of two in its row are apart."""
+        if self.stand.meets in (Meets.ALONG, Meets.TOWARD):
+            return (self.limits.length or 1.5) + between(self.one, self.ego_speed)
+        return (self.limits.length or 1.5) + 2.5
+
+    @property
+    def _away(self) -> str:
+        """The sign of who is farther from the ego along its way."""
+        return "+" if self.stand.meets is Meets.ALONG and not self.stand.behind else "-"
 
     def _beside(self) -> str:
         """The line beside the ego's lane: that of a lane of its direction if there is one; else where others come."""
@@ -323,13 +390,11 @@ class Actor:
     def _place(self, n: int) -> tuple[str, str]:
         """Where the n-th of it stands, and which way it faces."""
         stand, one = self.stand, name_of(self.one.id)
-        length = self.limits.length if self.limits.length else 1.5
         if stand.point:
             aside = f" + {1.3 * ((n + 1) // 2) * (-1 if n % 2 else 1):g}" if n else ""
             point, facing = (text.replace("level{i}", f"level{{i}}{aside}") for text in (stand.point, stand.facing))
             return self.filled(point), self.filled(facing)
-        sign = "+" if stand.meets is Meets.ALONG and not stand.behind else "-"  # away from the ego
-        at = self.filled(stand.at) + (f" {sign} {n * (length + 2.5):g}" if n else "")
+        at = self.filled(stand.at) + (f" {self._away} {n * self._apart:g}" if n else "")
         turn = f", {stand.turn:g}" if stand.turn else ""
         return f"pointOn(way{one}, {at})", f"directionOn(way{one}, {at}{turn})"
 

@@ -10,7 +10,7 @@ from chatscene.build.coming import Coming
 from chatscene.build.numbers import Numbers
 from chatscene.build.place import Found, beside_lane, rides_at_edge
 from chatscene.maps.crossings import CrossingPath
-from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.actors import LIMITS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
@@ -18,6 +18,9 @@ from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.vocabulary import NOSE_TO_TAIL, Act, UserKind, Where
 
 ANIMALS = frozenset((UserKind.ANIMAL, UserKind.DEER, UserKind.DOG))
+ROOM = 3.0  # [m] between who stand in a row
+APART = 1.0  # [s] between who drive in a row, from nose to tail
+NEAREST = 3.0  # [m] between who begin one behind the other
 
 
 class Meets(StrEnum):
@@ -154,6 +157,17 @@ class Asked:
         """Whether the ego's way swings out round something."""
         return self.found.query["maneuver"] == Maneuver.BYPASS
 
+    @property
+    def middles(self) -> float:
+        """How far [m] the middles of the ego and of it are apart where they touch, one behind the other."""
+        row = self.one.kind.row.body.row
+        return 0.5 * (LIMITS["Car"].length + row.limits.length)
+
+    def headway(self, low: float, high: float) -> None:
+        """From where to where [s] before or behind the ego it may be, nose to tail, if no distance was said."""
+        speed = self.ego.speed
+        self.reach(self.middles + max(low * speed, NEAREST), self.middles + max(high * speed, NEAREST + 1.0))
+
     def ahead(self, low: float, high: float) -> None:
         """From where to where [m] ahead it may be, if that was not said: farther where the ego comes faster."""
         self.reach(low * self.found.further, high * self.found.further)
@@ -161,16 +175,11 @@ class Asked:
     def reach(self, low: float, high: float, meaning: str = "how far ahead of the ego it is") -> None:
         """From where to where [m] it may be, if that was not said."""
         if (said := self.one.starts.distance) is not None:
-            middles = self.middles if self.one.starts.where in NOSE_TO_TAIL else 0.0
-            low, high = said.within(low, max(high, said.low)) if not said.exact else (said.low, said.low)
-            low, high = low + middles, high + middles
+            nose = self.middles if self.one.starts.where in NOSE_TO_TAIL else 0.0
+            low, high = said.within(low - nose, max(high - nose, said.low)) if not said.exact else (said.low, said.low)
+            low, high = low + nose, high + nose
         path = f"others.{self.one.id}.starts.distance" if said is not None else ""
         self.numbers.measure("Y", low, max(low, high), "m", meaning, path)
-
-    @property
-    def middles(self) -> float:
-        """How far [m] its middle is from the ego's when they touch, one behind the other."""
-        return (AdversaryKind.CAR.row.limits.length + self.one.kind.row.body.row.limits.length) / 2
 
     @property
     def more(self) -> str:
@@ -186,6 +195,21 @@ class Asked:
 def bolts(one: Other) -> bool:
     """Whether it is an animal on the road of which nothing else is said: it runs over it when the ego comes."""
     return one.kind in ANIMALS and one.starts.where is Where.AHEAD and not one.does and one.starts.facing is None
+
+
+def between(one: Other, speed: float) -> float:
+    """How much room [m] is between those who are in a row, more where they drive at a speed [m/s]."""
+    drives = one.kind.row.body.row.motorised and not stands_first(one)
+    return max(ROOM, APART * speed) if drives else ROOM
+
+
+STOPS = frozenset((Act.STOP, Act.BRAKE))
+
+
+def stops_ahead(one: Other) -> bool:
+    """Whether somebody stops in the ego's lane, in which it goes before it."""
+    stops = any(deed.act in STOPS for deed in one.does)
+    return one.starts.where is Where.AHEAD and stops and not stands_first(one)
 
 
 def stands_first(one: Other) -> bool:

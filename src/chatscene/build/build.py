@@ -7,24 +7,24 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from chatscene.build.actor import Actor
-from chatscene.build.asked import Meets, stands_first
+from chatscene.build.asked import ROOM, Meets, between, stands_first
+from chatscene.build.coming import wanted_by
 from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.finding import find, started
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.place import Found, wrong_way
 from chatscene.build.possible import OFF_ROAD, impossible
+from chatscene.build.relations import check_passed_by_ego
 from chatscene.build.roadside import beside_road
-from chatscene.build.towards import at_distance, in_rows, screens
+from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, screens
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
-from chatscene.terms.pace import NOMINAL
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
 from chatscene.terms.vocabulary import Act, Role, Where
 
-ROOM = 3.0  # [m] between who stand in a row
 _SAME = {Where.DRIVEWAY: "roadside", Where.IN_ROUNDABOUT: "roundabout-entry"}
 """Where those stand in one row who are said to be in two places."""
 NOBODY = "nobody meets the ego: others: nobody has the role adversary"
@@ -65,9 +65,15 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
     situation = replace(situation, others=tuple(map(wrong_way, situation.others)))
+    usual = wanted_by(situation)
     read = Ledger(situation)
     found = find(read)
-    ledger, ego, everybody, body = _cast(read, found, NOMINAL.speed)
+    ledger, ego, everybody, body = _cast(read, found, usual)
+    road = max(one.takes for one, _ in everybody)
+    if road > found.route.line.length:  # what is done goes on for longer
+        read = Ledger(situation)
+        found = find(read, road)
+        ledger, ego, everybody, body = _cast(read, found, usual)
     slow = min((one.reaches / one.needs for one, _ in everybody if one.needs > 0.0), default=ego.coming.speed)
     if slow < ego.coming.speed and situation.ego.speed is None:  # it would be there before the others are done
         ledger, ego, everybody, body = _cast(read, found, max(slow, SLOWEST))
@@ -100,6 +106,7 @@ def _cast(read: Ledger, found: Found, speed: float) -> tuple[Ledger, BuiltEgo, l
     """Everybody, with an ego that wants a speed if none was said, and the text of all others; with a ledger of it."""
     ledger = replace(read, built=set(read.built), assumed=list(read.assumed))
     ego = ego_of(ledger, found, speed)
+    check_passed_by_ego(ledger.situation, ego.coming.speed)
     everybody = _everybody(ledger, found, ego)
     for actor, _ in everybody:
         if actor.one.role is Role.ADVERSARY:
@@ -123,14 +130,17 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
     for one in sorted(others, key=lambda other: _hides(situation, other) is not None):
         hidden = _hides(situation, one)
         stands = stands_first(one) and one.starts.where not in OFF_ROAD
-        place = (_SAME.get(one.starts.where, str(one.starts.where)), str(one.starts.side), stands)
+        in_row = next((other for other in others if passes(one, other) and in_one_row(one, other)), one)
+        where = in_row.starts.where
+        place = (_SAME.get(where, str(where)), str(one.starts.side), stands)
         shares = hidden is None and one.starts.distance is None  # else it stands where it was said to
         first, room = rows.get(place, (None, 0.0)) if shares else (None, 0.0)
         actor = Actor(ledger, found, started(one, found.sides), ego.coming, room, first)
         built[one.id] = actor
         if hidden is None:
             abreast = 1.5 if one.hidden_by is not None else 2.5  # from the same gap
-            long = abreast if actor.stand.meets is Meets.ACROSS else actor.count * (actor.limits.length + ROOM)
+            apart = actor.limits.length + between(one, ego.coming.speed)
+            long = abreast if actor.stand.meets is Meets.ACROSS else actor.count * apart
             rows[place] = (first or actor, room + long)
         order.append((actor, built[hidden] if hidden is not None else None))
     for actor, by in _behind_leaders(order):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -12,26 +13,32 @@ from chatscene.build.deeds import (
     BEHIND_ANOTHER,
     BRAKES,
     BRAKES_TO,
+    COMES_BACK,
+    COMES_OVER,
     LOSES_SLOWLY,
     OFF,
     Steps,
     gets_by,
+    passes_against,
     steps_for,
     turning_off,
+    turning_round,
     yielding_to,
 )
-from chatscene.build.local import check_round
+from chatscene.build.gaps import eases, stops_before
+from chatscene.build.local import check_round, radius_to_turn_round
 from chatscene.build.naming import name_of
 from chatscene.build.paces import Pace
 from chatscene.build.place import NEXT_LANE, ROUNDABOUT_PLACES, at_junction, rides_at_edge
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Where
+from chatscene.terms.vocabulary import Act, Role, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
+TURNS_AT = 3.0  # [m/s²], sideways, of who turns round
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
 _ASIDE = frozenset((Act.WEAVE, Act.DRIFT, Act.SWERVE, Act.LANE_CHANGE, Act.CUT_OUT))
 _OFF = frozenset((Act.SET_OFF, Act.STAND))
@@ -47,43 +54,90 @@ def steps_of(actor: Actor, k: int) -> Steps:
     deed, where = actor.deeds[k], actor.one.starts.where
     if where in ROUNDABOUT_PLACES:
         check_round(actor, k)
-    table, across = dict(_table(actor, deed)), actor.stand.meets is Meets.ACROSS
+    table, across = dict(_table(actor, k)), actor.stand.meets is Meets.ACROSS
     if deed.act not in table or (deed.act in _ASIDE and where in ROUNDABOUT_PLACES):  # nobody sees it on a bend
         along = "; who goes along the road is ahead, beside or behind" if across and deed.act in ALONG else ""
         raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}{along}")
     return _by_numbers(actor, k, table[deed.act])
 
 
-def _table(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
+def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     """The rows, those that hold in this place last."""
+    deed = actor.deeds[k]
     where, meets = actor.one.starts.where, actor.stand.meets
     yield from steps_for(meets, walks=actor.walks, beside=where in NEXT_LANE).items()
     along = meets is Meets.ALONG
     if deed.act is Act.LANE_CHANGE and along:
-        if where not in NEXT_LANE:
-            yield Act.LANE_CHANGE, ALONG[Act.CUT_OUT]
-        elif deed.to is not None and deed.to == actor.one.starts.side:
-            raise NotBuilt(f"nothing builds yet: {actor.path}: lane-change to the {deed.to}, away from the ego's lane")
+        yield from _changing_lanes(actor, deed)
     if deed.act is Act.ENTER and meets is Meets.THROUGH and where not in ROUNDABOUT_PLACES:
         yield Act.ENTER, ALONG[Act.CROSS]  # its way leads onto the ego's road
     if deed.act in OFF and along and where in (Where.AHEAD, Where.BEHIND):
         yield deed.act, turning_off(deed.act, junction=at_junction(actor.ledger.situation))
+    if deed.act is Act.U_TURN and meets in (Meets.ALONG, Meets.KERB):
+        radius = radius_to_turn_round(actor, k)
+        yield Act.U_TURN, turning_round(radius, 0.0 if deed.speed is not None else math.sqrt(TURNS_AT * radius))
     follows = actor.stand.behind and not actor.stand.rolls and not _touches(actor)
-    if where is Where.BEHIND and deed.act in _GOING_ON and follows:
+    if where is Where.BEHIND and deed.act in _GOING_ON and follows and not _goes_by_itself(actor, deed):
         yield deed.act, ALONG[Act.TAILGATE]  # or it would run into the ego
-    if deed.act is Act.OVERTAKE and along and where in NEXT_LANE:  # in the lane, or at the edge, where it is
-        at_edge = rides_at_edge(actor.one, actor.ledger.situation.ego.route)
-        yield Act.OVERTAKE, gets_by(comes_back=not at_edge)
-    if deed.act is Act.OVERTAKE and along and actor.stand.rolls and done_to(deed) == EGO:  # of which it comes by anyway
-        yield Act.OVERTAKE, ALONG[Act.GO_ALONG]
+    if deed.act is Act.OVERTAKE and along:
+        yield from _overtaking(actor, deed)
+    if meets is Meets.TOWARD and deed.act in _COMES_BACK and _is_in_ours(actor, deed):
+        yield deed.act, _back(actor, deed)
     if done_to(deed) != EGO:
         yield from _to_another(actor, deed)
+
+
+def _changing_lanes(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
+    """The row of who leaves its lane.
+
+    Raises:
+        NotBuilt: It would go away from the ego's lane, of which it is in the next.
+    """
+    if actor.one.starts.where not in NEXT_LANE:
+        yield Act.LANE_CHANGE, ALONG[Act.CUT_OUT]
+    elif deed.to is not None and deed.to == actor.one.starts.side:
+        raise NotBuilt(f"nothing builds yet: {actor.path}: lane-change to the {deed.to}, away from the ego's lane")
+
+
+def _overtaking(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
+    """The rows of who passes somebody that goes the same way."""
+    if actor.one.starts.where in NEXT_LANE:  # in the lane, or at the edge, where it is
+        at_edge = rides_at_edge(actor.one, actor.ledger.situation.ego.route)
+        others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
+        free = all(one.starts.where is not Where.AHEAD for one in others)
+        yield Act.OVERTAKE, gets_by(comes_back=free and not at_edge)
+    if actor.stand.rolls and done_to(deed) == EGO:  # of which it comes by anyway
+        yield Act.OVERTAKE, ALONG[Act.GO_ALONG]
+
+
+def _goes_by_itself(actor: Actor, deed: Deed) -> bool:
+    """Whether somebody behind the ego keeps as far from it as a careful driver does, as no distance was said."""
+    return actor.one.role is Role.SUPPORTING and deed.distance is None
+
+
+def _is_in_ours(actor: Actor, deed: Deed) -> bool:
+    """Whether somebody who comes against the ego is in its lane before a deed."""
+    before = actor.deeds[: actor.deeds.index(deed)]
+    ours = actor.one.starts.where is Where.ONCOMING_IN_OUR_LANE
+    return ours or any(one.act in _COMES_BACK or one.act in (Act.OVERTAKE, Act.ENTER) for one in before)
+
+
+def _back(actor: Actor, deed: Deed) -> Steps:
+    """How somebody goes back to its lane, as fast as it passed another if it did."""
+    passed = [k for k, one in enumerate(actor.deeds[: actor.deeds.index(deed)]) if one.act is Act.OVERTAKE]
+    if not passed:
+        return COMES_BACK
+    fast = tuple(text.replace("$SPEED", f"$FAST_{passed[-1]}") for text in COMES_BACK.does)
+    return replace(COMES_BACK, does=fast)
 
 
 def _to_another(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
     """The rows of what is done to another than the ego."""
     if deed.act is Act.FOLLOW and deed.speed is None:
         yield Act.FOLLOW, BEHIND_ANOTHER
+    elif deed.act is Act.OVERTAKE and actor.stand.meets is Meets.TOWARD:
+        then = next((one.act for one in actor.deeds[actor.deeds.index(deed) + 1 :]), None)
+        yield Act.OVERTAKE, passes_against(comes_back=then not in _COMES_BACK)
     elif deed.act is Act.YIELD and actor.stand.meets is not Meets.ACROSS:
         yield Act.YIELD, yielding_to(name_of(done_to(deed)))
 
@@ -95,9 +149,12 @@ def _by_numbers(actor: Actor, k: int, steps: Steps) -> Steps:
     brakes = deed.act is Act.BRAKE or (deed.act is Act.SLOW_DOWN and deed.acceleration is not None)
     if brakes and not across and deed.speed is not None:
         return BRAKES_TO
+    if stops_before(actor, k):
+        return COMES_OVER
     if deed.act is Act.OVERTAKE and then in _COMES_BACK and actor.stand.meets is Meets.ALONG:
         way = "{beside}" if "{beside}" in steps.does[0] else ""
-        return replace(steps, does=steps.does[:1], last=(), way=way)  # what comes then says how it comes back
+        does = (steps.does[0], eases(actor, k, way or "{p}"))
+        return replace(steps, does=does, last=(), way=way)  # what comes then says how it comes back
     if deed.act is Act.BRAKE and across and deed.speed is not None:
         return LOSES_SLOWLY
     if deed.act is Act.BRAKE and not across and deed.time is None and then in _OFF:

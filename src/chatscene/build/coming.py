@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from chatscene.build.relations import speed_of_traffic
 from chatscene.ego.intelligent_driver import CURVE_ACCELERATION
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL
@@ -43,10 +44,10 @@ class Coming:
 
 
 def wanted_by(situation: Situation) -> float:
-    """What the ego drives at where nothing holds it [m/s]: as was said, else the nominal speed."""
+    """What the ego drives at where nothing holds it [m/s]: as was said of it or of the traffic, else as is usual."""
     said = situation.ego.speed
     if said is None:
-        return NOMINAL.speed
+        return max(NOMINAL.speed, speed_of_traffic(situation))
     return said.high if said.high < float("inf") else said.low
 
 

@@ -9,6 +9,7 @@ from chatscene.build.asked import Meets
 from chatscene.build.paces import Pace
 from chatscene.terms.vocabulary import Act
 
+TURNED_ROUND = 2.9  # [rad] of turning round, after which it drives along the lane it is in
 STILL = "self.pose[3] < 0.05"
 UNDER_WAY = "self.pose[3] > {held} * $SPEED"
 """It is as fast as it wants to be; ``{held}`` is the share of that speed that its pedals hold."""
@@ -54,6 +55,7 @@ def _each(acts: Iterable[Act], steps: Steps) -> dict[Act, Steps]:
 
 GO = "DrivePath({p}, $SPEED)"
 BRAKES = f"BrakeOnPath({{p}}, $BRAKE) until {STILL}"
+_EASES = "BrakeOnPath({p}, $EASE) until self.pose[3] < $SLOW"
 _BY = "Halt() until progressOn(egoRoute, ego)[0] > {meets} + 6"
 _TURNS = (Act.TURN_LEFT, Act.TURN_RIGHT)
 _GOES = Steps(
@@ -92,8 +94,8 @@ ALONG: dict[Act, Steps] = {
         ),
     ),
     Act.SLOW_DOWN: Steps(
-        does=("DrivePath({p}, $SLOW) for 3 seconds",),
-        last=("DrivePath({p}, $SLOW)",),
+        does=(_EASES, "DrivePath({p}, $SLOW) for 2 seconds"),
+        last=(_EASES, "DrivePath({p}, $SLOW)"),
         binds={"speed": "SLOW"},
         going=True,
         pace=Pace.LOSES,
@@ -169,7 +171,8 @@ ALONG: dict[Act, Steps] = {
     Act.OVERTAKE: Steps(
         does=(
             "DrivePath({beside}, $FAST) until headway(egoRoute, ego, self) > (ego.length + self.length) / 2 + $AHEAD",
-            f"DrivePath({OWN}, $SPEED) until abs(offsetFrom({OWN}, self)) < 1",
+            f"DrivePath({OWN}, $FAST) until abs(offsetFrom({OWN}, self)) < 1",
+            f"BrakeOnPath({OWN}, $EASE) until self.pose[3] < 1.05 * $SPEED",
         ),
         way=OWN,
         binds={"speed": "FAST", "distance": "AHEAD"},
@@ -222,13 +225,52 @@ def turning_off(act: Act, *, junction: bool) -> Steps:
     return Steps(does=does, last=(*does, "MoveAhead($SLOW)"), binds={"speed": "SLOW"})
 
 
+def turning_round(radius: float, speed: float) -> Steps:
+    """How somebody turns round on the road, into the lane of those who come against it.
+
+    Args:
+        radius: Of its circle [m].
+        speed: At which it turns, if none was said [m/s].
+    """
+    wish = "$SLOW" if speed <= 0.0 else f"{speed:.3g}"
+    slows = f"BrakeOnPath({{p}}, 0.6) until self.pose[3] < 1.1 * {wish}"
+    turns = f"TurnOff({TURNED_ROUND:g}, {wish}, {radius:.3g})"
+    return Steps(
+        does=(slows, turns, f"DrivePath({{home}}, {wish}) for 2 seconds"),
+        last=(slows, turns, "DrivePath({home}, $SPEED)"),
+        way="{home}",
+        binds={"speed": "SLOW"},
+        pace=Pace.ENDS,
+    )
+
+
 def gets_by(*, comes_back: bool) -> Steps:
     """How somebody beside the ego gets by, along its own line; perhaps into the ego's lane then."""
     row = ALONG[Act.OVERTAKE]
     passes = row.does[0].replace("{beside}", "{p}")
     if comes_back:
         return replace(row, does=(passes, *row.does[1:]))
-    return replace(row, does=(passes,), last=(passes, GO), way="")
+    eases = "BrakeOnPath({p}, $EASE) until self.pose[3] < 1.05 * $SPEED"
+    return replace(row, does=(passes,), last=(passes, eases, GO), way="")
+
+
+def passes_against(*, comes_back: bool) -> Steps:
+    """How somebody who comes against the ego passes another: in the ego's lane, and back then."""
+    by = "headway(egoRoute, self, ego) > (ego.length + self.length) / 2 + $AHEAD"  # ``ego`` is then whom it passes
+    passes = f"DrivePath({{ours}}, $FAST) until {by}"
+    binds = {"speed": "FAST", "distance": "AHEAD"}
+    if not comes_back:
+        return Steps(does=(passes,), way="{ours}", binds=binds)
+    back = "DrivePath({home}, $FAST) until abs(offsetFrom({home}, self)) < 0.8"
+    return Steps(does=(passes, back), last=(passes, back, "DrivePath({home}, $FAST)"), way="{home}", binds=binds)
+
+
+COMES_BACK = Steps(
+    does=("DrivePath({home}, $SPEED) until abs(offsetFrom({home}, self)) < 0.8",),
+    way="{home}",
+    binds={"speed": "SPEED"},
+)
+"""Of somebody who comes against the ego in its lane, and goes back to the lane that it came from."""
 
 
 def yielding_to(name: str) -> Steps:
@@ -244,6 +286,15 @@ BEHIND_ANOTHER = Steps(
     lasting=True,
 )
 """Of somebody who follows another: ``ego`` is then whom it follows."""
+COMES_OVER = Steps(
+    does=(
+        *(f"DrivePath({{p}}, $SPEED, {{aside}} * {k * 1.2:g}) for {{drift}} seconds" for k in (1, 2)),
+        *_INTO_OWN.does,
+    ),
+    way=OWN,
+    binds={"speed": "SPEED"},
+)
+"""Of somebody who drifts out of the next lane all over into the ego's."""
 BRAKES_TO = Steps(
     does=("BrakeOnPath({p}, $BRAKE) until self.pose[3] < $SLOW", "DrivePath({p}, $SLOW) for 2 seconds"),
     last=("BrakeOnPath({p}, $BRAKE) until self.pose[3] < $SLOW", "DrivePath({p}, $SLOW)"),

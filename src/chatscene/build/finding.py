@@ -23,8 +23,10 @@ from chatscene.build.place import (
     from_left,
     rides_at_edge,
     ring_arms,
+    room_against,
     way_of,
 )
+from chatscene.build.relations import AGAINST
 from chatscene.errors import MapError, NotBuilt
 from chatscene.maps.crossings import conflicting_paths
 from chatscene.maps.network import load_network, resolve_map
@@ -39,16 +41,17 @@ from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
 from chatscene.world.places import EgoRoute as Route
-from chatscene.world.places import choose_route, lanesBeside, neighbourPath, ownLane
+from chatscene.world.places import choose_route, lanesBeside
 
 _CURVES = (RoadKind.CURVE, RoadKind.LEFT_CURVE, RoadKind.RIGHT_CURVE)
 
 
-def find(ledger: Ledger) -> Found:
+def find(ledger: Ledger, road: float = 0.0) -> Found:
     """The first query that a map answers with a route on which all ways are that others need.
 
     Args:
         ledger: What was said.
+        road: How much road [m] is taken if there is as much.
 
     Raises:
         NotBuilt: No map has such a place; the message says what each lacks.
@@ -64,7 +67,7 @@ def find(ledger: Ledger) -> Found:
             )
     lacking: list[str] = []
     rooms: dict[str, float] = {}
-    for more in _lengths(situation):
+    for more in _lengths(situation, road):
         for sides in _open_sides(situation.others):
             for name, query in _asked(situation, sides):
                 if found := _answered(situation, name, _longer(query, more), sides, lacking, rooms):
@@ -121,9 +124,11 @@ def _longer(query: dict[str, Any], more: float) -> dict[str, Any]:
     return query | {"approach": round(more * _usual(query), 1)}
 
 
-def _lengths(situation: Situation) -> Iterator[float]:
+def _lengths(situation: Situation, road: float) -> Iterator[float]:
     """How many times as much road as usual is looked for: as the ego's speed asks for, then less."""
-    more = max(further(situation), *(_far(one) / OPEN_ROAD * _BEYOND for one in situation.others), 1.0)
+    more = max(
+        further(situation), road / OPEN_ROAD, *(_far(one) / OPEN_ROAD * _BEYOND for one in situation.others), 1.0
+    )
     while more > 1.0:
         yield more
         more /= _MORE
@@ -145,7 +150,7 @@ def _room(route: Route, one: Other) -> float:
     if one.starts.where is Where.ONCOMING and route.route.junction is None:
         if not any(against for _, against in lanesBeside(route)):
             return math.inf  # which the map is asked for elsewhere
-        return ownLane(route).project(*neighbourPath(route, "left").point_at(0.0))[0]
+        return room_against(route)
     if one.starts.where not in _BEFORE:
         return math.inf
     return route.eventAt if route.route.junction is not None else route.line.length - _ROOM_BEYOND
@@ -242,7 +247,8 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
     if road.two_way is not None and not at_junction(situation):
         base["opposite"] = road.two_way
     over: list[str] = []
-    if not (lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
+    against = any(one.starts.where in AGAINST for one in others)  # for whom that lane is
+    if not (against or lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
         over = [str(side) for one in others if (side := _goes_over(one)) is not None]
     has = [*road.has, *(Feature.CROSSWALK for one in others if one.starts.where is Where.CROSSING)]
     sites = [SITES[one].value for one in dict.fromkeys(has) if one in SITES and not at_junction(situation)]
@@ -335,12 +341,15 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     places = {one.starts.where for one in others}
     wrong_way = Where.ONCOMING_IN_OUR_LANE in places
     against = Where.ONCOMING in places or (wrong_way and query.get("opposite", True))
+    against = against or any(_turns_round(one) for one in others)
     against = against and query.get("ends") != Beside.BACK  # who turns round has them anyway, some lanes away
     if query["maneuver"] == Maneuver.BYPASS:
         several = (road.lanes or 1) > 1 or (bool(lanes) and not against)
         query |= {"lanes": max(2, road.lanes or 2), "opposite": False} if several else {"opposite": True}
     elif lanes:
         query |= {"beside": lanes[0]} if straight else {"lanes": max(2, road.lanes or 2)}
+        if against:
+            query["opposite"] = True
         if len(set(lanes)) > 1:
             query["lanes"] = max(3, road.lanes or 3)
     elif against:
@@ -350,6 +359,12 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     yield query
     if wrong_way and Where.ONCOMING not in places and straight:  # who needs no lane of its own
         yield dict(base) if not lanes else base | {"beside": lanes[0]}
+
+
+def _turns_round(one: Other) -> bool:
+    """Whether somebody turns round into the lane beside the ego's."""
+    there = one.starts.where in (Where.AHEAD, Where.BEHIND, Where.KERB)
+    return there and any(deed.act is Act.U_TURN for deed in one.does)
 
 
 def _round(situation: Situation, base: dict[str, Any]) -> Iterator[dict[str, Any]]:

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from chatscene.build.asked import Meets
 from chatscene.build.deeds import OWN
+from chatscene.build.place import NEXT_LANE
+from chatscene.build.relations import speed_of
 from chatscene.build.towards import done_to, to_whom
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Where
+from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -17,6 +20,15 @@ if TYPE_CHECKING:
 _MIDDLES = "(ego.length + self.length) / 2 + "
 """What is between the middles of two who leave so much room."""
 _COMES_BEFORE = frozenset((Act.CUT_IN, Act.TURN_LEFT, Act.TURN_RIGHT))
+LOSES = frozenset((Act.BRAKE, Act.SLOW_DOWN, Act.STOP, Act.HESITATE))
+_OVER = frozenset((Act.LANE_CHANGE, Act.MERGE, Act.ENTER))
+_GOES_ON = frozenset((Act.GO_ALONG, Act.FOLLOW))
+WAITS = 0.6  # of its speed, the least of who lets the ego come near again
+BACK_OVER = 0.5  # [s] in which who comes against the ego goes back to its lane before it
+HALF_BY = 0.6  # of its time beside whom it passes, in which somebody meets the ego that it does not miss
+CLOSE = (1.0, 3.0)  # [m], from and to, that somebody leaves who comes in suddenly, or all but touches the ego
+GETS_BY = 3.0  # [m/s] that somebody is faster at most who gets as far before another as it must be …
+FALLS_BACK = 0.75  # … and the least of that one's speed
 NEARLY = 1.0  # [m] of a gap that was said
 GAINS = 5.0  # [m/s] that somebody is faster than the ego on the average who gets before it
 BACKS = 1.5  # [m/s] that somebody backs up at, of whom only the way was said
@@ -36,19 +48,71 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
         way: The line it goes along.
         last: Whether it does nothing then.
     """
-    deed = actor.deeds[k]
-    if deed.act not in _COMES_BEFORE:
+    deed, speeds = actor.deeds[k], _speeds(actor, k)
+    if deed.act not in _COMES_BEFORE and not (leaves_room(actor) and deed.act in _OVER) and not stops_before(actor, k):
         return
-    from_behind = _from_behind(actor, k)
+    from_behind = _from_behind(actor, k) or leaves_room(actor)
     if gap_is_said(deed):
         ahead = f"{_MIDDLES}${_bound(actor, k)}"
         there = f"abs(headway(egoRoute, ego, self) - ({ahead})) < {NEARLY:g}"
-        yield to_whom(f"PaceOnPath({way}, ego, {ahead}, 40) until {there}", deed)
+        yield to_whom(f"PaceOnPath({way}, ego, {ahead}, {speeds}) until {there}", deed)
+    elif stops_before(actor, k) or (deed.act in _OVER and leaves_room(actor)):
+        ahead = f"{_MIDDLES}${_room(actor, k)}"
+        yield f"PaceOnPath({way}, ego, {ahead} + 2, {speeds}) until headway(egoRoute, ego, self) > {ahead}"
     elif deed.act is Act.CUT_IN and (not last or from_behind or done_to(deed) != EGO):
-        ahead = f"{_MIDDLES}$AHEAD"  # or the ego would run into it before it does the next thing
-        yield to_whom(f"PaceOnPath({way}, ego, {ahead} + 2, 40) until headway(egoRoute, ego, self) > {ahead}", deed)
+        ahead = f"{_MIDDLES}${_room(actor, k)}"  # or the ego would run into it before it does the next thing
+        yield to_whom(
+            f"PaceOnPath({way}, ego, {ahead} + 2, {speeds}) until headway(egoRoute, ego, self) > {ahead}", deed
+        )
     elif from_behind and k and actor.one.starts.where is Where.BEHIND:
-        yield f"PaceOnPath({way}, ego, {_MIDDLES}$AHEAD, 40) until headway(egoRoute, ego, self) > {_MIDDLES}$AHEAD - 2"
+        ahead = f"{_MIDDLES}${_room(actor, k)}"
+        yield f"PaceOnPath({way}, ego, {ahead}, {speeds}) until headway(egoRoute, ego, self) > {ahead} - 2"
+
+
+def _room(actor: Actor, k: int) -> str:
+    """The parameter that is the room that somebody leaves of whom none was said: little where that is the danger."""
+    name = "AHEAD"
+    if actor.deeds[k].act is Act.CUT_IN and (actor.deeds[k].manner is Manner.SUDDEN or leaves_room(actor)):
+        name = f"AHEAD_{k}"
+        actor.numbers.narrow(name, *CLOSE)
+    return name
+
+
+def _speeds(actor: Actor, k: int) -> str:
+    """The most and the least speed [m/s] of somebody who gets as far before another as its k-th deed needs."""
+    passed = speed_of(actor.ledger.situation, done_to(actor.deeds[k]), actor.ego_speed)
+    return f"{passed + GETS_BY:.4g}, {FALLS_BACK * passed:.4g}"
+
+
+def leaves_room(actor: Actor) -> bool:
+    """Whether it was said that somebody who comes over from the next lane does not touch the ego."""
+    contact, one = actor.ledger.situation.contact, actor.one
+    misses = contact is not None and not contact.happens and contact.whom in (None, one.id)
+    return misses and one.role is Role.ADVERSARY and one.starts.where in NEXT_LANE and actor.stand.meets is Meets.ALONG
+
+
+def stops_before(actor: Actor, k: int) -> bool:
+    """Whether somebody leaves its line for the ego's lane, in which it loses speed before the ego then."""
+    deed, one = actor.deeds[k], actor.one
+    there = one.starts.where in NEXT_LANE and deed.to in (None, *(side for side in Side if side is not one.starts.side))
+    over = deed.act in (Act.DRIFT, Act.SWERVE) and deed.distance is None and actor.stand.meets is Meets.ALONG
+    return over and there and any(then.act in LOSES for then in actor.deeds[k + 1 :])
+
+
+def goes_before(actor: Actor, k: int) -> bool:
+    """Whether somebody goes on before the ego, in its lane, between two deeds by which it loses speed."""
+    deeds, then = actor.deeds, k + 1 if actor.deeds[k].act in _GOES_ON else k
+    lost = any(deed.act in LOSES for deed in deeds[:k])
+    ours = actor.one.starts.where is Where.AHEAD or any(deed.act in _COMES_BEFORE for deed in deeds[:k])
+    ours = ours or any(stops_before(actor, earlier) for earlier in range(k))
+    along = actor.stand.meets is Meets.ALONG and deeds[k].speed is None and deeds[k].time is None
+    return along and lost and ours and then < len(deeds) and deeds[then].act in LOSES
+
+
+def keeps_before(actor: Actor, way: str) -> str:
+    """How somebody goes on before the ego that it has slowed down: so that the ego comes near again."""
+    top, least = actor.ego_speed, WAITS * actor.ego_speed
+    return f"PaceOnPath({way}, ego, {_MIDDLES}$AHEAD, {top:.4g}, {least:.3g}) for $NEAR_TIME seconds"
 
 
 def _from_behind(actor: Actor, k: int) -> bool:
@@ -66,17 +130,41 @@ def seconds_to_get_ahead(actor: Actor, k: int) -> float:
 
 
 def seconds_to_get_by(actor: Actor, k: int) -> float:
-    """How long [s] it takes somebody to get by the ego in its k-th deed."""
-    faster = actor.numbers.middle(f"FAST_{k}") - actor.ego_speed
-    metres = actor.numbers.middle("Y") if actor.stand.behind and "Y" in actor.numbers.ranges else 0.0
-    metres += 0.5 * (actor.limits.length + AdversaryKind.CAR.row.limits.length)
-    return (metres + actor.numbers.middle("AHEAD")) / max(faster, 0.5)
+    """How long [s] it takes somebody to get by whom it passes in its k-th deed."""
+    numbers, whom = actor.numbers, done_to(actor.deeds[k])
+    length, row = AdversaryKind.CAR.row.limits.length, 0.0
+    if whom != EGO:
+        other = actor.ledger.situation[whom]
+        length, row = other.kind.row.body.row.limits.length, actor.room
+    elif actor.stand.behind and "Y" in numbers.ranges:
+        row = numbers.middle("Y")
+    faster = numbers.middle(f"FAST_{k}") - speed_of(actor.ledger.situation, whom, actor.ego_speed)
+    metres = row + 0.5 * (actor.limits.length + length) + numbers.middle("AHEAD")
+    seconds = metres / max(faster, 0.5) + faster / actor.limits.throttle  # until it is as fast
+    if actor.stand.meets is not Meets.TOWARD:
+        return seconds
+    return seconds + BACK_OVER if _comes_back(actor, k) else HALF_BY * seconds
+
+
+def eases(actor: Actor, k: int, way: str) -> str:
+    """How somebody who has passed another in its k-th deed comes to be no faster than that, before it comes in."""
+    least = speed_of(actor.ledger.situation, done_to(actor.deeds[k]), actor.ego_speed) + NEARLY
+    return f"BrakeOnPath({way}, $EASE) until self.pose[3] < {least:.4g}"
+
+
+def _comes_back(actor: Actor, k: int) -> bool:
+    """Whether somebody who passes in the ego's lane is to be back in its own before it meets the ego."""
+    contact = actor.ledger.situation.contact
+    return (contact is not None and not contact.happens) or k + 1 < len(actor.deeds)
 
 
 def comes_in(actor: Actor, k: int) -> str:
     """How somebody comes into the lane so that it leaves the room that was said: beside whom it leaves it."""
     ahead = f"{_MIDDLES}${_bound(actor, k)}"
-    return to_whom(f"PaceOnPath({OWN}, ego, {ahead}, 40) until abs(offsetFrom({OWN}, self)) < 0.8", actor.deeds[k])
+    least = f"{WAITS * actor.ego_speed:.3g}"  # or both would stop for each other
+    return to_whom(
+        f"PaceOnPath({OWN}, ego, {ahead}, 40, {least}) until abs(offsetFrom({OWN}, self)) < 0.8", actor.deeds[k]
+    )
 
 
 def _bound(actor: Actor, k: int) -> str:

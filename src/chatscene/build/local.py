@@ -5,17 +5,22 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+import numpy as np
+import shapely
+
 from chatscene.build.asked import Meets
 from chatscene.build.place import LANE, ring_arms
 from chatscene.errors import MapError, NotBuilt
 from chatscene.terms.situation import Deed
 from chatscene.terms.vocabulary import COMES_IN, Act, Breach, EgoLight, Where
 from chatscene.world.control import curve_speeds
-from chatscene.world.places import line_of, ringTraffic
+from chatscene.world.places import lanes_beside, line_of, ringTraffic
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
+KERB_ASIDE = 2.5  # [m] from the middle of the outermost lane to that of who stands at the kerb
+WIDER = 1.15  # times its smallest circle, which it does not reach at once
 _QUIET = frozenset((Act.STAND, Act.STOP))
 _INTO_THE_WAY = COMES_IN | {Act.TURN_LEFT, Act.TURN_RIGHT, Act.U_TURN, Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE}
 """What comes into the way of others, whoever does it."""
@@ -69,3 +74,29 @@ def check_turn(actor: Actor, k: int) -> None:
             f"nothing builds yet: {actor.path}.does.{k}.act: {actor.deeds[k].act} of a {actor.one.kind} that "
             f"turned back, since it takes {circle:.0f} m to turn round again"
         )
+
+
+def radius_to_turn_round(actor: Actor, k: int) -> float:
+    """The radius [m] of the circle on which somebody turns round into the lane of those who come against it.
+
+    Raises:
+        NotBuilt: There is no such lane beside the ego's, or the road is too narrow for its circle.
+    """
+    at, limits, route = f"{actor.path}.does.{k}.act: {actor.deeds[k].act}", actor.limits, actor.found.route
+    if lanes_beside(route).get("left") is not True:
+        raise NotBuilt(f"no map has such a place: {at}, which takes a lane of oncoming traffic to the left of ours")
+    aside = LANE + (KERB_ASIDE if actor.stand.meets is Meets.KERB else 0.0)
+    circle = max(aside, 2.0 * WIDER * limits.wheelbase / math.tan(limits.wheel_angle))
+    x, y = route.line.point_at(route.eventAt)
+    left = route.line.heading_at(route.eventAt) + math.pi / 2
+    steps = np.arange(0.0, 40.0, 0.25)
+    inside = shapely.intersects_xy(
+        route.network.drivableRegion.polygons, x + steps * math.cos(left), y + steps * math.sin(left)
+    )
+    room = float(steps[int(np.argmin(inside))]) + aside - LANE
+    if circle + limits.width / 2 > room:
+        raise NotBuilt(
+            f"nothing builds yet: {at} of a {actor.one.kind}, which takes {circle + limits.width / 2:.0f} m of road to"
+            f" its left, of which there are {room:.0f} m"
+        )
+    return circle / 2

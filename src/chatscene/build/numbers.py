@@ -19,6 +19,7 @@ MOST = 0.95  # of a body's top speed, which nobody quite reaches
 RANGES: dict[str, tuple[float, float, str, str]] = {
     "OFFSET": (-1.5, 1.0, "s", "how much sooner than the ego it is where their ways meet"),
     "BRAKE": (0.5, 1, "1", "how hard it brakes"),
+    "EASE": (0.2, 0.35, "1", "how gently it brakes"),
     "BRAKE_TIME": (0.7, 1.4, "s", "for how long it brakes"),
     "STOP_TIME": (1, 2.5, "s", "how long it stands"),
     "GO_TIME": (1, 2, "s", "for how long it goes on so"),
@@ -29,8 +30,10 @@ RANGES: dict[str, tuple[float, float, str, str]] = {
     "SWERVE": (1.6, 2.6, "m", "how far it swerves"),
     "SWERVE_TIME": (1, 1.6, "s", "for how long it swerves"),
     "DRIFT": (1.4, 2, "m", "how far it drifts"),
+    "NEAR_TIME": (2, 3, "s", "for how long it goes on before the ego"),
     "PACE_TIME": (2, 3.5, "s", "for how long it keeps so"),
     "LEVEL": (-2, 2, "m", "how far ahead of the ego it keeps"),
+    "STEADY": (0.6, 1.8, "s", "for how long it goes on before it does anything"),
     "GAP": (0.5, 2.5, "m", "how much room it leaves"),
     "ROOM": (5, 12, "m", "how far behind whom it follows it is"),
     "AHEAD": (3, 8, "m", "how far ahead it is before it comes back"),

@@ -7,22 +7,31 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import Meets, stands_first
+from chatscene.build.asked import STOPS, Meets, stands_first, stops_ahead
 from chatscene.build.chain import in_terms_of, meeting_of
 from chatscene.build.coming import lost_in_curves
 from chatscene.build.deeds import GO, MOVE
+from chatscene.build.gaps import LOSES
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
-from chatscene.build.place import LANE, at_junction
+from chatscene.build.place import LANE, at_junction, room_against
+from chatscene.build.relations import AGAINST, ALONG
 from chatscene.build.timing import Course, Meeting, course
 from chatscene.build.waiting import when_of
 from chatscene.maps.crossings import MEETING
+from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import EGO, Other
 from chatscene.terms.vocabulary import Act, Facing, Where
 
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
+REACTS = 0.85  # of the speed that the ego wants: who is behind it sees it brake
+BEHIND_IT = 3.0  # [m] behind whom it stops somebody stands
+LASTS = 3.0  # [s] in which the last of what somebody does is seen
+SPARE = 30.0  # [m] of road behind who comes against the ego, for those behind it
+_ANYWHERE = (None, Site.MOTORWAY, Site.RURAL)
+_GOES_ON = frozenset((Act.GO_ALONG, Act.FOLLOW))
 NEAREST = 4.0  # [m] before a junction: who is nearer is in it
 DRIVES = 1.0  # [s]: who drives so long before it brakes is seen to come driving
 BEGUN = 0.8  # [s]: what is done so long before the ego is there is seen to begin
@@ -57,13 +66,21 @@ class Opening:
     @property
     def ahead(self) -> Course:
         """Where it is when its last deed begins, since the first did."""
-        return self.phases.begins(self.bodies, Course())
+        actor = self.phases.actor
+        drives = actor.stand.meets in (Meets.ALONG, Meets.TOWARD) and not self.phases.stands()
+        return self.phases.begins(self.bodies, Course(speed=actor.numbers.middle("SPEED") if drives else 0.0))
 
     def texts(self) -> Iterator[str]:
         """What is done until the first deed is due."""
         actor, steps = self.phases.actor, self.phases.steps
         deed, when = actor.deeds[self.first], actor.deeds[self.first].when
         waits = self._waits()
+        if actor.stand.rolls and actor.stand.meets is Meets.TOWARD:
+            self._come_from_afar()
+        if (before := self.phases.avoids(self.first)) is not None:
+            yield f"{waits} until {self.phases.must_avoid(before)}"
+            actor.ledger.take(*(f"{actor.path}.does.{self.first}.when.{name}" for name in ("after", "during")))
+            return
         if when is not None:
             yield from when_of(actor, self.first, when, waits)
             if when.ego_within is not None or actor.stand.ego_meets == "egoRoute.eventAt":
@@ -71,18 +88,65 @@ class Opening:
         lasting = all(one.lasting for one in steps)
         if (lasting or self._only_waits()) and (actor.stand.meets is Meets.ALONG or self._goes_along()):
             return
-        if not actor.stand.rolls:
+        soon = self._begins_soon()
+        if not (actor.stand.rolls or soon):
             self._make_room()
             self._roll_up()
         if deed.act is Act.STAND and deed.time is not None:
             return  # it stands so long from the beginning
         if stands_first(actor.one):
             yield f"{waits} for {STOOD:g} seconds"
-        if not actor.stand.rolls or actor.stand.meets is Meets.ALONG:
+        yield from self._goes_on(waits, soon=soon)
+        yield from self._comes_to_meet()
+
+    def _goes_on(self, waits: str, *, soon: bool) -> Iterator[str]:
+        """It goes on, or waits, until its first deed is due, if that is not seen by how near it is to the ego."""
+        actor = self.phases.actor
+        if before := self._stands_before():
+            yield f"{waits} until {self._is_near(before)}"
+        elif self._reacts():
+            yield f"{waits} until ego.pose[3] < {REACTS:g} * {actor.ego_speed:.4g}"
+        elif soon:
+            yield self._soon(waits)
+        elif not actor.stand.rolls or actor.stand.meets is Meets.ALONG:
             yield f"{waits} until {self._due()}"
+
+    def _stands_before(self) -> Other | None:
+        """Who stands before it in the ego's lane, if it stops and so stops behind that."""
+        actor = self.phases.actor
+        stops = actor.deeds[self.first].act in STOPS and stops_ahead(actor.one)
+        return self._standing_ahead() if stops and actor.stand.meets is Meets.ALONG else None
+
+    def _standing_ahead(self) -> Other | None:
+        others = (one for one in self.phases.actor.ledger.situation.others if one.id != self.phases.actor.one.id)
+        return next((one for one in others if one.starts.where is Where.AHEAD and stands_first(one)), None)
+
+    def _is_near(self, before: Other) -> str:
+        """When it is so near to who stands before it that it must brake to stand behind that."""
+        actor, name = self.phases.actor, name_of(before.id)
+        braking = f"self.pose[3] ** 2 / (2 * $BRAKE * {actor.limits.brake:g})"
+        return f"headway(egoRoute, self, {name}) < {braking} + (self.length + {name}.length) / 2 + {BEHIND_IT:g}"
+
+    def _reacts(self) -> bool:
+        """Whether it is behind an ego that loses speed, and so does then."""
+        actor, situation = self.phases.actor, self.phases.actor.ledger.situation
+        loses = any(deed.act in LOSES for deed in situation.ego.does)
+        ahead = (one for one in situation.others if one.starts.where is Where.AHEAD and one.id != actor.one.id)
+        loses = loses or any(deed.act in LOSES for one in ahead for deed in one.does)
+        behind = actor.stand.behind and actor.one.starts.where is Where.BEHIND and not actor.stand.rolls
+        return behind and loses and actor.deeds[self.first].act in LOSES
+
+    def _soon(self, waits: str) -> str:
+        """It goes on for a while, as it began."""
+        actor = self.phases.actor
+        actor.takes = (actor.numbers.range_of("STEADY")[1] + self.ahead.seconds + LASTS) * actor.ego_speed
+        return f"{waits} for $STEADY seconds"
+
+    def _comes_to_meet(self) -> Iterator[str]:
+        """It goes on until it is so near to the ego, or to the junction, that its first deed is due."""
+        actor, steps = self.phases.actor, self.phases.steps
         if actor.stand.meets is Meets.TOWARD and not steps[self.first].lasting:
-            seconds = f"($LEAD_TIME + {self.ahead.seconds:.1f})" if self.ahead.seconds else "$LEAD_TIME"
-            yield f"{self._go()} until gap(self, ego) < (self.pose[3] + ego.pose[3]) * {seconds}"
+            yield f"{self._go()} until gap(self, ego) < {self._far('(self.pose[3] + ego.pose[3]) * $LEAD_TIME')}"
         yield from self._comes_close()
 
     def _comes_close(self) -> Iterator[str]:
@@ -140,6 +204,36 @@ class Opening:
         when = actor.deeds[first].when
         waits = (when.after or when.during or "") if when is not None else ""
         return first > self.first and waits.partition(".")[0] not in ("", EGO, actor.one.id)
+
+    def _come_from_afar(self) -> None:
+        """Let who comes driving against the ego be so far off that it does all before they meet."""
+        actor = self.phases.actor
+        first = actor.first or actor
+        if first.one.starts.distance is not None or "$Y" not in first.stand.at:
+            return
+        low, high, unit, meaning = first.numbers.range_of("Y")
+        soon = actor.numbers.range_of("LEAD_TIME")[1] + actor.numbers.range_of("STEADY")[0]
+        needed = self.ahead.metres + actor.ego_speed * self.ahead.seconds + (actor.ego_speed + self._wish()) * soon
+        needed -= actor.room
+        most = max(room_against(actor.found.route) - SPARE, high)
+        actor.takes = needed + SPARE
+        first.numbers.measure("Y", min(max(low, needed), most), min(max(high, needed), most), unit, meaning)
+
+    def _far(self, lead: str) -> str:
+        """How far [m] it and the ego come toward each other until its last deed begins, and a time before they meet."""
+        if not self.ahead.seconds:
+            return lead
+        return f"{lead} + {self.ahead.metres:.1f} + ego.pose[3] * {self.ahead.seconds:.1f}"
+
+    def _begins_soon(self) -> bool:
+        """Whether nothing says where its first deed is to be: on an open road among those who go along it."""
+        actor = self.phases.actor
+        situation, stand, query = actor.ledger.situation, actor.stand, actor.found.query
+        place = query["maneuver"] != Maneuver.STRAIGHT or at_junction(situation) or query.get("site") not in _ANYWHERE
+        others = all(one.starts.where in ALONG | AGAINST and not stands_first(one) for one in situation.others)
+        before = stand.meets is Meets.ALONG and not stand.behind and actor.one.starts.where is Where.AHEAD
+        waits = any(deed.act not in _GOES_ON | (LOSES if before else set()) for deed in situation.ego.does)
+        return stand.meets is Meets.ALONG and not (place or waits or stand.rolls) and others
 
     def _make_room(self) -> None:
         """Let it be so far along the ego's route that the ego is not there too soon."""
@@ -228,7 +322,10 @@ class Opening:
         speed = self.phases.paces.before[self.first]
         if speed.name and keeps_distance(self.phases.actor):
             return GO.replace("$SPEED", f"${speed.name}")
-        ahead = "-$Y" if self.phases.actor.stand.behind else "$Y"
+        room = self.phases.actor.room
+        ahead = f"-$Y - {room:g}" if self.phases.actor.stand.behind else f"$Y + {room:g}"
+        if self.phases.actor.leads:
+            return GO.replace("$SPEED", f"{self.phases.actor.ego_speed:.4g}")
         if not keeps_distance(self.phases.actor):
             least = min(LEAST, 0.8 * self.phases.actor.ego_speed)
             return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, {least:.3g})"
@@ -255,7 +352,7 @@ class Opening:
                 there = "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0])"
                 return f"{there} < {wait:.2f} + $OFFSET" + self._or_yields()
             case _ if (shown := self._shows()) is not None:
-                return f"headway(egoRoute, self, {name_of(shown.id)}) < self.pose[3] * (1 + $LEAD_TIME) + 5"
+                return f"headway(egoRoute, self, {name_of(shown.id)}) < self.pose[3] * (0.6 + $LEAD_TIME) + 5"
             case _:
                 due = f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
                 return due + (self._or_yields() if self.phases.actor.ego.stands else "")
@@ -265,8 +362,7 @@ class Opening:
         actor = self.phases.actor
         if actor.one.starts.where is not Where.AHEAD or not actor.deeds or actor.deeds[0].act is not Act.CUT_OUT:
             return None
-        others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
-        return next((one for one in others if one.starts.where is Where.AHEAD and stands_first(one)), None)
+        return self._standing_ahead()
 
     def _in_whose_way(self) -> str:
         """Who comes past whoever opens a door: who waits for that on the ego's road, else the ego."""

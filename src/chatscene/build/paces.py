@@ -13,10 +13,13 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.numbers import MOST, PACES, Numbers
+from chatscene.build.relations import GAINS, GAINS_AGAINST, PASSES, speed_of
 from chatscene.build.timing import Body
+from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.seeing import LOST, SHARE_LOST, gain_of, loss_of
-from chatscene.terms.situation import Deed
+from chatscene.terms.situation import EGO, Deed
+from chatscene.terms.vocabulary import Act, Manner
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -25,9 +28,12 @@ if TYPE_CHECKING:
 SEEN = 1.1  # times what a watcher must see at least
 NEARLY = 0.95  # of the speed that a pedal holds, from which on it is held
 LEAST = 0.3  # [m/s], nobody goes slower on purpose
-PASSES = 1.2  # times as fast as the ego is who gets by it before the road ends
 FOLLOWS = 0.64  # of the ego's speed, the least of who goes with it
 CRAWLS = 1.0  # [m/s]: who must be slower before it gains speed gains it from a stand
+
+
+AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
+_OVER_LANES = frozenset((Act.CUT_IN, Act.CUT_OUT, Act.LANE_CHANGE, Act.MERGE))
 
 
 class Pace(StrEnum):
@@ -210,7 +216,7 @@ def _first(actor: Actor, *, as_ego: bool) -> Speed:
 
 def slowest_with_ego(actor: Actor) -> float:
     """The least speed [m/s] of who keeps its distance to the ego: else both would slow down for each other."""
-    return FOLLOWS * actor.ego_speed
+    return actor.ego_speed if actor.leads else FOLLOWS * actor.ego_speed
 
 
 def keeps_distance(actor: Actor) -> bool:
@@ -233,33 +239,49 @@ def _said_speed(actor: Actor, k: int, steps: Steps, body: Body) -> tuple[str, tu
             low, high = body.wish_for(low), body.wish_for(high)
             numbers.narrow(own, low, high)
         return own, (low, high)
+    if deed.manner is Manner.FAST and deed.act in _OVER_LANES:
+        actor.ledger.take(f"{at}.manner")  # as it does at any speed
+        return own, None
     if deed.manner in PACES and deed.speed is None and bound and steps.pace is Pace.KEEPS:
         actor.ledger.take(f"{at}.manner")
         low, high, *_ = numbers.ranges[PACES[deed.manner]]
-        own = "SPEED" if len({one.manner for one in actor.deeds if one.manner in PACES}) == 1 else own
+        if deed.act in AT_ONE_SPEED and in_one_manner(actor):
+            return "SPEED", numbers.ranges["SPEED"][:2]  # as it comes
+        own = "SPEED" if in_one_manner(actor) else own
         numbers.narrow(own, low, high)
         return own, (low, high)
     return own, None
 
 
+def in_one_manner(actor: Actor) -> bool:
+    """Whether somebody does all that it does slowly, or all of it fast."""
+    return len({one.manner for one in actor.deeds if one.manner in PACES}) == 1
+
+
 def set_passing_speed(actor: Actor, k: int) -> None:
-    """Let somebody be so much faster than the ego that it gets by in its k-th deed.
+    """Let somebody be so much faster than whom it passes in its k-th deed that it gets by.
 
     Raises:
         NotBuilt: It is not, or no such body is.
     """
-    deed = actor.deeds[k]
-    least, name = PASSES * actor.ego_speed, f"FAST_{k}"
+    deed, name, numbers = actor.deeds[k], f"FAST_{k}", actor.numbers
+    situation, whom = actor.ledger.situation, done_to(actor.deeds[k])
+    passed = speed_of(situation, whom, actor.ego_speed)
+    least, most = passed + PASSES, MOST * actor.limits.top_speed
+    low, high = (passed + gain for gain in (GAINS if actor.stand.meets is Meets.ALONG else GAINS_AGAINST))
     if deed.speed is not None:
-        actor.numbers.bind(name, deed.speed, actor.ego_speed, f"{actor.path}.does.{k}.speed")
-    low, high, *_ = actor.numbers.range_of(name)
-    most = high if deed.speed is not None else MOST * actor.limits.top_speed
+        numbers.bind(name, deed.speed, actor.ego_speed, f"{actor.path}.does.{k}.speed")
+        low, high, *_ = numbers.ranges[name]
+        most = high
+    elif numbers.is_said("SPEED") and numbers.ranges["SPEED"][1] >= least:
+        low, high, *_ = numbers.ranges["SPEED"]
     if most < least:
         raise NotBuilt(
-            f"{actor.path}.does.{k}: a {actor.one.kind} at {3.6 * most:.0f} km/h does not overtake an ego at "
-            f"{3.6 * actor.ego_speed:.0f} km/h; say {3.6 * least:.0f} km/h at least, or a slower ego"
+            f"{actor.path}.does.{k}: a {actor.one.kind} at {_kmh(most)} does not overtake "
+            f"{'an ego' if whom == EGO else whom} at {_kmh(passed)}; say {_kmh(least)} at least, or a slower "
+            f"{'ego' if whom == EGO else whom}"
         )
-    actor.numbers.narrow(name, max(low, least), max(high, least))
+    numbers.narrow(name, min(max(low, least), most), min(max(high, least), most))
 
 
 def _told(before: float, after: float) -> str:

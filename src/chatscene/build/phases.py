@@ -8,21 +8,33 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.aim import STOOD, set_offset
-from chatscene.build.asked import Meets, stands_first, stops_on_its_way
+from chatscene.build.asked import Meets, stands_first, stops_ahead, stops_on_its_way
 from chatscene.build.choosing import steps_of
 from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, RESTS_THERE, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
 from chatscene.build.facing import OVER
-from chatscene.build.gaps import backs_by, comes_in, gap_is_said, gets_ahead, seconds_to_get_ahead, seconds_to_get_by
+from chatscene.build.gaps import (
+    LOSES,
+    backs_by,
+    comes_in,
+    gap_is_said,
+    gets_ahead,
+    goes_before,
+    keeps_before,
+    seconds_to_get_ahead,
+    seconds_to_get_by,
+)
 from chatscene.build.local import breaks, check_turn
+from chatscene.build.naming import name_of
 from chatscene.build.numbers import FIRM
-from chatscene.build.opening import Opening
+from chatscene.build.opening import LANE, Opening
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_passing_speed
+from chatscene.build.place import NEXT_LANE
 from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
-from chatscene.terms.situation import Deed
-from chatscene.terms.vocabulary import Act, Manner, Role, Side
+from chatscene.terms.situation import Deed, Other
+from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -32,6 +44,8 @@ WAVE = 20.0  # [m], five times as far as a tracker looks ahead: a shorter wave i
 GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 NEARLY, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
+CLEAR = 0.4  # [m] at least between two of whom one swerves round the other
+SWERVES_AT, NEAR, SLOWER = 1.0, 2.0, 0.7  # [s], [m] before whom it swerves round; of the speed that one then has
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 
 
@@ -127,7 +141,8 @@ class Phases:
             stops_on_its_way(Meets.ACROSS, actor.deeds, k) for k in range(len(actor.deeds))
         ):
             takes += actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
-        return replace(begins, seconds=begins.seconds + takes)
+        far = takes * max((actor.numbers.middle(name) for name in actor.numbers.ranges if "FAST_" in name), default=0.0)
+        return replace(begins, seconds=begins.seconds + takes, metres=begins.metres + far)
 
     def _comes_near(self, first: int, bodies: list[list[str]]) -> float:
         """How far [m] it goes before it comes into the ego's lane, which it needs more room for."""
@@ -170,12 +185,16 @@ class Phases:
     def _bodies(self, first: int, go: str) -> Iterator[list[str]]:
         """The phases of each deed."""
         actor = self.actor
-        way, meanwhile, still, turned = None, go, self._stands(), False
+        way, meanwhile, still, turned = None, go, self.stands(), False
         for k in range(first, len(actor.deeds)):
             steps, deed = self.steps[k], actor.deeds[k]
             body: list[str] = []
-            if k > first and deed.when is not None:
-                body += when_of(actor, k, deed.when, self._at(k, meanwhile))
+            if k > first and (before := self.avoids(k)) is not None:
+                body.append(f"{self._at(k, meanwhile)} until {self.must_avoid(before)}")
+                actor.ledger.take(*(f"{actor.path}.does.{k}.when.{name}" for name in ("after", "during")))
+            elif k > first and deed.when is not None:
+                changes = steps.pace in (Pace.GAINS, Pace.LOSES)
+                body += when_of(actor, k, deed.when, self._at(k, meanwhile, before=changes))
             if steps.comes_in and turned:
                 check_turn(actor, k)
                 body += [f"{MOVE} until abs(offsetFrom(egoRoute, self)) > {OUTSIDE}"]
@@ -185,23 +204,67 @@ class Phases:
                 near = RESTS if actor.stand.meets is Meets.ACROSS else f"{GO} until {actor.stand.left} < {RESTS_THERE}"
                 body.append(self._at(k, near, before=True))
             elif self._must_get_going(k, still=still) and not (k == first and actor.stand.meets is Meets.THROUGH):
-                body += self._gets_going(k, first, meanwhile)
+                if deed.act is not Act.GO_ALONG and goes_before(actor, k) and actor.deeds[k - 1].act in LOSES:
+                    body.append(keeps_before(actor, way or "{p}"))
+                else:
+                    body += self._gets_going(k, first, meanwhile)
             body += self._of(k, steps, way, still=still, last=k == len(actor.deeds) - 1, go=meanwhile)
-            way = steps.way or way
+            way = steps.way or self._line_aside(k, way) or way
             if actor.stand.meets is not Meets.ACROSS and way:
                 meanwhile = GO.replace("{p}", way)
             still = steps.pace is Pace.STANDS
             turned ^= deed.act is Act.TURN_BACK
             yield body
 
+    def _line_aside(self, k: int, way: str | None) -> str:
+        """The line beside its own on which somebody goes on that left it, and does not come back."""
+        actor, deed = self.actor, self.actor.deeds[k]
+        last, avoids = k + 1 == len(actor.deeds), self.avoids(k)
+        stays = avoids is not None or (
+            not last and (deed.act is Act.DRIFT or (deed.act is Act.SWERVE and self._then(k) in LOSES))
+        )
+        if not stays or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD):
+            return ""
+        if avoids is not None and deed.distance is None:
+            least = 0.5 * (actor.limits.width + avoids.kind.row.body.row.limits.width) + CLEAR
+            actor.numbers.narrow("SWERVE", least, least + CLEAR)
+        name = str(deed.act).upper() + (f"_{k}" if deed.distance is not None else "")
+        own = f"way{name_of(actor.one.id)}" + (".line" if actor.stand.way == "egoRoute" else "")
+        return f"{way or own}.offset({self._aside(deed, k)} * ${name})"
+
+    def avoids(self, k: int) -> Other | None:
+        """Who stops or stands in the ego's lane, if somebody there swerves round that."""
+        actor, here = self.actor, self.actor.one
+        swerves = actor.deeds[k].act is Act.SWERVE and here.starts.where is Where.AHEAD
+        if not swerves or actor.stand.meets is not Meets.ALONG:
+            return None
+        others = (one for one in actor.ledger.situation.others if one.id != here.id and one.starts.where is Where.AHEAD)
+        return next((one for one in others if stops_ahead(one) or stands_first(one)), None)
+
+    def must_avoid(self, one: Other) -> str:
+        """When somebody is so near to whom it swerves round that it must."""
+        name, slow = name_of(one.id), SLOWER * self.actor.ego_speed
+        near = f"self.pose[3] * {SWERVES_AT:g} + (self.length + {name}.length) / 2 + {NEAR:g}"
+        return f"{name}.pose[3] < {slow:.3g} and headway(egoRoute, self, {name}) < {near}"
+
     def _must_get_going(self, k: int, *, still: bool) -> bool:
         """Whether it must get under way before a deed, from a stand or to a speed that was chosen for it."""
         steps, before = self.steps[k], self.paces.before[k]
-        if not steps.going or (steps.pace is Pace.GAINS and before.high <= CRAWLS):
+        twice = k > 0 and self.actor.deeds[k].act is self.actor.deeds[k - 1].act is Act.BRAKE
+        if twice and self.actor.stand.meets is not Meets.ACROSS:
+            return True
+        if self._goes_on_braking(k) or not steps.going or (steps.pace is Pace.GAINS and before.high <= CRAWLS):
             return False
         return still or (bool(before.name) and steps.pace is not Pace.GAINS)
 
-    def _stands(self) -> bool:
+    def _goes_on_braking(self, k: int) -> bool:
+        """Whether it comes to a stand by the braking that it has begun."""
+        deeds = self.actor.deeds
+        across = self.actor.stand.meets is Meets.ACROSS
+        stops = deeds[k].act is Act.STOP and k > 0 and deeds[k].when is None and not across
+        return stops and deeds[k - 1].act in (Act.BRAKE, Act.SLOW_DOWN)
+
+    def stands(self) -> bool:
         """Whether it stands before its first deed."""
         meets = self.actor.stand.meets
         waits = meets is Meets.KERB or (meets is Meets.ACROSS and self.actor.stand.left != "0")
@@ -255,7 +318,7 @@ class Phases:
         actor, deed = self.actor, self.actor.deeds[k]
         ends = last and bool(steps.last) and deed.time is None
         phases = steps.last if ends else steps.does
-        own = steps.way or way
+        own = steps.way or self._line_aside(k, way) or way
         if last and not ends:
             phases = (*phases, GO.replace("{p}", own) if own and actor.stand.meets is not Meets.ACROSS else go)
         if deed.act in (Act.STOP, Act.BRAKE, Act.STAND) and self._then(k) is Act.STAND and deed.time is None:
@@ -272,12 +335,30 @@ class Phases:
         if deed.act in OVER and all(one.act not in OVER for one in actor.deeds[:k]) and actor.stand.over:
             phases = (phases[0].replace(MOVE, f"MoveAhead($SPEED, {actor.stand.over})"), *phases[1:])
         yield from gets_ahead(actor, k, way or "{p}", last=last)
-        if gap_is_said(deed) and deed.speed is None:
-            phases = (comes_in(actor, k), *phases[1:])
+        phases = self._beside_ego(k, phases, way or "{p}")
         for text in self._careful(phases) if last else phases:
             said = to_whom(self._of_deed(k, text, steps), deed)
             said = said.replace("{meets}", actor.stand.ego_meets)
             yield said.replace("{aside}", self._aside(deed, k)).replace("{p}", way or "{p}")
+        self._take_side(k)
+
+    def _beside_ego(self, k: int, phases: tuple[str, ...], way: str) -> tuple[str, ...]:
+        """The phases of a deed by how far before the ego somebody is to be in it."""
+        actor, deed = self.actor, self.actor.deeds[k]
+        if deed.act in (Act.GO_ALONG, Act.FOLLOW) and goes_before(actor, k):
+            return (keeps_before(actor, way),)
+        if gap_is_said(deed) and deed.speed is None:
+            return (comes_in(actor, k), *phases[1:])
+        return phases
+
+    def _take_side(self, k: int) -> None:
+        """Take to which side and to whom a deed is done, and tell what is not done of it."""
+        actor, deed = self.actor, self.actor.deeds[k]
+        if deed.act is Act.EXIT and actor.stand.meets is Meets.ALONG:
+            actor.ledger.assume(f"{actor.one.id} stays on the road where it would exit, as no ramp is taken yet")
+        beside = actor.one.starts.where in NEXT_LANE and deed.act is Act.OVERTAKE
+        if beside and deed.to not in (None, actor.one.starts.side):
+            raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, of who is on the other side")
         if deed.to is not None and deed.act in (Act.CUT_OUT, Act.LANE_CHANGE, Act.OVERTAKE):
             if actor.named.setdefault("side", str(deed.to)) != str(deed.to):
                 raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, after the other side")
@@ -315,9 +396,21 @@ class Phases:
                 text = _renamed(text, name, own)
                 continue
             numbers.bind(own, said, actor.ego_speed, f"{at}.{amount}")
+            if name in ("DRIFT", "SWERVE") and self._over_the_edge(deed):
+                numbers.move(own, 0.5 * (LANE - actor.limits.width))
             text = _renamed(text, name, own)
         if deed.act is Act.OVERTAKE and "FAST" in steps.binds.values():
             text = _renamed(text, "FAST", f"FAST_{k}")
+        if deed.act is Act.KEEP_LEVEL and numbers.is_said("SPEED"):
+            text = text.replace(", 25, 2)", ", $SPEED, 0.97 * $SPEED)")  # which it does not give up
+        return self._braking(k, text, steps)
+
+    def _braking(self, k: int, text: str, steps: Steps) -> str:
+        """A phase that brakes as hard as was said, or as it began to."""
+        actor, deed = self.actor, self.actor.deeds[k]
+        numbers, at = actor.numbers, f"{actor.path}.does.{k}"
+        if self._goes_on_braking(k) and deed.acceleration is None and f"BRAKE_{k - 1}" in numbers.ranges:
+            text = _renamed(text, "BRAKE", f"BRAKE_{k - 1}")
         if deed.manner is not None and deed.manner in FIRM and deed.acceleration is None and "$BRAKE" in text:
             numbers.narrow(f"BRAKE_{k}", FIRM[deed.manner], 1.0)
             text = _renamed(text, "BRAKE", f"BRAKE_{k}")
@@ -325,6 +418,12 @@ class Phases:
         elif deed.manner is Manner.SUDDEN and not steps.lasting:  # nobody shows beforehand what it is about to do
             actor.ledger.take(f"{at}.manner")
         return text
+
+    def _over_the_edge(self, deed: Deed) -> bool:
+        """Whether somebody leaves its lane for the ego's: what was said is then how far it is over the edge of that."""
+        start, toward = self.actor.one.starts, self.actor.stand.meets is Meets.TOWARD
+        away = start.side if not toward else Side.LEFT
+        return (toward or start.where in NEXT_LANE) and deed.to is not away
 
     def _at_full_power(self, k: int, text: str) -> str:
         """A phase with the pedal that gives the acceleration that was said, at the speed that it has before."""
@@ -351,7 +450,9 @@ class Phases:
             sign = 1 if deed.to is Side.LEFT else -1
             return str(-sign if toward else sign)
         if toward:
-            return "(1 if offsetFrom(egoRoute, self) > 0 else -1)"
+            return "1"
+        if self.actor.stand.meets is Meets.ALONG:
+            return "-1" if self.actor.one.starts.side is Side.LEFT else "1"
         return "(-1 if offsetFrom(egoRoute, self) > 0 else 1)"
 
 

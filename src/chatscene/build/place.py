@@ -13,6 +13,7 @@ from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, RightOfWay, RoadKind, Side, Where
 from chatscene.world.places import EgoRoute as Route
+from chatscene.world.places import neighbourPath, ownLane
 
 LANE = 3.5  # [m], a lane's width
 NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
@@ -157,3 +158,8 @@ def wrong_way(one: Other) -> Other:
     if not goes or one.starts.where is not Where.AHEAD or one.starts.facing is not Facing.AGAINST:
         return one
     return replace(one, starts=replace(one.starts, where=Where.ONCOMING_IN_OUR_LANE))
+
+
+def room_against(route: Route) -> float:
+    """How far ahead [m] of the ego somebody can be at most who comes against it in the lane to its left."""
+    return ownLane(route).project(*neighbourPath(route, "left").point_at(0.0))[0]

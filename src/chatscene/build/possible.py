@@ -31,7 +31,7 @@ FROM: dict[Act, frozenset[Where]] = {
     Act.KEEP_LEVEL: NEXT_LANE,
     Act.CROSS: OFF_ROAD | {Where.ARM},
     Act.CUT_OUT: frozenset((Where.AHEAD,)),
-    Act.LANE_CHANGE: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP},
+    Act.LANE_CHANGE: _LANES - {Where.ARM} | {Where.ON_RAMP},
     Act.TURN_LEFT: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
     Act.TURN_RIGHT: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
     Act.YIELD: _JOINS | _AGAINST | {Where.ARM},

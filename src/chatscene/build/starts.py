@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from chatscene.build.asked import Asked, Meets, Stand, bolts
+from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, stops_ahead
 from chatscene.build.chain import in_terms_of
 from chatscene.build.coming import lost_in_curves
 from chatscene.build.facing import faces, slanting, turned
@@ -19,17 +19,21 @@ from chatscene.build.place import (
     from_left,
     is_marked,
     ring_arms,
+    room_against,
     way_of,
 )
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import CrossingPath
 from chatscene.maps.ring_ways import ROUND
-from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Side, Striker, Where
+from chatscene.terms.situation import Situation
+from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Role, Side, Striker, Where
 from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
 EDGE, MEDIAN = 1.2, 1.9  # [m] from the ego's line, in its lane and between the directions
+HEADWAY = 0.9, 1.7  # [s] behind whom it follows an ego is, from and to
+CAREFUL = 1.5, 2.5  # [s] behind the ego, from and to, is who is careful, and lets it into its lane
 _EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
 
 
@@ -66,13 +70,15 @@ def _ahead(asked: Asked) -> Stand:
     aside = -0.9 if asked.rides else 0.0
     if asked.swings_out and asked.stands:
         asked.reach(-2, 2, "how far beyond where the ego swings out it stands")
+        queue = sum(one.kind.row.body.row.limits.length + ROOM for one in asked.situation.others if stops_ahead(one))
+        more = asked.more + (f" + {queue:g}" if queue else "")  # of whom it swings out round first
         way = _within("ownLane(egoRoute)", aside)
-        return Stand(meets=Meets.ALONG, way=way, at=f"egoRoute.eventAt + $Y{asked.more}")
+        return Stand(meets=Meets.ALONG, way=way, at=f"egoRoute.eventAt + $Y{more}")
     if asked.swings_out:  # who is passed while it goes: it is there when the ego is
         asked.ahead(22, 30)
         return Stand(meets=Meets.ALONG, way=_within("ownLane(egoRoute)", aside), at=f"$Y{asked.more}")
     far = asked.stands and not asked.ego.stands  # so that it has done what it does when the ego is there
-    asked.ahead(*((38, 56) if far else (11, 19)))
+    asked.ahead(38, 56) if far else asked.headway(*HEADWAY)
     return Stand(meets=Meets.ALONG, way=_within(asked.lane, aside), at=f"$Y{asked.more}", anywhere=far)
 
 
@@ -84,8 +90,13 @@ def _within(way: str, aside: float) -> str:
 def _behind(asked: Asked) -> Stand:
     if asked.begins_beside:
         return _comes_along(asked)
-    low, high = (28.0, 45.0) if asked.ego.stands and not asked.stands else (9.0, 17.0)
-    asked.reach(low, high, "how far behind the ego it is")
+    close = asked.one.role is Role.ADVERSARY or any(deed.act is Act.TAILGATE for deed in asked.one.does)
+    if asked.ego.stands and not asked.stands:
+        asked.reach(28.0, 45.0, "how far behind the ego it is")
+    elif close:
+        asked.reach(9.0, 17.0, "how far behind the ego it is")
+    else:
+        asked.headway(*CAREFUL)
     way = "ownLane(egoRoute)" if beside_lane(asked.situation) else "egoRoute"
     return Stand(meets=Meets.ALONG, way=f"extended({way}, 80)", at=f"80 - $Y{asked.less}", behind=True)
 
@@ -114,6 +125,14 @@ BESIDE_TO_STRIKE = {Striker.EGO: (2.5, 5.0), Striker.OTHER: (-2.5, 0.8)}
 """How far [m] ahead of the ego somebody beside it is who comes over, by who runs into whom."""
 
 
+_INTO = {EgoRoute.LANE_CHANGE_LEFT: Side.LEFT, EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT, EgoRoute.MERGE: Side.LEFT}
+
+
+def changes_to(situation: Situation, side: str) -> bool:
+    """Whether the ego changes to the lane on a side."""
+    return situation.ego.route is not None and _INTO.get(situation.ego.route) == side
+
+
 def _next_lane(asked: Asked) -> Stand:
     if asked.begins_beside:
         if asked.one.starts.where is Where.BEHIND_BESIDE:
@@ -127,6 +146,8 @@ def _next_lane(asked: Asked) -> Stand:
         over = "1.5708" if asked.side == Side.RIGHT else "-1.5708"
         return replace(stand, facing=faces(asked, f"level{{i}}{asked.more}", Facing.ALONG, asked.side), over=over)
     low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
+    if where is Where.BEHIND_BESIDE and asked.one.role is Role.SUPPORTING and changes_to(asked.situation, asked.side):
+        low, high = (asked.middles + one * asked.ego.speed for one in CAREFUL)
     contact = asked.situation.contact
     strikes = contact is not None and contact.happens and contact.whom in (None, asked.one.id)
     if where is Where.BESIDE and strikes and contact is not None and contact.striker is not None:
@@ -257,10 +278,11 @@ def _oncoming(asked: Asked) -> Stand:
         at=f"levelOn(way{{i}}, egoRoute, $Y{asked.more})",
         lines=("meet{i} = levelOn(way{i}, egoRoute, egoRoute.eventAt)",),
         left="distanceLeft(way{i}, {first}, meet{i})",
-        rolls=asked.comes,
+        rolls=asked.rolls and asked.one.kind.row.body.row.motorised,
     )
     if not asked.swings_out or asked.one.starts.distance is not None or not asked.comes:
         return stand
+    _slow_enough(asked)
     if asked.first is not None:  # who meets an ego that swings out is there when it does
         return replace(stand, at=f"back{{row}}{asked.less}")
     back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoRoute.eventAt', '')})"
@@ -272,6 +294,24 @@ def _walks_at_crosswalk(asked: Asked) -> bool:
     crosses = any(deed.act is Act.CROSS for deed in asked.one.does)
     at_side = asked.one.starts.where is Where.ROADSIDE and asked.one.starts.distance is None
     return is_marked(asked.found) and asked.walks and crosses and at_side
+
+
+def _slow_enough(asked: Asked) -> None:
+    """Let who comes against an ego that swings out be no faster than the road behind it is long for.
+
+    Raises:
+        NotBuilt: It was said to be.
+    """
+    route = asked.found.route
+    seconds = route.eventAt / asked.ego.speed + (asked.ego.late or 0.0) + _LATE
+    most = (room_against(route) - route.eventAt) / seconds
+    low, high, *_ = asked.numbers.range_of("SPEED")
+    if low <= most:
+        asked.numbers.narrow("SPEED", low, min(high, most))
+    elif asked.numbers.is_said("SPEED"):
+        raise NotBuilt(f"others.{asked.one.id}: the road by which it comes is too short for over {most:.1f} m/s")
+    else:
+        asked.numbers.narrow("SPEED", 0.85 * most, most)
 
 
 def _beside_road(asked: Asked) -> Stand:

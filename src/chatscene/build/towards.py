@@ -33,6 +33,17 @@ def screens(one: Other, hidden: Other) -> bool:
     return hidden.hidden_by == one.id and one.starts.where is hidden.starts.where is Where.AHEAD
 
 
+def passes(one: Other, other: Other) -> bool:
+    """Whether somebody passes another."""
+    return any(deed.act is Act.OVERTAKE and deed.whom == other.id for deed in one.does)
+
+
+def in_one_row(one: Other, other: Other) -> bool:
+    """Whether two begin one behind the other: in one lane, or where one is beside others that it passes."""
+    where, there = one.starts.where, other.starts.where
+    return where is there or (where is Where.ONCOMING_IN_OUR_LANE and there is Where.ONCOMING)
+
+
 def in_rows(others: Sequence[Other]) -> list[Other]:
     """All, in such an order that of those who share a place each is behind whom it follows, gets by, or hides."""
     order = list(others)
@@ -43,7 +54,7 @@ def in_rows(others: Sequence[Other]) -> list[Other]:
     for one in others:
         for deed in one.does:
             other = next((other for other in order if other.id == deed.whom), None)
-            if other is None or deed.act not in BEHIND or other.starts.where is not one.starts.where:
+            if other is None or deed.act not in BEHIND or not in_one_row(one, other):
                 continue
             first, then = (one, other) if one.starts.where in _FARTHER else (other, one)
             order.remove(then)
@@ -59,9 +70,3 @@ def at_distance(ledger: Ledger, one: Other) -> Other:
             ledger.take(f"ego.does.{k}.distance")
             return replace(one, starts=replace(one.starts, distance=deed.distance))
     return one
-
-
-def is_passed(others: Sequence[Other], one: Other) -> bool:
-    """Whether another gets by somebody who is no slower than the ego by what was said of it."""
-    by = any(deed.act is Act.OVERTAKE and deed.whom == one.id for other in others for deed in other.does)
-    return by and one.starts.speed is None and all(deed.speed is None for deed in one.does)

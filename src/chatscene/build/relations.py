@@ -1,0 +1,153 @@
+"""How the speeds of those on the road stand to each other, by what each does to whom: a row for each relation.
+
+Who passes is faster than whom it passes, who comes up from behind is faster than the ego, who is caught up is slower,
+and who only goes with the traffic is as fast as the ego. Speeds that were said are kept, and those that were not are
+chosen about them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from enum import Enum
+
+from chatscene.build.place import NEXT_LANE
+from chatscene.errors import NotBuilt
+from chatscene.maps.routes import PASSING, SWING
+from chatscene.terms.actors import LIMITS
+from chatscene.terms.amount import Speed
+from chatscene.terms.situation import EGO, Deed, Other, Situation
+from chatscene.terms.vocabulary import Act, EgoRoute, Role, Where
+
+PASSES = 1.5  # [m/s] that somebody is faster at least than whom it passes
+GAINS = (3.0, 5.5)  # [m/s] by which it is, where that was not said, so that it is past before the road ends
+AGAINST = frozenset((Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE))
+AHEAD = frozenset((Where.AHEAD, Where.AHEAD_BESIDE))
+BEHIND = frozenset((Where.BEHIND, Where.BEHIND_BESIDE))
+ALONG = NEXT_LANE | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP}
+GAINS_AGAINST = (5.0, 8.0)  # [m/s], of who passes in the lane of those who come against it
+_WITH = frozenset((Act.KEEP_LEVEL, Act.FOLLOW, Act.TAILGATE))
+_BESIDE = 0.38  # of a swing, at its end, in which the ego is as far aside as it must be to pass
+_SLOWER = 0.85  # of the most that somebody may have, from which on its speed is drawn
+_ROOM = 2.0  # [m] between two of whom one has passed the other
+
+
+class Relation(Enum):
+    """How fast somebody is beside the ego, from and to which share of the ego's speed."""
+
+    WITH = (0.95, 1.05)  # goes with the traffic
+    AGAINST = (0.9, 1.15)  # comes against it
+    CAUGHT_UP = (0.5, 0.75)  # the ego comes up to it
+    PASSED = (0.5, 0.7)  # another passes it
+    COMES_UP = (1.2, 1.5)  # comes up to the ego
+    HAS_PASSED = (1.05, 1.2)  # goes on after it has passed the ego
+
+
+def relation_of(situation: Situation, one: Other) -> Relation | None:
+    """How fast somebody is beside the ego who goes along or against its way; None for others."""
+    where, acts = one.starts.where, [deed.act for deed in one.does]
+    if where not in ALONG | AGAINST or not one.kind.row.body.row.motorised:
+        return None
+    only_goes = one.role is Role.ADVERSARY and all(act.row.lasting and act not in _WITH for act in acts)
+    followed = any(deed.act is Act.FOLLOW for deed in situation.ego.does)
+    rows = (
+        (Relation.PASSED, any(True for _ in _passes(situation, one))),
+        (Relation.AGAINST, where in AGAINST),
+        (Relation.CAUGHT_UP, where in AHEAD and only_goes and not followed),
+        (Relation.COMES_UP, where in BEHIND and only_goes),
+        (Relation.HAS_PASSED, bool(acts) and acts[-1] is Act.OVERTAKE and one.does[-1].whom in (None, EGO)),
+    )
+    return next((relation for relation, holds in rows if holds), Relation.WITH)
+
+
+def speed_beside(situation: Situation, one: Other, ego: float) -> tuple[float, float] | None:
+    """How fast [m/s] somebody is, from and to, of whom no speed was said; None for who stands in no relation.
+
+    Args:
+        situation: What was said.
+        one: Who.
+        ego: What the ego drives at [m/s].
+    """
+    if is_passed_by_ego(situation, one):
+        most = passed_share(one) * ego
+        return _SLOWER * most, most
+    relation = relation_of(situation, one)
+    if relation is None:
+        return None
+    low, high = (share * ego for share in relation.value)
+    for deed in _passes(situation, one):
+        if deed.speed is not None:  # how fast it is passed
+            high = min(high, _least(deed.speed, ego) - PASSES)
+            low = min(low, _SLOWER * high)
+    return low, high
+
+
+def is_passed_by_ego(situation: Situation, one: Other) -> bool:
+    """Whether the ego passes somebody who moves."""
+    return situation.ego.route is EgoRoute.OVERTAKE and one.starts.where is Where.AHEAD
+
+
+def passed_share(one: Other) -> float:
+    """The most of the ego's speed that somebody may have whom it passes while it has swung out."""
+    both = LIMITS["Car"].length + LIMITS[one.kind.row.body.row.scenic].length + _ROOM
+    return max(0.1, 1.0 - both / (PASSING + 2.0 * _BESIDE * SWING))
+
+
+def _passes(situation: Situation, one: Other) -> Iterator[Deed]:
+    """The deeds by which others pass somebody."""
+    yield from (d for other in situation.others for d in other.does if d.act is Act.OVERTAKE and d.whom == one.id)
+
+
+def said_speed(one: Other, ego: float) -> float | None:
+    """The speed [m/s] that was said of somebody who goes on at it."""
+    deeds = (deed.speed for deed in one.does if deed.act in (Act.GO_ALONG, Act.GO_STRAIGHT) and deed.speed is not None)
+    said = one.starts.speed or next(deeds, None)
+    return None if said is None else _least(said, ego)
+
+
+def _least(said: Speed, ego: float) -> float:
+    low = said.low if said.low > 0.0 else said.high
+    return low + ego * said.than_ego
+
+
+def speed_of_traffic(situation: Situation) -> float:
+    """The most [m/s] that was said of anybody who goes the ego's way, so far as the ego goes as fast; 0 if nothing was.
+
+    Who passes the ego, or comes up to it, is faster than it is.
+    """
+    most = 0.0
+    for one in situation.others:
+        relation = relation_of(situation, one)
+        if one.starts.where not in ALONG or relation in (None, Relation.CAUGHT_UP, Relation.PASSED):
+            continue
+        passes = any(deed.act is Act.OVERTAKE and deed.whom in (None, EGO) for deed in one.does)
+        said = [one.starts.speed, *(deed.speed for deed in one.does if deed.act in (Act.GO_ALONG, Act.OVERTAKE))]
+        fastest = max((_least(speed, 0.0) for speed in said if speed is not None and not speed.than_ego), default=0.0)
+        faster = passes or relation in (Relation.COMES_UP, Relation.HAS_PASSED)
+        most = max(most, fastest - GAINS[0] if faster else fastest)
+    return most
+
+
+def speed_of(situation: Situation, name: str, ego: float) -> float:
+    """The most [m/s] at which somebody goes on, by what was said of it or by how it stands to the ego."""
+    if name == EGO:
+        return ego
+    one = situation[name]
+    if (said := said_speed(one, ego)) is not None:
+        return said
+    beside = speed_beside(situation, one, ego)
+    return beside[1] if beside is not None else ego
+
+
+def check_passed_by_ego(situation: Situation, ego: float) -> None:
+    """Refuse an ego that is no faster than whom it is to pass.
+
+    Raises:
+        NotBuilt: By what was said it is not.
+    """
+    for one in situation.others:
+        said = said_speed(one, ego) if is_passed_by_ego(situation, one) else None
+        if said is not None and said > (most := passed_share(one) * ego):
+            raise NotBuilt(
+                f"others.{one.id}: the ego at {3.6 * ego:.0f} km/h does not overtake a {one.kind} at "
+                f"{3.6 * said:.0f} km/h before it comes back; say {3.6 * most:.0f} km/h at most, or a faster ego"
+            )
