@@ -96,11 +96,6 @@ class Actor:
             first=self.first.stand if self.first is not None else None,
         )
         self.stand = start_of(asked)
-        if self.walks and self.stand.meets is not Meets.ACROSS:
-            where = f"{self.path}.starts.where: {self.one.starts.where}"
-            raise NotBuilt(
-                f"nothing builds yet: {where}, of a {self.one.kind}; say roadside, crossing or exit-crossing"
-            )
         self._keep_up()
         self.named = {}
         at = f"others.{self.one.id}"

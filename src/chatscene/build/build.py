@@ -13,7 +13,7 @@ from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.finding import find, started
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
-from chatscene.build.place import Found, wrong_way
+from chatscene.build.place import Found, along_the_road, wrong_way
 from chatscene.build.possible import OFF_ROAD, impossible
 from chatscene.build.relations import check_passed_by_ego
 from chatscene.build.roadside import beside_road
@@ -64,7 +64,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
         raise NotBuilt(NOBODY)
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
-    situation = replace(situation, others=tuple(map(wrong_way, situation.others)))
+    situation = replace(situation, others=tuple(along_the_road(wrong_way(one)) for one in situation.others))
     usual = wanted_by(situation)
     read = Ledger(situation)
     found = find(read)

@@ -240,8 +240,7 @@ def _said_speed(actor: Actor, k: int, steps: Steps, body: Body) -> tuple[str, tu
             numbers.narrow(own, low, high)
         return own, (low, high)
     if deed.manner is Manner.FAST and deed.act in _OVER_LANES:
-        actor.ledger.take(f"{at}.manner")  # as it does at any speed
-        return own, None
+        return own, None  # it goes over at the speed that it has, so the manner is left out, and told
     if deed.manner in PACES and deed.speed is None and bound and steps.pace is Pace.KEEPS:
         actor.ledger.take(f"{at}.manner")
         low, high, *_ = numbers.ranges[PACES[deed.manner]]

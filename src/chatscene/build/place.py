@@ -160,6 +160,13 @@ def wrong_way(one: Other) -> Other:
     return replace(one, starts=replace(one.starts, where=Where.ONCOMING_IN_OUR_LANE))
 
 
+def along_the_road(one: Other) -> Other:
+    """The same; who goes along the road from beside it faces along, and not across."""
+    first = next((deed.act for deed in one.does if deed.act is not Act.STAND), None)
+    beside = one.starts.where is Where.ROADSIDE and one.starts.facing is None
+    return replace(one, starts=replace(one.starts, facing=Facing.ALONG)) if beside and first is Act.GO_ALONG else one
+
+
 def room_against(route: Route) -> float:
     """How far ahead [m] of the ego somebody can be at most who comes against it in the lane to its left."""
     return ownLane(route).project(*neighbourPath(route, "left").point_at(0.0))[0]

@@ -52,7 +52,7 @@ SIGNS: dict[Act, Sign] = {
     **dict.fromkeys((Act.SWERVE, Act.DRIFT, Act.WEAVE), _ASIDE),
     Act.CUT_OUT: _OVER,
     Act.OVERTAKE: Sign(
-        f"headway(egoRoute, {{whom}}, {{who}}) > -{_NEAR} - 3", f"headway(egoRoute, {{whom}}, {{who}}) > {_NEAR}"
+        f"headway(way{{who}}, {{whom}}, {{who}}) > -{_NEAR} - 3", f"headway(way{{who}}, {{whom}}, {{who}}) > {_NEAR}"
     ),
     Act.OPEN_DOOR: Sign("abs(offsetFrom(way{who}, {who}_door_{k})) > 0.7"),
     Act.DROP_LOAD: Sign("{who}_load_{k}.pose[3] < 0.9 * {who}.pose[3]"),
