@@ -22,7 +22,7 @@ from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.vocabulary import COMES_IN, Act
 
 LONGEST = 3.0  # [s] between one and the other at a place, up to which it is told how long
 EVERY = 1.0  # [s] after which an ego that goes on evenly is followed anew
@@ -31,6 +31,11 @@ NEAR = 1.0  # [m] between bodies when somebody has begun with what it does: so n
 BACK = 80.0  # [m] behind its start that the ego's way is taken to lead straight
 LETS_BY = frozenset((Act.YIELD, Act.CUT_OUT, Act.EXIT, Act.PARK))
 """What is done so that there is no encounter."""
+COMES_NEAR = COMES_IN | {
+    Act.CUT_IN, Act.MERGE, Act.LANE_CHANGE, Act.DRIFT, Act.SWERVE, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT,
+    Act.U_TURN, Act.OVERTAKE, Act.REVERSE, Act.OPEN_DOOR, Act.DROP_LOAD,
+}  # fmt: skip
+"""What brings whoever is not in the ego's way into it, or over it."""
 LOSES = frozenset((Act.STAND, Act.SLOW_DOWN, Act.BRAKE, Act.STOP, Act.REVERSE, Act.HESITATE))
 """What brings whoever is ahead in the ego's own lane nearer to it."""
 
@@ -100,6 +105,8 @@ def _must_meet(situation: Situation, one: Other, track: Track, episode: Episode,
         return False
     way = _way(episode.ego_track, route.line)
     if not _on(way, episode.ego_track, track, 0):
+        if not acts & COMES_NEAR:  # nothing that was said brings it there
+            return False
         moved = range(0, len(track.x), 5)
         return found.between <= LONGEST or any(_on(way, episode.ego_track, track, step) for step in moved)
     along, x, y, heading = way
@@ -110,9 +117,9 @@ def _must_meet(situation: Situation, one: Other, track: Track, episode: Episode,
 
 
 def _heads_for(ego: Track, track: Track, since: int) -> bool:
-    """Whether an ego that stands would be touched soon if somebody went on."""
+    """Whether the two would touch soon if both went on as they go: an ego that stands, or one that drives."""
     stands = np.abs(ego.speed[since:]) < STANDING
-    return bool((times_to_collision(ego, track)[since:][stands] <= BEFORE).any())
+    return bool((times_to_collision(ego, track)[since:] <= np.where(stands, BEFORE, LONGEST)).any())
 
 
 def _on(way: Way, ego: Track, track: Track, step: int) -> bool:

@@ -41,7 +41,7 @@ from chatscene.terms.amount import Duration
 from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import EgoState
-from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation, When
+from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation
 from chatscene.terms.vocabulary import COMES_IN, Breach, EgoRoute, Manner, Side, Where
 from chatscene.terms.vocabulary import Act as Said
 
@@ -51,6 +51,7 @@ __all__ = ["Finding", "failures", "judge"]
 _ASIDE = (Said.SWERVE, Said.DRIFT)
 OVER = 5  # [steps] at the end of which an ego that is hit is seen to lose speed
 LOST_AT_ONCE = 0.5  # [m/s] that it has lost then, if it was losing speed when it was hit
+EDGE = 4.0  # [m] from the ego's line: who is so near comes into its lane
 NEARER = 2.0  # [m] by which an ego comes nearer to somebody whom it is about to overtake
 
 
@@ -80,7 +81,7 @@ class _Judge:
     route: Route
     through: bool
     measure: Measure = field(init=False)
-    waits: list[tuple[str, When, Act, Seen]] = field(default_factory=list[tuple[str, When, Act, Seen]])
+    waits: list[tuple[str, Deed, Act, Seen]] = field(default_factory=list[tuple[str, Deed, Act, Seen]])
 
     def __post_init__(self) -> None:
         wanted = float(np.percentile(self.episode.ego_track.speed, 90))  # as nothing held it
@@ -103,8 +104,8 @@ class _Judge:
         done: dict[str, Act] = {}
         for one in sorted(self.situation.others, key=_waits_for_others):  # who is waited for first
             yield from self._of_other(one, done)
-        for path, when, once, seen in self.waits:  # once it is known when everybody did what
-            yield from self._when(path, when, once, seen, done)
+        for path, deed, once, seen in self.waits:  # once it is known when everybody did what
+            yield from self._when(path, deed, once, seen, done)
         yield from self._of_passing()
         yield from of_contact(self.situation, self.episode)
         if not self.through:
@@ -256,7 +257,7 @@ class _Judge:
                     told="said red-light, it passes no red light",
                 )
             if deed.when is not None:
-                self.waits.append((f"{path}.when", deed.when, once, seen))
+                self.waits.append((f"{path}.when", deed, once, seen))
 
     def _seen(self, one: Other, k: int, seen: Seen, latest: int) -> Iterator[Act]:
         """The times that a deed is seen, of which some began before another did that was said before it."""
@@ -307,7 +308,9 @@ class _Judge:
         found = (speed, hard, measure.way(path, deed, once, seen), measure.stand(path, deed, once, seen))
         yield from (one for one in found if one is not None)
 
-    def _when(self, path: str, when: When, once: Act, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
+    def _when(self, path: str, deed: Deed, once: Act, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
+        when = deed.when
+        assert when is not None
         slack = TOGETHER / seen.dt
         for name, reference in (("after", when.after), ("during", when.during)):
             if reference is None or reference.startswith(f"{EGO}."):
@@ -322,13 +325,22 @@ class _Judge:
             told = f"said {name} {reference}, it begins {(once.began - other.began) * seen.dt:.1f} s after that begins"
             yield Finding(path=f"{path}.{name}", shown=right, told=told, at=once.began * seen.dt)
         if (near := when.ego_within) is not None:
-            lead, ego = abs(float(seen.lead[once.began])), float(seen.ego.speed[once.began])
+            step = _comes(deed, once, seen)
+            lead, ego = abs(float(seen.lead[step])), float(seen.ego.speed[step])
             measured = lead / max(ego, 1.0) if isinstance(near, Duration) else lead
             slack_of = SLACK_TIME if isinstance(near, Duration) else SLACK_LENGTH
             most = near.high if math.isfinite(near.high) else near.low
             right = measured <= most * (1 + 2 * SLACK) + 2 * slack_of
             told = f"said within {near}, the ego is at {measured:.1f}"
             yield Finding(path=f"{path}.ego_within", shown=right, told=told, at=once.began * seen.dt)
+
+
+def _comes(deed: Deed, once: Act, seen: Seen) -> int:
+    """The step at which a deed is seen to begin: of who comes into the ego's lane, when it comes to its edge."""
+    if deed.act not in COMES_IN:
+        return once.began
+    near = np.flatnonzero(np.abs(seen.offset[once.began :]) < EDGE)
+    return once.began + int(near[0]) if near.size else once.began
 
 
 def _waits_for_others(one: Other) -> bool:
