@@ -29,6 +29,7 @@ from chatscene.terms.vocabulary import Act, Breach, Role, Side, UserKind, Where
 from chatscene.world.places import lanes_beside, ownLane
 
 BETWEEN = 1.2  # [m] between things in a row
+OFF = 0.1  # [m] between the lane and the side of what hides somebody
 BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
 SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
 HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast
@@ -406,10 +407,13 @@ class Actor:
         self.ledger.take(*(f"others.{name}.hidden_by" for name in self._hidden_with(hidden.one)))
         length = self.limits.length or 1.2
         away = 2.6 + 0.5 * length + n // 2 * (length + BETWEEN)
-        beyond, aside = 1.2, hidden.numbers.middle("X")
+        off = 0.5 * self.limits.width + OFF  # so that it is beside the lane, and not in it
+        beyond, aside = max(1.2, off), hidden.numbers.middle("X")
         if aside > BEYOND and n % 2 == 0:  # it comes from farther off the road, and what hides it stands there, too
-            beyond = aside - BEYOND
-            away = max(away, BEYOND / (LANE / 2 + aside) * SEEN_FROM * hidden.numbers.middle("Y"))
+            beyond = max(off, aside - BEYOND)
+            over = LANE / 2 + aside
+            far = min(SEEN_FROM * hidden.numbers.middle("Y"), self.ego_speed * over / hidden.numbers.middle("SPEED"))
+            away = max(away, (aside - beyond) / over * far)
         at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
         return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
 

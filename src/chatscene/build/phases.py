@@ -33,6 +33,7 @@ from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import Deed, Other
 from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
 
@@ -220,13 +221,17 @@ class Phases:
         """The line beside its own on which somebody goes on that left it, and does not come back."""
         actor, deed = self.actor, self.actor.deeds[k]
         last, avoids = k + 1 == len(actor.deeds), self.avoids(k)
-        stays = avoids is not None or (
-            not last and (deed.act is Act.DRIFT or (deed.act is Act.SWERVE and self._then(k) in LOSES))
+        round_ego = deed.act is Act.SWERVE and actor.one.starts.where is Where.BEHIND
+        stays = (
+            round_ego
+            or avoids is not None
+            or (not last and (deed.act is Act.DRIFT or (deed.act is Act.SWERVE and self._then(k) in LOSES)))
         )
         if not stays or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD):
             return ""
-        if avoids is not None and deed.distance is None:
-            least = 0.5 * (actor.limits.width + avoids.kind.row.body.row.limits.width) + CLEAR
+        if (avoids is not None or round_ego) and deed.distance is None:
+            body = avoids.kind.row.body if avoids is not None else AdversaryKind.CAR
+            least = 0.5 * (actor.limits.width + body.row.limits.width) + CLEAR
             actor.numbers.narrow("SWERVE", least, least + CLEAR)
         name = str(deed.act).upper() + (f"_{k}" if deed.distance is not None else "")
         own = f"way{name_of(actor.one.id)}" + (".line" if actor.stand.way == "egoRoute" else "")

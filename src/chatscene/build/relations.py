@@ -25,6 +25,7 @@ AHEAD = frozenset((Where.AHEAD, Where.AHEAD_BESIDE))
 BEHIND = frozenset((Where.BEHIND, Where.BEHIND_BESIDE))
 ALONG = NEXT_LANE | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP}
 GAINS_AGAINST = (5.0, 8.0)  # [m/s], of who passes in the lane of those who come against it
+_SLOWS = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
 _WITH = frozenset((Act.KEEP_LEVEL, Act.FOLLOW, Act.TAILGATE))
 _BESIDE = 0.38  # of a swing, at its end, in which the ego is as far aside as it must be to pass
 _SLOWER = 0.85  # of the most that somebody may have, from which on its speed is drawn
@@ -49,14 +50,21 @@ def relation_of(situation: Situation, one: Other) -> Relation | None:
         return None
     only_goes = one.role is Role.ADVERSARY and all(act.row.lasting and act not in _WITH for act in acts)
     followed = any(deed.act is Act.FOLLOW for deed in situation.ego.does)
+    slows = slows_on_its_way(situation)  # so that who does not comes up to it
     rows = (
         (Relation.PASSED, any(True for _ in _passes(situation, one))),
         (Relation.AGAINST, where in AGAINST),
         (Relation.CAUGHT_UP, where in AHEAD and only_goes and not followed),
-        (Relation.COMES_UP, where in BEHIND and only_goes),
+        (Relation.COMES_UP, where in BEHIND and only_goes and not slows),
         (Relation.HAS_PASSED, bool(acts) and acts[-1] is Act.OVERTAKE and one.does[-1].whom in (None, EGO)),
     )
     return next((relation for relation, holds in rows if holds), Relation.WITH)
+
+
+def slows_on_its_way(situation: Situation) -> bool:
+    """Whether the ego drives at first, and then slows down or stops by what was said of it."""
+    acts = [deed.act for deed in situation.ego.does]
+    return bool(acts) and acts[0] is not Act.STAND and not _SLOWS.isdisjoint(acts)
 
 
 def speed_beside(situation: Situation, one: Other, ego: float) -> tuple[float, float] | None:

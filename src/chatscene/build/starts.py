@@ -22,6 +22,7 @@ from chatscene.build.place import (
     room_against,
     way_of,
 )
+from chatscene.build.relations import slows_on_its_way
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import CrossingPath
@@ -91,8 +92,11 @@ def _behind(asked: Asked) -> Stand:
     if asked.begins_beside:
         return _comes_along(asked)
     close = asked.one.role is Role.ADVERSARY or any(deed.act is Act.TAILGATE for deed in asked.one.does)
-    if asked.ego.stands and not asked.stands:
+    waits = [deed.act for deed in asked.situation.ego.does[:1]] == [Act.STAND]
+    if (asked.ego.stands or waits) and not asked.stands:
         asked.reach(28.0, 45.0, "how far behind the ego it is")
+    elif close and slows_on_its_way(asked.situation):
+        asked.headway(*HEADWAY)  # so that the ego has slowed down when it is there
     elif close:
         asked.reach(9.0, 17.0, "how far behind the ego it is")
     else:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from chatscene.build.asked import stands_first
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import Numbers
 from chatscene.build.place import NEXT_LANE
@@ -41,7 +42,8 @@ _OVER = Sign("abs(offsetFrom(egoRoute, {who})) > 0.8", "abs(offsetFrom(egoRoute,
 _NEAR = "(ego.length + {who}.length) / 2"
 _STANDS = Sign("{who}.pose[3] < 0.1")
 SIGNS: dict[Act, Sign] = {
-    **dict.fromkeys((Act.STOP, Act.STAND, Act.YIELD, Act.PARK, Act.FALL), _STANDS),
+    Act.STOP: Sign("{who}.pose[3] < 0.8 * {usual}", "{who}.pose[3] < 0.1"),
+    **dict.fromkeys((Act.STAND, Act.YIELD, Act.PARK, Act.FALL), _STANDS),
     Act.BRAKE: Sign("{who}.pose[3] < 0.8 * {usual}", "{who}.pose[3] < 0.4 * {usual}"),
     Act.SLOW_DOWN: Sign("{who}.pose[3] < 0.85 * {usual}", "{who}.pose[3] < 0.65 * {usual}"),
     Act.HESITATE: Sign("{who}.pose[3] < 0.5"),
@@ -121,6 +123,8 @@ def _sign_of(actor: Actor, who: str, deed: Deed) -> Sign | None:
     if who == EGO:
         return SIGNS[deed.act] if "offset" not in SIGNS.get(deed.act, _IN).begun else None
     where = actor.ledger.situation[who].starts.where
+    if deed.act is Act.STOP and stands_first(actor.ledger.situation[who]):
+        return _STANDS  # before that it is slow as well
     if deed.act in (Act.OVERTAKE, Act.LANE_CHANGE):
         if where in _COMES_FROM_AHEAD or (deed.act is Act.LANE_CHANGE and where in NEXT_LANE):
             return _IN

@@ -25,7 +25,7 @@ AT_FIRST = 1.0  # [s]; who stands for so long before it sets off stood
 DRIVING = 3.0  # [m/s]; who has been faster was driving, and can slow down
 CRAWLING = 4.0  # [m/s]; who is never as fast, but moves, crawls
 SLOWED = 1.5  # [m/s]
-TOLD_BY_SITE = (Site.ROUNDABOUT, Site.ON_RAMP, Site.OFF_RAMP, Site.WEAVING, Site.LANE_DROP)
+TOLD_BY_SITE = (Site.MOTORWAY, Site.ROUNDABOUT, Site.ON_RAMP, Site.OFF_RAMP, Site.WEAVING, Site.LANE_DROP)
 TOGETHER_WITHIN = 4.4  # [m] beyond the length of one: so near are those who stand or go together
 BRAKED = 4.0  # [m/s²] for so many steps as for a halt
 
