@@ -49,14 +49,6 @@ def test_what_one_map_has_is_not_left_out_since_another_is_asked_first(road: dic
     assert built.left_out == ()
 
 
-def test_a_crosswalk_beside_a_second_lane_is_the_town_s_and_is_crossed_on() -> None:
-    waits = {"id": "B", "kind": "car", "role": "supporting", "starts": {"where": "ahead-beside", "side": "right"}}
-    built = made(CROSSES, waits | {"does": [{"act": "stand"}]}, road={"has": ["crosswalk"]})
-    assert built.map == "town"
-    assert "levelA = egoRoute.eventAt + globalParameters.OPT_A_Y" in built.program.source
-    assert next(one for one in built.program.parameters if one.name == "OPT_A_Y").low > 0.0
-
-
 def test_who_crosses_at_a_crosswalk_that_no_map_has_is_told() -> None:
     there = CROSSES | {"starts": {"where": "exit-crossing", "side": "right"}}
     assert any("no crosswalk is marked" in line for line in made(there, ego={"route": "left-turn"}).assumed)

@@ -34,7 +34,7 @@ def one(kind: str, where: str, *does: dict[str, Any], **start: Any) -> dict[str,
 
 SAID: dict[str, dict[str, Any]] = {
     "waits-until-the-ego-is-near": one("car", "kerb", {"act": "stand"}, {"act": "pull-out"}, side="right"),
-    "keeps-ahead-and-brakes": one("car", "ahead", {"act": "brake"}),
+    "goes-ahead-and-brakes": one("car", "ahead", {"act": "brake"}),
     "steps-out": one("pedestrian", "roadside", {"act": "cross"}, side="right"),
     "comes-driving-and-turns": one("car", "oncoming", {"act": "turn-left"})
     | {"ego": {"route": "straight"}, "road": {"kind": "four-way"}},
@@ -104,8 +104,8 @@ def test_the_story_is_the_one_that_is_kept_and_the_standard_has_nothing_against_
 def test_a_time_to_a_place_is_asked_of_the_ego_and_a_distance_is_kept_to_it(tmp_path: Path) -> None:
     waits = written("waits-until-the-ego-is-near", tmp_path).read_text(encoding="utf-8")
     assert "<TimeToCollisionCondition " in waits
-    keeps = written("keeps-ahead-and-brakes", tmp_path).read_text(encoding="utf-8")
-    assert 'displacement="leadingReferencedEntity"' in keeps
+    keeps = written("tailgates", tmp_path).read_text(encoding="utf-8")
+    assert 'displacement="trailingReferencedEntity"' in keeps
     assert "; not said: A drives at " in keeps
 
 

@@ -183,7 +183,7 @@ def test_a_place_beside_a_taper_is_no_lane_to_change_into() -> None:
 
 def test_a_map_without_a_site_says_so() -> None:
     town: Any = load_network(resolve_map("town"))
-    for site in set(Site) - {Site.RURAL, Site.CROSSWALK}:
+    for site in set(Site) - {Site.RURAL}:
         with pytest.raises(MapError, match=f"'town' has no place for .* the {site}"):
             find_routes(town, "town", RouteQuery(maneuver=Maneuver.STRAIGHT, site=site))
 
@@ -224,9 +224,8 @@ def test_who_names_no_map_gets_the_one_that_has_the_site(site: Site) -> None:
     found: list[Route] = []
     for maneuver in maneuvers:
         query = RouteQuery(maneuver=maneuver, site=site)
-        if site is not Site.CROSSWALK:  # which both maps have
-            with pytest.raises(MapError, match="name no map, or the packaged 'outskirts'"):
-                find_routes(town, "town", query)
+        with pytest.raises(MapError, match="name no map, or the packaged 'outskirts'"):
+            find_routes(town, "town", query)
         with suppress(MapError):
             found += find_routes(load_network(resolve_map(map_with(site))), "outskirts", query)
     assert found

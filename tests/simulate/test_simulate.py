@@ -355,8 +355,8 @@ def placed(what: str, *, head: str = HEAD, body: str = "do FollowLaneBehavior(6)
 
 
 def test_a_class_of_one_s_own_moves_like_the_one_it_is_made_of(drive: Callable[..., Episode]) -> None:
-    van = "class Van(Truck):\n    length: 6.5\n    width: 2.2\n"
-    track = drive(placed("new Van ahead of ego by 20", head=HEAD + van)).adversaries[0]
+    lorry = "class Lorry(Truck):\n    length: 6.5\n    width: 2.2\n"
+    track = drive(placed("new Lorry ahead of ego by 20", head=HEAD + lorry)).adversaries[0]
     assert (track.kind, track.length, track.width) == ("Truck", 6.5, 2.2)
     assert track.speed[-1] == pytest.approx(6.0, abs=0.4)
 

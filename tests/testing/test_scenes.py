@@ -57,7 +57,7 @@ def test_the_example_of_the_page_drives_fails_what_stands_and_says_all_of_it(pyt
             "In the harmless twin the ego does not get on: it stood for 27.7 s; the driver that survives *",
             f"  sentence  {BRAKING}",
             "  scene     the-car-ahead-brakes-*/route-*/scene-* (its seed *)",
-            "  values    A_BRAKE*=*, A_OFFSET=*, A_Y=*",
+            "  values    A_BRAKE*=*, A_STEADY=*, A_Y=*",
             "  ego       Stands",
             "  survived  by idm; whoever does not react crashes at * m/s after * s",
             "  twin      the same place and start, but the adversary never begins its act",

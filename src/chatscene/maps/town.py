@@ -1,8 +1,7 @@
 """The town that comes with chatscene: a plan, and the map file made from it.
 
 Four by four blocks without corners: four four-way junctions in the middle, eight three-way ones around, rounded
-streets at the four corners. One avenue each way has two lanes per direction, everything else one. In the middle of one
-block of an avenue is a crosswalk.
+streets at the four corners. One avenue each way has two lanes per direction, everything else one.
 
 ``python -m chatscene.maps.town`` writes the packaged file anew.
 """
@@ -11,14 +10,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from chatscene.maps.opendrive import Crosswalk, Node, Street, write_opendrive
+from chatscene.maps.opendrive import Node, Street, write_opendrive
 from chatscene.terms.scenario import Control
 
 BLOCK = 270.0  # [m] between junctions: straights of 230 m between the setbacks
 AVENUE = 1  # the row and the column with two lanes per direction
 CORNER_RADIUS = 60.0  # [m]
-ZEBRA = (1, 2), (1, 3)  # the block with a crosswalk, and how far along it that is:
-ZEBRA_AT = 115.0  # [m]
 FILE = Path(__file__).with_name("town.xodr")
 
 _CONTROL = {
@@ -48,13 +45,7 @@ def plan() -> tuple[Street, ...]:
     pairs = [((i, j), (i + 1, j)) for i, j in cells if (i + 1, j) in nodes]
     pairs += [((i, j), (i, j + 1)) for i, j in cells if (i, j + 1) in nodes]
     streets = [
-        Street(
-            id=number,
-            start=nodes[a],
-            end=nodes[b],
-            lanes=2 if _on_avenue(a, b) else 1,
-            crosswalks=(Crosswalk(at=ZEBRA_AT),) if (a, b) == ZEBRA else (),
-        )
+        Street(id=number, start=nodes[a], end=nodes[b], lanes=2 if _on_avenue(a, b) else 1)
         for number, (a, b) in enumerate(pairs, start=1)
     ]
     corners = [

@@ -320,7 +320,7 @@ def test_a_doctor_says_what_a_server_has_and_how_its_scenes_end(settings: Simula
     assert [check.ok for check in found] == [True] * 4, found
     stands_in, world, twice, beside = (check.found for check in found)
     assert "not CARLA" in stands_in
-    assert "17 blueprints, 40 traffic lights" in world
+    assert "19 blueprints, 40 traffic lights" in world
     assert "0.000 m apart" in twice
     assert "1 of 1 end alike" in beside
 
@@ -430,7 +430,9 @@ def test_every_kind_has_a_blueprint_with_a_size(simulator: Any) -> None:
 
     for kind in (*LIMITS, *PROPS):
         length, width = simulator.size_of(Placement(kind=kind, x=0.0, y=0.0, heading=0.0, length=2.0, width=1.0))
-        assert 0.1 < width <= length < 15.0 or kind == "Pedestrian", kind
+        assert 0.1 < width < 15.0, kind
+        assert 0.1 < length < 15.0, kind
+        assert width <= length or kind in (*PROPS, "Pedestrian", "Ball", "Door", "Load"), kind
 
 
 def test_what_was_measured_is_taken_away_also_where_the_wheel_takes_it_for_dead(
