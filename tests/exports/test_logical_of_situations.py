@@ -106,7 +106,7 @@ def test_a_time_to_a_place_is_asked_of_the_ego_and_a_distance_is_kept_to_it(tmp_
     assert "<TimeToCollisionCondition " in waits
     keeps = written("tailgates", tmp_path).read_text(encoding="utf-8")
     assert 'displacement="trailingReferencedEntity"' in keeps
-    assert "; not said: A drives at " in keeps
+    assert "; not said: A drives at " in written("cuts-in", tmp_path).read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(

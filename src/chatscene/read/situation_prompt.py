@@ -29,18 +29,18 @@ told, but the form has no words for what matters in it). Unless it is situation:
 
 Rules:
 - The ego is the vehicle that is tested: we, I, our car, the ego, vehicle 1; else the one in whose way somebody comes.
-- others: everybody else who matters, with ids A, B, C.
+- others: all others who matter, with ids A, B, C.
 - does: what somebody does, in order; when names a deed of another. ego.does: only what the ego does before the danger.
-  How the ego answers to the adversary (it brakes, swerves, sounds the horn, cannot stop) is never a deed of the ego.
+  How the ego answers to the adversary (it brakes, swerves, cannot stop) is never a deed of the ego.
 - Sides are the ego's own at its start, of starts and of deeds; turn-left and turn-right are the other's own. Traffic
   keeps right: nearside is right, offside left.
-- Fill in only what the text says or what follows from it with certainty. Leave out all else: no guesses, no nulls.
+- Fill in only what the text says or what follows with certainty. Leave out all else: no guesses, no nulls.
 - starts is where somebody is at the beginning, before its deeds: who comes out of a side road is on an arm, who crosses
   on foot at the roadside (at a crosswalk: crossing), who pulls out at the kerb, who passes on a side behind-beside.
-- A junction without lights (unsignalised) and no sign told: control none.
-- hidden_by: give what hides somebody as another, with the role hides.
+- An unsignalised junction for which no sign is told: control none.
+- hidden_by: what hides somebody is another, with the role hides.
 - contact: only if the text says how they touch, or that they do not.
-- Amounts are texts with a unit and no "about": "50 km/h", "10 to 20 m", "at least 2 s", "4 m/s²", "20 km/h more than
+- Amounts are texts with a unit and no "about": "50 km/h", "10 to 20 m", "4 m/s²", "20 km/h more than
   the ego".
 - evidence.quoted: the words behind every fact, copied exactly from the text."""
 

@@ -390,7 +390,7 @@ class Act(RowWord):
         _act(frozenset((Moves.DRIVES,)), "", sided=True, whom=True),
     )
     DROP_LOAD = ("drop-load", "loses something onto the road", _act(frozenset((Moves.DRIVES,))))
-    FALL = ("fall", "on foot or on two wheels: falls, and lies where it fell", _act(_FEET | {Moves.RIDES}))
+    FALL = ("fall", "falls, on foot or on two wheels, and lies there", _act(_FEET | {Moves.RIDES}))
 
 
 COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
