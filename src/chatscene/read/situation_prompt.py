@@ -28,9 +28,9 @@ verdict: situation; no-situation (no danger in traffic is told: a question, a wi
 told, but the form has no words for what matters in it). Unless it is situation: reason is one sentence, no situation.
 
 Rules:
-- The ego is the vehicle that is tested: we, I, our car, the ego, vehicle 1; else the one in whose way somebody comes.
+- The ego is the vehicle that is tested: we, I, our car, vehicle 1; else the one in whose way somebody comes.
 - others: all others who matter, with ids A, B, C.
-- does: what somebody does, in order; when names a deed of another. ego.does: only what the ego does before the danger.
+- does: what somebody does, in order; when names another's deed. ego.does: only what the ego does before the danger.
   How the ego answers to the adversary (it brakes, swerves, cannot stop) is never a deed of the ego.
 - Sides are the ego's own at its start, of starts and of deeds; turn-left and turn-right are the other's own. Traffic
   keeps right: nearside is right, offside left.
