@@ -16,7 +16,16 @@ from chatscene.build.numbers import MOST, PACES, Numbers
 from chatscene.build.paces import AT_ONE_SPEED
 from chatscene.build.parts import parts_of
 from chatscene.build.phases import Phases
-from chatscene.build.place import AT_CROSSWALKS, GOES_OVER, LANE, NEXT_LANE, Found, at_roundabout, is_marked
+from chatscene.build.place import (
+    AT_CROSSWALKS,
+    GOES_OVER,
+    LANE,
+    NEXT_LANE,
+    Found,
+    at_roundabout,
+    is_marked,
+    lane_beside,
+)
 from chatscene.build.relations import speed_beside
 from chatscene.build.starts import start_of
 from chatscene.build.timing import Body
@@ -354,7 +363,7 @@ class Actor:
         sides = lanes_beside(self.found.route)
         for side in (said,) if said else (str(Side.LEFT), str(Side.RIGHT)):
             if sides.get(side) is False:
-                return f'extended(neighbourPath(egoRoute, "{side}"), 60)'
+                return lane_beside(side)
         side = said or str(Side.LEFT)
         if side not in sides:
             raise NotBuilt(f"no map has such a place: {self.path} has no lane to the {side} of ours")

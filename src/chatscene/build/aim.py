@@ -12,11 +12,10 @@ from chatscene.build.chain import meeting_of
 from chatscene.build.coming import EGO_GRIP
 from chatscene.build.sweep import Moving, Touch, touches
 from chatscene.build.timing import Body
-from chatscene.program.contacts import SIDES_OF
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.situation import Contact
-from chatscene.terms.vocabulary import Act, Part, Role, Side, Striker
+from chatscene.terms.vocabulary import SIDES_OF, Act, Part, Role, Side, Striker
 from chatscene.world.control import curve_speeds
 
 if TYPE_CHECKING:

@@ -15,6 +15,7 @@ from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, RightOfWa
 from chatscene.world.places import EgoRoute as Route
 from chatscene.world.places import neighbourPath, ownLane
 
+ONWARD = 100.0  # [m] past the end of a lane, in which somebody goes straight on
 LANE = 3.5  # [m], a lane's width
 NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
 AT_CROSSWALKS = frozenset((Where.CROSSING, Where.EXIT_CROSSING))
@@ -165,6 +166,11 @@ def along_the_road(one: Other) -> Other:
     first = next((deed.act for deed in one.does if deed.act is not Act.STAND), None)
     beside = one.starts.where is Where.ROADSIDE and one.starts.facing is None
     return replace(one, starts=replace(one.starts, facing=Facing.ALONG)) if beside and first is Act.GO_ALONG else one
+
+
+def lane_beside(side: str) -> str:
+    """The lane on a side of the ego's, as a program says it: from behind the ego's start to beyond where it ends."""
+    return f'onward(extended(neighbourPath(egoRoute, "{side}"), 60), {ONWARD:g})'
 
 
 def room_against(route: Route) -> float:

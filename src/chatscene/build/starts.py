@@ -165,7 +165,12 @@ def _next_lane(asked: Asked) -> Stand:
     if asked.rides:
         sign = "-" if asked.side == Side.RIGHT else ""
         return Stand(meets=Meets.ALONG, way=f"extended(straightOn(egoRoute), 60).offset({sign}2.3)", at=at, behind=back)
-    return Stand(meets=Meets.ALONG, way=f'extended(neighbourPath(egoRoute, "{asked.side}"), 60)', at=at, behind=back)
+    return Stand(
+        meets=Meets.ALONG,
+        way=lane_beside(asked.side),
+        at=at,
+        behind=back,
+    )
 
 
 def _through(asked: Asked) -> Stand:
@@ -407,7 +412,11 @@ def _median(asked: Asked) -> Stand:
 
 def _on_ramp(asked: Asked) -> Stand:
     asked.reach(-2, 8)
-    return Stand(meets=Meets.ALONG, way='extended(neighbourPath(egoRoute, "right"), 60)', at=f"60 + $Y{asked.more}")
+    return Stand(
+        meets=Meets.ALONG,
+        way=lane_beside(Side.RIGHT),
+        at=f"60 + $Y{asked.more}",
+    )
 
 
 def _roundabout(asked: Asked) -> Stand:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.program.contacts import NOSE
 from chatscene.terms.polyline import Polyline
+from chatscene.terms.vocabulary import NOSE
 
 _AROUND = 6.0  # [s] before and after the ego is where the ways meet
 _STEP = 0.05  # [s]

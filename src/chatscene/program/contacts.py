@@ -12,21 +12,8 @@ from chatscene.program.finding import Finding
 from chatscene.simulate.contact import contact_side
 from chatscene.terms.episode import Episode, Track, contact_point
 from chatscene.terms.situation import Situation
-from chatscene.terms.vocabulary import Part, Striker
+from chatscene.terms.vocabulary import NOSE, SIDES_OF, Striker
 from chatscene.world.bodies import Body
-
-NOSE = 0.5  # [m] behind the foremost point of somebody that are its nose
-SIDES_OF: dict[Part, tuple[str, ...]] = {
-    Part.FRONT: ("front",),
-    Part.REAR: ("rear",),
-    Part.LEFT: ("left",),
-    Part.RIGHT: ("right",),
-    Part.LEFT_FRONT: ("front", "left"),
-    Part.RIGHT_FRONT: ("front", "right"),
-    Part.LEFT_REAR: ("rear", "left"),
-    Part.RIGHT_REAR: ("rear", "right"),
-}
-"""For each part of somebody, the sides on which a contact with it may be."""
 
 
 def striker_of(episode: Episode, other: Track) -> Striker:

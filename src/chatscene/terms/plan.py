@@ -220,6 +220,7 @@ FUNCTIONS = {function.name: function for function in (
     Function(name="ownLane", form="ownLane({})", takes=(_P,), gives=_P),
     Function(name="against", form="against({})", takes=(_P,), gives=_P),
     Function(name="extended", form="extended({}, {})", takes=(_P, _N), gives=_P),
+    Function(name="onward", form="onward({}, {})", takes=(_P, _N), gives=_P),
     Function(name="beside", form="{}.offset({})", takes=(_P, _N), gives=_P),
     # Everybody but the actor itself and the ego
     Function(

@@ -421,6 +421,20 @@ class Part(Word):
     RIGHT_REAR = "right-rear"
 
 
+NOSE = 0.5  # [m] behind the foremost point of somebody that are its nose
+SIDES_OF: dict[Part, tuple[str, ...]] = {
+    Part.FRONT: ("front",),
+    Part.REAR: ("rear",),
+    Part.LEFT: ("left",),
+    Part.RIGHT: ("right",),
+    Part.LEFT_FRONT: ("front", "left"),
+    Part.RIGHT_FRONT: ("front", "right"),
+    Part.LEFT_REAR: ("rear", "left"),
+    Part.RIGHT_REAR: ("rear", "right"),
+}
+"""For each part of somebody, the sides on which a contact with it may be."""
+
+
 class Striker(Word):
     """Who runs into whom."""
 

@@ -357,6 +357,13 @@ def extended(path: Any, back: float) -> Polyline:
     return Polyline([line.point_at(-back), *line.points])
 
 
+def onward(path: Any, metres: float) -> Polyline:
+    """A path that goes on straight beyond its end, so many metres: where somebody is who drives on past it."""
+    line = line_of(path)
+    (x, y), heading = line.point_at(line.length), line.heading_at(line.length)
+    return Polyline.join(line, headingLine(x, y, heading, metres))
+
+
 def straightOn(route: EgoRoute) -> Polyline:  # noqa: N802
     """The way of somebody who rides beside the ego up to its junction and, where the ego turns, goes straight on."""
     line, begin = route.line, route.eventAt
