@@ -18,6 +18,7 @@ from chatscene.build.place import (
     beside_lane,
     from_left,
     is_marked,
+    lane_beside,
     ring_arms,
     room_against,
     way_of,
