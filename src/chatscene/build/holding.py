@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from chatscene.build.place import PACKAGED, Found
 from chatscene.maps.lane_runs import lane_runs
-from chatscene.maps.sites import along
+from chatscene.maps.sites import AT_JUNCTIONS, along
 from chatscene.terms.routing import CONTROLS, PLACES
 from chatscene.terms.scenario import Site
 from chatscene.terms.situation import Situation
@@ -27,15 +27,7 @@ _AT_SITE: dict[Feature, frozenset[Site]] = {
     Feature.OFF_RAMP: frozenset((Site.OFF_RAMP, Site.PAST_OFF_RAMP, Site.WEAVING)),
 }
 """Where the road has what was said of it."""
-_MOTORWAYS = (
-    Site.MOTORWAY,
-    Site.ON_RAMP,
-    Site.OFF_RAMP,
-    Site.PAST_ON_RAMP,
-    Site.PAST_OFF_RAMP,
-    Site.WEAVING,
-    Site.LANE_DROP,
-)
+_MOTORWAYS = (Site.MOTORWAY, *(one for one in AT_JUNCTIONS if one is not Site.ROUNDABOUT))
 _OF_KIND: dict[RoadKind | None, tuple[Site, ...]] = {
     RoadKind.ROUNDABOUT: (Site.ROUNDABOUT,),
     RoadKind.MOTORWAY: _MOTORWAYS,

@@ -17,6 +17,7 @@ from chatscene.interpret.wording import parts_of
 from chatscene.library.compatibility import agree, compatibility
 from chatscene.library.load import library_with
 from chatscene.models.encoders.embedding import load_embedder
+from chatscene.read.ego_speed import not_of_ego
 from chatscene.read.reading import read
 from chatscene.read.without_effect import without_effect
 from chatscene.settings import RetrievalSettings
@@ -207,8 +208,7 @@ def as_told(frame: Frame, account: Account) -> Frame:
     unread = (Unused(said=word, why=Why.WORDS) for word in account.unread)
     unlike = (one for one in frame.unused if one.why not in (Why.WORDS, Why.SITE))
     aside = (one for one in frame.quantities if one.measure is Measure.ASIDE)  # of which accounts know nothing
-    ego = frame.ego_speed
-    told = (one for one in account.quantities if ego is None or one.said not in ego.said or one.value != ego.value)
+    told = not_of_ego(account.quantities, frame.ego_speed)
     return replace(frame, quantities=(*told, *aside), unused=(*unlike, *unread))
 
 

@@ -8,7 +8,6 @@ patterns of `chatscene.read.lexicon`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from chatscene.errors import SettingsError
@@ -16,7 +15,7 @@ from chatscene.read import lexicon as words
 from chatscene.read.account import hear_account
 from chatscene.read.canonical import canonical
 from chatscene.read.clauses import cut, without_things
-from chatscene.read.ego_speed import ego_speed_of
+from chatscene.read.ego_speed import ego_speed_of, not_of_ego
 from chatscene.read.ego_state import ego_state_of
 from chatscene.read.naming import plainly_named
 from chatscene.read.parse import parse
@@ -31,11 +30,9 @@ from chatscene.terms.scenario import (
     Control,
     Distance,
     Maneuver,
-    Measure,
     Occluder,
     Place,
     Position,
-    Quantity,
     Side,
     Site,
     Slots,
@@ -84,7 +81,7 @@ def hear(text: str) -> Frame:
         heard = replace(heard, whole=True, sure=WHOLE)
     else:
         slots = _slots(clauses, notes)
-        quantities = tuple(_not_of_ego(quantities_of(clauses.adversary or clauses.whole, clauses.whole), ego_speed))
+        quantities = tuple(not_of_ego(quantities_of(clauses.adversary or clauses.whole, clauses.whole), ego_speed))
         turned = tuple(
             Unused(said=m["what"] or m["first"], why=Why.MANEUVER) for m in words.NO_MANEUVER.finditer(clauses.whole)
         )
@@ -103,15 +100,6 @@ def hear(text: str) -> Frame:
         quantities=(*quantities, *aside_of(clauses.adversary or clauses.whole)),
         unused=(*unused, *(Unused(said=said.lower(), why=Why.BESIDES) for said in named.dropped)),
         notes=tuple(notes),
-    )
-
-
-def _not_of_ego(numbers: Iterable[Quantity], ego: Quantity | None) -> Iterator[Quantity]:
-    """The numbers but for the one that was said of the ego."""
-    return (
-        one
-        for one in numbers
-        if ego is None or one.measure is not Measure.SPEED or (one.value, one.said in ego.said) != (ego.value, True)
     )
 
 

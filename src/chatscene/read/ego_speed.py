@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cache
 
@@ -47,6 +47,14 @@ def ego_speed_of(told: str) -> Quantity | None:
                 at = word.end() if word is not None else at + 1
             at = _skipped(sentence, at)
     return None
+
+
+def not_of_ego(numbers: Iterable[Quantity], ego: Quantity | None) -> Iterator[Quantity]:
+    """The numbers but for the one that is the ego's speed."""
+    for one in numbers:
+        its = ego is not None and one.measure is Measure.SPEED and one.value == ego.value and one.said in ego.said
+        if not its:
+            yield one
 
 
 def _sentences(told: str) -> Iterator[str]:
