@@ -21,7 +21,7 @@ from typing import Any
 import click
 
 from chatscene.build.asked import Meets
-from chatscene.build.build import build
+from chatscene.build.build import Built, build
 from chatscene.build.deeds import Steps, steps_for
 from chatscene.build.possible import impossible
 from chatscene.build.starts import STARTS
@@ -38,6 +38,7 @@ from chatscene.situations.file import read_file
 from chatscene.terms.actors import Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Speed
+from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected, Scene
 from chatscene.terms.situation import Deed, Ego, Other, Situation, Start
 from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Role, Side, UserKind, Where
@@ -110,6 +111,19 @@ def simulator(map_name: str) -> Simulator:
     return load_simulator(resolve_map(map_name), SimulationSettings(simulator="native"))
 
 
+def drive(made: Built, ego: str, seed: int) -> Episode | Rejected:
+    """One drive of what was built, with values drawn by a seed; or why there is none.
+
+    Raises:
+        MapError: The program asks for a place that its map has not.
+        DoesNotCompile: No scene can be made of it.
+    """
+    values = draw(made.program.parameters, seed=seed)
+    scene = Scene(id=f"s/route-00/{seed}", scenario_id="s", route=0, block=0, seed=seed, values=values)
+    driver = wanting(load_ego(ego), made.program.wanted_speed)
+    return simulate(simulator(made.map), made.program, scene, driver)
+
+
 def outcome(situation: Situation, drives: int, ego: str) -> tuple[str, list[str]]:
     """What became of one, and why.
 
@@ -123,11 +137,8 @@ def outcome(situation: Situation, drives: int, ego: str) -> tuple[str, list[str]
         return "refused", [str(refusal)]
     shown, seen, reasons = 0, 0, list[str]()
     for seed in range(drives):
-        values = draw(made.program.parameters, seed=seed)
-        scene = Scene(id=f"s/route-00/{seed}", scenario_id="s", route=0, block=0, seed=seed, values=values)
         try:
-            driver = wanting(load_ego(ego), made.program.wanted_speed)
-            episode = simulate(simulator(made.map), made.program, scene, driver)
+            episode = drive(made, ego, seed)
         except MapError as error:
             return "refused", [str(error)]
         except DoesNotCompile as error:

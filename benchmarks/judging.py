@@ -23,21 +23,18 @@ from typing import Any
 
 import click
 import numpy as np
-from building import simulator
+from building import drive, simulator
 
 from chatscene.build.build import build
-from chatscene.ego.policy import load_ego, wanting
 from chatscene.errors import ChatSceneError
 from chatscene.program.finding import UNTOLD, Finding, failures
 from chatscene.program.judge import judge
-from chatscene.program.sample import draw
 from chatscene.read.by_model import situation_in
-from chatscene.simulate.simulator import simulate
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
-from chatscene.terms.scene import Rejected, Scene
+from chatscene.terms.scene import Rejected
 from chatscene.terms.situation import Situation
 from chatscene.terms.surroundings import Surroundings
 
@@ -161,11 +158,8 @@ def driven(situation: Situation, drives: int, ego: str) -> tuple[Finding, ...] |
         return str(refusal)
     best: tuple[tuple[bool, bool, int], tuple[Finding, ...]] | None = None
     for seed in range(drives):
-        values = draw(made.program.parameters, seed=seed)
-        scene = Scene(id=f"s/route-00/{seed}", scenario_id="s", route=0, block=0, seed=seed, values=values)
         try:
-            driver = wanting(load_ego(ego), made.program.wanted_speed)
-            episode = simulate(simulator(made.map), made.program, scene, driver)
+            episode = drive(made, ego, seed)
         except ChatSceneError as error:
             return str(error)
         if isinstance(episode, Rejected):

@@ -15,7 +15,7 @@ from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.situation import EGO, Deed, Situation
-from chatscene.terms.vocabulary import Act, EgoLight, Manner, Where
+from chatscene.terms.vocabulary import Act, Breach, EgoLight, Manner, Where
 
 LINE = 3.5  # [m] before the junction the centre of an ego stands whose nose is at the line
 STAND = 4.0  # [s] that somebody stands who sets off again
@@ -90,7 +90,10 @@ def _lights(ledger: Ledger, found: Found) -> list[str]:
     if found.query.get("control") != "signal":
         return []
     ledger.take("road.ego_light")
-    return [f"param signals = 'ego-{ledger.situation.road.ego_light or EgoLight.GREEN}'"]
+    said, others = ledger.situation.road.ego_light, ledger.situation.others
+    if said is None and not any(deed.breaks is Breach.RED_LIGHT for one in others for deed in one.does):
+        ledger.assume("our light is green, which was not said")
+    return [f"param signals = 'ego-{said or EgoLight.GREEN}'"]
 
 
 def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) -> Iterator[Order]:
