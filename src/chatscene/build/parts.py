@@ -15,7 +15,7 @@ from chatscene.build.asked import Meets
 from chatscene.build.naming import name_of
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS
-from chatscene.terms.vocabulary import Act, Side
+from chatscene.terms.vocabulary import LETS_GO, Act, Side
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -31,18 +31,16 @@ class Part:
 
     Attributes:
         scenic: The class of the world that it is.
-        name: What it is called.
         told: What is told of it; ``{}`` is whose it is.
     """
 
     scenic: str
-    name: str
     told: str
 
 
 PARTS = {
-    Act.OPEN_DOOR: Part(scenic="Door", name="door", told="the door of {} slides out, and does not swing"),
-    Act.DROP_LOAD: Part(scenic="Load", name="load", told="the load of {} slides to a stand on the road"),
+    Act.OPEN_DOOR: Part(scenic="Door", told="the door of {} slides out, and does not swing"),
+    Act.DROP_LOAD: Part(scenic="Load", told="the load of {} slides to a stand on the road"),
 }
 """What is let go, by the act."""
 
@@ -60,7 +58,7 @@ def parts_of(actor: Actor, begins: Sequence[int]) -> Iterator[str]:
     for k, deed in enumerate(actor.deeds):
         if (part := PARTS.get(deed.act)) is None:
             continue
-        one, called = name_of(actor.one.id), f"{name_of(actor.one.id)}_{part.name}_{k}"
+        one, called = name_of(actor.one.id), f"{name_of(actor.one.id)}_{LETS_GO[deed.act]}_{k}"
         before = [actor.filled(text) for text in actor.phases()[: begins[k]]]
         opens = deed.act is Act.OPEN_DOOR
         meanwhile = "Halt()" if opens else f"PaceOnPath(way{one}, {one}, {_carried(actor):.3g}, 60)"
@@ -69,7 +67,7 @@ def parts_of(actor: Actor, begins: Sequence[int]) -> Iterator[str]:
         yield f"behavior Does{called}():"
         yield from (f"    do {text}" for text in does)
         earlier = sum(other.act is deed.act for other in actor.deeds[:k])
-        label = f"{actor.one.id}-{part.name}" + (f"-{earlier + 1}" if earlier else "")
+        label = f"{actor.one.id}-{LETS_GO[deed.act]}" + (f"-{earlier + 1}" if earlier else "")
         yield (
             f"{called} = new {part.scenic} at {_place(actor, opens=opens)}, with label '{label}'{actor.role()}"
             f"{'' if opens else actor.moving(actor.phases())}, with behavior Does{called}()"

@@ -7,12 +7,11 @@ import re
 from collections.abc import Iterator
 
 from chatscene.program.deeds import MOVING
-from chatscene.program.doing import PARTS
 from chatscene.program.finding import Finding
 from chatscene.simulate.contact import contact_side
 from chatscene.terms.episode import Episode, Track, contact_point
 from chatscene.terms.situation import Situation
-from chatscene.terms.vocabulary import NOSE, SIDES_OF, Striker
+from chatscene.terms.vocabulary import LETS_GO, NOSE, SIDES_OF, Striker
 from chatscene.world.bodies import Body
 
 
@@ -86,7 +85,7 @@ def is_of(actor: str, name: str) -> bool:
 
 def is_with(actor: str, name: str) -> bool:
     """Whether a track is of somebody, or of what it lets go: its door, its load."""
-    return any(is_of(actor, one) for one in (name, *(f"{name}-{part}" for part in PARTS.values())))
+    return any(is_of(actor, one) for one in (name, *(f"{name}-{part}" for part in LETS_GO.values())))
 
 
 def _body(track: Track, step: int) -> Body:

@@ -238,8 +238,6 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.DROP_LOAD: ACTIONS[Action.STOP],
 }
 """When somebody is seen to do something; for those that are not here, no track tells."""
-PARTS = {Said.OPEN_DOOR: "door", Said.DROP_LOAD: "load"}
-"""What is seen to do it in the place of whoever does it: a body of its own, called after both."""
 FOLLOWS = 40.0  # [m] behind somebody: who is farther does not follow
 FOLLOWED = 15  # [steps] that somebody must be behind another to be seen to follow
 

@@ -24,7 +24,7 @@ from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import COMES_IN, Act
 
-LONGEST = 3.0  # [s] between one and the other at a place, up to which it is told how long
+LONGEST = 3.0  # [s] between one and the other at a place, up to which it is told; before two who drive would touch
 EVERY = 1.0  # [s] after which an ego that goes on evenly is followed anew
 BEFORE = 1.5  # [s] before the ego at most that somebody has gone by whom it meets: what the field counts a conflict
 NEAR = 1.0  # [m] between bodies when somebody has begun with what it does: so near, they meet
@@ -64,8 +64,8 @@ def encounter(
 ) -> Finding | None:
     """Whether the ego could meet an adversary; None where it need not.
 
-    Their ways come together, or it is said that they touch or nearly do; or it is before the ego in its lane, or comes
-    against it there, and does what brings it nearer.
+    It does what brings it into the ego's way, or it is said that they touch or nearly do; or it is before the ego in
+    its lane, or comes against it there, and does what brings it nearer.
 
     Args:
         situation: What was said.

@@ -17,7 +17,6 @@ from chatscene.program.deeds import ACTIONS, MOVING, STANDING, Act
 from chatscene.program.doing import (
     ACTS,
     MOST_OF,
-    PARTS,
     TO_SOMEBODY,
     accelerates,
     drifts,
@@ -42,7 +41,7 @@ from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import EgoState
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation
-from chatscene.terms.vocabulary import COMES_IN, Breach, EgoRoute, Manner, Side, Where
+from chatscene.terms.vocabulary import COMES_IN, LETS_GO, Breach, EgoRoute, Manner, Side, Where
 from chatscene.terms.vocabulary import Act as Said
 
 __all__ = ["Finding", "failures", "judge"]
@@ -275,8 +274,8 @@ class _Judge:
             sees = partial(accelerates, to=speed.high)
         if act is Said.DRIFT and (far := one.does[k].distance) is not None:
             sees = partial(drifts, by=MOST_OF * (far.low if math.isfinite(far.low) else far.high))
-        if act in PARTS:
-            parts = self._tracks(f"{one.id}-{PARTS[act]}")[sum(deed.act is act for deed in one.does[:k]) :]
+        if act in LETS_GO:
+            parts = self._tracks(f"{one.id}-{LETS_GO[act]}")[sum(deed.act is act for deed in one.does[:k]) :]
             seen = watch(self.episode, self.route, parts[0], self.contact) if parts else seen
         for once in sees(seen):
             if self._counts(once, seen):

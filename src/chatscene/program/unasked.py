@@ -20,7 +20,7 @@ from chatscene.terms.vocabulary import Act, EgoLight, RightOfWay, Role
 DEEP = 0.3  # [m] that two bodies are in each other, from which one is seen to drive through the other
 LEFT_LANE = 2.2  # [m] aside of where it began, from which a road user has left its lane
 STRAIGHT = 0.2  # [rad] that a road turns at most of which lanes are told by how far aside of the ego's way somebody is
-PARTS = 0.5  # [s] between two times that somebody brakes, or it is one
+APART = 0.5  # [s] between two times that somebody brakes, or it is one
 IN_LANE = frozenset((Act.STAND, Act.GO_ALONG, Act.SET_OFF, Act.ACCELERATE, Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
 """What is done without leaving the lane, and by its own will."""
 _LOSES = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
@@ -96,7 +96,7 @@ def _times_braking(seen: Seen) -> list[int]:
             run += 1
             continue
         if run >= 3:
-            if step - run - ended > PARTS / seen.dt:
+            if step - run - ended > APART / seen.dt:
                 times.append(step - run)
             ended = step
         run = 0

@@ -393,6 +393,8 @@ class Act(RowWord):
     FALL = ("fall", "falls, on foot or on two wheels, and lies there", _act(_FEET | {Moves.RIDES}))
 
 
+LETS_GO = {Act.OPEN_DOOR: "door", Act.DROP_LOAD: "load"}
+"""Acts by which somebody lets go of a body of its own, which is named after it: ``A-door``."""
 COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
 """What is done by whoever is outside the ego's lane and comes into it: begun before, and done when it is in."""
 
