@@ -2,41 +2,29 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import replace
 
+from chatscene.build.arriving import comes_along, comes_back, roundabout, slow_enough, through
 from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, stops_ahead
-from chatscene.build.chain import in_terms_of
-from chatscene.build.coming import lost_in_curves
 from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.place import (
     LANE,
-    arm_of,
     at_junction,
     at_roundabout,
     beside_lane,
-    from_left,
     is_marked,
     lane_beside,
-    ring_arms,
-    room_against,
-    way_of,
 )
 from chatscene.build.relations import slows_on_its_way
-from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
-from chatscene.maps.crossings import CrossingPath
-from chatscene.maps.ring_ways import ROUND
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Role, Side, Striker, Where
-from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
 EDGE, MEDIAN = 1.2, 1.9  # [m] from the ego's line, in its lane and between the directions
 HEADWAY = 0.9, 1.7  # [s] behind whom it follows an ego is, from and to
 CAREFUL = 1.5, 2.5  # [s] behind the ego, from and to, is who is careful, and lets it into its lane
-_EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
 
 
 def _over(asked: Asked, aside: float, side: str) -> Stand:
@@ -91,7 +79,7 @@ def _within(way: str, aside: float) -> str:
 
 def _behind(asked: Asked) -> Stand:
     if asked.begins_beside:
-        return _comes_along(asked)
+        return comes_along(asked)
     close = asked.one.role is Role.ADVERSARY or any(deed.act is Act.TAILGATE for deed in asked.one.does)
     waits = [deed.act for deed in asked.situation.ego.does[:1]] == [Act.STAND]
     if (asked.ego.stands or waits) and not asked.stands:
@@ -104,26 +92,6 @@ def _behind(asked: Asked) -> Stand:
         asked.headway(*CAREFUL)
     way = "ownLane(egoRoute)" if beside_lane(asked.situation) else "egoRoute"
     return Stand(meets=Meets.ALONG, way=f"extended({way}, 80)", at=f"80 - $Y{asked.less}", behind=True)
-
-
-def _comes_along(asked: Asked) -> Stand:
-    """In the lane that the ego comes into, from behind: where the ego is in it when it is."""
-    if asked.side == Side.RIGHT or not asked.rolls or asked.one.starts.distance is not None:
-        raise NotBuilt(
-            f"nothing builds yet: others.{asked.one.id}.starts, of an ego that comes from beside its lane: only who"
-            " comes driving in that lane, from no distance that was said, is timed"
-        )
-    back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoRoute.eventAt', '')})"
-    first = asked.first is None
-    return Stand(
-        meets=Meets.ALONG,
-        way="wholeLane(egoRoute)",
-        at="back{i}" if first else f"back{{row}}{asked.less}",
-        lines=("meet{i} = levelOn(way{i}, egoRoute, egoRoute.eventAt)", *((back,) if first else ())),
-        left="distanceLeft(way{i}, {first}, meet{i})",
-        behind=True,
-        rolls=True,
-    )
 
 
 BESIDE_TO_STRIKE = {Striker.EGO: (2.5, 5.0), Striker.OTHER: (-2.5, 0.8)}
@@ -141,7 +109,7 @@ def changes_to(situation: Situation, side: str) -> bool:
 def _next_lane(asked: Asked) -> Stand:
     if asked.begins_beside:
         if asked.one.starts.where is Where.BEHIND_BESIDE:
-            return _comes_along(asked)
+            return comes_along(asked)
         raise NotBuilt(
             f"nothing builds yet: others.{asked.one.id}.starts.where: {asked.one.starts.where} of a parked ego"
         )
@@ -174,109 +142,15 @@ def _next_lane(asked: Asked) -> Stand:
     )
 
 
-def _through(asked: Asked) -> Stand:
-    if from_left(asked.situation, asked.one):
-        return _comes_along(asked)
-    if at_roundabout(asked.situation):
-        return _roundabout(asked)
-    arm = arm_of(asked.situation, asked.one, asked.found.sides)
-    turn = way_of(asked.situation, asked.one, arm)
-    way = f'wayOf(trafficFrom(egoRoute, "{arm}"), "{turn}")'
-    found = wayOf(trafficFrom(asked.found.route, arm), turn)
-    return _on_its_way(asked, way, found, f"maximum(2, way{{i}}.entry - $Y{asked.less})")
-
-
-def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> Stand:
-    """On a way that meets the ego's: driving from the first, so far back that it is there in time, else waiting."""
-    asked.reach(10, 25, "how far before the junction it is")
-    stand = Stand(
-        meets=Meets.THROUGH,
-        way=way,
-        at=waits_at,
-        lines=("meet{i} = way{i}.meets_at", "egoMeet{i} = way{i}.ego_meets_at"),
-        ego_meets="egoMeet{i}",
-        left="distanceLeft(way{i}, {first}, meet{i})",
-        found=found,
-    )
-    said = asked.one.starts
-    if not asked.comes or (said.distance is not None and said.speed is None):
-        return stand
-    seconds = found.ego_meets_at / asked.ego.speed + (asked.ego.late or 0.0)
-    if said.distance is not None:
-        return replace(stand, rolls=_in_time(asked, found, seconds))
-    (low, high), most = asked.numbers.range_of("SPEED")[:2], found.meets_at / (seconds + _LATE)
-    if high > most:
-        if asked.numbers.is_said("SPEED"):
-            raise NotBuilt(f"others.{asked.one.id}: the road by which it comes is too short for over {most:.1f} m/s")
-        if low > most:
-            return stand
-        asked.numbers.narrow("SPEED", low, most)
-    if asked.first is not None:
-        return replace(stand, at=f"back{{row}}{asked.less}", rolls=True)
-    back = f"back{{i}} = backFrom(meet{{i}}, {_way_back(asked, found)})"
-    return replace(stand, at="back{i}", lines=(*stand.lines, back), rolls=True)
-
-
-def _way_back(asked: Asked, found: CrossingPath) -> str:
-    """How far [m] somebody has to where it meets the ego, at the speed that it holds, and slower in curves."""
-    numbers, body = asked.numbers, Body(asked.one.kind.row.body.row.limits, walks=False)
-
-    def held() -> float:
-        return body.holds(numbers.middle("SPEED")) / numbers.middle("SPEED")
-
-    def sooner() -> float:
-        own = lost_in_curves(found.line, held() * numbers.middle("SPEED"), found.meets_at, math.inf)
-        return lost_in_curves(asked.found.route.line, asked.ego.speed, found.ego_meets_at) - own
-
-    curves = in_terms_of(numbers, ("$SPEED",), sooner)
-    return f"{held():.3f} * $SPEED * ({asked.ego.seconds('egoMeet{i}')} {curves} - $OFFSET)"
-
-
-def _in_time(asked: Asked, found: CrossingPath, seconds: float) -> bool:
-    """Whether who comes from so far at such a speed is where the ways meet when the ego is.
-
-    Raises:
-        NotBuilt: It is there much sooner or later.
-    """
-    (near, far), (low, high) = (asked.numbers.range_of(name)[:2] for name in ("Y", "SPEED"))
-    within = found.meets_at - found.entry
-    soonest, latest = (near + within) / high, (far + within) / low
-    if latest < seconds - _EARLY or soonest > seconds + _LATE:
-        raise NotBuilt(
-            f"others.{asked.one.id}.starts.distance: {asked.one.starts.distance}: at that speed it is where they meet"
-            f" after {soonest:.1f} s, the ego after {seconds:.1f} s; it would have to start"
-            f" {max(seconds * low - within, 0.0):.0f} to {seconds * high - within:.0f} m before the junction"
-        )
-    return True
-
-
 ON_CROSSWALK = (0.7, 3.3)  # [m] from where a crosswalk begins
-_HALF_TURN = 14.0, 1.5  # [m] of turning round, and how much later [s] the ego then is for being slow in it
-
-
-def _comes_back(asked: Asked) -> Stand:
-    """In the lane that the ego turns round into, there when the ego is."""
-    level = f"egoRoute.eventAt + {_HALF_TURN[0]:g}"
-    back = (
-        f"back{{i}} = backFrom(meet{{i}}, {asked.way_back(f'({level} + {_HALF_TURN[1] * asked.ego.speed:.3g})', '')})"
-    )
-    first = asked.first is None
-    return Stand(
-        meets=Meets.TOWARD,
-        way="lastLane(egoRoute)",
-        at="back{i}" if first else f"back{{row}}{asked.less}",
-        lines=(f"meet{{i}} = levelOn(way{{i}}, egoRoute, {level})", *((back,) if first else ())),
-        left="distanceLeft(way{i}, {first}, meet{i})",
-        rolls=True,
-    )
 
 
 def _oncoming(asked: Asked) -> Stand:
     if asked.one.starts.where is Where.ONCOMING and (at_junction(asked.situation) or at_roundabout(asked.situation)):
-        return _through(asked)
+        return through(asked)
     ours = asked.one.starts.where is Where.ONCOMING_IN_OUR_LANE
     if asked.situation.ego.route is EgoRoute.U_TURN and not ours and asked.rolls and not asked.one.starts.distance:
-        return _comes_back(asked)
+        return comes_back(asked)
     way = "against(egoRoute)" if ours else 'neighbourPath(egoRoute, "left")'
     if asked.stands:
         asked.ahead(38, 56)
@@ -292,7 +166,7 @@ def _oncoming(asked: Asked) -> Stand:
     )
     if not asked.swings_out or asked.one.starts.distance is not None or not asked.comes:
         return stand
-    _slow_enough(asked)
+    slow_enough(asked)
     if asked.first is not None:  # who meets an ego that swings out is there when it does
         return replace(stand, at=f"back{{row}}{asked.less}")
     back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoRoute.eventAt', '')})"
@@ -304,24 +178,6 @@ def _walks_at_crosswalk(asked: Asked) -> bool:
     crosses = any(deed.act is Act.CROSS for deed in asked.one.does)
     at_side = asked.one.starts.where is Where.ROADSIDE and asked.one.starts.distance is None
     return is_marked(asked.found) and asked.walks and crosses and at_side
-
-
-def _slow_enough(asked: Asked) -> None:
-    """Let who comes against an ego that swings out be no faster than the road behind it is long for.
-
-    Raises:
-        NotBuilt: It was said to be.
-    """
-    route = asked.found.route
-    seconds = route.eventAt / asked.ego.speed + (asked.ego.late or 0.0) + _LATE
-    most = (room_against(route) - route.eventAt) / seconds
-    low, high, *_ = asked.numbers.range_of("SPEED")
-    if low <= most:
-        asked.numbers.narrow("SPEED", low, min(high, most))
-    elif asked.numbers.is_said("SPEED"):
-        raise NotBuilt(f"others.{asked.one.id}: the road by which it comes is too short for over {most:.1f} m/s")
-    else:
-        asked.numbers.narrow("SPEED", 0.85 * most, most)
 
 
 def _beside_road(asked: Asked) -> Stand:
@@ -420,16 +276,6 @@ def _on_ramp(asked: Asked) -> Stand:
     )
 
 
-def _roundabout(asked: Asked) -> Stand:
-    arms = ring_arms(asked.one, asked.found.sides)
-    found = ringTraffic(asked.found.route, *arms)
-    way = f"ringTraffic(egoRoute, {', '.join(repr(arm) for arm in arms)})"
-    waits = (
-        f"meet{{i}} - $Y{asked.less}" if found.from_side == ROUND else f"maximum(2, way{{i}}.entry - $Y{asked.less})"
-    )
-    return _on_its_way(asked, way, found, waits)
-
-
 STARTS: dict[Where, Callable[[Asked], Stand]] = {
     Where.AHEAD: _ahead,
     Where.AHEAD_BESIDE: _next_lane,
@@ -438,7 +284,7 @@ STARTS: dict[Where, Callable[[Asked], Stand]] = {
     Where.BEHIND_BESIDE: _next_lane,
     Where.ONCOMING: _oncoming,
     Where.ONCOMING_IN_OUR_LANE: _oncoming,
-    Where.ARM: _through,
+    Where.ARM: through,
     Where.ROADSIDE: _beside_road,
     Where.KERB: _kerb,
     Where.DRIVEWAY: _beside_road,
@@ -448,8 +294,8 @@ STARTS: dict[Where, Callable[[Asked], Stand]] = {
     Where.EXIT_CROSSING: _beside_road,
     Where.MEDIAN: _median,
     Where.ON_RAMP: _on_ramp,
-    Where.IN_ROUNDABOUT: _roundabout,
-    Where.ROUNDABOUT_ENTRY: _roundabout,
+    Where.IN_ROUNDABOUT: roundabout,
+    Where.ROUNDABOUT_ENTRY: roundabout,
 }
 
 

@@ -1,0 +1,163 @@
+"""Who comes driving: so far back on its way as it starts that it is where the ways meet when the ego is."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from chatscene.build.asked import Asked, Meets, Stand
+from chatscene.build.chain import in_terms_of
+from chatscene.build.coming import lost_in_curves
+from chatscene.build.place import arm_of, at_roundabout, from_left, ring_arms, room_against, way_of
+from chatscene.build.timing import Body
+from chatscene.errors import NotBuilt
+from chatscene.maps.crossings import CrossingPath
+from chatscene.maps.ring_ways import ROUND
+from chatscene.terms.vocabulary import Side
+from chatscene.world.places import ringTraffic, trafficFrom, wayOf
+
+_EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
+_HALF_TURN = 14.0, 1.5  # [m] of turning round, and how much later [s] the ego then is for being slow in it
+
+
+def through(asked: Asked) -> Stand:
+    """On an arm of the ego's junction, or of its roundabout."""
+    if from_left(asked.situation, asked.one):
+        return comes_along(asked)
+    if at_roundabout(asked.situation):
+        return roundabout(asked)
+    arm = arm_of(asked.situation, asked.one, asked.found.sides)
+    turn = way_of(asked.situation, asked.one, arm)
+    way = f'wayOf(trafficFrom(egoRoute, "{arm}"), "{turn}")'
+    found = wayOf(trafficFrom(asked.found.route, arm), turn)
+    return _on_its_way(asked, way, found, f"maximum(2, way{{i}}.entry - $Y{asked.less})")
+
+
+def roundabout(asked: Asked) -> Stand:
+    """In the ego's roundabout, or on its way into that."""
+    arms = ring_arms(asked.one, asked.found.sides)
+    found = ringTraffic(asked.found.route, *arms)
+    way = f"ringTraffic(egoRoute, {', '.join(repr(arm) for arm in arms)})"
+    waits = (
+        f"meet{{i}} - $Y{asked.less}" if found.from_side == ROUND else f"maximum(2, way{{i}}.entry - $Y{asked.less})"
+    )
+    return _on_its_way(asked, way, found, waits)
+
+
+def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> Stand:
+    """On a way that meets the ego's: driving from the first, so far back that it is there in time, else waiting."""
+    asked.reach(10, 25, "how far before the junction it is")
+    stand = Stand(
+        meets=Meets.THROUGH,
+        way=way,
+        at=waits_at,
+        lines=("meet{i} = way{i}.meets_at", "egoMeet{i} = way{i}.ego_meets_at"),
+        ego_meets="egoMeet{i}",
+        left="distanceLeft(way{i}, {first}, meet{i})",
+        found=found,
+    )
+    said = asked.one.starts
+    if not asked.comes or (said.distance is not None and said.speed is None):
+        return stand
+    seconds = found.ego_meets_at / asked.ego.speed + (asked.ego.late or 0.0)
+    if said.distance is not None:
+        return replace(stand, rolls=_in_time(asked, found, seconds))
+    (low, high), most = asked.numbers.range_of("SPEED")[:2], found.meets_at / (seconds + _LATE)
+    if high > most:
+        if asked.numbers.is_said("SPEED"):
+            raise NotBuilt(f"others.{asked.one.id}: the road by which it comes is too short for over {most:.1f} m/s")
+        if low > most:
+            return stand
+        asked.numbers.narrow("SPEED", low, most)
+    if asked.first is not None:
+        return replace(stand, at=f"back{{row}}{asked.less}", rolls=True)
+    back = f"back{{i}} = backFrom(meet{{i}}, {_way_back(asked, found)})"
+    return replace(stand, at="back{i}", lines=(*stand.lines, back), rolls=True)
+
+
+def _way_back(asked: Asked, found: CrossingPath) -> str:
+    """How far [m] somebody has to where it meets the ego, at the speed that it holds, and slower in curves."""
+    numbers, body = asked.numbers, Body(asked.one.kind.row.body.row.limits, walks=False)
+
+    def held() -> float:
+        return body.holds(numbers.middle("SPEED")) / numbers.middle("SPEED")
+
+    def sooner() -> float:
+        own = lost_in_curves(found.line, held() * numbers.middle("SPEED"), found.meets_at, math.inf)
+        return lost_in_curves(asked.found.route.line, asked.ego.speed, found.ego_meets_at) - own
+
+    curves = in_terms_of(numbers, ("$SPEED",), sooner)
+    return f"{held():.3f} * $SPEED * ({asked.ego.seconds('egoMeet{i}')} {curves} - $OFFSET)"
+
+
+def _in_time(asked: Asked, found: CrossingPath, seconds: float) -> bool:
+    """Whether who comes from so far at such a speed is where the ways meet when the ego is.
+
+    Raises:
+        NotBuilt: It is there much sooner or later.
+    """
+    (near, far), (low, high) = (asked.numbers.range_of(name)[:2] for name in ("Y", "SPEED"))
+    within = found.meets_at - found.entry
+    soonest, latest = (near + within) / high, (far + within) / low
+    if latest < seconds - _EARLY or soonest > seconds + _LATE:
+        raise NotBuilt(
+            f"others.{asked.one.id}.starts.distance: {asked.one.starts.distance}: at that speed it is where they meet"
+            f" after {soonest:.1f} s, the ego after {seconds:.1f} s; it would have to start"
+            f" {max(seconds * low - within, 0.0):.0f} to {seconds * high - within:.0f} m before the junction"
+        )
+    return True
+
+
+def comes_along(asked: Asked) -> Stand:
+    """In the lane that the ego comes into, from behind: where the ego is in it when it is."""
+    if asked.side == Side.RIGHT or not asked.rolls or asked.one.starts.distance is not None:
+        raise NotBuilt(
+            f"nothing builds yet: others.{asked.one.id}.starts, of an ego that comes from beside its lane: only who"
+            " comes driving in that lane, from no distance that was said, is timed"
+        )
+    back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoRoute.eventAt', '')})"
+    first = asked.first is None
+    return Stand(
+        meets=Meets.ALONG,
+        way="wholeLane(egoRoute)",
+        at="back{i}" if first else f"back{{row}}{asked.less}",
+        lines=("meet{i} = levelOn(way{i}, egoRoute, egoRoute.eventAt)", *((back,) if first else ())),
+        left="distanceLeft(way{i}, {first}, meet{i})",
+        behind=True,
+        rolls=True,
+    )
+
+
+def comes_back(asked: Asked) -> Stand:
+    """In the lane that the ego turns round into, there when the ego is."""
+    level = f"egoRoute.eventAt + {_HALF_TURN[0]:g}"
+    back = (
+        f"back{{i}} = backFrom(meet{{i}}, {asked.way_back(f'({level} + {_HALF_TURN[1] * asked.ego.speed:.3g})', '')})"
+    )
+    first = asked.first is None
+    return Stand(
+        meets=Meets.TOWARD,
+        way="lastLane(egoRoute)",
+        at="back{i}" if first else f"back{{row}}{asked.less}",
+        lines=(f"meet{{i}} = levelOn(way{{i}}, egoRoute, {level})", *((back,) if first else ())),
+        left="distanceLeft(way{i}, {first}, meet{i})",
+        rolls=True,
+    )
+
+
+def slow_enough(asked: Asked) -> None:
+    """Let who comes against an ego that swings out be no faster than the road behind it is long for.
+
+    Raises:
+        NotBuilt: It was said to be.
+    """
+    route = asked.found.route
+    seconds = route.eventAt / asked.ego.speed + (asked.ego.late or 0.0) + _LATE
+    most = (room_against(route) - route.eventAt) / seconds
+    low, high, *_ = asked.numbers.range_of("SPEED")
+    if low <= most:
+        asked.numbers.narrow("SPEED", low, min(high, most))
+    elif asked.numbers.is_said("SPEED"):
+        raise NotBuilt(f"others.{asked.one.id}: the road by which it comes is too short for over {most:.1f} m/s")
+    else:
+        asked.numbers.narrow("SPEED", 0.85 * most, most)
