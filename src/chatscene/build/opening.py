@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from chatscene.build.aside import avoids, must_avoid
 from chatscene.build.asked import STOPS, Meets, stands_first, stops_ahead
 from chatscene.build.chain import in_terms_of, meeting_of
 from chatscene.build.coming import lost_in_curves
@@ -77,8 +78,8 @@ class Opening:
         waits = self._waits()
         if actor.stand.rolls and actor.stand.meets is Meets.TOWARD:
             self._come_from_afar()
-        if (before := self.phases.avoids(self.first)) is not None:
-            yield f"{waits} until {self.phases.must_avoid(before)}"
+        if (before := avoids(actor, self.first)) is not None:
+            yield f"{waits} until {must_avoid(actor, before)}"
             actor.ledger.take(*(f"{actor.path}.does.{self.first}.when.{name}" for name in ("after", "during")))
             return
         if when is not None:

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.aim import STOOD, set_offset
-from chatscene.build.asked import Meets, stands_first, stops_ahead, stops_on_its_way
+from chatscene.build.aside import avoids, line_aside, must_avoid, sign_of_side
+from chatscene.build.asked import Meets, stands_first, stops_on_its_way
 from chatscene.build.choosing import steps_of
 from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, RESTS_THERE, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
 from chatscene.build.facing import OVER
@@ -24,7 +25,6 @@ from chatscene.build.gaps import (
     seconds_to_get_by,
 )
 from chatscene.build.local import breaks, check_turn
-from chatscene.build.naming import name_of
 from chatscene.build.numbers import FIRM
 from chatscene.build.opening import LANE, Opening
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_passing_speed
@@ -33,9 +33,8 @@ from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
-from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.situation import Deed, Other
-from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
+from chatscene.terms.situation import Deed
+from chatscene.terms.vocabulary import Act, Manner, Role, Side
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -45,8 +44,6 @@ WAVE = 20.0  # [m], five times as far as a tracker looks ahead: a shorter wave i
 GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 NEARLY, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
-CLEAR = 0.4  # [m] at least between two of whom one swerves round the other
-SWERVES_AT, NEAR, SLOWER = 1.0, 2.0, 0.7  # [s], [m] before whom it swerves round; of the speed that one then has
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 
 
@@ -190,8 +187,8 @@ class Phases:
         for k in range(first, len(actor.deeds)):
             steps, deed = self.steps[k], actor.deeds[k]
             body: list[str] = []
-            if k > first and (before := self.avoids(k)) is not None:
-                body.append(f"{self._at(k, meanwhile)} until {self.must_avoid(before)}")
+            if k > first and (before := avoids(actor, k)) is not None:
+                body.append(f"{self._at(k, meanwhile)} until {must_avoid(actor, before)}")
                 actor.ledger.take(*(f"{actor.path}.does.{k}.when.{name}" for name in ("after", "during")))
             elif k > first and deed.when is not None:
                 changes = steps.pace in (Pace.GAINS, Pace.LOSES)
@@ -210,47 +207,12 @@ class Phases:
                 else:
                     body += self._gets_going(k, first, meanwhile)
             body += self._of(k, steps, way, still=still, last=k == len(actor.deeds) - 1, go=meanwhile)
-            way = steps.way or self._line_aside(k, way) or way
+            way = steps.way or line_aside(actor, k, way) or way
             if actor.stand.meets is not Meets.ACROSS and way:
                 meanwhile = GO.replace("{p}", way)
             still = steps.pace is Pace.STANDS
             turned ^= deed.act is Act.TURN_BACK
             yield body
-
-    def _line_aside(self, k: int, way: str | None) -> str:
-        """The line beside its own on which somebody goes on that left it, and does not come back."""
-        actor, deed = self.actor, self.actor.deeds[k]
-        last, avoids = k + 1 == len(actor.deeds), self.avoids(k)
-        round_ego = deed.act is Act.SWERVE and actor.one.starts.where is Where.BEHIND
-        stays = (
-            round_ego
-            or avoids is not None
-            or (not last and (deed.act is Act.DRIFT or (deed.act is Act.SWERVE and self._then(k) in LOSES)))
-        )
-        if not stays or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD):
-            return ""
-        if (avoids is not None or round_ego) and deed.distance is None:
-            body = avoids.kind.row.body if avoids is not None else AdversaryKind.CAR
-            least = 0.5 * (actor.limits.width + body.row.limits.width) + CLEAR
-            actor.numbers.narrow("SWERVE", least, least + CLEAR)
-        name = str(deed.act).upper() + (f"_{k}" if deed.distance is not None else "")
-        own = f"way{name_of(actor.one.id)}" + (".line" if actor.stand.way == "egoRoute" else "")
-        return f"{way or own}.offset({self._aside(deed, k)} * ${name})"
-
-    def avoids(self, k: int) -> Other | None:
-        """Who stops or stands in the ego's lane, if somebody there swerves round that."""
-        actor, here = self.actor, self.actor.one
-        swerves = actor.deeds[k].act is Act.SWERVE and here.starts.where is Where.AHEAD
-        if not swerves or actor.stand.meets is not Meets.ALONG:
-            return None
-        others = (one for one in actor.ledger.situation.others if one.id != here.id and one.starts.where is Where.AHEAD)
-        return next((one for one in others if stops_ahead(one) or stands_first(one)), None)
-
-    def must_avoid(self, one: Other) -> str:
-        """When somebody is so near to whom it swerves round that it must."""
-        name, slow = name_of(one.id), SLOWER * self.actor.ego_speed
-        near = f"self.pose[3] * {SWERVES_AT:g} + (self.length + {name}.length) / 2 + {NEAR:g}"
-        return f"{name}.pose[3] < {slow:.3g} and headway(egoRoute, self, {name}) < {near}"
 
     def _must_get_going(self, k: int, *, still: bool) -> bool:
         """Whether it must get under way before a deed, from a stand or to a speed that was chosen for it."""
@@ -323,7 +285,7 @@ class Phases:
         actor, deed = self.actor, self.actor.deeds[k]
         ends = last and bool(steps.last) and deed.time is None
         phases = steps.last if ends else steps.does
-        own = steps.way or self._line_aside(k, way) or way
+        own = steps.way or line_aside(actor, k, way) or way
         if last and not ends:
             phases = (*phases, GO.replace("{p}", own) if own and actor.stand.meets is not Meets.ACROSS else go)
         if deed.act in (Act.STOP, Act.BRAKE, Act.STAND) and self._then(k) is Act.STAND and deed.time is None:
@@ -344,7 +306,7 @@ class Phases:
         for text in self._careful(phases) if last else phases:
             said = to_whom(self._of_deed(k, text, steps), deed)
             said = said.replace("{meets}", actor.stand.ego_meets)
-            yield said.replace("{aside}", self._aside(deed, k)).replace("{p}", way or "{p}")
+            yield said.replace("{aside}", sign_of_side(actor, k)).replace("{p}", way or "{p}")
         self._take_side(k)
 
     def _beside_ego(self, k: int, phases: tuple[str, ...], way: str) -> tuple[str, ...]:
@@ -446,19 +408,6 @@ class Phases:
         actor.numbers.narrow(name, low, min(high, 1.0))
         actor.numbers.bound[name] = f"{actor.path}.does.{k}.acceleration"
         return _renamed(text, "THROTTLE", name)
-
-    def _aside(self, deed: Deed, k: int) -> str:
-        """To which side of its line it goes: 1 for left; where that was not said, toward the ego's way."""
-        toward = self.actor.stand.meets is Meets.TOWARD
-        if deed.to is not None:
-            self.actor.ledger.take(f"{self.actor.path}.does.{k}.to")
-            sign = 1 if deed.to is Side.LEFT else -1
-            return str(-sign if toward else sign)
-        if toward:
-            return "1"
-        if self.actor.stand.meets is Meets.ALONG:
-            return "-1" if self.actor.one.starts.side is Side.LEFT else "1"
-        return "(-1 if offsetFrom(egoRoute, self) > 0 else 1)"
 
 
 def _renamed(text: str, name: str, own: str) -> str:

@@ -1,0 +1,70 @@
+"""Who leaves its line to a side: to which, on which line it then goes on, and whom it swerves round."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from chatscene.build.asked import Meets, stands_first, stops_ahead
+from chatscene.build.gaps import LOSES
+from chatscene.build.naming import name_of
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.situation import Other
+from chatscene.terms.vocabulary import Act, Side, Where
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+
+CLEAR = 0.4  # [m] at least between two of whom one swerves round the other
+SWERVES_AT, NEAR, SLOWER = 1.0, 2.0, 0.7  # [s], [m] before whom it swerves round; of the speed that one then has
+
+
+def avoids(actor: Actor, k: int) -> Other | None:
+    """Who stops or stands in the ego's lane, if somebody there swerves round that."""
+    here = actor.one
+    swerves = actor.deeds[k].act is Act.SWERVE and here.starts.where is Where.AHEAD
+    if not swerves or actor.stand.meets is not Meets.ALONG:
+        return None
+    others = (one for one in actor.ledger.situation.others if one.id != here.id and one.starts.where is Where.AHEAD)
+    return next((one for one in others if stops_ahead(one) or stands_first(one)), None)
+
+
+def must_avoid(actor: Actor, one: Other) -> str:
+    """When somebody is so near to whom it swerves round that it must."""
+    name, slow = name_of(one.id), SLOWER * actor.ego_speed
+    near = f"self.pose[3] * {SWERVES_AT:g} + (self.length + {name}.length) / 2 + {NEAR:g}"
+    return f"{name}.pose[3] < {slow:.3g} and headway(egoRoute, self, {name}) < {near}"
+
+
+def line_aside(actor: Actor, k: int, way: str | None) -> str:
+    """The line beside its own on which somebody goes on that left it, and does not come back."""
+    deed = actor.deeds[k]
+    last, before = k + 1 == len(actor.deeds), avoids(actor, k)
+    round_ego = deed.act is Act.SWERVE and actor.one.starts.where is Where.BEHIND
+    stays = (
+        round_ego
+        or before is not None
+        or (not last and (deed.act is Act.DRIFT or (deed.act is Act.SWERVE and actor.deeds[k + 1].act in LOSES)))
+    )
+    if not stays or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD):
+        return ""
+    if (before is not None or round_ego) and deed.distance is None:
+        body = before.kind.row.body if before is not None else AdversaryKind.CAR
+        least = 0.5 * (actor.limits.width + body.row.limits.width) + CLEAR
+        actor.numbers.narrow("SWERVE", least, least + CLEAR)
+    name = str(deed.act).upper() + (f"_{k}" if deed.distance is not None else "")
+    own = f"way{name_of(actor.one.id)}" + (".line" if actor.stand.way == "egoRoute" else "")
+    return f"{way or own}.offset({sign_of_side(actor, k)} * ${name})"
+
+
+def sign_of_side(actor: Actor, k: int) -> str:
+    """To which side of its line it goes: 1 for left; where that was not said, toward the ego's way."""
+    deed, toward = actor.deeds[k], actor.stand.meets is Meets.TOWARD
+    if deed.to is not None:
+        actor.ledger.take(f"{actor.path}.does.{k}.to")
+        sign = 1 if deed.to is Side.LEFT else -1
+        return str(-sign if toward else sign)
+    if toward:
+        return "1"
+    if actor.stand.meets is Meets.ALONG:
+        return "-1" if actor.one.starts.side is Side.LEFT else "1"
+    return "(-1 if offsetFrom(egoRoute, self) > 0 else 1)"
