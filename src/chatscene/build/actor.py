@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from chatscene.build.asked import Asked, Meets, Stand, between, bolts, stands_first
 from chatscene.build.coming import Coming, goes_over
 from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
+from chatscene.build.hiding import place_hiding
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
@@ -37,10 +38,6 @@ from chatscene.terms.situation import SEVERAL, Deed, Other
 from chatscene.terms.vocabulary import Act, Breach, Role, Side, UserKind, Where
 from chatscene.world.places import lanes_beside, ownLane
 
-BETWEEN = 1.2  # [m] between things in a row
-OFF = 0.1  # [m] between the lane and the side of what hides somebody
-BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
-SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
 HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast
 SOONER_OR_LATER = 0.08  # of its speed, by which who keeps up with the ego is there sooner or later
 FASTER = (1.2, 1.5)  # of the speed of the traffic: who is fast in it
@@ -327,7 +324,7 @@ class Actor:
         )
         lines = list(named)
         for n in range(self.count):
-            place, facing = self._hides(hidden, n) if hidden is not None else self._place(n)
+            place, facing = place_hiding(self, hidden, n) if hidden is not None else self._place(n)
             said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
             said += f", with label '{self.one.id}'" + self.role()
             does = f"Does{one}" if rows[n] == phases else f"Does{one}_{n}"
@@ -402,51 +399,6 @@ class Actor:
         at = self.filled(stand.at) + (f" {self._away} {n * self._apart:g}" if n else "")
         turn = f", {stand.turn:g}" if stand.turn else ""
         return f"pointOn(way{one}, {at})", f"directionOn(way{one}, {at}{turn})"
-
-    def _hides(self, hidden: Actor, n: int) -> tuple[str, str]:
-        """Where the n-th of it stands between the ego and whom it hides: nearer to the ego and farther in turn."""
-        if hidden.stand.meets is Meets.THROUGH and hidden.one.starts.where is Where.ARM:
-            self.ledger.take(f"{hidden.path}.hidden_by")
-            return self._at_corner(hidden, n)
-        if hidden.stand.meets is not Meets.ACROSS or "besideRoad" not in hidden.stand.point:
-            raise NotBuilt(f"nothing builds yet: {self.one.id}, which hides somebody who is {hidden.one.starts.where}")
-        side = str(hidden.one.starts.side)
-        if self.one.starts.side not in (None, side):
-            raise NotBuilt(f"nothing builds yet: {self.path}, which hides {hidden.one.id} from its side")
-        self.ledger.take(*(f"others.{name}.hidden_by" for name in self._hidden_with(hidden.one)))
-        length = self.limits.length or 1.2
-        away = 2.6 + 0.5 * length + n // 2 * (length + BETWEEN)
-        off = 0.5 * self.limits.width + OFF  # so that it is beside the lane, and not in it
-        beyond, aside = max(1.2, off), hidden.numbers.middle("X")
-        if aside > BEYOND and n % 2 == 0:  # it comes from farther off the road, and what hides it stands there, too
-            beyond = max(off, aside - BEYOND)
-            over = LANE / 2 + aside
-            far = min(SEEN_FROM * hidden.numbers.middle("Y"), self.ego_speed * over / hidden.numbers.middle("SPEED"))
-            away = max(away, (aside - beyond) / over * far)
-        at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
-        return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
-
-    def _hidden_with(self, one: Other) -> Iterator[str]:
-        """The ids of all that it hides with somebody, from whose gap they come."""
-        for other in self.ledger.situation.others:
-            same = (other.starts.where, other.starts.side) == (
-                one.starts.where,
-                self.ledger.situation[one.id].starts.side,
-            )
-            if other.hidden_by == self.one.id and same and other.starts.distance is None:
-                yield other.id
-        yield one.id
-
-    def _at_corner(self, hidden: Actor, n: int) -> tuple[str, str]:
-        """Where the n-th of it stands beside the way of whom it hides on an arm, in the line of sight as that sets off.
-
-        Beside whom it hides lies the lane of the other direction, if the ego comes from that one's left.
-        """
-        left = hidden.one.starts.side is Side.RIGHT
-        aside = (1.5 * LANE if left else 0.5 * LANE) + 0.5 * self.limits.width + BETWEEN
-        along = aside * hidden.numbers.middle("SPEED") / self.ego_speed + n * (self.limits.length + BETWEEN)
-        at, way = f"{hidden.filled(hidden.stand.at)} + {along:.3g}", f"way{name_of(hidden.one.id)}"
-        return f"pointOn({way}, {at}, {aside if left else -aside:.3g})", f"directionOn({way}, {at})"
 
     def said(self) -> str:
         """What it is and does, for a comment."""

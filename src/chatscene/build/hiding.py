@@ -1,0 +1,69 @@
+"""Who hides somebody at first: where it stands, in the line of sight from the ego to whom it hides."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from chatscene.build.asked import Meets
+from chatscene.build.naming import name_of
+from chatscene.build.place import LANE
+from chatscene.errors import NotBuilt
+from chatscene.terms.situation import Other
+from chatscene.terms.vocabulary import Side, Where
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+
+BETWEEN = 1.2  # [m] between things in a row
+OFF = 0.1  # [m] between the lane and the side of what hides somebody
+BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
+SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
+
+
+def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
+    """Where the n-th of it stands between the ego and whom it hides: nearer to the ego and farther in turn."""
+    if hidden.stand.meets is Meets.THROUGH and hidden.one.starts.where is Where.ARM:
+        actor.ledger.take(f"{hidden.path}.hidden_by")
+        return _at_corner(actor, hidden, n)
+    if hidden.stand.meets is not Meets.ACROSS or "besideRoad" not in hidden.stand.point:
+        raise NotBuilt(f"nothing builds yet: {actor.one.id}, which hides somebody who is {hidden.one.starts.where}")
+    side = str(hidden.one.starts.side)
+    if actor.one.starts.side not in (None, side):
+        raise NotBuilt(f"nothing builds yet: {actor.path}, which hides {hidden.one.id} from its side")
+    actor.ledger.take(*(f"others.{name}.hidden_by" for name in _hidden_with(actor, hidden.one)))
+    length = actor.limits.length or 1.2
+    away = 2.6 + 0.5 * length + n // 2 * (length + BETWEEN)
+    off = 0.5 * actor.limits.width + OFF  # so that it is beside the lane, and not in it
+    beyond, aside = max(1.2, off), hidden.numbers.middle("X")
+    if aside > BEYOND and n % 2 == 0:  # it comes from farther off the road, and what hides it stands there, too
+        beyond = max(off, aside - BEYOND)
+        over = LANE / 2 + aside
+        far = min(SEEN_FROM * hidden.numbers.middle("Y"), actor.ego_speed * over / hidden.numbers.middle("SPEED"))
+        away = max(away, (aside - beyond) / over * far)
+    at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
+    return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
+
+
+def _hidden_with(actor: Actor, one: Other) -> Iterator[str]:
+    """The ids of all that it hides with somebody, from whose gap they come."""
+    for other in actor.ledger.situation.others:
+        same = (other.starts.where, other.starts.side) == (
+            one.starts.where,
+            actor.ledger.situation[one.id].starts.side,
+        )
+        if other.hidden_by == actor.one.id and same and other.starts.distance is None:
+            yield other.id
+    yield one.id
+
+
+def _at_corner(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
+    """Where the n-th of it stands beside the way of whom it hides on an arm, in the line of sight as that sets off.
+
+    Beside whom it hides lies the lane of the other direction, if the ego comes from that one's left.
+    """
+    left = hidden.one.starts.side is Side.RIGHT
+    aside = (1.5 * LANE if left else 0.5 * LANE) + 0.5 * actor.limits.width + BETWEEN
+    along = aside * hidden.numbers.middle("SPEED") / actor.ego_speed + n * (actor.limits.length + BETWEEN)
+    at, way = f"{hidden.filled(hidden.stand.at)} + {along:.3g}", f"way{name_of(hidden.one.id)}"
+    return f"pointOn({way}, {at}, {aside if left else -aside:.3g})", f"directionOn({way}, {at})"
