@@ -69,10 +69,15 @@ def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> S
         if low > most:
             return stand
         asked.numbers.narrow("SPEED", low, most)
+    return replace(so_far_back(asked, stand, _way_back(asked, found)), rolls=True)
+
+
+def so_far_back(asked: Asked, stand: Stand, metres: str) -> Stand:
+    """The same, so far back from where it meets the ego; who is in a row stands behind the first of that."""
     if asked.first is not None:
-        return replace(stand, at=f"back{{row}}{asked.less}", rolls=True)
-    back = f"back{{i}} = backFrom(meet{{i}}, {_way_back(asked, found)})"
-    return replace(stand, at="back{i}", lines=(*stand.lines, back), rolls=True)
+        return replace(stand, at=f"back{{row}}{asked.less}")
+    back = f"back{{i}} = backFrom(meet{{i}}, {metres})"
+    return replace(stand, at="back{i}", lines=(*stand.lines, back))
 
 
 def _way_back(asked: Asked, found: CrossingPath) -> str:
@@ -115,34 +120,28 @@ def comes_along(asked: Asked) -> Stand:
             f"nothing builds yet: others.{asked.one.id}.starts, of an ego that comes from beside its lane: only who"
             " comes driving in that lane, from no distance that was said, is timed"
         )
-    back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoRoute.eventAt', '')})"
-    first = asked.first is None
-    return Stand(
+    stand = Stand(
         meets=Meets.ALONG,
         way="wholeLane(egoRoute)",
-        at="back{i}" if first else f"back{{row}}{asked.less}",
-        lines=("meet{i} = levelOn(way{i}, egoRoute, egoRoute.eventAt)", *((back,) if first else ())),
+        lines=("meet{i} = levelOn(way{i}, egoRoute, egoRoute.eventAt)",),
         left="distanceLeft(way{i}, {first}, meet{i})",
         behind=True,
         rolls=True,
     )
+    return so_far_back(asked, stand, asked.way_back("egoRoute.eventAt", ""))
 
 
 def comes_back(asked: Asked) -> Stand:
     """In the lane that the ego turns round into, there when the ego is."""
     level = f"egoRoute.eventAt + {_HALF_TURN[0]:g}"
-    back = (
-        f"back{{i}} = backFrom(meet{{i}}, {asked.way_back(f'({level} + {_HALF_TURN[1] * asked.ego.speed:.3g})', '')})"
-    )
-    first = asked.first is None
-    return Stand(
+    stand = Stand(
         meets=Meets.TOWARD,
         way="lastLane(egoRoute)",
-        at="back{i}" if first else f"back{{row}}{asked.less}",
-        lines=(f"meet{{i}} = levelOn(way{{i}}, egoRoute, {level})", *((back,) if first else ())),
+        lines=(f"meet{{i}} = levelOn(way{{i}}, egoRoute, {level})",),
         left="distanceLeft(way{i}, {first}, meet{i})",
         rolls=True,
     )
+    return so_far_back(asked, stand, asked.way_back(f"({level} + {_HALF_TURN[1] * asked.ego.speed:.3g})", ""))
 
 
 def slow_enough(asked: Asked) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from chatscene.build.arriving import comes_along, comes_back, roundabout, slow_enough, through
+from chatscene.build.arriving import comes_along, comes_back, roundabout, slow_enough, so_far_back, through
 from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, stops_ahead
 from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.place import (
@@ -77,6 +77,11 @@ def _within(way: str, aside: float) -> str:
     return f"{way}.offset({aside:g})" if aside else way
 
 
+def _through_point(point: str) -> str:
+    """The line through a point, beside the ego's lane all along."""
+    return f"ownLane(egoRoute).offset(ownLane(egoRoute).project(*{point}.coordinates[:2])[1])"
+
+
 def _behind(asked: Asked) -> Stand:
     if asked.begins_beside:
         return comes_along(asked)
@@ -96,12 +101,10 @@ def _behind(asked: Asked) -> Stand:
 
 BESIDE_TO_STRIKE = {Striker.EGO: (2.5, 5.0), Striker.OTHER: (-2.5, 0.8)}
 """How far [m] ahead of the ego somebody beside it is who comes over, by who runs into whom."""
-
-
 _INTO = {EgoRoute.LANE_CHANGE_LEFT: Side.LEFT, EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT, EgoRoute.MERGE: Side.LEFT}
 
 
-def changes_to(situation: Situation, side: str) -> bool:
+def _changes_to(situation: Situation, side: str) -> bool:
     """Whether the ego changes to the lane on a side."""
     return situation.ego.route is not None and _INTO.get(situation.ego.route) == side
 
@@ -119,7 +122,7 @@ def _next_lane(asked: Asked) -> Stand:
         over = "1.5708" if asked.side == Side.RIGHT else "-1.5708"
         return replace(stand, facing=faces(asked, f"level{{i}}{asked.more}", Facing.ALONG, asked.side), over=over)
     low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
-    if where is Where.BEHIND_BESIDE and asked.one.role is Role.SUPPORTING and changes_to(asked.situation, asked.side):
+    if back and asked.one.role is Role.SUPPORTING and _changes_to(asked.situation, asked.side):
         low, high = (asked.middles + one * asked.ego.speed for one in CAREFUL)
     contact = asked.situation.contact
     strikes = contact is not None and contact.happens and contact.whom in (None, asked.one.id)
@@ -167,10 +170,7 @@ def _oncoming(asked: Asked) -> Stand:
     if not asked.swings_out or asked.one.starts.distance is not None or not asked.comes:
         return stand
     slow_enough(asked)
-    if asked.first is not None:  # who meets an ego that swings out is there when it does
-        return replace(stand, at=f"back{{row}}{asked.less}")
-    back = f"back{{i}} = backFrom(meet{{i}}, {asked.way_back('egoRoute.eventAt', '')})"
-    return replace(stand, at="back{i}", lines=(*stand.lines, back))
+    return so_far_back(asked, stand, asked.way_back("egoRoute.eventAt", ""))  # there when the ego swings out
 
 
 def _walks_at_crosswalk(asked: Asked) -> bool:
@@ -231,7 +231,7 @@ def _kerb(asked: Asked) -> Stand:
         edge = f"pointOn({beside}, levelOn({beside}, egoRoute, 20), -2.1)"
     return Stand(
         meets=Meets.KERB,
-        way=f"ownLane(egoRoute).offset(ownLane(egoRoute).project(*{edge}.coordinates[:2])[1])",
+        way=_through_point(edge),
         at=level,
         ego_meets="progressOn(egoRoute, self)[0]",
         anywhere=not asked.swings_out,
@@ -250,7 +250,7 @@ def _bus_bay(asked: Asked) -> Stand:
     edge = 'besideRoad(egoRoute, egoRoute.eventAt + 10, "right", 1.6)'
     return Stand(
         meets=Meets.KERB,
-        way=f"ownLane(egoRoute).offset(ownLane(egoRoute).project(*{edge}.coordinates[:2])[1])",
+        way=_through_point(edge),
         at=f"{'egoRoute.eventAt + ' if said is None else ''}$Y{asked.more}",
         ego_meets="progressOn(egoRoute, self)[0]",
     )
