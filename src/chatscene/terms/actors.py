@@ -78,8 +78,8 @@ class RoadUser:
         manner: How it moves; those on foot or on two wheels are the vulnerable ones (Directive 2010/40/EU, article 4).
         height: [m]; nominal, and no drive depends on it.
         openscenario: Its category in OpenSCENARIO XML 1.2: of a vehicle, a pedestrian or a thing.
-        words: Regular expression of the words that name it; empty of one that only a situation tells from what it is
-            like (`AdversaryKind.heard_as`).
+        words: Regular expression of the words that name it; empty if they name the kind that it is like, from which
+            only a situation tells it (`AdversaryKind.heard_as`).
         general: How general its words are: where those of two kinds overlap, the less general are heard.
         nouns: What it is called, parted by `|` or lines; what comes up more often stands more often. After a colon
             stands the pronoun, where it is not the kind's usual one.

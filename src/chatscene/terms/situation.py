@@ -97,7 +97,7 @@ class Start(_Closed):
     Attributes:
         where: The place, seen from the ego.
         side: Its side, of a place that has one; None leaves it open.
-        distance: From the ego, along the road; to who is ahead or behind the gap from nose to tail.
+        distance: From the ego, along the road; of who is ahead or behind, the gap between the two.
         speed: How fast it then is.
         facing: Which way it faces, where the place leaves that open.
     """

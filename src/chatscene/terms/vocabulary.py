@@ -162,7 +162,7 @@ class KindRow:
     Attributes:
         body: The kind of the world that is built.
         general: Whether the word leaves open what it is.
-        prop: The class of a thing beside the road, which lies as its body does.
+        prop: The class of the world that is built in place of that of its body, which says how it moves.
     """
 
     body: AdversaryKind
@@ -286,7 +286,7 @@ class Where(RowWord):
 
 
 NOSE_TO_TAIL = frozenset((Where.AHEAD, Where.AHEAD_BESIDE, Where.BEHIND, Where.BEHIND_BESIDE))
-"""From where on a distance is the gap between bodies, as both go the same way; else it is between their middles."""
+"""Places of which a distance is the gap between the two bodies; of all others it is between their middles."""
 
 
 class Facing(Word):
