@@ -6,10 +6,11 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from chatscene.build.asked import Asked, Meets, Stand, between, bolts, stands_first
+from chatscene.build.asked import FROM_A_STAND, Asked, Meets, Stand, between, bolts, stands_first
 from chatscene.build.coming import Coming, goes_over
 from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
+from chatscene.build.gaps import GOES_ON
 from chatscene.build.hiding import place_hiding
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
@@ -39,15 +40,12 @@ from chatscene.terms.vocabulary import Act, Breach, Role, Side, UserKind, Where
 from chatscene.world.places import lanes_beside, ownLane
 
 HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast
-SOONER_OR_LATER = 0.08  # of its speed, by which who keeps up with the ego is there sooner or later
 FASTER = (1.2, 1.5)  # of the speed of the traffic: who is fast in it
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"(?:DrivePath|FollowTraffic)\([^,]+, ([^,()]+)")
 _GOES = re.compile(r"^DrivePath\(([^,]+), ([^,()]+)\)( |$)")
 _CLOSE_BEHIND = re.compile(r"(PaceOnPath\([^,]+, )ego, -\(")
 _KEEPS = re.compile(r"(PaceOnPath\([^,]+, ego, )([^,]+)")
-_OFF = frozenset((Act.SET_OFF, Act.STAND))
-_GOES_ON = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW))
 
 
 @dataclass(slots=True)
@@ -63,7 +61,7 @@ class Actor:
         first: In whose row it stands, whose place it shares; None if it is the first.
         needs: How long [s] the ego must need at least to where they meet.
         reaches: How far [m] the ego has to there.
-        begins: For each of its deeds, how many of its phases come before it.
+        begins: For each of its deeds, how many of its phases come before that in which it is done.
         takes: How much road [m] the ego drives along while it does all that it does; 0 where that does not matter.
         soon: When [s] the ego meets somebody else, who may end the scene; None if nobody is known to.
     """
@@ -81,7 +79,7 @@ class Actor:
     needs: float = field(init=False, default=0.0)
     reaches: float = field(init=False, default=0.0)
     takes: float = field(init=False, default=0.0)
-    soon: float | None = None
+    soon: float | None = field(init=False, default=None)
     begins: tuple[int, ...] = field(init=False, default=())
     _texts: tuple[str, ...] | None = field(init=False, default=None)
 
@@ -155,9 +153,9 @@ class Actor:
     def _lane_ends(self) -> bool:
         """Whether the lane in which the ego begins ends on its way straight on, so that it goes on in another."""
         route = self.found.route
-        between = route.route.junction is None and not at_roundabout(self.ledger.situation)
-        straight = self.found.query["maneuver"] == Maneuver.STRAIGHT and between
-        return straight and ownLane(route).length < route.line.length - LANE
+        on_road = route.route.junction is None and not at_roundabout(self.ledger.situation)
+        straight = self.found.query["maneuver"] == Maneuver.STRAIGHT
+        return on_road and straight and ownLane(route).length < route.line.length - LANE
 
     @property
     def nearest(self) -> float:
@@ -189,7 +187,7 @@ class Actor:
             numbers.narrow("SPEED", *(min(speed, top) for speed in beside))
         if any(deed.breaks is Breach.RED_LIGHT for deed in deeds):  # who does not slow down for it, but is in a hurry
             fast = self.one.kind.row.body.row.fast
-            numbers.narrow("SPEED", *(min(share * fast, MOST * self.limits.top_speed) for share in HURRIES))
+            numbers.narrow("SPEED", *(min(share * fast, top) for share in HURRIES))
         paces = {deed.manner for deed in deeds if deed.manner in PACES}
         if len(paces) == 1 and any(deed.manner in PACES and deed.act in AT_ONE_SPEED for deed in deeds):
             low, high, *_ = numbers.ranges[PACES[paces.pop()]]
@@ -204,7 +202,7 @@ class Actor:
         """Whether it only goes on, on the side on which the ego goes over its way."""
         route, start = self.ledger.situation.ego.route, self.one.starts
         beside = self.stand.meets is Meets.ALONG and start.where in NEXT_LANE and not stands_first(self.one)
-        only = all(deed.act in _GOES_ON for deed in self.deeds)
+        only = all(deed.act in GOES_ON | {Act.GO_STRAIGHT} for deed in self.deeds)
         return beside and only and route is not None and GOES_OVER.get(route) is start.side
 
     def _keep_up(self) -> None:
@@ -215,19 +213,20 @@ class Actor:
         situation, numbers = self.ledger.situation, self.numbers
         if self.one.role is not Role.ADVERSARY or not self._goes_on_beside() or numbers.is_said("SPEED"):
             return
+        lengths = self.limits.length + AdversaryKind.CAR.row.limits.length
         there, seconds = goes_over(self.found.route, self.ego_speed)
         seconds += self.ego.late or 0.0
         ahead = numbers.middle("Y") * (-1 if self.stand.behind else 1)
         contact = situation.contact
         if contact is not None and not contact.happens and contact.whom in (None, self.one.id):
-            there += 0.75 * (self.limits.length + AdversaryKind.CAR.row.limits.length)  # by before the ego's nose
-        body = Body(self.limits, self.walks)
+            there += 0.75 * lengths  # by before the ego's nose
+        way = there - ahead
         usual, top = numbers.range_of("SPEED")[1], MOST * self.limits.top_speed
-        if there - ahead > usual * seconds and situation.ego.speed is None:
-            self.reaches, self.needs = seconds * self.ego_speed, (there - ahead) / usual
-        needed = min(body.wish_for((there - ahead) / seconds), top)
-        spare = 0.25 * (self.limits.length + AdversaryKind.CAR.row.limits.length)  # so that the two are level with it
-        share = spare / (there - ahead)
+        if way > usual * seconds and situation.ego.speed is None:
+            self.reaches, self.needs = seconds * self.ego_speed, way / usual
+        needed = min(Body(self.limits, self.walks).wish_for(way / seconds), top)
+        spare = 0.25 * lengths  # so that the two are level with it
+        share = spare / way
         numbers.narrow("SPEED", (1 - share) * needed, min((1 + share) * needed, top))
         if not numbers.is_said("Y"):
             low, high, *_ = numbers.range_of("Y")
@@ -240,7 +239,11 @@ class Actor:
 
     def moves_first(self, k: int) -> bool:
         """Whether a deed is the first in which it goes anywhere."""
-        return all(deed.act in _OFF for deed in self.deeds[:k])
+        return all(deed.act in FROM_A_STAND for deed in self.deeds[:k])
+
+    def then(self, k: int) -> Act | None:
+        """What it does after its k-th deed; None if that is its last."""
+        return self.deeds[k + 1].act if k + 1 < len(self.deeds) else None
 
     # Its plan
 
@@ -284,7 +287,7 @@ class Actor:
     def filled(self, text: str) -> str:
         """A text with names and parameters in the place of marks."""
         one = name_of(self.one.id)
-        if self._lane_ends:
+        if OWN in text and self._lane_ends:
             text = text.replace(OWN, "ownWay(egoRoute)")
         first = one if self.count > 1 else "self"
         text = text.replace("{beside}", f"beside{one}").replace("{ours}", f"ours{one}").replace("{home}", f"home{one}")
@@ -329,7 +332,7 @@ class Actor:
             said += f", with label '{self.one.id}'" + self.role()
             does = f"Does{one}" if rows[n] == phases else f"Does{one}_{n}"
             lines.append(said + self.moving(phases) + (f", with behavior {does}()" if phases else ""))
-        lines += parts_of(self, self.begins)
+        lines += parts_of(self)
         if self.one.starts.speed is not None and self.one.starts.speed.high <= 0.0:
             self.ledger.take(f"{self.path}.starts.speed")  # it stands
         self.ledger.take(*self.numbers.built())

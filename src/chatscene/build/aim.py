@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from chatscene.build.asked import Meets, stops_on_its_way
+from chatscene.build.asked import Meets, stops_in_the_way
 from chatscene.build.chain import meeting_of
 from chatscene.build.coming import EGO_GRIP
 from chatscene.build.sweep import Moving, Touch, touches
@@ -35,7 +35,7 @@ Window = tuple[float, float]
 
 
 def set_offset(actor: Actor) -> None:
-    """Let somebody be where the ways meet while they would touch if neither reacted; the middle is the middle of that.
+    """Let somebody be where the ways meet at a time at which the two would touch if neither reacted.
 
     Whoever comes later strikes the other.
     """
@@ -50,9 +50,7 @@ def set_offset(actor: Actor) -> None:
         actor.ledger.take(*taken)
     if actor.one.role is Role.SUPPORTING and not yields:  # not met: before the ego, which can still brake for it
         late, early = early + 0.5 * actor.ego_speed / GENTLE, early + actor.ego_speed / GENTLE
-    if actor.stand.meets is Meets.THROUGH and any(
-        stops_on_its_way(Meets.THROUGH, actor.deeds, k) for k in range(len(actor.deeds))
-    ):
+    if actor.stand.meets is Meets.THROUGH and stops_in_the_way(Meets.THROUGH, actor.deeds):
         stops = 0.5 * actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
         late, early = stops, stops + early  # it stands there when the ego comes
     actor.numbers.narrow("OFFSET", late, early)

@@ -38,12 +38,13 @@ def must_avoid(actor: Actor, one: Other) -> str:
 def line_aside(actor: Actor, k: int, way: str | None) -> str:
     """The line beside its own on which somebody goes on that left it, and does not come back."""
     deed = actor.deeds[k]
-    last, before = k + 1 == len(actor.deeds), avoids(actor, k)
+    then, before = actor.then(k), avoids(actor, k)
     round_ego = deed.act is Act.SWERVE and actor.one.starts.where is Where.BEHIND
     stays = (
         round_ego
         or before is not None
-        or (not last and (deed.act is Act.DRIFT or (deed.act is Act.SWERVE and actor.deeds[k + 1].act in LOSES)))
+        or (deed.act is Act.DRIFT and then is not None)
+        or (deed.act is Act.SWERVE and then in LOSES)
     )
     if not stays or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD):
         return ""

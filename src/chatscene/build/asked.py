@@ -204,6 +204,9 @@ def between(one: Other, speed: float) -> float:
 
 
 STOPS = frozenset((Act.STOP, Act.BRAKE))
+HALTS = frozenset((Act.STAND, Act.STOP))
+FROM_A_STAND = frozenset((Act.STAND, Act.SET_OFF))
+"""What is begun standing, wherever somebody is."""
 
 
 def stops_ahead(one: Other) -> bool:
@@ -216,7 +219,7 @@ def stands_first(one: Other) -> bool:
     """Whether somebody stands when it begins."""
     first = one.does[0].act if one.does else None
     still = one.starts.speed is not None and one.starts.speed.high <= 0.0
-    return still or first in (Act.STAND, Act.SET_OFF, Act.PULL_OUT) or one.kind.moves is Moves.LIES
+    return still or first in FROM_A_STAND | {Act.PULL_OUT} or one.kind.moves is Moves.LIES
 
 
 _OVER = {
@@ -232,3 +235,8 @@ def stops_on_its_way(meets: Meets, deeds: Sequence[Deed], k: int) -> bool:
         return False
     goes, ends = _OVER[meets]
     return deeds[k - 1].act in goes and deeds[k].act in ends
+
+
+def stops_in_the_way(meets: Meets, deeds: Sequence[Deed]) -> bool:
+    """Whether somebody stops where the ego goes, in any of its deeds."""
+    return any(stops_on_its_way(meets, deeds, k) for k in range(len(deeds)))

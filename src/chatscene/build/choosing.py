@@ -7,14 +7,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import Meets
+from chatscene.build.asked import FROM_A_STAND, Meets
 from chatscene.build.deeds import (
     ALONG,
     BEHIND_ANOTHER,
     BRAKES,
     BRAKES_TO,
     COMES_BACK,
-    COMES_OVER,
+    DRIFTS_OVER,
     LOSES_SLOWLY,
     OFF,
     Steps,
@@ -25,7 +25,7 @@ from chatscene.build.deeds import (
     turning_round,
     yielding_to,
 )
-from chatscene.build.gaps import eases, stops_before
+from chatscene.build.gaps import GOES_ON, eases, stops_before
 from chatscene.build.local import check_round, radius_to_turn_round
 from chatscene.build.naming import name_of
 from chatscene.build.paces import Pace
@@ -39,9 +39,7 @@ if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 TURNS_AT = 3.0  # [m/s²], sideways, of who turns round
-_GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
 _ASIDE = frozenset((Act.WEAVE, Act.DRIFT, Act.SWERVE, Act.LANE_CHANGE, Act.CUT_OUT))
-_OFF = frozenset((Act.SET_OFF, Act.STAND))
 _COMES_BACK = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE))
 
 
@@ -77,14 +75,14 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         radius = radius_to_turn_round(actor, k)
         yield Act.U_TURN, turning_round(radius, 0.0 if deed.speed is not None else math.sqrt(TURNS_AT * radius))
     follows = actor.stand.behind and not actor.stand.rolls and not _touches(actor)
-    if where is Where.BEHIND and deed.act in _GOING_ON and follows and not _goes_by_itself(actor, deed):
+    if where is Where.BEHIND and deed.act in GOES_ON and follows and not _goes_by_itself(actor, deed):
         yield deed.act, ALONG[Act.TAILGATE]  # or it would run into the ego
     if deed.act is Act.OVERTAKE and along:
         yield from _overtaking(actor, deed)
-    if meets is Meets.TOWARD and deed.act in _COMES_BACK and _is_in_ours(actor, deed):
-        yield deed.act, _back(actor, deed)
+    if meets is Meets.TOWARD and deed.act in _COMES_BACK and _is_in_ours(actor, k):
+        yield deed.act, _back(actor, k)
     if done_to(deed) != EGO:
-        yield from _to_another(actor, deed)
+        yield from _to_another(actor, k)
 
 
 def _changing_lanes(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
@@ -115,49 +113,47 @@ def _goes_by_itself(actor: Actor, deed: Deed) -> bool:
     return actor.one.role is Role.SUPPORTING and deed.distance is None
 
 
-def _is_in_ours(actor: Actor, deed: Deed) -> bool:
+def _is_in_ours(actor: Actor, k: int) -> bool:
     """Whether somebody who comes against the ego is in its lane before a deed."""
-    before = actor.deeds[: actor.deeds.index(deed)]
     ours = actor.one.starts.where is Where.ONCOMING_IN_OUR_LANE
-    return ours or any(one.act in _COMES_BACK or one.act in (Act.OVERTAKE, Act.ENTER) for one in before)
+    return ours or any(one.act in _COMES_BACK or one.act in (Act.OVERTAKE, Act.ENTER) for one in actor.deeds[:k])
 
 
-def _back(actor: Actor, deed: Deed) -> Steps:
+def _back(actor: Actor, k: int) -> Steps:
     """How somebody goes back to its lane, as fast as it passed another if it did."""
-    passed = [k for k, one in enumerate(actor.deeds[: actor.deeds.index(deed)]) if one.act is Act.OVERTAKE]
+    passed = [n for n, one in enumerate(actor.deeds[:k]) if one.act is Act.OVERTAKE]
     if not passed:
         return COMES_BACK
     fast = tuple(text.replace("$SPEED", f"$FAST_{passed[-1]}") for text in COMES_BACK.does)
     return replace(COMES_BACK, does=fast)
 
 
-def _to_another(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
+def _to_another(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     """The rows of what is done to another than the ego."""
+    deed = actor.deeds[k]
     if deed.act is Act.FOLLOW and deed.speed is None:
         yield Act.FOLLOW, BEHIND_ANOTHER
     elif deed.act is Act.OVERTAKE and actor.stand.meets is Meets.TOWARD:
-        then = next((one.act for one in actor.deeds[actor.deeds.index(deed) + 1 :]), None)
-        yield Act.OVERTAKE, passes_against(comes_back=then not in _COMES_BACK)
+        yield Act.OVERTAKE, passes_against(comes_back=actor.then(k) not in _COMES_BACK)
     elif deed.act is Act.YIELD and actor.stand.meets is not Meets.ACROSS:
         yield Act.YIELD, yielding_to(name_of(done_to(deed)))
 
 
 def _by_numbers(actor: Actor, k: int, steps: Steps) -> Steps:
     """The row, by what was said of the deed and by what comes then."""
-    deed, across = actor.deeds[k], actor.stand.meets is Meets.ACROSS
-    then = actor.deeds[k + 1].act if k + 1 < len(actor.deeds) else None
+    deed, then, across = actor.deeds[k], actor.then(k), actor.stand.meets is Meets.ACROSS
     brakes = deed.act is Act.BRAKE or (deed.act is Act.SLOW_DOWN and deed.acceleration is not None)
     if brakes and not across and deed.speed is not None:
         return BRAKES_TO
     if stops_before(actor, k):
-        return COMES_OVER
+        return DRIFTS_OVER
     if deed.act is Act.OVERTAKE and then in _COMES_BACK and actor.stand.meets is Meets.ALONG:
         way = "{beside}" if "{beside}" in steps.does[0] else ""
         does = (steps.does[0], eases(actor, k, way or "{p}"))
         return replace(steps, does=does, last=(), way=way)  # what comes then says how it comes back
     if deed.act is Act.BRAKE and across and deed.speed is not None:
         return LOSES_SLOWLY
-    if deed.act is Act.BRAKE and not across and deed.time is None and then in _OFF:
+    if deed.act is Act.BRAKE and not across and deed.time is None and then in FROM_A_STAND:
         return replace(steps, does=(BRAKES,), last=(BRAKES,), pace=Pace.STANDS)
     return steps
 

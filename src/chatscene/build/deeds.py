@@ -286,7 +286,7 @@ BEHIND_ANOTHER = Steps(
     lasting=True,
 )
 """Of somebody who follows another: ``ego`` is then whom it follows."""
-COMES_OVER = Steps(
+DRIFTS_OVER = Steps(
     does=(
         *(f"DrivePath({{p}}, $SPEED, {{aside}} * {k * 1.2:g}) for {{drift}} seconds" for k in (1, 2)),
         *_INTO_OWN.does,

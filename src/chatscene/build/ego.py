@@ -9,6 +9,7 @@ from dataclasses import dataclass, fields
 from chatscene.build.coming import Coming, coming, wanted_by
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import Found, at_junction
+from chatscene.build.relations import SLOWS
 from chatscene.errors import NotBuilt
 from chatscene.maps.routes import TO_LINE
 from chatscene.terms.order import Order
@@ -21,7 +22,6 @@ LINE = 3.5  # [m] before the junction the centre of an ego stands whose nose is 
 STAND = 4.0  # [s] that somebody stands who sets off again
 BESIDE = 3.0  # [s] that the ego stands beside its lane before it comes into it
 SLOW = 3.0  # [m/s]
-_LOSES = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -136,9 +136,9 @@ def _behind_whom(situation: Situation, deed: Deed) -> str | None:
     """After whom the ego loses speed or stops, who is in its lane before it and does so; None if after nobody."""
     after = (deed.when.after if deed.when is not None else None) or ""
     who = next((one for one in situation.others if one.id == after.partition(".")[0]), None)
-    if who is None or deed.act not in _LOSES or who.starts.where is not Where.AHEAD:
+    if who is None or deed.act not in SLOWS or who.starts.where is not Where.AHEAD:
         return None
-    return who.id if situation.deed(after).act in _LOSES else None
+    return who.id if situation.deed(after).act in SLOWS else None
 
 
 def _in_a_row(deed: Deed, at: str) -> Iterator[str]:

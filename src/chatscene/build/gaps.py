@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import Meets
 from chatscene.build.deeds import OWN
 from chatscene.build.place import NEXT_LANE
-from chatscene.build.relations import speed_of
+from chatscene.build.relations import SLOWS, speed_of
 from chatscene.build.towards import done_to, to_whom
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import EGO, Deed
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 _MIDDLES = "(ego.length + self.length) / 2 + "
 """What is between the middles of two who leave so much room."""
 _COMES_BEFORE = frozenset((Act.CUT_IN, Act.TURN_LEFT, Act.TURN_RIGHT))
-LOSES = frozenset((Act.BRAKE, Act.SLOW_DOWN, Act.STOP, Act.HESITATE))
+LOSES = SLOWS | {Act.HESITATE}
 _OVER = frozenset((Act.LANE_CHANGE, Act.MERGE, Act.ENTER))
-_GOES_ON = frozenset((Act.GO_ALONG, Act.FOLLOW))
+GOES_ON = frozenset((Act.GO_ALONG, Act.FOLLOW))
 WAITS = 0.6  # of its speed, the least of who lets the ego come near again
 BACK_OVER = 0.5  # [s] in which who comes against the ego goes back to its lane before it
 HALF_BY = 0.6  # of its time beside whom it passes, in which somebody meets the ego that it does not miss
@@ -101,7 +101,7 @@ def stops_before(actor: Actor, k: int) -> bool:
 
 def goes_before(actor: Actor, k: int) -> bool:
     """Whether somebody goes on before the ego, in its lane, between two deeds by which it loses speed."""
-    deeds, then = actor.deeds, k + 1 if actor.deeds[k].act in _GOES_ON else k
+    deeds, then = actor.deeds, k + 1 if actor.deeds[k].act in GOES_ON else k
     lost = any(deed.act in LOSES for deed in deeds[:k])
     ours = actor.one.starts.where is Where.AHEAD or any(deed.act in _COMES_BEFORE for deed in deeds[:k])
     ours = ours or any(stops_before(actor, earlier) for earlier in range(k))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import shapely
 
-from chatscene.build.asked import Meets
+from chatscene.build.asked import HALTS, Meets
 from chatscene.build.place import LANE, ring_arms
 from chatscene.errors import MapError, NotBuilt
 from chatscene.terms.situation import Deed
@@ -21,14 +21,13 @@ if TYPE_CHECKING:
 
 KERB_ASIDE = 2.5  # [m] from the middle of the outermost lane to that of who stands at the kerb
 WIDER = 1.15  # times its smallest circle, which it does not reach at once
-_QUIET = frozenset((Act.STAND, Act.STOP))
 _INTO_THE_WAY = COMES_IN | {Act.TURN_LEFT, Act.TURN_RIGHT, Act.U_TURN, Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE}
 """What comes into the way of others, whoever does it."""
 
 
 def breaks(actor: Actor, deed: Deed) -> bool:
     """Whether the rule that is broken is there, and is broken by what is done."""
-    moves = actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) and deed.act not in _QUIET | {Act.HESITATE}
+    moves = actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) and deed.act not in HALTS | {Act.HESITATE}
     control = actor.found.query.get("control")
     match deed.breaks:
         case Breach.RED_LIGHT:

@@ -12,7 +12,7 @@ from chatscene.build.asked import STOPS, Meets, stands_first, stops_ahead
 from chatscene.build.chain import in_terms_of, meeting_of
 from chatscene.build.coming import lost_in_curves
 from chatscene.build.deeds import GO, MOVE
-from chatscene.build.gaps import LOSES
+from chatscene.build.gaps import GOES_ON, LOSES
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, at_junction, room_against
@@ -32,19 +32,16 @@ BEHIND_IT = 3.0  # [m] behind whom it stops somebody stands
 LASTS = 3.0  # [s] in which the last of what somebody does is seen
 SPARE = 30.0  # [m] of road behind who comes against the ego, for those behind it
 _ANYWHERE = (None, Site.MOTORWAY, Site.RURAL)
-_GOES_ON = frozenset((Act.GO_ALONG, Act.FOLLOW))
 NEAREST = 4.0  # [m] before a junction: who is nearer is in it
 DRIVES = 1.0  # [s]: who drives so long before it brakes is seen to come driving
 BEGUN = 0.8  # [s]: what is done so long before the ego is there is seen to begin
-STOOD = 0.6  # [s]: who stands so long before it sets off is seen to stand
+STANDS = 0.6  # [s]: who stands so long before it sets off is seen to stand
 YIELDS = 1.0  # [m/s]: an ego that goes no faster yields
 LATEST = 12.0  # [s] that somebody goes with the ego before it does anything
 LEAST = 2.0  # [m/s] that somebody goes at least who goes with an ego that is faster
 INSIDE = 3.0  # [m] before where the ways meet: who does something there does it in the ego's sight
 IS_OPEN = 1.5  # [s] before the ego is there that somebody begins to open a door
 SHORT = 25.0  # [m] before the end of a road, or before a junction: nobody is placed farther
-
-
 _BRAKE = re.compile(r"BrakeOnPath\([^,]+, ([$\w.]+)\)")
 
 
@@ -96,7 +93,7 @@ class Opening:
         if deed.act is Act.STAND and deed.time is not None:
             return  # it stands so long from the beginning
         if stands_first(actor.one):
-            yield f"{waits} for {STOOD:g} seconds"
+            yield f"{waits} for {STANDS:g} seconds"
         yield from self._goes_on(waits, soon=soon)
         yield from self._comes_to_meet()
 
@@ -233,7 +230,7 @@ class Opening:
         place = query["maneuver"] != Maneuver.STRAIGHT or at_junction(situation) or query.get("site") not in _ANYWHERE
         others = all(one.starts.where in ALONG | AGAINST and not stands_first(one) for one in situation.others)
         before = stand.meets is Meets.ALONG and not stand.behind and actor.one.starts.where is Where.AHEAD
-        waits = any(deed.act not in _GOES_ON | (LOSES if before else set()) for deed in situation.ego.does)
+        waits = any(deed.act not in GOES_ON | (LOSES if before else set()) for deed in situation.ego.does)
         return stand.meets is Meets.ALONG and not (place or waits or stand.rolls) and others
 
     def _make_room(self) -> None:

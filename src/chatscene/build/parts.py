@@ -7,7 +7,7 @@ waits for, phase by phase.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -45,12 +45,11 @@ PARTS = {
 """What is let go, by the act."""
 
 
-def parts_of(actor: Actor, begins: Sequence[int]) -> Iterator[str]:
+def parts_of(actor: Actor) -> Iterator[str]:
     """The lines of a program for all that somebody lets go.
 
     Args:
         actor: Who.
-        begins: For each of its deeds, how many of its phases come before it.
 
     Raises:
         NotBuilt: It cannot be let go from there.
@@ -59,10 +58,9 @@ def parts_of(actor: Actor, begins: Sequence[int]) -> Iterator[str]:
         if (part := PARTS.get(deed.act)) is None:
             continue
         one, called = name_of(actor.one.id), f"{name_of(actor.one.id)}_{LETS_GO[deed.act]}_{k}"
-        before = [actor.filled(text) for text in actor.phases()[: begins[k]]]
         opens = deed.act is Act.OPEN_DOOR
         meanwhile = "Halt()" if opens else f"PaceOnPath(way{one}, {one}, {_carried(actor):.3g}, 60)"
-        waits = [_waits(text, meanwhile, one) for text in before]
+        waits = [_waits(text, meanwhile, one) for text in actor.phases()[: actor.begins[k]]]
         does = (*waits, *(_opens(actor, k) if opens else (f"BrakeOnPath(way{one})",)))
         yield f"behavior Does{called}():"
         yield from (f"    do {text}" for text in does)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.aim import STOOD, set_offset
 from chatscene.build.aside import avoids, line_aside, must_avoid, sign_of_side
-from chatscene.build.asked import Meets, stands_first, stops_on_its_way
+from chatscene.build.asked import Meets, stands_first, stops_in_the_way, stops_on_its_way
 from chatscene.build.choosing import steps_of
 from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, RESTS_THERE, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
 from chatscene.build.facing import OVER
@@ -26,9 +26,9 @@ from chatscene.build.gaps import (
 )
 from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbers import FIRM
-from chatscene.build.opening import LANE, Opening
+from chatscene.build.opening import Opening
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_passing_speed
-from chatscene.build.place import NEXT_LANE
+from chatscene.build.place import LANE, NEXT_LANE
 from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
@@ -56,7 +56,7 @@ class Phases:
         steps: For each deed, how it is done.
         paces: How fast it is before and after each.
         body: What its body can do.
-        due_after: For each deed, how many phases come before the last of its own.
+        due_after: For each deed, how many phases come before the last of its own: in that it is done.
     """
 
     actor: Actor
@@ -135,9 +135,7 @@ class Phases:
             if f"FAST_{k}" in actor.numbers.ranges and deed.act is Act.OVERTAKE
         )
         takes += sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds)))
-        if actor.stand.meets is Meets.ACROSS and any(
-            stops_on_its_way(Meets.ACROSS, actor.deeds, k) for k in range(len(actor.deeds))
-        ):
+        if actor.stand.meets is Meets.ACROSS and stops_in_the_way(Meets.ACROSS, actor.deeds):
             takes += actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
         far = takes * max((actor.numbers.middle(name) for name in actor.numbers.ranges if "FAST_" in name), default=0.0)
         return replace(begins, seconds=begins.seconds + takes, metres=begins.metres + far)
@@ -278,9 +276,6 @@ class Phases:
         text = text.replace("{period}", f"{period:.2g}").replace("{weaves}", f"{1.5 * period:.2g}")
         return text.replace("{back}", f"{1.0 + BACK / goes:.2g}").replace("{drift}", f"{max(0.9, DRIFTS / goes):.2g}")
 
-    def _then(self, k: int) -> Act | None:
-        return self.actor.deeds[k + 1].act if k + 1 < len(self.actor.deeds) else None
-
     def _of(self, k: int, steps: Steps, way: str | None, *, still: bool, last: bool, go: str) -> Iterator[str]:
         actor, deed = self.actor, self.actor.deeds[k]
         ends = last and bool(steps.last) and deed.time is None
@@ -288,7 +283,7 @@ class Phases:
         own = steps.way or line_aside(actor, k, way) or way
         if last and not ends:
             phases = (*phases, GO.replace("{p}", own) if own and actor.stand.meets is not Meets.ACROSS else go)
-        if deed.act in (Act.STOP, Act.BRAKE, Act.STAND) and self._then(k) is Act.STAND and deed.time is None:
+        if deed.act in (Act.STOP, Act.BRAKE, Act.STAND) and actor.then(k) is Act.STAND and deed.time is None:
             phases = phases[:1]  # what comes then says how long
         if (
             deed.act is Act.STAND

@@ -10,9 +10,10 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from chatscene.build.place import NEXT_LANE
+from chatscene.build.relations import SLOWS
 from chatscene.situations.faults import Fault
 from chatscene.terms.situation import EGO, Deed, Other, Situation
-from chatscene.terms.vocabulary import COMES_IN, Act, Where
+from chatscene.terms.vocabulary import COMES_IN, LETS_GO, Act, Where
 
 OFF_ROAD = frozenset(
     (Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.EXIT_CROSSING, Where.MEDIAN, Where.KERB, Where.BUS_BAY)
@@ -51,13 +52,11 @@ TO_ANOTHER: dict[Act, frozenset[Where]] = {
 _TURNED = frozenset((Act.U_TURN, Act.TURN_BACK, Act.TURN_LEFT, Act.TURN_RIGHT, Act.EXIT))
 _STILL = frozenset((Act.STAND, Act.STOP, Act.PARK, Act.YIELD, Act.FALL))
 _MAY_STAND = _STILL | {Act.BRAKE, Act.REVERSE, Act.OPEN_DOOR}
-_GOES = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.CROSS, Act.ACCELERATE, Act.SLOW_DOWN, Act.BRAKE, Act.STOP)) | {
-    Act.FALL
-}
+_GOES = SLOWS | {Act.GO_ALONG, Act.GO_STRAIGHT, Act.CROSS, Act.ACCELERATE, Act.FALL}
 _OFF = frozenset(
     (Act.SET_OFF, Act.GO_ALONG, Act.GO_STRAIGHT, Act.ACCELERATE, Act.REVERSE, Act.CROSS, Act.ENTER, Act.PULL_OUT)
 ) | {Act.TURN_LEFT, Act.TURN_RIGHT, Act.U_TURN, Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.TURN_BACK, Act.STAND}
-_WHERE_IT_STANDS = frozenset((Act.OPEN_DOOR, Act.DROP_LOAD))
+_WHERE_IT_STANDS = frozenset(LETS_GO)
 """What is done standing, too."""
 
 

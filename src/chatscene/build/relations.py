@@ -20,12 +20,12 @@ from chatscene.terms.vocabulary import Act, EgoRoute, Role, Where
 
 PASSES = 1.5  # [m/s] that somebody is faster at least than whom it passes
 GAINS = (3.0, 5.5)  # [m/s] by which it is, where that was not said, so that it is past before the road ends
+GAINS_AGAINST = (5.0, 8.0)  # [m/s], of who passes in the lane of those who come against it
 AGAINST = frozenset((Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE))
 AHEAD = frozenset((Where.AHEAD, Where.AHEAD_BESIDE))
 BEHIND = frozenset((Where.BEHIND, Where.BEHIND_BESIDE))
 ALONG = NEXT_LANE | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP}
-GAINS_AGAINST = (5.0, 8.0)  # [m/s], of who passes in the lane of those who come against it
-_SLOWS = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
+SLOWS = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
 _WITH = frozenset((Act.KEEP_LEVEL, Act.FOLLOW, Act.TAILGATE))
 _BESIDE = 0.38  # of a swing, at its end, in which the ego is as far aside as it must be to pass
 _SLOWER = 0.85  # of the most that somebody may have, from which on its speed is drawn
@@ -64,7 +64,7 @@ def relation_of(situation: Situation, one: Other) -> Relation | None:
 def slows_on_its_way(situation: Situation) -> bool:
     """Whether the ego drives at first, and then slows down or stops by what was said of it."""
     acts = [deed.act for deed in situation.ego.does]
-    return bool(acts) and acts[0] is not Act.STAND and not _SLOWS.isdisjoint(acts)
+    return bool(acts) and acts[0] is not Act.STAND and not SLOWS.isdisjoint(acts)
 
 
 def speed_beside(situation: Situation, one: Other, ego: float) -> tuple[float, float] | None:
@@ -90,13 +90,13 @@ def speed_beside(situation: Situation, one: Other, ego: float) -> tuple[float, f
 
 
 def is_passed_by_ego(situation: Situation, one: Other) -> bool:
-    """Whether the ego passes somebody who moves."""
+    """Whether somebody is ahead of an ego that is to overtake."""
     return situation.ego.route is EgoRoute.OVERTAKE and one.starts.where is Where.AHEAD
 
 
 def passed_share(one: Other) -> float:
     """The most of the ego's speed that somebody may have whom it passes while it has swung out."""
-    both = LIMITS["Car"].length + LIMITS[one.kind.row.body.row.scenic].length + _ROOM
+    both = LIMITS["Car"].length + one.kind.row.body.row.limits.length + _ROOM
     return max(0.1, 1.0 - both / (PASSING + 2.0 * _BESIDE * SWING))
 
 

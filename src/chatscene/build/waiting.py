@@ -6,18 +6,17 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import stands_first
+from chatscene.build.asked import HALTS, stands_first
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import Numbers
 from chatscene.build.place import NEXT_LANE
+from chatscene.build.relations import AGAINST
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed, When
-from chatscene.terms.vocabulary import Act, Where
+from chatscene.terms.vocabulary import Act
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
-
-_QUIET = frozenset((Act.STAND, Act.STOP))
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +60,6 @@ SIGNS: dict[Act, Sign] = {
     **dict.fromkeys((Act.TAILGATE, Act.KEEP_LEVEL), Sign(f"gap({{whom}}, {{who}}) < {_NEAR} + 8")),
 }
 """Deeds of somebody else, or of the ego, that a plan can wait for."""
-_COMES_FROM_AHEAD = (Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE)
 
 
 def when_of(actor: Actor, k: int, when: When, meanwhile: str) -> Iterator[str]:
@@ -115,7 +113,7 @@ def _seen(actor: Actor, k: int, name: str, reference: str) -> str:
     text = (sign.begun if name == "during" else sign.done or sign.begun).format(
         who=called, whom=whom, usual=f"{_usual(actor, who):.3g}", k=does.index(deed)
     )
-    return f"{text} and progressOn(egoRoute, ego)[0] > 4" if who == EGO and deed.act in _QUIET else text
+    return f"{text} and progressOn(egoRoute, ego)[0] > 4" if who == EGO and deed.act in HALTS else text
 
 
 def _sign_of(actor: Actor, who: str, deed: Deed) -> Sign | None:
@@ -126,7 +124,7 @@ def _sign_of(actor: Actor, who: str, deed: Deed) -> Sign | None:
     if deed.act is Act.STOP and stands_first(actor.ledger.situation[who]):
         return _STANDS  # before that it is slow as well
     if deed.act in (Act.OVERTAKE, Act.LANE_CHANGE):
-        if where in _COMES_FROM_AHEAD or (deed.act is Act.LANE_CHANGE and where in NEXT_LANE):
+        if where in AGAINST or (deed.act is Act.LANE_CHANGE and where in NEXT_LANE):
             return _IN
         return _OVER if deed.act is Act.LANE_CHANGE else SIGNS[deed.act]
     return SIGNS.get(deed.act)
