@@ -28,7 +28,7 @@ def in_terms_of(numbers: Numbers, texts: Iterable[str], seconds: Callable[[], fl
 
     Args:
         numbers: The parameters.
-        texts: What reads those on which it may depend.
+        texts: Texts that read those on which it may depend.
         seconds: The time, at the middle of each range.
     """
     constant, terms = seconds(), list[str]()

@@ -16,6 +16,7 @@ from chatscene.world.places import EgoRoute as Route
 
 _STEP = 0.1  # [s], in which a drive on an empty road is computed
 _LONGEST = 60.0  # [s] of it
+_ASIDE = 1.2  # [m] to the side: an ego that turns so far goes over the way of who is beside it
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,13 +68,10 @@ def coming(speed: float, orders: tuple[Order, ...], metres: float, *, stands: bo
     """
     at, time, now = 0.0, 0.0, 0.0 if stands else speed
     while at < metres and time < _LONGEST:
-        allowed = min(speed, *(order.allows(time, at) for order in orders), speed)
+        allowed = min([speed, *(order.allows(time, at) for order in orders)])
         now = min(allowed, now + NOMINAL.gain * _STEP)
         at, time = at + now * _STEP, time + _STEP
     return Coming(speed, max(0.0, time - metres / speed) if at >= metres else None, stands=at <= 0.0)
-
-
-OVER = 1.2  # [m] to the side of a straight line: an ego that is as far is about to go over the way of who is beside it
 
 
 def goes_over(route: Route, speed: float) -> tuple[float, float]:
@@ -84,7 +82,7 @@ def goes_over(route: Route, speed: float) -> tuple[float, float]:
     for at in (begins + 0.5 * step for step in range(80)):
         px, py = line.point_at(at)
         along = begins + (px - x) * math.cos(heading) + (py - y) * math.sin(heading)
-        if abs((py - y) * math.cos(heading) - (px - x) * math.sin(heading)) > OVER:
+        if abs((py - y) * math.cos(heading) - (px - x) * math.sin(heading)) > _ASIDE:
             break
     else:
         at = along = begins

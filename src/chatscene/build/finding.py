@@ -126,9 +126,7 @@ def _longer(query: dict[str, Any], more: float) -> dict[str, Any]:
 
 def _lengths(situation: Situation, road: float) -> Iterator[float]:
     """How many times as much road as usual is looked for: as the ego's speed asks for, then less."""
-    more = max(
-        further(situation), road / OPEN_ROAD, *(_far(one) / OPEN_ROAD * _BEYOND for one in situation.others), 1.0
-    )
+    more = max(further(situation), road / OPEN_ROAD, *(_far(one) / OPEN_ROAD * _BEYOND for one in situation.others))
     while more > 1.0:
         yield more
         more /= _MORE

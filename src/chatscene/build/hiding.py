@@ -46,12 +46,11 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
 
 
 def _hidden_with(actor: Actor, one: Other) -> Iterator[str]:
-    """The ids of all that it hides with somebody, from whose gap they come."""
-    for other in actor.ledger.situation.others:
-        same = (other.starts.where, other.starts.side) == (
-            one.starts.where,
-            actor.ledger.situation[one.id].starts.side,
-        )
+    """The ids of all that it hides with somebody, who come from the same gap."""
+    situation = actor.ledger.situation
+    there = situation[one.id].starts  # as said: of ``one``, the side was chosen if none was
+    for other in situation.others:
+        same = (other.starts.where, other.starts.side) == (there.where, there.side)
         if other.hidden_by == actor.one.id and same and other.starts.distance is None:
             yield other.id
     yield one.id

@@ -33,7 +33,7 @@ _OF_KIND: dict[RoadKind | None, tuple[Site, ...]] = {
     RoadKind.MOTORWAY: _MOTORWAYS,
     RoadKind.RAMP: _MOTORWAYS,
 }
-_SITES_OF: dict[EgoRoute | None, Site] = {
+_SITE_OF: dict[EgoRoute | None, Site] = {
     EgoRoute.ROUNDABOUT: Site.ROUNDABOUT,
     EgoRoute.MERGE: Site.ON_RAMP,
     EgoRoute.EXIT: Site.OFF_RAMP,
@@ -46,7 +46,7 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
     site = query.get("site")
     against = any(against for _, against in lanesBeside(found.route))
     holds = {
-        "ego.route": situation.ego.route not in _SITES_OF or site == _SITES_OF[situation.ego.route],
+        "ego.route": situation.ego.route not in _SITE_OF or site == _SITE_OF[situation.ego.route],
         "road.lanes": road.lanes == lanes_there(found),
         "road.ego_lane": query.get("lane") == road.ego_lane,
         "road.kind": _is_kind(road.kind, found),

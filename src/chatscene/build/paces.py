@@ -30,8 +30,6 @@ NEARLY = 0.95  # of the speed that a pedal holds, from which on it is held
 LEAST = 0.3  # [m/s], nobody goes slower on purpose
 FOLLOWS = 0.64  # of the ego's speed, the least of who goes with it
 CRAWLS = 1.0  # [m/s]: who must be slower before it gains speed gains it from a stand
-
-
 AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
 _OVER_LANES = frozenset((Act.CUT_IN, Act.CUT_OUT, Act.LANE_CHANGE, Act.MERGE))
 
@@ -186,8 +184,6 @@ def paces_of(actor: Actor, steps: Sequence[Steps], body: Body) -> Paces:
     Raises:
         NotBuilt: A speed that was said is more than it can, or cannot be seen.
     """
-    if (start := actor.one.starts.speed) is not None and not stands_first(actor.one):
-        actor.numbers.bind("SPEED", start, actor.ego_speed, f"{actor.path}.starts.speed")
     said = [_said_speed(actor, k, one, body) for k, one in enumerate(steps)]
 
     def paced(first: Speed) -> Paces:
@@ -205,7 +201,7 @@ def paces_of(actor: Actor, steps: Sequence[Steps], body: Body) -> Paces:
 
 def _first(actor: Actor, *, as_ego: bool) -> Speed:
     """The speed that somebody has before its first deed."""
-    said = "SPEED" in actor.numbers.bound
+    said = actor.numbers.is_said("SPEED")
     if stands_first(actor.one):
         return Speed("", 0.0, 0.0, said=True)
     if as_ego and not said and keeps_distance(actor):
@@ -264,8 +260,8 @@ def set_passing_speed(actor: Actor, k: int) -> None:
         NotBuilt: It is not, or no such body is.
     """
     deed, name, numbers = actor.deeds[k], f"FAST_{k}", actor.numbers
-    situation, whom = actor.ledger.situation, done_to(actor.deeds[k])
-    passed = speed_of(situation, whom, actor.ego_speed)
+    whom = done_to(deed)
+    passed = speed_of(actor.ledger.situation, whom, actor.ego_speed)
     least, most = passed + PASSES, MOST * actor.limits.top_speed
     low, high = (passed + gain for gain in (GAINS if actor.stand.meets is Meets.ALONG else GAINS_AGAINST))
     if deed.speed is not None:

@@ -56,7 +56,7 @@ class Phases:
         steps: For each deed, how it is done.
         paces: How fast it is before and after each.
         body: What its body can do.
-        due_after: For each deed, how many phases come before the last of its own: in that it is done.
+        due_after: For each deed, how many phases come before the last of its own, in which it is done.
     """
 
     actor: Actor

@@ -11,7 +11,8 @@ from chatscene.terms.vocabulary import Feature, Side, UserKind, Where
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
-SHELTER = 5.0, 3.6  # [m] beyond who is met, and outside the lanes: clear of a bus at the kerb and of who walks there
+SHELTER = 5.0  # [m] beyond who is met
+SHELTER_ASIDE = 3.6  # [m] outside the lanes: clear of a bus at the kerb and of who walks there
 PARKED = (12.0, 18.5, 25.0)  # [m] beyond who is met, where nobody who comes out from between is hidden by them
 BEFORE_JUNCTION = 12.0  # [m]
 AT_KERB = 1.3  # [m] outside the lanes
@@ -28,7 +29,7 @@ def beside_road(ledger: Ledger, everybody: Sequence[Actor]) -> Iterator[str]:
         if feature is Feature.BUS_STOP:
             ledger.take(f"road.has.{i}")
             if all(actor.one.kind is not UserKind.BUS_SHELTER for actor in everybody):
-                yield from _things("bus-stop", "BusStop", everybody[0], SHELTER[:1], SHELTER[1])
+                yield from _things("bus-stop", "BusStop", everybody[0], (SHELTER,), SHELTER_ASIDE)
         elif feature is Feature.PARKED_CARS:
             ledger.take(f"road.has.{i}")
             if all(actor.one.starts.where is not Where.KERB or actor.count < len(PARKED) for actor in everybody):

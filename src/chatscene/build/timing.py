@@ -51,7 +51,7 @@ class Course:
     met: float = -1.0
 
 
-def _anywhere(_metres: float) -> float:
+def _no_limit(_metres: float) -> float:
     return math.inf
 
 
@@ -67,7 +67,7 @@ class Meeting:
 
     metres: float
     beyond: float
-    allowed: Callable[[float], float] = _anywhere
+    allowed: Callable[[float], float] = _no_limit
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from chatscene.build.naming import name_of
 from chatscene.terms.situation import EGO, Deed, Other
 from chatscene.terms.vocabulary import Act, Where
 
-BEHIND = frozenset((Act.FOLLOW, Act.TAILGATE, Act.OVERTAKE))
+FROM_BEHIND = frozenset((Act.FOLLOW, Act.TAILGATE, Act.OVERTAKE))
 """What is done to somebody by who is behind."""
 _FARTHER = frozenset((Where.AHEAD, Where.AHEAD_BESIDE, Where.EXIT))
 """Places in which who stands farther from the ego has the others of its row behind it."""
@@ -54,7 +54,7 @@ def in_rows(others: Sequence[Other]) -> list[Other]:
     for one in others:
         for deed in one.does:
             other = next((other for other in order if other.id == deed.whom), None)
-            if other is None or deed.act not in BEHIND or not in_one_row(one, other):
+            if other is None or deed.act not in FROM_BEHIND or not in_one_row(one, other):
                 continue
             first, then = (one, other) if one.starts.where in _FARTHER else (other, one)
             order.remove(then)
