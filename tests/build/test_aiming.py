@@ -13,14 +13,15 @@ from chatscene.build.sweep import Moving, touches
 from chatscene.situations.form import from_plain
 from chatscene.terms.polyline import Polyline
 
-LONG, STRAIGHT = 100.0, np.linspace(-1.0, 1.5, 51)
+LONG = 100.0  # [m]
+SOONER = np.linspace(-1.0, 1.5, 51)  # [s] than the ego
 EGO = Moving(line=Polyline([(-LONG, 0), (LONG, 0)]), meets_at=LONG, speed=10.0, length=4.5, width=2.0)
 FROM_LEFT = Moving(line=Polyline([(0, LONG), (0, -LONG)]), meets_at=LONG, speed=10.0, length=4.5, width=2.0)
 
 
 def test_who_comes_later_runs_into_the_flank_of_the_other() -> None:
-    found = touches(EGO, FROM_LEFT, STRAIGHT)
-    met = [(sooner, one) for sooner, one in zip(STRAIGHT.tolist(), found, strict=True) if one is not None]
+    found = touches(EGO, FROM_LEFT, SOONER)
+    met = [(sooner, one) for sooner, one in zip(SOONER.tolist(), found, strict=True) if one is not None]
     assert {one.ego for sooner, one in met if sooner < -0.1} == {"left"}
     assert {one.other for sooner, one in met if sooner > 0.1} == {"right"}
     assert all(one.by_ego is (sooner > 0.0) for sooner, one in met if abs(sooner) > 0.1)

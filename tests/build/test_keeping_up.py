@@ -6,15 +6,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from test_building import drive
 
 from chatscene.build.build import Built, build
-from chatscene.ego.policy import load_ego, wanting
-from chatscene.maps.network import resolve_map
-from chatscene.program.sample import draw
-from chatscene.settings import SimulationSettings
-from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.situations.form import from_plain
-from chatscene.terms.scene import Rejected, Scene
+from chatscene.terms.episode import Episode
 
 
 def beside(kind: str, where: str, side: str, route: str, **ego: Any) -> Built:
@@ -24,11 +20,8 @@ def beside(kind: str, where: str, side: str, route: str, **ego: Any) -> Built:
 
 def nearest(built: Built, seed: int) -> float:
     """How near [m] the two come to each other."""
-    simulator = load_simulator(resolve_map(built.map), SimulationSettings(simulator="native"))
-    values = draw(built.program.parameters, seed=seed)
-    scene = Scene(id=f"s/route-00/{seed}", scenario_id="s", route=0, block=0, seed=seed, values=values)
-    episode = simulate(simulator, built.program, scene, wanting(load_ego("idm"), built.program.wanted_speed))
-    assert not isinstance(episode, Rejected)
+    episode = drive(built, seed=seed)
+    assert isinstance(episode, Episode), episode
     ego, other = episode.ego_track, next(track for track in episode.tracks if track.actor == "A")
     return float(np.hypot(other.x - ego.x, other.y - ego.y).min())
 
