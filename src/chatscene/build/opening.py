@@ -63,7 +63,7 @@ class Opening:
 
     @property
     def ahead(self) -> Course:
-        """Where it is when its last deed begins, since the first did."""
+        """Where it is when its last deed begins, since the first did: computed anew, as ranges change meanwhile."""
         actor = self.phases.actor
         drives = actor.stand.meets in (Meets.ALONG, Meets.TOWARD) and not self.phases.stands()
         return self.phases.begins(self.bodies, Course(speed=actor.numbers.middle("SPEED") if drives else 0.0))
@@ -209,9 +209,10 @@ class Opening:
         first = actor.first or actor
         if first.one.starts.distance is not None or "$Y" not in first.stand.at:
             return
+        ahead = self.ahead
         low, high, unit, meaning = first.numbers.range_of("Y")
         soon = actor.numbers.range_of("LEAD_TIME")[1] + actor.numbers.range_of("STEADY")[0]
-        needed = self.ahead.metres + actor.ego_speed * self.ahead.seconds + (actor.ego_speed + self._wish()) * soon
+        needed = ahead.metres + actor.ego_speed * ahead.seconds + (actor.ego_speed + self._wish()) * soon
         needed -= actor.room
         most = max(room_against(actor.found.route) - SPARE, high)
         actor.takes = needed + SPARE
@@ -219,9 +220,8 @@ class Opening:
 
     def _far(self, lead: str) -> str:
         """How far [m] it and the ego come toward each other until its last deed begins, and a time before they meet."""
-        if not self.ahead.seconds:
-            return lead
-        return f"{lead} + {self.ahead.metres:.1f} + ego.pose[3] * {self.ahead.seconds:.1f}"
+        ahead = self.ahead
+        return f"{lead} + {ahead.metres:.1f} + ego.pose[3] * {ahead.seconds:.1f}" if ahead.seconds else lead
 
     def _begins_soon(self) -> bool:
         """Whether nothing says where its first deed is to be: on an open road among those who go along it."""
@@ -240,11 +240,12 @@ class Opening:
         actor.needs = self._takes() + self._wait()
         route = actor.found.route
         known = stand.found is not None or actor.one.starts.distance is not None
+        free = actor.one.starts.distance is None and actor.first is None
         reaches = actor.meets_at if known else route.eventAt
-        if actor.one.starts.distance is None and actor.first is None and "$Y" in stand.at:
+        if free and "$Y" in stand.at:
             self._fit(reaches / actor.ego_speed - self._wait())
             actor.needs = self._takes() + self._wait()
-        if stand.anywhere and actor.one.starts.distance is None and actor.first is None:
+        if free and stand.anywhere:
             low, high, unit, meaning = actor.numbers.range_of("Y")
             end = route.route.length if route.route.junction is None else route.eventAt
             if any(self._at_crosswalk(other) for other in actor.ledger.situation.others):
@@ -394,10 +395,8 @@ class Opening:
 
         Who is not met does it before the ego meets another, who may end the scene.
         """
-        actor, more = self.phases.actor, self.ahead.seconds
-        if actor.soon is not None:
-            return self._alone(more) + max(0.0, actor.met - actor.soon)
-        return self._alone(more)
+        actor = self.phases.actor
+        return self._alone() + (0.0 if actor.soon is None else max(0.0, actor.met - actor.soon))
 
     def _until_met(self) -> float:
         """How long [s] it takes from when its first deed is due to where it meets the ego, or to its last deed."""
@@ -411,12 +410,14 @@ class Opening:
             begins += BEGUN  # what it does on its way over
         return max(met, begins)
 
-    def _alone(self, more: float) -> float:
+    def _alone(self) -> float:
+        """The same, of who is met."""
         actor, stand = self.phases.actor, self.phases.actor.stand
+        if stand.meets in (Meets.THROUGH, Meets.ACROSS) and stand.left != "0":
+            route = actor.found.route
+            return self._until_met() - self._takes() - lost_in_curves(route.line, actor.ego_speed, actor.meets_at)
+        more = self.ahead.seconds
         match stand.meets:
-            case Meets.THROUGH | Meets.ACROSS if stand.left != "0":
-                route = actor.found.route
-                return self._until_met() - self._takes() - lost_in_curves(route.line, actor.ego_speed, actor.meets_at)
             case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
                 lost = max(0.0, self.phases.body.covers(self._to_meet(), self._wish()) - self._takes())
                 comes = 0.0 if any(one.comes_in for one in self.phases.steps) else self._takes() + lost
