@@ -133,12 +133,19 @@ def routes_for(
         begins=None if begins is None else Beside(begins),
         ends=None if ends is None else Beside(ends),
     )
-    return _routes(network, Path(map_path).stem, query)
+    found = _routes(network, Path(map_path).stem, query)
+    if isinstance(found, str):
+        raise MapError(found)
+    return found
 
 
 @lru_cache(maxsize=256)
-def _routes(network: Any, map_name: str, query: RouteQuery) -> tuple[Route, ...]:
-    return find_routes(network, map_name, query, count=ROUTES)
+def _routes(network: Any, map_name: str, query: RouteQuery) -> tuple[Route, ...] | str:
+    """The routes, or why there are none, which takes as long to find out and is asked as often."""
+    try:
+        return find_routes(network, map_name, query, count=ROUTES)
+    except MapError as error:
+        return str(error)
 
 
 def choose_route(network: Any, map_path: str, index: int, *, at_line: bool = False, **query: Any) -> EgoRoute:
