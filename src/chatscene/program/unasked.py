@@ -58,7 +58,7 @@ def _through_others(situation: Situation, episode: Episode, until: int | None) -
 
 
 def _in_each_other(a: Track, b: Track, until: int | None) -> int:
-    """The first step after the start at which two are in each other; 0 if they never are."""
+    """The first step at which two are in each other; 0 if they never are, or are from the start."""
     pair = Pair.of(Boxes.of(a), Boxes.of(b))
     deep = (pair.reach - np.abs(pair.offset)).min(axis=0)[:until] > DEEP
     return int(np.argmax(deep)) if deep.any() else 0
@@ -75,7 +75,7 @@ def of_somebody(one: Other, seen: Seen, route: Route) -> Iterator[Finding]:
     if said and len(times) > said:
         told = f"it brakes {len(times)} times, which was said {said} times"
         yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=times[0] * seen.dt)
-    straight = np.ptp(headings(route.line)) < STRAIGHT and route.junction is None
+    straight = route.junction is None and np.ptp(headings(route.line)) < STRAIGHT
     if straight and not one.starts.where.row.junction:
         aside = np.abs(seen.offset - seen.offset[0])
         inside = (seen.at > 0.0) & (seen.at < route.length)
