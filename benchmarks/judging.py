@@ -4,11 +4,11 @@
     python benchmarks/judging.py --drives 6 [--each]
 
 `reading/fresh.jsonl` has texts, replies of a language model and the verdicts of strangers, each of one drive of commit
-`8364bbe`; those drives are kept in `reading/seen.json.gz`. Prints of the drives that strangers call right, part and
-wrong how many our judge finds not shown. It should be none of the right and all of the wrong; of the part those whose
-fault is against a fact that was read, as what was read wrongly or left out and told is not the judge's to find.
-With `--drives` the situations are built and driven anew, and of so many drives the one that a run would prefer is
-judged: so the builder is measured, since the verdicts are of other drives. `--each` prints a line for each text.
+`8364bbe`; those drives are kept in `reading/seen.json.gz`. Prints how many of the drives that strangers call right,
+part and wrong our judge finds not shown. It should be none of the right and all of the wrong. Of the part it should be
+those that do not show a fact that was read: what was read wrongly, or was left out and told, is not the judge's to see.
+With `--drives` each situation is built anew and driven so many times, and the drive that a run would prefer is judged.
+That measures the builder, as the verdicts are of other drives. `--each` prints a line for each text.
 """
 
 from __future__ import annotations
@@ -195,7 +195,7 @@ def main(drives: int, ego: str, each: bool) -> None:
             f"strangers call {sum(of.values())} {verdict}; judge: " + ", ".join(f"{n} {w}" for w, n in of.items())
         )
     click.echo(f"facts that are {UNTOLD}: {untold}")
-    for kind, number in kinds.most_common(20):
+    for kind, number in sorted(kinds.items(), key=lambda one: (-one[1], one[0]))[:20]:
         click.echo(f"  {number}  {kind}")
 
 

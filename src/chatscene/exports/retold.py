@@ -163,20 +163,26 @@ class _Retelling:
             raise Unsayable(f"{does.partition('(')[0]} is no plan: {error}") from error
 
     def _at_ends(self, names: Sequence[str]) -> dict[str, tuple[_Placed, _Placed]]:
-        """Everybody with each parameter at the ends of its range; under an empty name, with all at the upper end."""
+        """Everybody with each parameter at the ends of its range; under an empty name, with all at the upper end.
+
+        Keeps everybody with each two at their upper ends as well, where both are not there already.
+        """
         found: dict[str, tuple[_Placed, _Placed]] = {}
         for name in names:
             ends = [{**self._scene.values, name: end} for end in (self._ranges[name].low, self._ranges[name].high)]
             low, high = (_Placed(values, _poses(self._place(values))) for values in ends)
             found[name] = low, high
-        for pair in combinations(names, 2):
-            values = {**self._scene.values, **{name: self._ranges[name].high for name in pair}}
-            self._pairs[pair] = _Placed(values, _poses(self._place(values)))
+        rising = [name for name in names if self._ranges[name].high > self._scene.values[name]]
+        self._pairs = {pair: self._at_upper_ends(pair) for pair in combinations(rising, 2)}
         if len(names) > 1:
-            values = {**self._scene.values, **{name: self._ranges[name].high for name in names}}
-            all_high = _Placed(values, _poses(self._place(values)))
+            both = self._pairs.get((names[0], names[1])) if len(names) == 2 else None
+            all_high = both or self._at_upper_ends(names)
             found[""] = all_high, all_high
         return found
+
+    def _at_upper_ends(self, names: Sequence[str]) -> _Placed:
+        values = {**self._scene.values, **{name: self._ranges[name].high for name in names}}
+        return _Placed(values, _poses(self._place(values)))
 
     def _start_on(self, index: int, line: Polyline) -> tuple[Sum, Sum, float]:
         """Where somebody starts on a line: along and to the left [m], and its turn [rad]."""
@@ -200,9 +206,8 @@ class _Retelling:
                     sums[axis] = sums[axis] + own
         for pair, placed in self._pairs.items():
             more = [on(placed)[axis] - valued(sums[axis].expression, placed.values) for axis in range(2)]
-            wide = all(self._ranges[name].high > self._scene.values[name] for name in pair)
             sums = [
-                at + self._together(*pair, far) if wide and abs(far) > _ASTRAY else at
+                at + self._together(*pair, far) if abs(far) > _ASTRAY else at
                 for at, far in zip(sums, more, strict=True)
             ]
         sums = [self._without_dust(one) for one in sums]
@@ -231,14 +236,13 @@ class _Retelling:
 
     def _together(self, one: str, other: str, more: float) -> Sum:
         """What two parameters change only together, by how much that is [m] where both are at their upper ends."""
-        away = [Sum(-self._scene.values[name], ((1.0, Parameter(name)),)) for name in (one, other)]
-        widths = [self._ranges[name].high - self._scene.values[name] for name in (one, other)]
-        low, high = self._scene.values[one], self._scene.values[other]
-        factor = more / (widths[0] * widths[1])
-        factor = float(round(factor)) if abs(factor - round(factor)) * widths[0] * widths[1] < _ASTRAY else factor
-        both = product(Sum(0.0, away[0].terms), Sum(0.0, away[1].terms))
-        alone = away[0].times(-high) + away[1].times(-low) + number(-low * high)
-        return (both + alone).times(factor)
+        now, its = self._scene.values[one], self._scene.values[other]
+        area = (self._ranges[one].high - now) * (self._ranges[other].high - its)
+        factor = more / area
+        factor = float(round(factor)) if abs(factor - round(factor)) * area < _ASTRAY else factor
+        first, second = (Sum(0.0, ((1.0, Parameter(name)),)) for name in (one, other))
+        away = product(first, second) + first.times(-its) + second.times(-now) + number(now * its)
+        return away.times(factor)
 
     def _site(self, index: int, track: Track) -> Site:
         compiler = Compiler(

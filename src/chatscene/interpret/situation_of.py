@@ -189,9 +189,7 @@ def _other(name: str, role: Role, slots: Slots, numbers: Sequence[Quantity], who
     start = _start(slots, kind, numbers, junction=whole.place in JUNCTIONS or whole.control is not None)
     deeds = _numbered(_deeds(slots, start), numbers)
     speed = next((one for one in numbers if one.measure is Measure.SPEED), None)
-    if speed is not None and not any(
-        "speed" in deed.act.row.takes for deed in deeds
-    ):  # of what it then does it is none
+    if speed is not None and not any("speed" in deed.act.row.takes for deed in deeds):  # so it drove at it before
         start = replace(start, speed=_amount(Speed, speed))
     hidden = HIDES if role is Role.ADVERSARY and slots.occluder is not None else None
     return Other(

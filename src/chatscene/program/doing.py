@@ -57,11 +57,6 @@ def since(once: Act, step: int, s: Seen, *, stands: bool) -> Act:
     return replace(once, began=step) if once.began < step <= done and still else once
 
 
-def _falls(s: Seen) -> Iterator[Act]:
-    """It comes to a standstill; that it lies then, no track tells."""
-    yield from ACTIONS[Action.STOP](s)
-
-
 def _opens(s: Seen) -> Iterator[Act]:
     """A door comes out."""
     moving = _speed(s) > STANDING
@@ -233,7 +228,7 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.TURN_BACK: _turns_back,
     Said.PARK: ACTIONS[Action.STOP],
     Said.YIELD: ACTIONS[Action.STOP],
-    Said.FALL: _falls,
+    Said.FALL: ACTIONS[Action.STOP],  # that it lies then, no track tells
     Said.OPEN_DOOR: _opens,
     Said.DROP_LOAD: ACTIONS[Action.STOP],
 }

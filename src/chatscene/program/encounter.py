@@ -22,20 +22,17 @@ from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import COMES_IN, Act
+from chatscene.terms.vocabulary import Act
 
-LONGEST = 3.0  # [s] between one and the other at a place, up to which it is told; before two who drive would touch
+LONGEST = 3.0  # [s] at most between the two at a place, or until two who both drive on would touch
 EVERY = 1.0  # [s] after which an ego that goes on evenly is followed anew
-BEFORE = 1.5  # [s] before the ego at most that somebody has gone by whom it meets: what the field counts a conflict
-NEAR = 1.0  # [m] between bodies when somebody has begun with what it does: so near, they meet
+BEFORE = 1.5  # [s] at most by which somebody is there before the ego and still meets it: the usual bound of a conflict
+NEAR = 1.0  # [m] between two bodies that meet, once somebody has begun with what it does
 BACK = 80.0  # [m] behind its start that the ego's way is taken to lead straight
 LETS_BY = frozenset((Act.YIELD, Act.CUT_OUT, Act.EXIT, Act.PARK))
 """What is done so that there is no encounter."""
-COMES_NEAR = COMES_IN | {
-    Act.CUT_IN, Act.MERGE, Act.LANE_CHANGE, Act.DRIFT, Act.SWERVE, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT,
-    Act.U_TURN, Act.OVERTAKE, Act.REVERSE, Act.OPEN_DOOR, Act.DROP_LOAD,
-}  # fmt: skip
-"""What brings whoever is not in the ego's way into it, or over it."""
+STAYS = frozenset((Act.STAND, Act.HESITATE, Act.TURN_BACK, Act.FALL))
+"""What alone brings nobody into the ego's way who is not in it."""
 LOSES = frozenset((Act.STAND, Act.SLOW_DOWN, Act.BRAKE, Act.STOP, Act.REVERSE, Act.HESITATE))
 """What brings whoever is ahead in the ego's own lane nearer to it."""
 
@@ -78,9 +75,10 @@ def encounter(
     path, crash, ego = f"encounter.{one.id}", episode.collision, episode.ego_track
     if crash is not None and is_with(crash.other, one.id):
         return Finding(path=path, shown=True, told="they touch", at=crash.step * episode.dt)
-    found = [meeting(ego, _goes_on_evenly(track, episode), route.line, episode.dt, since) for track in tracks]
-    least = min(found, key=lambda one: one.between)
-    if not _must_meet(situation, one, tracks[0], episode, route, least):
+    way = _way(ego, route.line)
+    found = [_meeting(ego, way, _goes_on_evenly(track, episode), episode.dt, since) for track in tracks]
+    least = min(found, key=lambda meets: meets.between)
+    if not _must_meet(situation, one, ego, way, tracks[0], least):
         return None
     if least.between <= (TOGETHER if least.ego_first else BEFORE):
         told = f"they could meet: {least.between:.1f} s between one and the other"
@@ -96,19 +94,19 @@ def encounter(
     return Finding(path=path, shown=None if crash is not None else False, told=told)
 
 
-def _must_meet(situation: Situation, one: Other, track: Track, episode: Episode, route: Route, found: Meeting) -> bool:
+def _must_meet(situation: Situation, one: Other, ego: Track, way: Way, track: Track, found: Meeting) -> bool:
+    """Whether what was said asks for an encounter, as `encounter` has it."""
     contact = situation.contact
     if contact is not None and one.id == (contact.whom or situation.adversaries[0].id):
         return True
     acts = {deed.act for deed in one.does}
     if acts & LETS_BY:
         return False
-    way = _way(episode.ego_track, route.line)
-    if not _on(way, episode.ego_track, track, 0):
-        if not acts & COMES_NEAR:  # nothing that was said brings it there
+    boxes = Boxes.of(track)
+    if not _on(way, ego, boxes, 0):
+        if acts and acts <= STAYS:
             return False
-        moved = range(0, len(track.x), 5)
-        return found.between <= LONGEST or any(_on(way, episode.ego_track, track, step) for step in moved)
+        return found.between <= LONGEST or any(_on(way, ego, boxes, step) for step in range(0, len(track.x), 5))
     along, x, y, heading = way
     near = int(np.argmin(np.hypot(x - track.x[0], y - track.y[0])))
     against = math.cos(float(track.heading[0] - heading[near])) < 0.0
@@ -122,15 +120,15 @@ def _heads_for(ego: Track, track: Track, since: int) -> bool:
     return bool((times_to_collision(ego, track)[since:] <= np.where(stands, BEFORE, LONGEST)).any())
 
 
-def _on(way: Way, ego: Track, track: Track, step: int) -> bool:
+def _on(way: Way, ego: Track, boxes: Boxes, step: int) -> bool:
     """Whether the box of somebody at a step touches that of an ego somewhere on its way."""
     _, x, y, heading = way
-    near = np.hypot(x - track.x[step], y - track.y[step]) < (ego.length + track.length + ego.width + track.width) / 2
+    far = (ego.length + ego.width) / 2 + boxes.half_length + boxes.half_width
+    near = np.hypot(x - boxes.x[step], y - boxes.y[step]) < far
     if not near.any():
         return False
     own = Boxes(x[near], y[near], np.cos(heading[near]), np.sin(heading[near]), ego.length / 2, ego.width / 2)
-    other = Boxes.of(track).at(np.full(int(near.sum()), step))
-    return bool(Pair.of(own, other).touching.any())
+    return bool(Pair.of(own, boxes.at(np.full(int(near.sum()), step))).touching.any())
 
 
 def _goes_on_evenly(track: Track, episode: Episode) -> Track:
@@ -160,7 +158,11 @@ def meeting(ego: Track, other: Track, line: Polyline, dt: float, since: int = 0)
         dt: Step [s].
         since: The step of the other from which it counts.
     """
-    lags, way = round(LONGEST / dt), _way(ego, line)
+    return _meeting(ego, _way(ego, line), other, dt, since)
+
+
+def _meeting(ego: Track, way: Way, other: Track, dt: float, since: int) -> Meeting:
+    lags = round(LONGEST / dt)
     far = math.hypot(ego.length, ego.width) / 2 + math.hypot(other.length, other.width) / 2
     there = since + np.flatnonzero(_within(way, other, since, far))
     if not there.size:

@@ -36,7 +36,7 @@ def failures(findings: Iterable[Finding], *, met: bool = True) -> tuple[str, ...
 
     Args:
         findings: What the drive shows.
-        met: Whether it counts that ego and adversary meet and what befalls the ego unasked, which a search aims at.
+        met: Whether encounters count, and what nobody said: a search is still to find drives that are right in both.
     """
     counted = (one for one in findings if met or not one.path.startswith(("encounter.", "unasked.")))
     return tuple(f"{one.path}: {one.told}" for one in counted if one.shown is False)

@@ -1,6 +1,7 @@
 """A situation and a drive: which facts are seen on the tracks, when, and which are not.
 
-Tracks, map and lights alone are read, never a program's text. A fact that no track tells has a finding that says so.
+Tracks, map and lights alone are read, never a program's text. A fact that no track tells has a finding that says so;
+amounts for which `chatscene.program.measured` has no test have none.
 """
 
 from __future__ import annotations
@@ -212,7 +213,9 @@ class _Judge:
         moved = np.hypot(seen.track.x - seen.track.x[0], seen.track.y - seen.track.y[0])
         still = np.flatnonzero(moved < 1.0)
         comes_out = len(still) < len(moved)
-        steps = still[-round(TOGETHER / seen.dt) if comes_out else 0 :: 3 if seen.dt < 0.2 else 1].tolist()
+        if comes_out:
+            still = still[-round(TOGETHER / seen.dt) :]
+        steps = still[:: 3 if seen.dt < 0.2 else 1].tolist()
         return any(in_between(thing, seen.ego, seen.track, step) for thing in self._tracks(by) for step in steps)
 
     def _deeds(self, one: Other, at: str, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:

@@ -22,7 +22,7 @@ SLACK = 0.15  # of a number that was said: what a watcher does not see
 SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
 SLACK_ACCELERATION = 0.5  # [m/s²]
 BACK_SLACK, SLACK_ASIDE = 0.7, 0.2  # [m]
-HELD = 0.5  # [s] that a speed is held, up to what a watcher does not see, which somebody goes at
+HELD = 0.5  # [s] for which somebody holds a speed, within the slack, that it is seen to go at
 OVER = 5  # [steps] over which somebody is seen to gain speed
 ROLLS = 0.5  # [m/s²] up to which speed is lost by rolling out
 

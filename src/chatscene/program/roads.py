@@ -60,10 +60,10 @@ def of_road(situation: Situation, episode: Episode, route: Route, until: int | N
 
 
 def _ego_light(road: Road, episode: Episode, until: int | None) -> Iterator[Finding]:
-    """Whether the ego's light shows what was said: all along, or one after the other."""
-    own = [signal.state[:until] for signal in episode.signals if signal.role == "ego"]
+    """Whether the ego's light shows what was said: at first, and then; yellow at any time."""
     if road.ego_light is None:
         return
+    own = [signal.state[:until] for signal in episode.signals if signal.role == "ego"]
     if not own or not own[0]:
         yield Finding(path="road.ego_light", shown=False, told=f"said {road.ego_light}, the ego has no light")
         return

@@ -20,7 +20,7 @@ def not_shown(
         episode: What happened.
         route: The ego's route.
         through: Judge to the end a drive that went on through a collision.
-        met: Whether it counts that ego and adversary meet and what befalls the ego unasked, which a search aims at.
+        met: Whether encounters count, and what nobody said: a search is still to find drives that are right in both.
     """
     if isinstance(said, Situation):
         return failures(judge(said, episode, route, through=through), met=met)

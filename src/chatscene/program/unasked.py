@@ -12,7 +12,7 @@ from chatscene.program.deeds import BRAKING, OF_GRIP
 from chatscene.program.finding import Finding
 from chatscene.program.watching import Seen, headings
 from chatscene.simulate.boxes import Boxes, Pair
-from chatscene.terms.episode import Episode, EventKind, Track
+from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoLight, RightOfWay, Role
@@ -50,16 +50,21 @@ def unasked(situation: Situation, episode: Episode, until: int | None) -> Iterat
 
 def _through_others(situation: Situation, episode: Episode, until: int | None) -> Iterator[Finding]:
     """Two of different names whose bodies are in each other."""
-    named = [(one, track) for one in situation.others for track in episode.tracks[1:] if is_of(track.actor, one.id)]
-    for (one, a), (other, b) in combinations(named, 2):
-        if one.id != other.id and Role.HIDES not in (one.role, other.role) and (step := _in_each_other(a, b, until)):
-            told = f"{a.actor} and {b.actor} drive through each other"
-            yield Finding(path=f"unasked.{a.actor}-{b.actor}", shown=False, told=told, at=step * episode.dt)
+    named = [
+        (one.id, track.actor, Boxes.of(track))
+        for one in situation.others
+        for track in episode.tracks[1:]
+        if one.role is not Role.HIDES and is_of(track.actor, one.id)
+    ]
+    for (one, actor, a), (other, another, b) in combinations(named, 2):
+        if one != other and (step := _in_each_other(a, b, until)):
+            told = f"{actor} and {another} drive through each other"
+            yield Finding(path=f"unasked.{actor}-{another}", shown=False, told=told, at=step * episode.dt)
 
 
-def _in_each_other(a: Track, b: Track, until: int | None) -> int:
-    """The first step after the start at which two are in each other; 0 if they never are."""
-    pair = Pair.of(Boxes.of(a), Boxes.of(b))
+def _in_each_other(a: Boxes, b: Boxes, until: int | None) -> int:
+    """The first step at which two are in each other; 0 if they never are, or are from the start."""
+    pair = Pair.of(a, b)
     deep = (pair.reach - np.abs(pair.offset)).min(axis=0)[:until] > DEEP
     return int(np.argmax(deep)) if deep.any() else 0
 
@@ -75,7 +80,7 @@ def of_somebody(one: Other, seen: Seen, route: Route) -> Iterator[Finding]:
     if said and len(times) > said:
         told = f"it brakes {len(times)} times, which was said {said} times"
         yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=times[0] * seen.dt)
-    straight = np.ptp(headings(route.line)) < STRAIGHT and route.junction is None
+    straight = route.junction is None and np.ptp(headings(route.line)) < STRAIGHT
     if straight and not one.starts.where.row.junction:
         aside = np.abs(seen.offset - seen.offset[0])
         inside = (seen.at > 0.0) & (seen.at < route.length)

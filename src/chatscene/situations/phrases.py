@@ -312,8 +312,8 @@ class Doing:
     time: str = " for {time}"
 
 
-_IN_TIME = " with a gap of {time}"
-_TO, _OVER, _GAP, _BY = " to {speed}", " over {time}", " with a gap of {distance}", " by {distance}"
+_TO, _OVER, _BY = " to {speed}", " over {time}", " by {distance}"
+_GAP, _GAP_IN_TIME = " with a gap of {distance}", " with a gap of {time}"
 
 ACTS: Mapping[Act, Doing] = {
     Act.STAND: Doing(does="[stand/stands/standing] still"),
@@ -332,7 +332,7 @@ ACTS: Mapping[Act, Doing] = {
     Act.HESITATE: Doing(does="[hesitate/hesitates/hesitating]"),
     Act.REVERSE: Doing(does="[back/backs/backing] up"),
     Act.PULL_OUT: Doing(does="[pull/pulls/pulling] out into {egos} lane"),
-    Act.CUT_IN: Doing(does="[cut/cuts/cutting] in", whom=" ahead of {whom}", distance=_GAP, time=_IN_TIME),
+    Act.CUT_IN: Doing(does="[cut/cuts/cutting] in", whom=" ahead of {whom}", distance=_GAP, time=_GAP_IN_TIME),
     Act.LANE_CHANGE: Doing(does="[change/changes/changing] lanes", time=_OVER),
     Act.CUT_OUT: Doing(does="[move/moves/moving] out of {egos} lane", time=_OVER),
     Act.MERGE: Doing(does="[merge/merges/merging] into {egos} lane"),
