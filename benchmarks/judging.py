@@ -67,36 +67,6 @@ def judged() -> list[Judged]:
     ]
 
 
-def packed(episode: Episode, route: Route) -> dict[str, Any]:
-    """A drive as it is kept: differences of whole numbers."""
-    return {
-        "route": {
-            "maneuver": route.maneuver,
-            "place": route.place,
-            "control": route.control,
-            "event_at": round(route.event_at, 2),
-            "junction": route.junction,
-            "site": route.site,
-            "line": [_differences(row, 0.01) for row in route.line.points.T],
-        },
-        "dt": episode.dt,
-        "light": episode.surroundings.light,
-        "weather": episode.surroundings.weather,
-        "surface": episode.surroundings.surface,
-        "ending": episode.ending,
-        "events": [[e.kind, e.step, e.other, e.side, round(e.impact_speed, 2)] for e in episode.events],
-        "signals": [[s.x0, s.y0, s.x1, s.y1, s.state, s.role] for s in episode.signals],
-        "tracks": [
-            [t.actor, t.role, t.kind, t.length, t.width, *(_differences(getattr(t, n), f) for n, f in FINE.items())]
-            for t in episode.tracks
-        ],
-    }
-
-
-def _differences(values: Any, fine: float) -> list[int]:
-    return np.diff(np.round(np.asarray(values) / fine).astype(int), prepend=0).tolist()
-
-
 def unpacked(name: str, row: dict[str, Any]) -> tuple[Episode, Route]:
     """A drive that was kept, and the ego's route."""
 

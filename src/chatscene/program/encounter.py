@@ -61,8 +61,8 @@ def encounter(
 ) -> Finding | None:
     """Whether the ego could meet an adversary; None where it need not.
 
-    It does what brings it into the ego's way, or it is said that they touch or nearly do; or it is before the ego in
-    its lane, or comes against it there, and does what brings it nearer.
+    Their ways come together and it does more than stay; or it is said that they touch or nearly do; or it is before the
+    ego in its lane, or comes against it there, and does what brings it nearer.
 
     Args:
         situation: What was said.
