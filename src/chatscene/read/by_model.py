@@ -23,7 +23,7 @@ from chatscene.situations.faults import Fault, Malformed, Path, by_name
 from chatscene.situations.form import parsed
 from chatscene.terms.amount import Amount
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
-from chatscene.terms.situation import Deed, Ego, Evidence, Road, Situation, Start, When
+from chatscene.terms.situation import Deed, Ego, Road, Situation, Start, When
 
 LIMITS = Limits(reply_tokens=2048)  # a situation of four road users with three deeds each has some 1,500
 LONGEST_REASON = 300  # characters of a model's own words that a message repeats
@@ -107,7 +107,7 @@ class ModelReader:
         return self._reading(text, sound[-1])
 
     def _reading(self, text: str, situation: Situation) -> SituationReading:
-        evidence = Evidence(quoted=situation.evidence.quoted, assumed=without_words(situation))
+        evidence = replace(situation.evidence, assumed=without_words(situation))
         made = replace(situation, about=text, evidence=evidence)
         return SituationReading(
             text=text,

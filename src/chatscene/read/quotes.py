@@ -23,6 +23,7 @@ _FUNCTION = """
     of to in on at by for from with into onto upon about off out up down over through
     just also too very there here
 """
+MIRRORED = "mirrored: the text is of left-hand traffic, and here traffic keeps right, so left and right are swapped"
 _FUNCTION_WORDS = frozenset(_FUNCTION.split())
 _DENIES = re.compile(r"(?i)^(?:['\u2019]t|not|never|no)$")
 _WORD = re.compile(r"[^\W_]+(?:[-.,:/][^\W_]+)*|['\u2019][^\W\d_]+")
@@ -114,6 +115,7 @@ def not_in_words(situation: Situation) -> tuple[str, ...]:
     over = ", ".join(map(repr, left_over(situation)))
     facts = ", ".join(f"{path}: {value}" for path, value in said_in(situation) if path in situation.evidence.assumed)
     return (
+        *([MIRRORED] if situation.evidence.mirrored else []),
         *([f"not read: {over}"] if over else []),
         *_otherwise_named(situation),
         *([f"no words of the text say {facts}"] if facts else []),

@@ -28,20 +28,25 @@ verdict: situation; no-situation (no danger in traffic is told: a question, a wi
 told, but the form has no words for what matters in it). Unless it is situation: reason is one sentence, no situation.
 
 Rules:
-- The ego is the vehicle that is tested: we, I, our car, vehicle 1; else the one in whose way somebody comes.
-- others: all others who matter, with ids A, B, C.
-- does: what somebody does, in order; when names another's deed. ego.does: only what the ego does before the danger.
-  How the ego answers to the adversary (it brakes, swerves, cannot stop) is never a deed of the ego.
-- Sides are the ego's own at its start, of starts and of deeds; turn-left and turn-right are the other's own. Traffic
-  keeps right: nearside is right, offside left.
-- Fill in only what the text says or what follows with certainty. Leave out all else: no guesses, no nulls.
+- The ego is who is tested or tells it: I, we, our car, VUT, AV, vehicle or unit 1; else the driver whose way the text
+  follows and before whom another turns up, be it claimant or defendant. If who tells it is on foot or on two wheels,
+  the ego is the motor vehicle that endangers them. What the ego does is never told of another, even if its words lack.
+- others: all who matter, also who is only mentioned, with ids A, B, C. Several who do the same are one with a count: a
+  queue that stands has count 0.
+- role: who meets the ego is an adversary; who brings it about unmet, as a lead that brakes, supporting; hidden_by names
+  another, whose role is hides if it does nothing else.
+- does: what somebody does, in order; when.after another's deed that is done, when.during one that goes on. ego.does:
+  only what the ego does before the danger. How it answers to the adversary (it brakes, swerves) is no deed of it.
+- Sides are the ego's own at its start, of starts and of deeds; of turn-left, turn-right and parts they are each one's
+  own. Traffic keeps right: nearside and kerb are right, offside and driver's door left. In a text that is surely of
+  left-hand traffic (Britain, India, Australia, Japan) swap each left and right that it says: evidence.mirrored true.
+- Fill in only what the text says or what follows with certainty: no guesses, no nulls.
 - starts is where somebody is at the beginning, before its deeds: who comes out of a side road is on an arm, who crosses
   on foot at the roadside (at a crosswalk: crossing), who pulls out at the kerb, who passes on a side behind-beside.
 - An unsignalised junction for which no sign is told: control none.
-- hidden_by: what hides somebody is another, with the role hides.
-- contact: only if the text says how they touch, or that they do not.
-- Amounts are texts with a unit and no "about": "50 km/h", "10 to 20 m", "4 m/s²", "20 km/h more than
-  the ego".
+- contact: only if the text says how they touch (bumper or bonnet: front; boot: rear; door: left or right), or, with
+  happens false, that they do not: no contact, missed, stopped in time.
+- Amounts are texts with a unit and no "about": "50 km/h", "10 to 20 m", "4 m/s²", "20 km/h more than the ego".
 - evidence.quoted: the words behind every fact, copied exactly from the text."""
 
 

@@ -68,7 +68,8 @@ def still_evident(before: Situation, after: Situation) -> Evidence:
     if gone:
         quoted[NAMED] = GAP.join(dict.fromkeys(filter(None, (quoted.get(NAMED), *gone))))
     still = {path: (path,) if stays(path) else left_of(path, ()) for path in before.evidence.assumed}
-    return Evidence(quoted=quoted, assumed=tuple(path for paths in still.values() for path in paths))
+    assumed = tuple(path for paths in still.values() for path in paths)
+    return replace(before.evidence, quoted=quoted, assumed=assumed)
 
 
 def within(path: str, wholes: Container[str]) -> bool:

@@ -50,9 +50,8 @@ class When(_Closed):
     """When a deed begins, where that is said.
 
     Attributes:
-        after: The deed after which it begins: who does it, a point, and its number from 0 or its act, as in ``A.0`` or
-            ``ego.set-off``.
-        during: The deed while which it begins, written in the same way.
+        after: The deed after which it begins: whose, and its number from 0 or its act, as ``A.0`` or ``ego.stop``.
+        during: The deed while which it begins.
         ego_within: How near the ego then is, as a length or as the time it still needs.
     """
 
@@ -74,8 +73,8 @@ class Deed(_Closed):
         speed: The speed at which it is done, or that is reached by it.
         acceleration: How hard speed changes, without a sign.
         distance: The gap that is kept or left, or the way that is covered.
-        time: How long it takes or lasts; of a cut-in, the room that is left, as the time that the ego needs for it.
-        when: When it begins; else after the deed before it, or when it is time to meet the ego.
+        time: How long it takes or lasts; of a cut-in, the gap in time.
+        when: When it begins; else after the deed before it.
     """
 
     act: Act
@@ -96,7 +95,7 @@ class Start(_Closed):
 
     Attributes:
         where: The place, seen from the ego.
-        side: Its side, of a place that has one; None leaves it open.
+        side: Of a place that has one.
         distance: From the ego, along the road; of who is ahead or behind, the gap between the two.
         speed: How fast it then is.
         facing: Which way it faces, where the place leaves that open.
@@ -114,7 +113,7 @@ class Other(_Closed):
     """A road user or a thing beside the ego; or several that do the same.
 
     Attributes:
-        id: A short name, by which others speak of it.
+        id: A short name.
         kind: What it is.
         count: How many; 0 for several, if their number was not said.
         role: What it is there for.
@@ -183,7 +182,7 @@ class Contact(_Closed):
         ego: The part of the ego that is touched.
         other: The part of the other that is touched.
         striker: Who runs into whom.
-        happens: Whether a contact is said to happen; false where it is said that there is none, as in a near miss.
+        happens: False where it is said that there is none, as in a near miss.
     """
 
     whom: str | None = None
@@ -200,7 +199,7 @@ class Around(_Closed):
     Attributes:
         light: How light it is.
         weather: What falls or hangs in the air.
-        surface: The state of the road; what follows from the weather where it was not said.
+        surface: The state of the road; else what follows from the weather.
     """
 
     light: Light | None = None
@@ -213,13 +212,14 @@ class Evidence(_Closed):
     """Where the facts of a situation come from; a fact of which nothing is said here was stated by whoever wrote it.
 
     Attributes:
-        quoted: For the path of a fact, such as ``others.A.starts.side``, the words of the text that give it. The path
-            of a whole, such as ``others.A``, stands for all in it that has no words of its own.
+        quoted: By the path of a fact, as ``others.A.kind``, or of a whole, as ``others.A``, the words that give it.
         assumed: The paths of facts that no words give.
+        mirrored: Whether left and right of the text are swapped, as it is of left-hand traffic.
     """
 
     quoted: Mapping[str, str] = field(default_factory=dict[str, str])
     assumed: tuple[str, ...] = ()
+    mirrored: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
