@@ -1,10 +1,12 @@
 """How many random situations are built, placed, driven and shown, and why the others are not.
 
     python benchmarks/building.py --count 1000 --seed 7
+    python benchmarks/building.py --count 1000 --seed 7 --as-said
 
 Draws situations of one to three road users with one to four deeds each, from all places, kinds and acts that one such
 road user can have, half of the deeds with a number that the body can do; counts those that cannot be apart; builds
 each of the others, drives it with drawn values and judges the tracks.
+`--as-said` draws them of parts that people said together (`as_said.py`); else any word is as likely as another.
 `--files FOLDER` takes the situations of a folder (`.yaml`, `.json`) in their place. Prints the shares, the commonest
 reasons, and with `--each` a line per situation.
 """
@@ -19,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+from as_said import drawn_as_said
 
 from chatscene.build.asked import Meets
 from chatscene.build.build import Built, build
@@ -155,7 +158,7 @@ def outcome(situation: Situation, drives: int, ego: str) -> tuple[str, list[str]
     return ("shown" if shown == seen else "in part" if shown else "not shown"), reasons
 
 
-def situations(count: int, seed: int, files: Path | None) -> Iterator[tuple[str, Situation]]:
+def situations(count: int, seed: int, files: Path | None, as_said: bool) -> Iterator[tuple[str, Situation]]:
     """Those that are measured, each with a name."""
     if files is not None:
         for file in sorted(files.iterdir()):
@@ -165,7 +168,7 @@ def situations(count: int, seed: int, files: Path | None) -> Iterator[tuple[str,
     rng = random.Random(seed)
     made = 0
     while made < count:
-        one = drawn(rng)
+        one = drawn_as_said(rng) if as_said else drawn(rng)
         if not tuple(faults_of(one)):
             made += not tuple(impossible(one))
             yield str(made), one
@@ -177,11 +180,12 @@ def situations(count: int, seed: int, files: Path | None) -> Iterator[tuple[str,
 @click.option("--drives", default=4, show_default=True)
 @click.option("--ego", default="idm", show_default=True)
 @click.option("--files", type=click.Path(path_type=Path, exists=True, file_okay=False), default=None)
+@click.option("--as-said", is_flag=True)
 @click.option("--each", is_flag=True)
-def main(count: int, seed: int, drives: int, ego: str, files: Path | None, each: bool) -> None:
+def main(count: int, seed: int, drives: int, ego: str, files: Path | None, as_said: bool, each: bool) -> None:
     """Build, drive and judge situations."""
     became, why = Counter[str](), Counter[str]()
-    for name, one in situations(count, seed, files):
+    for name, one in situations(count, seed, files, as_said):
         what, reasons = outcome(one, drives, ego)
         became[what] += 1
         why.update({f"{what}: {_general(reason)}" for reason in reasons})

@@ -119,6 +119,11 @@ class Actor:
         return self.ego.speed
 
     @property
+    def along_speed(self) -> float:
+        """How fast [m/s] it goes along with the ego: as that, or as it can at most."""
+        return min(self.ego_speed, MOST * self.limits.top_speed)
+
+    @property
     def path(self) -> str:
         """Of its facts."""
         return f"others.{self.one.id}"
@@ -197,6 +202,10 @@ class Actor:
         for k, deed in enumerate(deeds):
             if deed.speed is not None and self.one_speed and self.moves_first(k) and deed.act in AT_ONE_SPEED:
                 numbers.bind("SPEED", deed.speed, self.ego_speed, f"{self.path}.does.{k}.speed")
+
+    def _keeps_up_with(self, first: Actor) -> bool:
+        """Whether it goes as fast as who is first in its row, since nothing else was said and it can."""
+        return not self.numbers.is_said("SPEED") and first.numbers.range_of("SPEED")[1] <= self.limits.top_speed
 
     def _goes_on_beside(self) -> bool:
         """Whether it only goes on, on the side on which the ego goes over its way."""
@@ -293,7 +302,7 @@ class Actor:
         text = text.replace("{beside}", f"beside{one}").replace("{ours}", f"ours{one}").replace("{home}", f"home{one}")
         row = name_of(self.first.one.id) if self.first is not None else one
         text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first).replace("{row}", row)
-        if self.first is not None and self.stand.rolls and not self.numbers.is_said("SPEED"):
+        if self.first is not None and self.stand.rolls and self._keeps_up_with(self.first):
             text = re.sub(r"\$SPEED(?![A-Z0-9_])", self.first.numbers.value("SPEED"), text)  # in a row they go alike
         if self.first is not None and "$Y" in text:
             text = text.replace("$Y", f"<{self.first.one.id}>")
@@ -384,7 +393,7 @@ class Actor:
         return (
             self.filled(", with speed $SPEED")
             if not self.one.kind.row.body.row.motorised
-            else f", with speed {self.ego_speed:g}"
+            else f", with speed {self.along_speed:g}"
         )
 
     def role(self) -> str:

@@ -116,9 +116,10 @@ class Numbers:
         return tuple(path for name, path in self.bound.items() if name in self.read)
 
     def narrow(self, name: str, low: float, high: float) -> None:
-        """Give a parameter another range, where no number was said of it."""
+        """Give a parameter another range, where no number was said of it; no speed is more than it can."""
         _, _, unit, meaning = self.range_of(name)
-        self.ranges[name] = (low, high, unit, meaning)
+        most = MOST * self.row.limits.top_speed if unit == "m/s" else high
+        self.ranges[name] = (min(low, most), min(high, most), unit, meaning)
 
     def move(self, name: str, by: float) -> None:
         """Let a parameter be more by a number."""

@@ -324,7 +324,7 @@ class Opening:
         room = self.phases.actor.room
         ahead = f"-$Y - {room:g}" if self.phases.actor.stand.behind else f"$Y + {room:g}"
         if self.phases.actor.leads:
-            return GO.replace("$SPEED", f"{self.phases.actor.ego_speed:.4g}")
+            return GO.replace("$SPEED", f"{self.phases.actor.along_speed:.4g}")
         if not keeps_distance(self.phases.actor):
             least = min(LEAST, 0.8 * self.phases.actor.ego_speed)
             return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, {least:.3g})"

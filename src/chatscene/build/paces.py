@@ -205,14 +205,14 @@ def _first(actor: Actor, *, as_ego: bool) -> Speed:
     if stands_first(actor.one):
         return Speed("", 0.0, 0.0, said=True)
     if as_ego and not said and keeps_distance(actor):
-        return Speed("", slowest_with_ego(actor), actor.ego_speed, said=True)  # the ego's, or less behind others
+        return Speed("", slowest_with_ego(actor), actor.along_speed, said=True)  # the ego's, or less behind others
     low, high, *_ = actor.numbers.ranges["SPEED"]
     return Speed("SPEED", low, high, said=said)
 
 
 def slowest_with_ego(actor: Actor) -> float:
     """The least speed [m/s] of who keeps its distance to the ego: else both would slow down for each other."""
-    return actor.ego_speed if actor.leads else FOLLOWS * actor.ego_speed
+    return actor.along_speed if actor.leads else FOLLOWS * actor.along_speed
 
 
 def keeps_distance(actor: Actor) -> bool:

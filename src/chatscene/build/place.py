@@ -13,7 +13,7 @@ from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, RightOfWay, RoadKind, Side, Where
 from chatscene.world.places import EgoRoute as Route
-from chatscene.world.places import neighbourPath, ownLane
+from chatscene.world.places import lanes_beside, neighbourPath, ownLane
 
 ONWARD = 100.0  # [m] past the end of a lane, in which somebody goes straight on
 LANE = 3.5  # [m], a lane's width
@@ -174,5 +174,10 @@ def lane_beside(side: str) -> str:
 
 
 def room_against(route: Route) -> float:
-    """How far ahead [m] of the ego somebody can be at most who comes against it in the lane to its left."""
+    """How far ahead [m] of the ego somebody can be at most who comes against it in the lane to its left.
+
+    It is 0 where no lane lies there, as beside a lane that is kept apart from those who come the other way.
+    """
+    if "left" not in lanes_beside(route):
+        return 0.0
     return ownLane(route).project(*neighbourPath(route, "left").point_at(0.0))[0]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import HALTS, stands_first
 from chatscene.build.naming import name_of
-from chatscene.build.numbers import Numbers
+from chatscene.build.numbers import MOST, Numbers
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.relations import AGAINST
 from chatscene.errors import NotBuilt
@@ -137,5 +137,7 @@ def _usual(actor: Actor, who: str) -> float:
     one = actor.ledger.situation[who]
     if (said := one.starts.speed) is not None and not said.than_ego and said.low > 0.0:
         return said.low
-    motorised = one.kind.row.body.row.motorised
-    return actor.ego_speed if motorised else Numbers(who, one.kind.row.body.row).middle("SPEED")
+    body = one.kind.row.body.row
+    if not body.motorised:
+        return Numbers(who, body).middle("SPEED")
+    return min(actor.ego_speed, MOST * body.limits.top_speed)
