@@ -7,14 +7,15 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from chatscene.situations.check import COMES_OVER, JUNCTIONS, TURNS
+from chatscene.situations.check import COMES_OVER, JUNCTIONS, LATERALS, TURNS
 from chatscene.terms.act_amounts import AMOUNTS
-from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Speed
+from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Share, Speed
 from chatscene.terms.situation import (
     Around,
     Contact,
     Deed,
     Ego,
+    Lateral,
     Other,
     Road,
     Situation,
@@ -65,6 +66,14 @@ def amounts(draw: st.DrawFn, kind: type[Amount], of_ego: bool = False) -> Amount
 
 
 @st.composite
+def laterals(draw: st.DrawFn) -> Lateral:
+    """Where across the road somebody is."""
+    kinds = {"offset": Length, "edge": Length, "clearance": Length, "overlap": Share}
+    name = draw(st.sampled_from(LATERALS))
+    return Lateral(side=draw(maybe(st.sampled_from(Side))), **{name: draw(amounts(kinds[name]))})
+
+
+@st.composite
 def deeds(
     draw: st.DrawFn,
     acts: list[Act],
@@ -79,7 +88,14 @@ def deeds(
     when = None
     if draw(st.booleans()):
         names = maybe(st.sampled_from(earlier)) if earlier else st.none()
-        when = When(after=draw(names), during=draw(names), ego_within=draw(maybe(amounts(Length) | amounts(Duration))))
+        near = draw(maybe(amounts(Length) | amounts(Duration)))
+        when = When(
+            after=draw(names),
+            during=draw(names),
+            delay=draw(maybe(amounts(Duration))),
+            ego_within=near,
+            of=draw(maybe(st.sampled_from([one for one in whom if one != "ego"] or [None]))) if near else None,
+        )
     return Deed(
         act=act,
         to=draw(maybe(st.sampled_from(Side))) if act.row.sided else None,
@@ -87,6 +103,7 @@ def deeds(
         manner=draw(maybe(st.sampled_from(Manner))),
         breaks=draw(maybe(st.sampled_from(breaches))),
         when=when,
+        lateral=draw(maybe(laterals())) if act.row.placed else None,
         **said,
     )
 
@@ -132,6 +149,7 @@ def situations(draw: st.DrawFn) -> Situation:
             distance=draw(maybe(amounts(Length))),
             speed=draw(maybe(amounts(Speed))),
             facing=draw(maybe(st.sampled_from(Facing))),
+            lateral=draw(maybe(laterals())),
         )
         does = [replace(one, to=None) if one.act in COMES_OVER and one.to is start.side else one for one in does]
         role = Role.ADVERSARY if not others else draw(st.sampled_from(Role))
@@ -147,6 +165,7 @@ def situations(draw: st.DrawFn) -> Situation:
         other=maybe(st.sampled_from(Part)),
         striker=maybe(st.sampled_from(Striker)),
         happens=st.booleans(),
+        at=maybe(amounts(Share)),
     )
     around = st.builds(
         Around,

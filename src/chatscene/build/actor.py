@@ -12,6 +12,7 @@ from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
 from chatscene.build.gaps import GOES_ON
 from chatscene.build.hiding import place_hiding
+from chatscene.build.lateral import placed
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
@@ -100,7 +101,9 @@ class Actor:
             room=self.room,
             first=self.first.stand if self.first is not None else None,
         )
-        self.stand = start_of(asked)
+        self.stand, chosen = placed(asked, start_of(asked))
+        if chosen:
+            self.ledger.assume(chosen)
         self._keep_up()
         self.named = {}
         at = f"others.{self.one.id}"

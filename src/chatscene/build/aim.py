@@ -12,6 +12,8 @@ from chatscene.build.chain import meeting_of
 from chatscene.build.coming import EGO_GRIP
 from chatscene.build.sweep import Moving, Touch, touches
 from chatscene.build.timing import Body
+from chatscene.errors import NotBuilt
+from chatscene.situations.facts import is_said
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.situation import Contact
@@ -25,6 +27,7 @@ NEAR_MISS = 0.5  # [s] before the ego at most that somebody has gone by where th
 YIELDS = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
 STOOD = 1.0  # [s] that somebody has stood in the ego's way when the ego comes, so that it is seen to stop
 GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
+NEAR_POINT = 0.1  # of the ego's width: how near to the point that was said somebody is met
 _SPARE = 0.5  # [s] sooner and later than at right angles that somebody may be there if nothing was said of the contact
 _LOOKS, _STEPS = 3.0, 121  # [s] sooner and later that is looked at, and in how many steps
 _CORNER = 0.3  # of half its length ahead of its middle: from there on it is a corner that is met
@@ -72,6 +75,8 @@ def aimed(actor: Actor, usual: Window) -> tuple[float, float, *tuple[str, ...]]:
     if not any(found):  # along each other
         found = [_FRONTAL if usual[0] <= one <= usual[1] else None for one in sooner.tolist()]
     contact = actor.ledger.situation.contact
+    if contact is not None and contact.at is not None and contact.whom in (None, actor.one.id) and way is not None:
+        return _at_point(actor, contact, sooner.tolist(), found)
     met = [one is not None for one in found]
     low, high = (float(sooner[one]) for one in _longest(met))
     if contact is None or contact.whom not in (None, actor.one.id):
@@ -87,6 +92,40 @@ def aimed(actor: Actor, usual: Window) -> tuple[float, float, *tuple[str, ...]]:
             taken.append(path)
     low, high = (float(sooner[one]) for one in _longest(met))
     return (low, high, *taken) if taken else (max(low, usual[0] - _SPARE), min(high, usual[1] + _SPARE))
+
+
+def _at_point(
+    actor: Actor, contact: Contact, sooner: list[float], found: list[Touch | None]
+) -> tuple[float, float, *tuple[str, ...]]:
+    """When somebody is there whom the ego, if it does not brake, meets at a point of its width.
+
+    Raises:
+        NotBuilt: It is met there at no time.
+    """
+    assert contact.at is not None
+    width = AdversaryKind.CAR.row.limits.width
+    sign = 1.0 if _from_left(actor) else -1.0
+    low, high = contact.at.within(0.0, 1.0)
+    fronts = [one is not None and one.ego == "front" for one in found]
+    shares = [0.5 - sign * one.across / width if one is not None else 0.0 for one in found]
+    there = [max(low - share, share - high, 0.0) for share in shares]
+    nearest = min((far for far, front in zip(there, fronts, strict=True) if front), default=1.0)
+    if nearest > NEAR_POINT:
+        raise NotBuilt(
+            f"nothing builds yet: contact.at: {contact.at}, of {actor.one.id}, whom the front meets nowhere there"
+        )
+    best = [when for when, far, front in zip(sooner, there, fronts, strict=True) if front and far <= nearest + 1e-9]
+    taken = [path for path in ("contact.happens", "contact.striker") if is_said(actor.ledger.situation, path)]
+    if contact.ego is Part.FRONT:
+        taken.append("contact.ego")
+    return min(best), max(best), "contact.at", *taken
+
+
+def _from_left(actor: Actor) -> bool:
+    """Whether somebody comes over the ego's way from its left."""
+    if (found := actor.stand.found) is not None:
+        return found.from_side == Side.LEFT
+    return actor.one.starts.side is Side.LEFT or "left" in actor.stand.facing
 
 
 _FRONTAL = Touch("front", 1.0, "front", 1.0, by_ego=True)
@@ -153,7 +192,7 @@ def _other(actor: Actor) -> Moving | None:
         return None
     ego, at = actor.found.route.line, actor.meets_at
     (x, y), heading = ego.point_at(at), ego.heading_at(at)
-    outward = heading + (0.5 if actor.one.starts.side is Side.LEFT or "left" in stand.facing else -0.5) * np.pi
+    outward = heading + (0.5 if _from_left(actor) else -0.5) * np.pi
     ends = [(x + far * np.cos(outward), y + far * np.sin(outward)) for far in (_FAR, -_FAR)]
     return Moving(line=Polyline(ends), meets_at=_FAR - 1.0, ends_at=_FAR if _stays(actor) else np.inf, **size)
 

@@ -81,7 +81,7 @@ class Opening:
             return
         if when is not None:
             yield from when_of(actor, self.first, when, waits)
-            if when.ego_within is not None or actor.stand.ego_meets == "egoRoute.eventAt":
+            if when.ego_within is not None or when.delay is not None or actor.stand.ego_meets == "egoRoute.eventAt":
                 return
         lasting = all(one.lasting for one in steps)
         if (lasting or self._only_waits()) and (actor.stand.meets is Meets.ALONG or self._goes_along()):

@@ -24,6 +24,7 @@ from chatscene.build.gaps import (
     seconds_to_get_ahead,
     seconds_to_get_by,
 )
+from chatscene.build.lateral import goes_aside, led_aside
 from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbers import FIRM
 from chatscene.build.opening import Opening
@@ -81,7 +82,7 @@ class Phases:
         if actor.lies or (hides and all(deed.act is Act.STAND for deed in deeds)):
             return ("Halt()",) if one.role is Role.ADVERSARY else ()
         self.body = Body(actor.limits, actor.walks)
-        self.steps = [steps_of(actor, k) for k in range(len(deeds))]
+        self.steps = [led_aside(actor, k, steps_of(actor, k)) for k in range(len(deeds))]
         self.paces = paces_of(actor, self.steps, self.body)
         if not any(deed.time is not None for deed in deeds):  # so far that it is seen to go on
             slowest = min((speed.low for speed in self.paces.after if speed.name and speed.low > 0.0), default=2.0)
@@ -360,6 +361,10 @@ class Phases:
             numbers.bind(own, said, actor.ego_speed, f"{at}.{amount}")
             if name in ("DRIFT", "SWERVE") and self._over_the_edge(deed):
                 numbers.move(own, 0.5 * (LANE - actor.limits.width))
+            text = _renamed(text, name, own)
+        if (far := goes_aside(actor, k)) is not None and "distance" in steps.binds:
+            own = f"{(name := steps.binds['distance'])}_{k}"
+            numbers.measure(own, *far, "m", "how far from its line it goes", f"{at}.lateral")
             text = _renamed(text, name, own)
         if deed.act is Act.OVERTAKE and "FAST" in steps.binds.values():
             text = _renamed(text, "FAST", f"FAST_{k}")

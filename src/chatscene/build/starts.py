@@ -263,6 +263,8 @@ def _exit(asked: Asked) -> Stand:
 
 def _median(asked: Asked) -> Stand:
     stand = _over(asked, MEDIAN, Side.LEFT)
+    if asked.one.starts.facing not in (None, Facing.ACROSS):
+        return stand
     facing = f'crossingDirection(egoRoute, level{{i}}{asked.more}, "left")'
     return slanting(asked, replace(stand, facing=facing), Side.LEFT)
 

@@ -56,6 +56,7 @@ class Touch:
         other: Which side of the other.
         other_along: How far ahead of its middle.
         by_ego: Whether the ego runs into the other.
+        across: How far to the left of the ego's line the middle of the other then is [m].
     """
 
     ego: str
@@ -63,6 +64,7 @@ class Touch:
     other: str
     other_along: float
     by_ego: bool
+    across: float = 0.0
 
 
 def touches(ego: Moving, other: Moving, sooner: Array) -> list[Touch | None]:
@@ -92,7 +94,8 @@ def touches(ego: Moving, other: Moving, sooner: Array) -> list[Touch | None]:
         noses = sides[0] == "front", o[0] > 0.5 * other.length - NOSE or sides[1] == "front"
         going = ego.speed * np.cos(np.arctan2(e[1], e[0])), other.speed * np.cos(np.arctan2(o[1], o[0]))
         by_ego = noses[0] if noses[0] != noses[1] else bool(going[0] >= going[1])
-        found.append(Touch(sides[0], _share(e[0], ego.length), sides[1], _share(o[0], other.length), by_ego))
+        shares = _share(e[0], ego.length), _share(o[0], other.length)
+        found.append(Touch(sides[0], shares[0], sides[1], shares[1], by_ego, float(e[1])))
     return found
 
 

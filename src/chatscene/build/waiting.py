@@ -10,13 +10,19 @@ from chatscene.build.asked import HALTS, stands_first
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, Numbers
 from chatscene.build.place import NEXT_LANE
+from chatscene.build.possible import OFF_ROAD
 from chatscene.build.relations import AGAINST
 from chatscene.errors import NotBuilt
-from chatscene.terms.situation import EGO, Deed, When
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.situation import EGO, Deed, Other, When
+from chatscene.terms.vocabulary import NOSE_TO_TAIL, Act, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
+
+
+LONGEST_DELAY = 5.0  # [s], where it was only said how long at least
+UNDER_WAY = 0.3  # [m/s]
+CLOSES_IN = 0.9  # of the ego's speed: on who is slower the ego closes in
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,16 +87,56 @@ def when_of(actor: Actor, k: int, when: When, meanwhile: str) -> Iterator[str]:
         if condition := _seen(actor, k, name, reference):
             yield f"{meanwhile} until {condition}"
         actor.ledger.take(f"{at}.{name}")
+    if when.delay is not None:
+        low, high = when.delay.within(0.0, max(when.delay.low, LONGEST_DELAY))
+        actor.numbers.measure(f"DELAY_{k}", low, high, "s", "how long after that it begins", f"{at}.delay")
+        yield f"{meanwhile} for $DELAY_{k} seconds"
     if when.ego_within is not None:
-        low, high = when.ego_within.low, when.ego_within.high
-        unit = when.ego_within.QUANTITY
-        near = f"NEAR_{k}"
-        least = low if low > 0 else high
-        most = high if high < float("inf") else least
-        of = "s" if unit == "duration" else "m"
-        actor.numbers.measure(near, max(least, 0.0), most, of, "how near the ego is when it acts", f"{at}.ego_within")
-        there = "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0])" if unit == "duration" else "gap(self, ego)"
-        yield f"{meanwhile} until {there} < ${near}"
+        yield f"{meanwhile} until {_near(actor, k, when)}"
+
+
+def _near(actor: Actor, k: int, when: When) -> str:
+    """What shows that the ego is as near as was said: its front to the tail of who is on its way, or to where that is.
+
+    In seconds to who stands or goes slower it is the time to collision; to who goes as fast, the headway.
+    """
+    at, near, said = f"{actor.path}.does.{k}.when", f"NEAR_{k}", when.ego_within
+    assert said is not None
+    seconds = said.QUANTITY == "duration"
+    least = said.low if said.low > 0 else said.high
+    most = said.high if said.high < float("inf") else least
+    unit = "s" if seconds else "m"
+    actor.numbers.measure(near, max(least, 0.0), most, unit, "how near the ego is when it acts", f"{at}.ego_within")
+    situation = actor.ledger.situation
+    whom = actor.one if when.of is None else situation[when.of]
+    if when.of is not None:
+        actor.ledger.take(f"{at}.of")
+    name = "self" if whom is actor.one or whom.id == actor.one.id else name_of(whom.id)
+    if whom.starts.where in AGAINST and not seconds:
+        return f"gap({name}, ego) - (ego.length + {name}.length) / 2 < ${near}"
+    if whom.starts.where not in NOSE_TO_TAIL | {Where.KERB, Where.BUS_BAY}:
+        there = f"progressOn(egoRoute, {name})[0] - ego.length / 2"
+        if seconds:
+            return f"secondsTo(egoRoute, ego, {there}) < ${near}"
+        beside = whom.starts.where in OFF_ROAD
+        return f"distanceLeft(egoRoute, ego, {there}) < ${near}" if beside else f"gap({name}, ego) < ${near}"
+    behind = whom.starts.where in (Where.BEHIND, Where.BEHIND_BESIDE)
+    ends = (name, EGO) if behind else (EGO, name)
+    room = f"headway(egoRoute, {ends[0]}, {ends[1]}) - (ego.length + {name}.length) / 2"
+    if not seconds:
+        return f"{room} < ${near}"
+    faster = f"{ends[0]}.pose[3]"
+    if _is_slower(actor, whom) and not behind:
+        faster = f"({faster} - {ends[1]}.pose[3])"
+    return f"{room} < ${near} * {faster}"
+
+
+def _is_slower(actor: Actor, whom: Other) -> bool:
+    """Whether the ego closes in on somebody, by what was said of its speed."""
+    if stands_first(whom):
+        return False  # which is the same, and does not end when it sets off
+    said = whom.starts.speed
+    return said is not None and (said.low + actor.ego_speed * said.than_ego) < CLOSES_IN * actor.ego_speed
 
 
 def _seen(actor: Actor, k: int, name: str, reference: str) -> str:
@@ -110,6 +156,11 @@ def _seen(actor: Actor, k: int, name: str, reference: str) -> str:
     if sign is None:
         raise NotBuilt(f"nothing builds yet: {at}: {reference}, which is {deed.act}")
     called, whom = (one if one == EGO else name_of(one) for one in (who, deed.whom or EGO))
+    waits = who != EGO and (situation[who].starts.where in OFF_ROAD or stands_first(situation[who]))
+    first = deed is next((one for one in does if one.act is not Act.STAND), None)
+    delayed = (own := actor.deeds[k].when) is not None and own.delay is not None
+    if name == "during" and delayed and waits and first:
+        return f"{name_of(who)}.pose[3] > {UNDER_WAY:g}"  # from when it begins, not from when it is seen to
     text = (sign.begun if name == "during" else sign.done or sign.begun).format(
         who=called, whom=whom, usual=f"{_usual(actor, who):.3g}", k=does.index(deed)
     )

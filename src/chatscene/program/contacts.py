@@ -6,6 +6,8 @@ import math
 import re
 from collections.abc import Iterator
 
+import numpy as np
+
 from chatscene.program.deeds import MOVING
 from chatscene.program.finding import Finding
 from chatscene.simulate.contact import contact_side
@@ -13,6 +15,8 @@ from chatscene.terms.episode import Episode, Track, contact_point
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import LETS_GO, NOSE, SIDES_OF, Striker
 from chatscene.world.bodies import Body
+
+AT_SLACK = 0.15  # of the ego's width
 
 
 def striker_of(episode: Episode, other: Track) -> Striker:
@@ -68,6 +72,11 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
     other = next((t for t in episode.tracks if t.actor == collision.other), None)
     if other is None:
         return
+    if said.at is not None:
+        share = _on_width(episode.ego_track, other, collision.step)
+        low, high = said.at.within(0.0, 1.0)
+        right = low - AT_SLACK <= share <= high + AT_SLACK
+        yield Finding(path="contact.at", shown=right, told=f"said {said.at}, it is {100 * share:.0f} % of the width")
     if said.other is not None:
         side = contact_side(_body(other, collision.step), _body(episode.ego_track, collision.step))
         right = side in SIDES_OF[said.other]
@@ -76,6 +85,15 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
         striker = striker_of(episode, other)
         right = striker is said.striker
         yield Finding(path="contact.striker", shown=right, told=f"said {said.striker}, it is {striker}")
+
+
+def _on_width(ego: Track, other: Track, step: int) -> float:
+    """Where on the ego's width the middle of the other is, as a share from the side that it comes from."""
+    steps = np.arange(min(step, len(other.x) - 1) + 1)
+    heading = ego.heading[steps]
+    left = (other.y[steps] - ego.y[steps]) * np.cos(heading) - (other.x[steps] - ego.x[steps]) * np.sin(heading)
+    from_left = left[np.abs(left).argmax()] > 0.0
+    return 0.5 - (1.0 if from_left else -1.0) * float(left[-1]) / ego.width
 
 
 def is_of(actor: str, name: str) -> bool:

@@ -29,8 +29,10 @@ from chatscene.program.doing import (
 )
 from chatscene.program.encounter import encounter
 from chatscene.program.finding import Finding, failures, not_judged
+from chatscene.program.lateral import is_aside, of_lateral
 from chatscene.program.meaning import EGO_STATES, TOGETHER, in_between, left_of_ego
 from chatscene.program.measured import SLACK, SLACK_LENGTH, SLACK_SPEED, SLACK_TIME, Measure
+from chatscene.program.near import how_near
 from chatscene.program.roads import of_road
 from chatscene.program.starting import STARTS, faces
 from chatscene.program.unasked import of_somebody, unasked
@@ -184,7 +186,7 @@ class _Judge:
         where = f"it starts {seen.lead[0]:.1f} m ahead, {abs(seen.across[0]):.1f} m {_side(seen.across[0])}"
         hides = any(other.hidden_by == one.id for other in self.situation.others)
         if start.where in STARTS and not hides:
-            right = bool(STARTS[start.where](seen))
+            right = bool(STARTS[start.where](seen)) or is_aside(start, seen)
             yield Finding(path=f"{at}.starts.where", shown=right, told=f"said {start.where}, {where}", at=0.0)
         elif not hides:
             yield not_judged(f"{at}.starts.where")
@@ -198,6 +200,8 @@ class _Judge:
             yield Finding(path=f"{at}.starts.side", shown=right, told=f"said {start.side}, {where}", at=0.0)
         if (distance := self.measure.start(f"{at}.starts.distance", start, seen)) is not None:
             yield distance
+        if start.lateral is not None:
+            yield from of_lateral(start.lateral, one, f"{at}.starts.lateral", seen)
         if start.speed is not None:
             speed = np.abs(seen.track.speed[:3])
             yield self.measure.number(f"{at}.starts.speed", start.speed, speed, SLACK_SPEED, "starts at", cut=False)
@@ -244,22 +248,28 @@ class _Judge:
             if not act.row.lasting:
                 latest, before = max(latest, once.began), str(act)
             yield Finding(path=f"{path}.act", shown=True, told=f"said {act}", at=once.began * seen.dt)
-            if deed.to is not None and act in _ASIDE:
-                told = f"said {deed.to}, it goes to the {_side(moved_left(seen, once))}"
-                yield Finding(path=f"{path}.to", shown=_to_side(deed, once, seen), told=told)
-            yield from self._amounts(path, deed, once, seen)
-            if deed.manner is Manner.SLANTING:
-                slants = any(True for _ in ACTIONS[Action.DIAGONAL](seen))
-                yield Finding(path=f"{path}.manner", shown=slants, told="said slanting, it goes straight over")
-            if deed.breaks is Breach.RED_LIGHT:
-                ran = any(True for _ in ACTIONS[Action.RUN_LIGHT](seen))
-                yield Finding(
-                    path=f"{path}.breaks",
-                    shown=ran or (None if self.contact is not None else False),
-                    told="said red-light, it passes no red light",
-                )
+            yield from self._how(one, path, deed, once, seen)
             if deed.when is not None:
                 self.waits.append((f"{path}.when", deed, once, seen))
+
+    def _how(self, one: Other, path: str, deed: Deed, once: Act, seen: Seen) -> Iterator[Finding]:
+        """How a deed is done: to which side, by which numbers, in which manner, against which rule."""
+        if deed.to is not None and deed.act in _ASIDE:
+            told = f"said {deed.to}, it goes to the {_side(moved_left(seen, once))}"
+            yield Finding(path=f"{path}.to", shown=_to_side(deed, once, seen), told=told)
+        yield from self._amounts(path, deed, once, seen)
+        if deed.manner is Manner.SLANTING:
+            slants = any(True for _ in ACTIONS[Action.DIAGONAL](seen))
+            yield Finding(path=f"{path}.manner", shown=slants, told="said slanting, it goes straight over")
+        if deed.breaks is Breach.RED_LIGHT:
+            ran = any(True for _ in ACTIONS[Action.RUN_LIGHT](seen))
+            yield Finding(
+                path=f"{path}.breaks",
+                shown=ran or (None if self.contact is not None else False),
+                told="said red-light, it passes no red light",
+            )
+        if deed.lateral is not None:
+            yield from of_lateral(deed.lateral, one, f"{path}.lateral", seen, deed, once)
 
     def _seen(self, one: Other, k: int, seen: Seen, latest: int) -> Iterator[Act]:
         """The times that a deed is seen, of which some began before another did that was said before it."""
@@ -324,17 +334,26 @@ class _Judge:
             lasts = reference.partition(".")[0] == path.split(".")[1] or self.situation.deed(reference).act.row.lasting
             if name == "during" and other.done is not None and not lasts:  # else it is under way until this begins
                 right = right and once.began <= other.done + slack
+            if when.delay is not None and (name == "during" or when.during is None):
+                since = other.began if name == "during" or other.done is None else other.done
+                yield self._delay(path, when.delay, once, since, seen)
             told = f"said {name} {reference}, it begins {(once.began - other.began) * seen.dt:.1f} s after that begins"
             yield Finding(path=f"{path}.{name}", shown=right, told=told, at=once.began * seen.dt)
         if (near := when.ego_within) is not None:
             step = _comes(deed, once, seen)
-            lead, ego = abs(float(seen.lead[step])), float(seen.ego.speed[step])
-            measured = lead / max(ego, 1.0) if isinstance(near, Duration) else lead
+            whom = seen if when.of is None else watch(self.episode, self.route, self._tracks(when.of)[0], self.contact)
+            measured = how_near(whom, step, in_seconds=isinstance(near, Duration))
             slack_of = SLACK_TIME if isinstance(near, Duration) else SLACK_LENGTH
             most = near.high if math.isfinite(near.high) else near.low
-            right = measured <= most * (1 + 2 * SLACK) + 2 * slack_of
-            told = f"said within {near}, the ego is at {measured:.1f}"
+            nearest = min(measured, key=lambda one: abs(one - most))
+            right = nearest <= most * (1 + 2 * SLACK) + 2 * slack_of
+            told = f"said within {near}, the ego is at {nearest:.1f}"
             yield Finding(path=f"{path}.ego_within", shown=right, told=told, at=once.began * seen.dt)
+
+    def _delay(self, path: str, said: Duration, once: Act, since: int, seen: Seen) -> Finding:
+        """How long after something a deed begins."""
+        later = np.array([(once.began - since) * seen.dt])
+        return self.measure.number(f"{path}.delay", said, later, SLACK_TIME, "begins after", cut=False)
 
 
 def _comes(deed: Deed, once: Act, seen: Seen) -> int:

@@ -13,7 +13,7 @@ from chatscene.terms.act_amounts import AMOUNTS, amounts_of
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
 from chatscene.terms.pointing import meant
-from chatscene.terms.situation import EGO, Deed, Other, Situation
+from chatscene.terms.situation import EGO, Deed, Lateral, Other, Situation
 from chatscene.terms.vocabulary import Act, Breach, EgoRoute, RightOfWay, RoadKind
 
 JUNCTIONS = frozenset(
@@ -25,6 +25,8 @@ RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.ST
 """What rules a junction where somebody breaks such a rule."""
 COMES_OVER = frozenset((Act.CROSS, Act.CUT_IN))
 """Acts that lead from where somebody is at first to the other side."""
+LATERALS = ("offset", "edge", "overlap", "clearance")
+"""What says where across the road somebody is, one at a time."""
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
 _WAYS = {
     Moves.DRIVES: "drives",
@@ -101,6 +103,7 @@ def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
     if one.starts.side is not None and not where.row.sided and one.starts.side not in where.row.sides:
         lies = f"lies on the {' or the '.join(where.row.sides)}" if where.row.sides else "has no side"
         yield Fault((*at, "starts", "side"), f"{where!s} {lies}")
+    yield from _of_lateral(one.starts.lateral, (*at, "starts", "lateral"))
     if one.hidden_by is not None:
         yield from _somebody(situation, one.hidden_by, (*at, "hidden_by"), ego=False)
         if one.hidden_by == one.id:
@@ -133,10 +136,34 @@ def _of_deed(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
         if getattr(deed, name) is not None and name not in row.takes:
             has = ", ".join(f"{one} ({says})" for one, says in amounts_of(deed.act).items())
             yield Fault((*at, name), f"{deed.act!s} has no {name}, but {has or 'none of the amounts'}")
-    if deed.when is not None:
-        for name in ("after", "during"):
-            if (reference := getattr(deed.when, name)) is not None:
-                yield from _some_deed(situation, reference, deed, (*at, "when", name))
+    yield from _of_lateral(deed.lateral, (*at, "lateral"), placed=row.placed)
+    yield from _of_when(situation, deed, (*at, "when"))
+
+
+def _of_when(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
+    """When a deed begins: of whom and of what there is."""
+    if (when := deed.when) is None:
+        return
+    if when.of is not None:
+        yield from _somebody(situation, when.of, (*at, "of"), ego=False)
+        if when.ego_within is None:
+            yield Fault((*at, "of"), "it goes with ego_within, which says how near the ego is to whom")
+    for name in ("after", "during"):
+        if (reference := getattr(when, name)) is not None:
+            yield from _some_deed(situation, reference, deed, (*at, name))
+
+
+def _of_lateral(lateral: Lateral | None, at: Path, *, placed: bool = True) -> Iterator[Fault]:
+    """Where across the road somebody is, which one number says; of a deed, if it leads to such a place."""
+    if lateral is None:
+        return
+    if not placed:
+        some = ", ".join(act for act in Act if act.row.placed)
+        yield Fault(at, f"it leads nowhere across the road, so leave this out; {some} do")
+    said = [name for name in LATERALS if getattr(lateral, name) is not None]
+    if len(said) != 1:
+        told = f"has {', '.join(said)}, which are" if said else "says nothing, and is"
+        yield Fault(at, f"it {told} no place; say one of {', '.join(LATERALS)}")
 
 
 def _some_deed(situation: Situation, reference: str, of: Deed, at: Path) -> Iterator[Fault]:

@@ -272,6 +272,14 @@ FACINGS: Mapping[Facing, str] = {
     Facing.ACROSS: "facing {egos} lane",
 }
 
+LATERALS = (
+    "{offset} from the middle of its lane< on {egos} {side}>",
+    "{edge} inside the edge of its lane< on {egos} {side}>",
+    "in line with {overlap} of {egos} width< on {egos} {side}>",
+    "with {clearance} between it and {egos} side< on {egos} {side}>",
+)
+"""Where across the road somebody is."""
+
 MANNERS: Mapping[Manner, str] = {
     Manner.SUDDEN: "suddenly {does}",
     Manner.SLOW: "slowly {does}",

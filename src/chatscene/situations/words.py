@@ -19,6 +19,7 @@ from chatscene.situations.phrases import (
     FACINGS,
     FEATURES,
     KINDS,
+    LATERALS,
     LIGHTS,
     MANNERS,
     NUMBERS,
@@ -38,7 +39,7 @@ from chatscene.situations.phrases import (
 )
 from chatscene.situations.wording import Form, Words, filled, joined, sentence
 from chatscene.terms.amount import Amount
-from chatscene.terms.situation import EGO, SEVERAL, Contact, Deed, Other, Road, Situation, When
+from chatscene.terms.situation import EGO, SEVERAL, Contact, Deed, Lateral, Other, Road, Situation, When
 from chatscene.terms.vocabulary import Manner, Striker
 
 W = TypeVar("W")
@@ -218,6 +219,7 @@ class _Telling:
         asides = Words()
         if starts.facing is not None:
             asides += Words(", ") + self._filled(FACINGS[starts.facing], form).tells(f"{at}.starts.facing")
+        asides += self._lateral(starts.lateral, form, f"{at}.starts.lateral")
         if one.hidden_by is not None:
             hidden = Words(f", at first hidden from {self._me.object} by {self.names[one.hidden_by]}")
             asides += hidden.tells(f"{at}.hidden_by")
@@ -290,19 +292,39 @@ class _Telling:
             doing.to, whom, doing.speed, doing.acceleration, doing.distance, doing.time, " {breaks}",
         ):  # fmt: skip
             made += self._filled(f"<{phrase}>", form, slots)
-        return made + self._when(who, deed.when, f"{at}.when")
+        return made + self._lateral(deed.lateral, form, f"{at}.lateral") + self._when(who, deed.when, f"{at}.when")
+
+    def _lateral(self, lateral: Lateral | None, form: Form, at: str) -> Words:
+        """Where across the road somebody is."""
+        if lateral is None:
+            return Words()
+        amounts = {
+            "offset": lateral.offset, "edge": lateral.edge, "overlap": lateral.overlap, "clearance": lateral.clearance,
+        }  # fmt: skip
+        slots = {name: self._amount(one, f"{at}.{name}") for name, one in amounts.items()}
+        slots["side"] = _word(f"{at}.side", lateral.side, SIDES)
+        said = next(phrase for phrase in LATERALS if slots[phrase.partition("{")[2].partition("}")[0]])
+        return Words(", ") + self._filled(said, form, slots)
 
     def _when(self, who: str, when: When | None, at: str) -> Words:
         if when is None:
             return Words()
         said: list[Words] = []
+        later = self._amount(when.delay, f"{at}.delay")
+        if later and when.after is None and when.during is None:
+            said.append(later + " later")
         if when.after is not None:
-            said.append(Words(f"after {self._reference(who, when.after, lasting=False)}").tells(f"{at}.after"))
+            after = Words(f"after {self._reference(who, when.after, lasting=False)}").tells(f"{at}.after")
+            said.append(later + " " + after if later else after)
         if when.during is not None:
-            said.append(Words(f"while {self._reference(who, when.during, lasting=True)}").tells(f"{at}.during"))
+            since = f"from when {self._reference(who, when.during, lasting=True)}"
+            since = since if later else f"while {self._reference(who, when.during, lasting=True)}"
+            during = Words(since).tells(f"{at}.during")
+            said.append(later + " " + during if later and when.after is None else during)
         if when.ego_within is not None:
-            near = self._filled(f"when {self._me.does} {_IS} ", self._my_form)
-            said.append((near + self._amount(when.ego_within) + " away").tells(f"{at}.ego_within"))
+            near = self._filled(f"when {self._me.does} {_IS} ", self._my_form) + self._amount(when.ego_within) + " away"
+            far = Words(f" from {self.names[when.of]}").tells(f"{at}.of") if when.of is not None else Words()
+            said.append(near.tells(f"{at}.ego_within") + far)
         return Words(" ") + joined(said) if said else Words()
 
     def _reference(self, who: str, reference: str, *, lasting: bool) -> str:
@@ -348,11 +370,13 @@ class _Telling:
             return Words()
         other, form = self._touched(contact)
         none = "" if contact.happens else "there is no contact"
-        if none and contact.striker is contact.ego is contact.other is None:
+        if none and contact.striker is contact.ego is contact.other is contact.at is None:
             of_it = Words(" with ") + other if contact.whom is not None else Words()
             return sentence(Words(none).tells("contact.happens"), of_it)
         mine, its = (_word(f"contact.{one}", getattr(contact, one), PARTS) for one in ("ego", "other"))
         ends = Words(f", but {none}").tells("contact.happens") if none else Words()
+        if contact.at is not None:
+            ends = Words(", at ") + self._amount(contact.at, "contact.at") + f" of {self._me.own} width" + ends
         by_other = contact.striker is Striker.OTHER
         form = form if by_other else self._my_form
         verb = self._filled(STRIKERS[contact.striker], form if contact.happens else Form.WOULD)
@@ -451,7 +475,7 @@ def _hider(one: Other) -> frozenset[str]:
 def _named_by(deed: Deed) -> frozenset[str]:
     when = deed.when or When()
     deeds = (reference.partition(".")[0] for reference in (when.after, when.during) if reference)
-    return frozenset(filter(None, (deed.whom, *deeds)))
+    return frozenset(filter(None, (deed.whom, when.of, *deeds)))
 
 
 def _called(one: Other) -> str:

@@ -125,7 +125,7 @@ class Amount:
         for unit, scale in self.UNITS.items():
             if unit and type(self).of(said := self._in(unit, scale)) == self:
                 return said
-        return self._in(next(unit for unit, scale in self.UNITS.items() if unit and scale == 1.0))
+        return self._in(next((unit for unit, scale in self.UNITS.items() if unit and scale == 1.0), ""))
 
     def _in(self, unit: str, scale: float | None = None) -> str:
         less = self.than_ego and self.low < 0
@@ -137,7 +137,7 @@ class Amount:
         elif math.isinf(self.high):
             number = f"at least {low}"
         than = "" if not self.than_ego else " less than the ego" if less else " more than the ego"
-        return f"{number} {unit}{than}"
+        return f"{number} {unit}{than}".strip()
 
     @classmethod
     def __get_pydantic_core_schema__(cls, source: type[Any], handler: GetCoreSchemaHandler) -> CoreSchema:
@@ -193,3 +193,17 @@ class Acceleration(Amount):
     QUANTITY = "acceleration"
     UNITS: ClassVar[Mapping[str, float]] = {"m/s²": 1.0, "m/s2": 1.0, "m/s^2": 1.0, "g": 9.81, "": 1.0}
     EXAMPLES = ("4 m/s²", "3 to 5 m/s²", "at least 0.5 g")
+
+
+class Share(Amount):
+    """Which part of a whole, in [0, 1]."""
+
+    __slots__ = ()
+    QUANTITY = "share"
+    UNITS: ClassVar[Mapping[str, float]] = {"%": 0.01, "": 1.0}
+    EXAMPLES = ("50 %", "25 to 50 %", "at most 30 %")
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if 1.0 < self.high < math.inf or self.low > 1.0:
+            raise ValueError("a share is 100 % at most")

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
-from chatscene.terms.amount import Acceleration, Duration, Length, Speed
+from chatscene.terms.amount import Acceleration, Duration, Length, Share, Speed
 from chatscene.terms.surroundings import Light, Surface, Weather
 from chatscene.terms.vocabulary import (
     Act,
@@ -52,12 +52,35 @@ class When(_Closed):
     Attributes:
         after: The deed after which it begins: whose, and its number from 0 or its act, as ``A.0`` or ``ego.stop``.
         during: The deed while which it begins.
+        delay: How long after `after` ended or `during` began.
         ego_within: How near the ego then is, as a length or as the time it still needs.
+        of: The id of whom it is near to, if not who does it.
     """
 
     after: str | None = None
     during: str | None = None
+    delay: Duration | None = None
     ego_within: Length | Duration | None = None
+    of: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lateral(_Closed):
+    """Where across the road, by one of four.
+
+    Attributes:
+        side: Of its lane.
+        offset: From the lane's middle.
+        edge: From the lane's edge; 0 is on the line.
+        overlap: With the ego's width.
+        clearance: Room beside the ego.
+    """
+
+    side: Side | None = None
+    offset: Length | None = None
+    edge: Length | None = None
+    overlap: Share | None = None
+    clearance: Length | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -74,6 +97,7 @@ class Deed(_Closed):
         acceleration: How hard speed changes, without a sign.
         distance: The gap that is kept or left, or the way that is covered.
         time: How long it takes or lasts; of a cut-in, the gap in time.
+        lateral: Where it then goes on.
         when: When it begins; else after the deed before it.
     """
 
@@ -86,6 +110,7 @@ class Deed(_Closed):
     acceleration: Acceleration | None = None
     distance: Length | None = None
     time: Duration | None = None
+    lateral: Lateral | None = None
     when: When | None = None
 
 
@@ -99,6 +124,7 @@ class Start(_Closed):
         distance: From the ego, along the road; of who is ahead or behind, the gap between the two.
         speed: How fast it then is.
         facing: Which way it faces, where the place leaves that open.
+        lateral: Where, if not in the lane's middle.
     """
 
     where: Where
@@ -106,6 +132,7 @@ class Start(_Closed):
     distance: Length | None = None
     speed: Speed | None = None
     facing: Facing | None = None
+    lateral: Lateral | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -183,6 +210,7 @@ class Contact(_Closed):
         other: The part of the other that is touched.
         striker: Who runs into whom.
         happens: False where it is said that there is none, as in a near miss.
+        at: Where on the ego's width, from the other's side.
     """
 
     whom: str | None = None
@@ -190,6 +218,7 @@ class Contact(_Closed):
     other: Part | None = None
     striker: Striker | None = None
     happens: bool = True
+    at: Share | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

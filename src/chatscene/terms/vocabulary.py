@@ -315,6 +315,7 @@ class ActRow:
         sided: Whether it may be to a side.
         whom: Whether it is done to somebody, who is the ego unless another is named.
         takes: The amounts that it may have, by their names in `Deed`.
+        placed: Whether it may be said where across the road it then goes on.
         lasting: Whether it goes on until something else begins, so that nothing shows when it is done.
     """
 
@@ -323,6 +324,7 @@ class ActRow:
     sided: bool = False
     whom: bool = False
     takes: frozenset[str] = frozenset()
+    placed: bool = False
     lasting: bool = False
 
 
@@ -345,14 +347,18 @@ class Act(RowWord):
     GO_ALONG = (
         "go-along",
         "goes along the road: in its lane, at its edge, on foot as well",
-        _act(_ALL, "speed time distance", ego=True, lasting=True),
+        _act(_ALL, "speed time distance", ego=True, lasting=True, placed=True),
     )
     GO_STRAIGHT = ("go-straight", "goes straight on through a junction", _act(_WHEELS, "speed", lasting=True))
     TURN_LEFT = ("turn-left", "turns to its own left at a junction or off the road", _act(_WHEELS, "speed"))
     TURN_RIGHT = ("turn-right", "turns to its own right at a junction or off the road", _act(_WHEELS, "speed"))
     U_TURN = ("u-turn", "turns round on the road", _act(_WHEELS, "speed"))
     CROSS = ("cross", "crosses the ego's way from beside the road to the other side", _act(_ALL, "speed", sided=True))
-    ENTER = ("enter", "comes into the ego's lane from beside the road, and stays in it", _act(_ALL, "speed"))
+    ENTER = (
+        "enter",
+        "comes into the ego's lane from beside the road, and stays in it",
+        _act(_ALL, "speed", placed=True),
+    )
     SET_OFF = ("set-off", "starts to move after it stood", _act(_ALL, "speed acceleration", ego=True))
     ACCELERATE = ("accelerate", "gains speed", _act(_ALL, "speed acceleration time", ego=True))
     SLOW_DOWN = ("slow-down", "loses speed gently", _act(_ALL, "speed acceleration time", ego=True))
@@ -360,18 +366,30 @@ class Act(RowWord):
     STOP = ("stop", "was moving, and comes to a standstill", _act(_ALL, "acceleration time distance", ego=True))
     HESITATE = ("hesitate", "pauses, and goes on", _act(_ALL, "time"))
     REVERSE = ("reverse", "moves backwards", _act(_ALL, "speed time distance", ego=True))
-    PULL_OUT = ("pull-out", "leaves where it stood at the edge for the ego's lane", _act(_WHEELS, "speed"))
+    PULL_OUT = ("pull-out", "leaves where it stood at the edge for the ego's lane", _act(_WHEELS, "speed", placed=True))
     CUT_IN = (
         "cut-in",
         "comes from the next lane into the ego's, close in front",
-        _act(_WHEELS, "speed distance time", sided=True, whom=True),
+        _act(_WHEELS, "speed distance time", sided=True, whom=True, placed=True),
     )
-    LANE_CHANGE = ("lane-change", "changes lanes in any other way", _act(_WHEELS, "speed time", sided=True))
+    LANE_CHANGE = (
+        "lane-change",
+        "changes lanes in any other way",
+        _act(_WHEELS, "speed time", sided=True, placed=True),
+    )
     CUT_OUT = ("cut-out", "leaves the ego's lane, and so shows what is ahead", _act(_WHEELS, "speed time", sided=True))
-    MERGE = ("merge", "comes from a ramp or a lane that ends into the ego's lane", _act(_WHEELS, "speed"))
-    OVERTAKE = ("overtake", "passes somebody and is ahead then", _act(_WHEELS, "speed distance", sided=True, whom=True))
-    DRIFT = ("drift", "leaves its line gradually, not meaning to", _act(_WHEELS, "speed time distance", sided=True))
-    SWERVE = ("swerve", "leaves its line abruptly", _act(_WHEELS, "speed time distance", sided=True))
+    MERGE = ("merge", "comes from a ramp or a lane that ends into the ego's lane", _act(_WHEELS, "speed", placed=True))
+    OVERTAKE = (
+        "overtake",
+        "passes somebody and is ahead then",
+        _act(_WHEELS, "speed distance", sided=True, whom=True, placed=True),
+    )
+    DRIFT = (
+        "drift",
+        "leaves its line gradually, not meaning to",
+        _act(_WHEELS, "speed time distance", sided=True, placed=True),
+    )
+    SWERVE = ("swerve", "leaves its line abruptly", _act(_WHEELS, "speed time distance", sided=True, placed=True))
     WEAVE = ("weave", "swings from side to side", _act(_ALL, "speed time"))
     KEEP_LEVEL = ("keep-level", "stays level with somebody", _act(_WHEELS, "time", whom=True, lasting=True))
     FOLLOW = (
