@@ -93,9 +93,9 @@ class Deed(_Closed):
         whom: The id of whom it is done to; the ego where none is named.
         manner: How, where that is said without a number.
         breaks: The rule that is broken by it.
-        speed: The speed at which it is done, or that is reached by it.
+        speed: At which it is done, or that is reached.
         acceleration: How hard speed changes, without a sign.
-        distance: The gap that is kept or left, or the way that is covered.
+        distance: The gap that is kept or left, or the way covered.
         time: How long it takes or lasts; of a cut-in, the gap in time.
         lateral: Where it then goes on.
         when: When it begins; else after the deed before it.
@@ -165,7 +165,7 @@ class Ego(_Closed):
     Attributes:
         route: The way it goes.
         speed: How fast it drives where nothing holds it.
-        does: What it does at the pedals before the danger, in order; never how it answers to the adversary.
+        does: What it does at the pedals before the danger, in order.
     """
 
     route: EgoRoute | None = None
@@ -209,7 +209,7 @@ class Contact(_Closed):
         ego: The part of the ego that is touched.
         other: The part of the other that is touched.
         striker: Who runs into whom.
-        happens: False where it is said that there is none, as in a near miss.
+        happens: False where there is said to be none.
         at: Where on the ego's width, from the other's side.
     """
 
