@@ -294,3 +294,9 @@ def test_somebody_on_foot_where_only_vehicles_come_from_is_refused_with_where_pe
     for where in ("arm", "oncoming", "behind"):
         with pytest.raises(NotBuilt, match="on foot; the nearest is"):
             build(others(car("A", where, deed("go-along"), kind="pedestrian")))
+
+
+def test_who_waits_for_the_second_of_two_equal_deeds_waits_for_that_one() -> None:
+    lost = car("P", "ahead", deed("drop-load"), deed("drop-load"), kind="truck", distance="45 m", speed="30 km/h")
+    said = others(car("A", "ahead", deed("swerve", to="left") | {"when": {"after": "P.1"}}, kind="bicycle"), lost)
+    assert "until P_load_1.pose[3] <" in build(said).program.source

@@ -162,7 +162,7 @@ def _seen(actor: Actor, k: int, name: str, reference: str) -> str:
     if name == "during" and delayed and waits and first:
         return f"{name_of(who)}.pose[3] > {UNDER_WAY:g}"  # from when it begins, not from when it is seen to
     text = (sign.begun if name == "during" else sign.done or sign.begun).format(
-        who=called, whom=whom, usual=f"{_usual(actor, who):.3g}", k=does.index(deed)
+        who=called, whom=whom, usual=f"{_usual(actor, who):.3g}", k=situation.number_of(reference)
     )
     return f"{text} and progressOn(egoRoute, ego)[0] > 4" if who == EGO and deed.act in HALTS else text
 

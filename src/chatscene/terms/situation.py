@@ -307,10 +307,18 @@ class Situation(_Closed):
         Raises:
             KeyError: There is none.
         """
+        return self.does(reference.partition(".")[0])[self.number_of(reference)]
+
+    def number_of(self, reference: str) -> int:
+        """The number of the deed that a reference means, of those of whoever does it.
+
+        Raises:
+            KeyError: There is none.
+        """
         who, _, what = reference.partition(".")
         for i, deed in enumerate(self.does(who)):
             if what in (str(i), deed.act.value):
-                return deed
+                return i
         raise KeyError(reference)
 
     def everybody(self) -> Iterator[tuple[str, tuple[Deed, ...]]]:
