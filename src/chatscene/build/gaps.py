@@ -56,10 +56,11 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
         ahead = f"{_MIDDLES}${_bound(actor, k)}"
         there = f"abs(headway(egoRoute, ego, self) - ({ahead})) < {NEARLY:g}"
         yield to_whom(f"PaceOnPath({way}, ego, {ahead}, {speeds}) until {there}", deed)
-    elif stops_before(actor, k) or (deed.act in _OVER and leaves_room(actor)):
-        ahead = f"{_MIDDLES}${_room(actor, k)}"
-        yield f"PaceOnPath({way}, ego, {ahead} + 2, {speeds}) until headway(egoRoute, ego, self) > {ahead}"
-    elif deed.act is Act.CUT_IN and (not last or from_behind or done_to(deed) != EGO):
+    elif (
+        stops_before(actor, k)
+        or (deed.act in _OVER and leaves_room(actor))
+        or (deed.act is Act.CUT_IN and (not last or from_behind or done_to(deed) != EGO))
+    ):
         ahead = f"{_MIDDLES}${_room(actor, k)}"  # or the ego would run into it before it does the next thing
         yield to_whom(
             f"PaceOnPath({way}, ego, {ahead} + 2, {speeds}) until headway(egoRoute, ego, self) > {ahead}", deed
