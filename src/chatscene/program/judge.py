@@ -227,8 +227,6 @@ class _Judge:
         for k, deed in enumerate(one.does):
             path, act = f"{at}.does.{k}", deed.act
             yield from (not_judged(f"{path}.{name}") for name in _untold(deed))
-            if act not in ACTS:
-                continue
             found = [once for once in self._seen(one, k, seen, latest) if once not in mine or act is Said.STAND]
             lasts = act.row.lasting and act is not Said.STAND
             after = [once for once in found if lasts or once.began >= latest - TOGETHER / seen.dt]
@@ -387,8 +385,6 @@ def _to_side(deed: Deed, once: Act, seen: Seen) -> bool:
 
 def _untold(deed: Deed) -> Iterator[str]:
     """What of a deed no track tells."""
-    if deed.act not in ACTS:
-        yield "act"
     if deed.manner is not None and deed.manner is not Manner.SLANTING:
         yield "manner"
     if deed.breaks in (Breach.STOP_SIGN, Breach.RIGHT_OF_WAY):
