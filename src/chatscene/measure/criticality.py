@@ -12,11 +12,10 @@ from collections.abc import Iterable
 import numpy as np
 
 from chatscene.simulate.boxes import NOTHING, Boxes, Pair, least_gap, post_encroachment, times_to_collision
-from chatscene.simulate.contact import contact_side
+from chatscene.simulate.contact import side_touched
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.criticality import Criticality, Fault, Severity
 from chatscene.terms.episode import Episode, Event, Role, Track
-from chatscene.world.bodies import Body
 
 STILL = 0.05  # [m], who moved less than this until contact never moved
 CRAWL = 0.1  # [m/s], below this an ego follows nobody
@@ -65,12 +64,7 @@ def part_struck(track: Track, by: Track, step: int) -> str:
     """Where on a vehicle another one touches it at a step: ``front``, ``rear``, ``left`` or ``right``; else empty."""
     if track.kind not in LIMITS or not LIMITS[track.kind].wheelbase:
         return ""
-    return contact_side(_posed(track, step), _posed(by, step))
-
-
-def _posed(track: Track, step: int) -> Body:
-    pose = float(track.x[step]), float(track.y[step]), float(track.heading[step])
-    return Body(*pose, track.length, track.width)
+    return side_touched(track, by, step)
 
 
 def _ego_strikes(ego: Track, other: Track, step: int) -> bool:

@@ -10,11 +10,10 @@ import numpy as np
 
 from chatscene.program.deeds import MOVING
 from chatscene.program.finding import Finding
-from chatscene.simulate.contact import contact_side
+from chatscene.simulate.contact import side_touched
 from chatscene.terms.episode import Episode, Track, contact_point
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import LETS_GO, NOSE, SIDES_OF, Striker
-from chatscene.world.bodies import Body
 
 AT_SLACK = 0.15  # of the ego's width
 
@@ -78,7 +77,7 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
         right = low - AT_SLACK <= share <= high + AT_SLACK
         yield Finding(path="contact.at", shown=right, told=f"said {said.at}, it is {100 * share:.0f} % of the width")
     if said.other is not None:
-        side = contact_side(_body(other, collision.step), _body(episode.ego_track, collision.step))
+        side = side_touched(other, episode.ego_track, collision.step)
         right = side in SIDES_OF[said.other]
         yield Finding(path="contact.other", shown=right, told=f"said {said.other}, it is the {side}")
     if said.striker is not None:
@@ -104,8 +103,3 @@ def is_of(actor: str, name: str) -> bool:
 def is_with(actor: str, name: str) -> bool:
     """Whether a track is of somebody, or of what it lets go: its door, its load."""
     return any(is_of(actor, one) for one in (name, *(f"{name}-{part}" for part in LETS_GO.values())))
-
-
-def _body(track: Track, step: int) -> Body:
-    there = min(step, len(track.x) - 1)
-    return Body(float(track.x[there]), float(track.y[there]), float(track.heading[there]), track.length, track.width)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from chatscene.terms.episode import Track
 from chatscene.world.bodies import Body
 
 
@@ -56,6 +57,16 @@ def contact_side(ego: Body, other: Body) -> str:
     if depth_along < depth_across:
         return "front" if along > 0 else "rear"
     return "left" if across > 0 else "right"
+
+
+def side_touched(track: Track, by: Track, step: int) -> str:
+    """Where on what a track is of another touches it at a step, or at its last: as `contact_side` says."""
+    return contact_side(_at(track, step), _at(by, step))
+
+
+def _at(track: Track, step: int) -> Body:
+    there = min(step, len(track.x) - 1)
+    return Body(float(track.x[there]), float(track.y[there]), float(track.heading[there]), track.length, track.width)
 
 
 def approach_speed(a: Body, b: Body) -> float:
