@@ -34,6 +34,7 @@ TURNING = math.radians(10)  # by now it is turning
 CLOSE = 0.5  # [s] behind somebody, who is fast: much less than the 1 s of a driver who is wide awake
 HALT = 4  # [steps] of standing
 PAUSE = 3  # [steps]
+BRAKES = 3  # [steps] that somebody brakes at least who is seen to
 PARTLY = 0.7  # [m] from the middle of a lane: who stands there leaves a part of it free
 
 
@@ -61,7 +62,7 @@ def _last(condition: NDArray[Any]) -> int:
     return int(found[-1]) if found.size else 0
 
 
-def _runs(condition: NDArray[Any]) -> Iterator[tuple[int, int]]:
+def runs(condition: NDArray[Any]) -> Iterator[tuple[int, int]]:
     """Every time a condition holds: the first step, and the one after the last."""
     edges = np.diff(np.concatenate(([0], condition.astype(int), [0])))
     yield from zip(np.flatnonzero(edges == 1).tolist(), np.flatnonzero(edges == -1).tolist(), strict=True)
@@ -69,7 +70,7 @@ def _runs(condition: NDArray[Any]) -> Iterator[tuple[int, int]]:
 
 def _lasting(condition: NDArray[Any], steps: int) -> Iterator[Act]:
     """Every time a condition holds for `steps` in a row; under way where the track ends after a third of them."""
-    for first, end in _runs(condition):
+    for first, end in runs(condition):
         if end - first >= steps:
             yield Act(first, first + steps - 1)
         elif end == len(condition) and 3 * (end - first) >= steps:
@@ -118,7 +119,7 @@ def _gaining(s: Seen) -> Iterator[Act]:
 def _halts(s: Seen) -> Iterator[tuple[int, int, int]]:
     """Every time it comes to stand: since when it slows, the first step it stands, and the one after the last."""
     speed = _speed(s)
-    for first, end in _runs(speed < STANDING):
+    for first, end in runs(speed < STANDING):
         if (speed[:first] > MOVING).any():
             yield _slowing_since(s, first), first, end
 
@@ -142,17 +143,21 @@ def _hesitates(s: Seen) -> Iterator[Act]:
     yield from _slowing(s)
 
 
+def braking(s: Seen) -> NDArray[np.bool_]:
+    """At which steps a watcher says that somebody brakes."""
+    return np.diff(_speed(s), prepend=_speed(s)[:1]) / s.dt < -min(BRAKING, OF_GRIP * s.grip)
+
+
 def _brakes(s: Seen) -> Iterator[Act]:
-    braking = min(BRAKING, OF_GRIP * s.grip)
-    return _lasting(np.diff(_speed(s), prepend=_speed(s)[:1]) / s.dt < -braking, 3)
+    return _lasting(braking(s), BRAKES)
 
 
 def _accelerates(s: Seen) -> Iterator[Act]:
     speed = _speed(s)
-    for first, end in _runs(np.diff(speed, prepend=speed[:1]) > -0.5 * s.dt):
+    for first, end in runs(np.diff(speed, prepend=speed[:1]) > -0.5 * s.dt):
         rising = speed[max(first - 1, 0) : end]
         ahead = np.lib.stride_tricks.sliding_window_view(np.pad(rising, (0, GAINING), mode="edge"), GAINING + 1)
-        for low, high in _runs(ahead.max(axis=1) - rising >= GAIN):
+        for low, high in runs(ahead.max(axis=1) - rising >= GAIN):
             least = rising[low:high].min()
             began = low + _last(rising[low:high] <= least + 0.1)
             done = began + int((rising[began:] >= least + GAIN).argmax())
@@ -175,7 +180,7 @@ def _fast(s: Seen) -> Iterator[Act]:
 
 
 def _reverses(s: Seen) -> Iterator[Act]:
-    for first, end in _runs(s.track.speed < 0.0):
+    for first, end in runs(s.track.speed < 0.0):
         back = _first(s.track.speed[first:end] < -STANDING)
         if back is not None or end == len(s.track.x):
             yield Act(max(first - 1, 0), None if back is None else first + back)
@@ -188,7 +193,7 @@ def comes_in(aside: Array, *, outside: float, there: NDArray[Any], dt: float) ->
     """Every time it sets out from beside a line toward it, until it is there; under way once it is 0.3 m nearer."""
     away = np.abs(aside)
     nearer = -np.diff(away, prepend=away[:1]) > 0.05 * dt
-    for first, _ in _runs(nearer):
+    for first, _ in runs(nearer):
         began = max(first - 1, 0)
         if away[began] <= outside:
             continue
@@ -247,7 +252,7 @@ def _weaves(s: Seen) -> Iterator[Act]:
 
 def _swerves(s: Seen) -> Iterator[Act]:
     rate = np.abs(s.track.yaw_rate(s.dt))
-    for first, end in _runs(rate > 0.02):
+    for first, end in runs(rate > 0.02):
         sharp, began = _first(rate[first:end] > 0.12), max(first - 1, 0)
         if sharp is None:
             continue

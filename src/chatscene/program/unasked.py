@@ -8,7 +8,7 @@ from itertools import combinations
 import numpy as np
 
 from chatscene.program.contacts import is_of, is_with
-from chatscene.program.deeds import BRAKING, OF_GRIP
+from chatscene.program.deeds import BRAKES, braking, runs
 from chatscene.program.finding import Finding
 from chatscene.program.watching import Seen, headings
 from chatscene.simulate.boxes import Boxes, Pair
@@ -92,17 +92,10 @@ def of_somebody(one: Other, seen: Seen, route: Route) -> Iterator[Finding]:
 
 def _times_braking(seen: Seen) -> list[int]:
     """Since when it brakes hard, every time that it begins to."""
-    rate = -np.diff(np.abs(seen.track.speed)) / seen.dt
-    limit = min(BRAKING, OF_GRIP * seen.grip)
     times, ended = list[int](), -np.inf
-    run = 0
-    for step, one in enumerate([*rate.tolist(), 0.0]):
-        if one > limit:
-            run += 1
-            continue
-        if run >= 3:
-            if step - run - ended > APART / seen.dt:
-                times.append(step - run)
-            ended = step
-        run = 0
+    for first, end in runs(braking(seen)):
+        if end - first >= BRAKES:
+            if first - ended > APART / seen.dt:
+                times.append(first)
+            ended = end
     return times
