@@ -16,7 +16,7 @@ from chatscene.build.build import Built, build
 from chatscene.build.deeds import ACROSS, ALONG, TOWARD
 from chatscene.build.ledger import LEFT_OUT
 from chatscene.build.numbers import RANGES, Numbers
-from chatscene.build.parts import PARTS
+from chatscene.build.parts import BUILT_AS
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.starts import STARTS
 from chatscene.ego.policy import load_ego, wanting
@@ -103,7 +103,7 @@ def test_everybody_who_was_said_is_there_in_the_number_and_part_that_was_said(na
         there = [track for track in episode.tracks if re.fullmatch(rf"{one.id}(-\d+)?", track.actor)]
         assert len(there) == (one.count or 3)
         assert {track.role for track in there} == {roles[one.role]}
-    parts = sum(deed.act in PARTS for one in said.others for deed in one.does)
+    parts = sum(deed.act in BUILT_AS for one in said.others for deed in one.does)
     assert len(episode.tracks) == 1 + sum(one.count or 3 for one in said.others) + parts
 
 

@@ -38,11 +38,11 @@ class Part:
     told: str
 
 
-PARTS = {
+BUILT_AS = {
     Act.OPEN_DOOR: Part(scenic="Door", told="the door of {} slides out, and does not swing"),
     Act.DROP_LOAD: Part(scenic="Load", told="the load of {} slides to a stand on the road"),
 }
-"""What is let go, by the act."""
+"""As what is built what is let go, by the act."""
 
 
 def parts_of(actor: Actor) -> Iterator[str]:
@@ -55,7 +55,7 @@ def parts_of(actor: Actor) -> Iterator[str]:
         NotBuilt: It cannot be let go from there.
     """
     for k, deed in enumerate(actor.deeds):
-        if (part := PARTS.get(deed.act)) is None:
+        if (part := BUILT_AS.get(deed.act)) is None:
             continue
         one, called = name_of(actor.one.id), f"{name_of(actor.one.id)}_{LETS_GO[deed.act]}_{k}"
         opens = deed.act is Act.OPEN_DOOR

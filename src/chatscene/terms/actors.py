@@ -730,7 +730,7 @@ PROPS: dict[str, Limits] = {
     "Billboard": Limits(length=2.0, width=0.6),
 }
 """Things that stand beside the road, by their class; nobody meets them."""
-LET_GO: dict[str, Limits] = {
+LOOSE: dict[str, Limits] = {
     "Ball": Limits(length=0.22, width=0.22, throttle=8.0, brake=1.0, top_speed=10.0),
     "Door": Limits(length=1.1, width=0.1, throttle=5.0, brake=6.0, top_speed=3.0),
     "Load": Limits(
@@ -747,7 +747,7 @@ LET_GO: dict[str, Limits] = {
     ),
 }
 """What somebody lets go, by its class: a ball that rolls, the door of a car, a load, which slides with half of g."""
-LIMITS: dict[str, Limits] = {name: kind.row.limits for name, kind in BY_CLASS.items()} | LET_GO
+LIMITS: dict[str, Limits] = {name: kind.row.limits for name, kind in BY_CLASS.items()} | LOOSE
 
 
 def manner_of(kind: str) -> Manner | None:
