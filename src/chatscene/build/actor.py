@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from chatscene.build.asked import FROM_A_STAND, Asked, Meets, Stand, between, bolts, stands_first
 from chatscene.build.coming import Coming, goes_over
+from chatscene.build.contact import misses
 from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
 from chatscene.build.gaps import GOES_ON
@@ -155,7 +156,8 @@ class Actor:
     def leads(self) -> bool:
         """Whether it goes before an ego that nothing slows down, at the speed that the ego wants."""
         ahead = self.one.starts.where is Where.AHEAD and self.stand.meets is Meets.ALONG
-        return ahead and not self.ledger.situation.ego.does and self.one.kind.row.body.row.motorised
+        free = all(deed.act is Act.FOLLOW and deed.speed is None for deed in self.ledger.situation.ego.does)
+        return ahead and free and self.one.kind.row.body.row.motorised
 
     @property
     def _lane_ends(self) -> bool:
@@ -229,8 +231,7 @@ class Actor:
         there, seconds = goes_over(self.found.route, self.ego_speed)
         seconds += self.ego.late or 0.0
         ahead = numbers.middle("Y") * (-1 if self.stand.behind else 1)
-        contact = situation.contact
-        if contact is not None and not contact.happens and contact.whom in (None, self.one.id):
+        if misses(situation, self.one):
             there += 0.75 * lengths  # by before the ego's nose
         way = there - ahead
         usual, top = numbers.range_of("SPEED")[1], MOST * self.limits.top_speed

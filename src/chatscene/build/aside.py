@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, stands_first, stops_ahead
 from chatscene.build.gaps import LOSES
 from chatscene.build.naming import name_of
+from chatscene.build.place import NEXT_LANE
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import Act, Side, Where
@@ -15,6 +17,9 @@ if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 CLEAR = 0.4  # [m] at least between two of whom one swerves round the other
+BY = (0.3, 0.8)  # [m] between who goes by the ego and the ego, from and to
+GOES_BY_AT = 2.0  # [s] before they would touch that it leaves the ego's line
+_DRIVES = re.compile(r"^DrivePath\((.+), ([^,]+)\)$")
 SWERVES_AT, NEAR, SLOWER = 1.0, 2.0, 0.7  # [s], [m] before whom it swerves round; of the speed that one then has
 
 
@@ -55,6 +60,27 @@ def line_aside(actor: Actor, k: int, way: str | None) -> str:
     name = str(deed.act).upper() + (f"_{k}" if deed.distance is not None else "")
     own = f"way{name_of(actor.one.id)}" + (".line" if actor.stand.way == "egoRoute" else "")
     return f"{way or own}.offset({sign_of_side(actor, k)} * ${name})"
+
+
+def goes_by(actor: Actor, phases: tuple[str, ...]) -> tuple[str, ...]:
+    """The last phases of who comes against the ego in its lane and does not touch it: it goes by, beside the ego.
+
+    It goes by on the side of its own lane, if nobody is there.
+    """
+    aside = 0.5 * (actor.limits.width + AdversaryKind.CAR.row.limits.width)
+    actor.numbers.measure("BY", aside + BY[0], aside + BY[1], "m", "how far aside of the ego it goes by")
+    others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
+    taken = any(
+        one.starts.where is Where.ONCOMING or (one.starts.where in NEXT_LANE and one.starts.side is Side.LEFT)
+        for one in others
+    )
+    *before, last = phases
+    found = _DRIVES.match(last)
+    assert found is not None
+    near = f"gap(self, ego) < (self.pose[3] + ego.pose[3]) * {GOES_BY_AT:g} + {NEAR:g}"
+    actor.ledger.take("contact.happens")
+    by = f"DrivePath({found[1]}, {found[2]}, {'' if taken else '-'}$BY)"
+    return (*before, f"{last} until {near}", by)
 
 
 def sign_of_side(actor: Actor, k: int) -> str:

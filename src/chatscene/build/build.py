@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from chatscene.build.actor import Actor
 from chatscene.build.asked import ROOM, Meets, between, stands_first
 from chatscene.build.coming import wanted_by
+from chatscene.build.contact import parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.finding import find, started
 from chatscene.build.ledger import Ledger
@@ -81,6 +82,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     around = _around(ledger)
     if (contact := situation.contact) is not None and contact.whom in {one.id for one in situation.adversaries}:
         ledger.take("contact.whom")
+    ledger.take(*parts_in_line(situation))
     declared = [f"param {one.name} = Range({one.low}, {one.high})" for one in numbers]
     query = ", ".join(f"{key}={value!r}" for key, value in found.query.items())
     source = "\n".join(

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import FROM_A_STAND, Meets
+from chatscene.build.contact import touches
 from chatscene.build.deeds import (
     ALONG,
     BEHIND_ANOTHER,
@@ -74,12 +75,12 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     if deed.act is Act.U_TURN and meets in (Meets.ALONG, Meets.KERB):
         radius = radius_to_turn_round(actor, k)
         yield Act.U_TURN, turning_round(radius, 0.0 if deed.speed is not None else math.sqrt(TURNS_AT * radius))
-    follows = actor.stand.behind and not actor.stand.rolls and not _touches(actor)
+    follows = actor.stand.behind and not actor.stand.rolls and not touches(actor.ledger.situation, actor.one)
     if where is Where.BEHIND and deed.act in GOES_ON and follows and not _goes_by_itself(actor, deed):
         yield deed.act, ALONG[Act.TAILGATE]  # or it would run into the ego
     if deed.act is Act.OVERTAKE and along:
         yield from _overtaking(actor, deed)
-    if meets is Meets.TOWARD and deed.act in _COMES_BACK and _is_in_ours(actor, k):
+    if meets is Meets.TOWARD and deed.act in _COMES_BACK and is_in_ours(actor, k):
         yield deed.act, _back(actor, k)
     if done_to(deed) != EGO:
         yield from _to_another(actor, k)
@@ -113,7 +114,7 @@ def _goes_by_itself(actor: Actor, deed: Deed) -> bool:
     return actor.one.role is Role.SUPPORTING and deed.distance is None
 
 
-def _is_in_ours(actor: Actor, k: int) -> bool:
+def is_in_ours(actor: Actor, k: int) -> bool:
     """Whether somebody who comes against the ego is in its lane before a deed."""
     ours = actor.one.starts.where is Where.ONCOMING_IN_OUR_LANE
     return ours or any(one.act in _COMES_BACK or one.act in (Act.OVERTAKE, Act.ENTER) for one in actor.deeds[:k])
@@ -156,8 +157,3 @@ def _by_numbers(actor: Actor, k: int, steps: Steps) -> Steps:
     if deed.act is Act.BRAKE and not across and deed.time is None and then in FROM_A_STAND:
         return replace(steps, does=(BRAKES,), last=(BRAKES,), pace=Pace.STANDS)
     return steps
-
-
-def _touches(actor: Actor) -> bool:
-    contact = actor.ledger.situation.contact
-    return contact is not None and contact.happens

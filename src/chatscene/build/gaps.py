@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets
+from chatscene.build.contact import misses
 from chatscene.build.deeds import OWN
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.relations import SLOWS, speed_of
@@ -87,9 +88,8 @@ def _speeds(actor: Actor, k: int) -> str:
 
 def leaves_room(actor: Actor) -> bool:
     """Whether it was said that somebody who comes over from the next lane does not touch the ego."""
-    contact, one = actor.ledger.situation.contact, actor.one
-    misses = contact is not None and not contact.happens and contact.whom in (None, one.id)
-    return misses and one.role is Role.ADVERSARY and one.starts.where in NEXT_LANE and actor.stand.meets is Meets.ALONG
+    one, missed = actor.one, misses(actor.ledger.situation, actor.one)
+    return missed and one.role is Role.ADVERSARY and one.starts.where in NEXT_LANE and actor.stand.meets is Meets.ALONG
 
 
 def stops_before(actor: Actor, k: int) -> bool:

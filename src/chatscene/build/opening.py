@@ -16,6 +16,7 @@ from chatscene.build.gaps import GOES_ON, LOSES
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, at_junction, room_against
+from chatscene.build.reacting import ego_slows, goes_until_ego_slows, reacts
 from chatscene.build.relations import AGAINST, ALONG
 from chatscene.build.timing import Course, Meeting, course
 from chatscene.build.waiting import when_of
@@ -27,7 +28,6 @@ from chatscene.terms.vocabulary import Act, Facing, Where
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
-REACTS = 0.85  # of the speed that the ego wants: who is behind it sees it brake
 BEHIND_IT = 3.0  # [m] behind whom it stops somebody stands
 LASTS = 3.0  # [s] in which the last of what somebody does is seen
 SPARE = 30.0  # [m] of road behind who comes against the ego, for those behind it
@@ -90,8 +90,8 @@ class Opening:
         if not (actor.stand.rolls or soon):
             self._make_room()
             self._roll_up()
-        if deed.act is Act.STAND and deed.time is not None:
-            return  # it stands so long from the beginning
+        if (deed.act is Act.STAND and deed.time is not None) or goes_until_ego_slows(actor, self.first):
+            return  # it stands so long, or goes on until then, from the beginning
         if stands_first(actor.one):
             yield f"{waits} for {STANDS:g} seconds"
         yield from self._goes_on(waits, soon=soon)
@@ -102,8 +102,8 @@ class Opening:
         actor = self.phases.actor
         if before := self._stands_before():
             yield f"{waits} until {self._is_near(before)}"
-        elif self._reacts():
-            yield f"{waits} until ego.pose[3] < {REACTS:g} * {actor.ego_speed:.4g}"
+        elif reacts(actor, self.first):
+            yield f"{waits} until {ego_slows(actor)}"
         elif soon:
             yield self._soon(waits)
         elif not actor.stand.rolls or actor.stand.meets is Meets.ALONG:
@@ -124,15 +124,6 @@ class Opening:
         actor, name = self.phases.actor, name_of(before.id)
         braking = f"self.pose[3] ** 2 / (2 * $BRAKE * {actor.limits.brake:g})"
         return f"headway(egoRoute, self, {name}) < {braking} + (self.length + {name}.length) / 2 + {BEHIND_IT:g}"
-
-    def _reacts(self) -> bool:
-        """Whether it is behind an ego that loses speed, and so does then."""
-        actor, situation = self.phases.actor, self.phases.actor.ledger.situation
-        loses = any(deed.act in LOSES for deed in situation.ego.does)
-        ahead = (one for one in situation.others if one.starts.where is Where.AHEAD and one.id != actor.one.id)
-        loses = loses or any(deed.act in LOSES for one in ahead for deed in one.does)
-        behind = actor.stand.behind and actor.one.starts.where is Where.BEHIND and not actor.stand.rolls
-        return behind and loses and actor.deeds[self.first].act in LOSES
 
     def _soon(self, waits: str) -> str:
         """It goes on for a while, as it began."""

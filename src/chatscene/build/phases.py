@@ -8,9 +8,10 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.aim import STOOD, set_offset
-from chatscene.build.aside import avoids, line_aside, must_avoid, sign_of_side
+from chatscene.build.aside import avoids, goes_by, line_aside, must_avoid, sign_of_side
 from chatscene.build.asked import Meets, stands_first, stops_in_the_way, stops_on_its_way
-from chatscene.build.choosing import steps_of
+from chatscene.build.choosing import is_in_ours, steps_of
+from chatscene.build.contact import misses
 from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, RESTS_THERE, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
 from chatscene.build.facing import OVER
 from chatscene.build.gaps import (
@@ -30,6 +31,7 @@ from chatscene.build.numbers import FIRM
 from chatscene.build.opening import Opening
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_passing_speed
 from chatscene.build.place import LANE, NEXT_LANE
+from chatscene.build.reacting import LOCKS, SLOWED, ego_slows, goes_until_ego_slows, swerves_slowed
 from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
@@ -46,6 +48,9 @@ GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 NEARLY, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
+
+
+_FOR_TIME = re.compile(r" for \$(?:PACE|GO)_TIME seconds$")
 
 
 @dataclass(slots=True)
@@ -302,6 +307,12 @@ class Phases:
         for text in self._careful(phases) if last else phases:
             said = to_whom(self._of_deed(k, text, steps), deed)
             said = said.replace("{meets}", actor.stand.ego_meets)
+            if k + 1 < len(actor.deeds) and swerves_slowed(actor, k + 1) and deed.time is None:
+                actor.numbers.narrow("BRAKE_TIME", *LOCKS)
+            if swerves_slowed(actor, k):
+                said = re.sub(r", (\$SPEED)(?![A-Z0-9_])", rf", {SLOWED:g} * \1", said)
+            if goes_until_ego_slows(actor, k):
+                said = _FOR_TIME.sub(f" until {ego_slows(actor)}", said)
             yield said.replace("{aside}", sign_of_side(actor, k)).replace("{p}", way or "{p}")
         self._take_side(k)
 
@@ -331,9 +342,12 @@ class Phases:
 
     def _careful(self, phases: tuple[str, ...]) -> tuple[str, ...]:
         """The last phases, of somebody on foot who is not to touch an ego that stands where it is to go on."""
-        contact = self.actor.ledger.situation.contact
-        touches = contact is None or contact.happens or contact.whom not in (None, self.actor.one.id)
-        if touches or not self.actor.walks or phases[-1] != MOVE:
+        if not misses(self.actor.ledger.situation, self.actor.one):
+            return phases
+        drives = phases[-1].startswith("DrivePath(") and "{home}" not in phases[-1]
+        if drives and is_in_ours(self.actor, len(self.actor.deeds)):
+            return goes_by(self.actor, phases)
+        if not self.actor.walks or phases[-1] != MOVE:
             return phases
         return (*phases[:-1], f"{MOVE} until {BARRED}", "Halt()")
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from enum import Enum
 
+from chatscene.build.contact import is_held_up, strikes_from_behind
 from chatscene.build.place import NEXT_LANE
 from chatscene.errors import NotBuilt
 from chatscene.maps.routes import PASSING, SWING
@@ -51,6 +52,7 @@ def relation_of(situation: Situation, one: Other) -> Relation | None:
     only_goes = one.role is Role.ADVERSARY and all(act.row.lasting and act not in _WITH for act in acts)
     followed = any(deed.act is Act.FOLLOW for deed in situation.ego.does)
     slows = slows_on_its_way(situation)  # so that who does not comes up to it
+    slows = slows or (strikes_from_behind(situation, one) and is_held_up(situation))
     rows = (
         (Relation.PASSED, any(True for _ in _passes(situation, one))),
         (Relation.AGAINST, where in AGAINST),

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 
 from chatscene.build.arriving import comes_along, comes_back, roundabout, slow_enough, so_far_back, through
 from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, stops_ahead
+from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
 from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.place import (
     LANE,
@@ -24,6 +26,9 @@ from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Role, Sid
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
 EDGE, MEDIAN = 1.2, 1.9  # [m] from the ego's line, in its lane and between the directions
 HEADWAY = 0.9, 1.7  # [s] behind whom it follows an ego is, from and to
+STOPPING = 3.0  # [m/s²] that an ego loses at least which comes to a stand
+STOOD = 1.0, 3.0  # [s] that it has stood, from and to, when somebody from behind is there
+LEADS_UP = 80.0  # [m] of road at least that lead to where the ego begins
 CAREFUL = 1.5, 2.5  # [s] behind the ego, from and to, is who is careful, and lets it into its lane
 
 
@@ -47,15 +52,16 @@ def _ahead(asked: Asked) -> Stand:
     if bolts(asked.one):
         return _over(asked, EDGE, Side.RIGHT)
     if asked.walks:
-        asked.ahead(30, 50)
+        passed = asked.swings_out and asked.stands
+        asked.reach(-2, 2, "how far beyond where the ego swings out it is") if passed else asked.ahead(30, 50)
         return Stand(
             meets=Meets.ACROSS,
-            point="pointOn(egoRoute, level{i})",
+            point=f"pointOn({'ownLane(egoRoute)' if passed else 'egoRoute'}, level{{i}})",
             facing=faces(asked, "level{i}", Facing.ALONG, Side.RIGHT),
-            lines=(f"level{{i}} = $Y{asked.more}",),
+            lines=(f"level{{i}} = {'egoRoute.eventAt + ' if passed else ''}$Y{asked.more}",),
             ego_meets="progressOn(egoRoute, self)[0]",
             faces=True,
-            anywhere=True,
+            anywhere=not passed,
         )
     aside = -0.9 if asked.rides else 0.0
     if asked.swings_out and asked.stands:
@@ -89,14 +95,24 @@ def _behind(asked: Asked) -> Stand:
     waits = [deed.act for deed in asked.situation.ego.does[:1]] == [Act.STAND]
     if (asked.ego.stands or waits) and not asked.stands:
         asked.reach(28.0, 45.0, "how far behind the ego it is")
-    elif close and slows_on_its_way(asked.situation):
+    elif strikes_from_behind(asked.situation, asked.one) and comes_to_stand(asked.situation):
+        stops = 0.5 * asked.ego.speed / STOPPING
+        asked.headway(*(stops + after for after in STOOD))  # so that the ego stands when it is there
+    elif close and _slows_before(asked):
         asked.headway(*HEADWAY)  # so that the ego has slowed down when it is there
     elif close:
         asked.reach(9.0, 17.0, "how far behind the ego it is")
     else:
         asked.headway(*CAREFUL)
     way = "ownLane(egoRoute)" if beside_lane(asked.situation) else "egoRoute"
-    return Stand(meets=Meets.ALONG, way=f"extended({way}, 80)", at=f"80 - $Y{asked.less}", behind=True)
+    back = max(LEADS_UP, 10.0 * math.ceil(0.1 * (asked.numbers.range_of("Y")[1] + asked.room + ROOM)))
+    return Stand(meets=Meets.ALONG, way=f"extended({way}, {back:g})", at=f"{back:g} - $Y{asked.less}", behind=True)
+
+
+def _slows_before(asked: Asked) -> bool:
+    """Whether the ego loses speed by what was said of it, or for whom it meets before who is to strike it does."""
+    strikes = strikes_from_behind(asked.situation, asked.one)
+    return slows_on_its_way(asked.situation) or (strikes and is_held_up(asked.situation))
 
 
 BESIDE_TO_STRIKE = {Striker.EGO: (2.5, 5.0), Striker.OTHER: (-2.5, 0.8)}
@@ -125,7 +141,7 @@ def _next_lane(asked: Asked) -> Stand:
     if back and asked.one.role is Role.SUPPORTING and _changes_to(asked.situation, asked.side):
         low, high = (asked.middles + one * asked.ego.speed for one in CAREFUL)
     contact = asked.situation.contact
-    strikes = contact is not None and contact.happens and contact.whom in (None, asked.one.id)
+    strikes = contact is not None and touches(asked.situation, asked.one)
     if where is Where.BESIDE and strikes and contact is not None and contact.striker is not None:
         low, high = BESIDE_TO_STRIKE[contact.striker]
     if where is Where.BESIDE and any(deed.act is Act.OVERTAKE for deed in asked.one.does[:1]):

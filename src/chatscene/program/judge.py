@@ -179,7 +179,7 @@ class _Judge:
         seen = watch(self.episode, self.route, tracks[0], self.contact)
         yield from self._start(one, at, seen)
         yield from self._deeds(one, at, seen, done)
-        yield from of_somebody(one, seen, self.route)
+        yield from of_somebody(self.situation, one, seen, self.route)
 
     def _start(self, one: Other, at: str, seen: Seen) -> Iterator[Finding]:
         start = one.starts

@@ -15,7 +15,7 @@ from chatscene.simulate.boxes import Boxes, Pair
 from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoLight, RightOfWay, Role
+from chatscene.terms.vocabulary import Act, EgoLight, RightOfWay, Role, Where
 
 DEEP = 0.3  # [m] that two bodies are in each other, from which one is seen to drive through the other
 LEFT_LANE = 2.2  # [m] aside of where it began, from which a road user has left its lane
@@ -69,8 +69,11 @@ def _in_each_other(a: Boxes, b: Boxes, until: int | None) -> int:
     return int(np.argmax(deep)) if deep.any() else 0
 
 
-def of_somebody(one: Other, seen: Seen, route: Route) -> Iterator[Finding]:
-    """What somebody does who is only told to change speed in its lane: it brakes more often, or leaves that."""
+def of_somebody(situation: Situation, one: Other, seen: Seen, route: Route) -> Iterator[Finding]:
+    """What somebody does who is only told to change speed in its lane: it brakes more often, or leaves that.
+
+    Who comes against the ego in its lane leaves that where it was said that the two do not touch.
+    """
     acts = [deed.act for deed in one.does]
     if not acts or not IN_LANE.issuperset(acts):
         return
@@ -81,7 +84,9 @@ def of_somebody(one: Other, seen: Seen, route: Route) -> Iterator[Finding]:
         told = f"it brakes {len(times)} times, which was said {said} times"
         yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=times[0] * seen.dt)
     straight = route.junction is None and np.ptp(headings(route.line)) < STRAIGHT
-    if straight and not one.starts.where.row.junction:
+    contact = situation.contact
+    goes_by = contact is not None and not contact.happens and one.starts.where is Where.ONCOMING_IN_OUR_LANE
+    if straight and not goes_by and not one.starts.where.row.junction:
         aside = np.abs(seen.offset - seen.offset[0])
         inside = (seen.at > 0.0) & (seen.at < route.length)
         if (gone := inside & (aside > LEFT_LANE)).any() and abs(np.cos(seen.bearing[0])) > 0.9:

@@ -1,0 +1,90 @@
+"""What was said of a contact: who is to touch the ego, and who is not; and who has the ego slow down or stand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.situation import Other, Situation
+from chatscene.terms.vocabulary import COMES_IN, Act, EgoRoute, Part, Role, Striker, Where
+
+_LOSES = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP, Act.HESITATE, Act.REVERSE))
+_STANDS = frozenset((Act.STAND, Act.STOP, Act.FALL))
+_PASSES = frozenset((EgoRoute.BYPASS, EgoRoute.OVERTAKE, EgoRoute.LANE_CHANGE_LEFT, EgoRoute.LANE_CHANGE_RIGHT))
+"""Ways on which the ego goes round whoever stands in its lane."""
+_COMES_OVER = frozenset((*COMES_IN, Act.REVERSE))
+_BESIDE = frozenset(
+    (Where.ROADSIDE, Where.KERB, Where.DRIVEWAY, Where.CROSSING, Where.MEDIAN, Where.BUS_BAY, Where.AHEAD)
+)
+
+
+def touches(situation: Situation, one: Other) -> bool:
+    """Whether it was said that somebody and the ego touch."""
+    contact = situation.contact
+    return contact is not None and contact.happens and contact.whom in (None, one.id)
+
+
+def misses(situation: Situation, one: Other) -> bool:
+    """Whether it was said that somebody and the ego do not touch."""
+    contact = situation.contact
+    return contact is not None and not contact.happens and contact.whom in (None, one.id)
+
+
+def strikes_from_behind(situation: Situation, one: Other) -> bool:
+    """Whether it was said that somebody behind the ego, in its lane, touches it, and not that the ego strikes."""
+    contact = situation.contact
+    by_ego = contact is not None and contact.striker is Striker.EGO
+    return touches(situation, one) and not by_ego and one.starts.where is Where.BEHIND
+
+
+_IN_LINE = {
+    Where.BEHIND: (Part.REAR, Part.FRONT, Striker.OTHER),
+    Where.AHEAD: (Part.FRONT, Part.REAR, Striker.EGO),
+    Where.ONCOMING_IN_OUR_LANE: (Part.FRONT, Part.FRONT, None),
+}
+"""Of who is in the ego's lane and stays in it: which part of the ego it touches, with which of its own, who strikes."""
+_STAYS = frozenset((Act.STAND, Act.GO_ALONG, Act.FOLLOW, Act.TAILGATE, Act.ACCELERATE, Act.SET_OFF)) | _LOSES
+
+
+def parts_in_line(situation: Situation) -> Iterator[str]:
+    """The paths of what was said of a contact that is so because the two are in line with each other."""
+    contact = situation.contact
+    whom = next((one for one in situation.adversaries if touches(situation, one)), None)
+    if contact is None or whom is None or whom.starts.where not in _IN_LINE or not _STAYS.issuperset(_acts(whom)):
+        return
+    if whom.kind.moves is Moves.WALKS or situation.ego.route in _PASSES:
+        return
+    ego, other, striker = _IN_LINE[whom.starts.where]
+    yield from (f"contact.{name}" for name, part in (("ego", ego), ("other", other)) if getattr(contact, name) is part)
+    if striker is not None and contact.striker is striker:
+        yield "contact.striker"
+
+
+def is_held_up(situation: Situation) -> bool:
+    """Whether somebody before the ego has it lose speed: who does so in its lane, stands there, or comes into it."""
+    return _stands_ahead(situation) or any(
+        (one.starts.where is Where.AHEAD and not _LOSES.isdisjoint(_acts(one)))
+        or (one.starts.where in _BESIDE and not _COMES_OVER.isdisjoint(_acts(one)))
+        for one in situation.others
+        if one.role is not Role.HIDES
+    )
+
+
+def comes_to_stand(situation: Situation) -> bool:
+    """Whether the ego drives at first and stands then, by what was said of it or since somebody stands in its lane."""
+    acts = [deed.act for deed in situation.ego.does]
+    if acts and acts[0] is Act.STAND:
+        return False
+    return not {Act.STOP, Act.BRAKE}.isdisjoint(acts) or _stands_ahead(situation)
+
+
+def _stands_ahead(situation: Situation) -> bool:
+    """Whether somebody stands in the ego's lane, or comes to stand there, whom the ego does not go round."""
+    if situation.ego.route in _PASSES:
+        return False
+    ahead = (one for one in situation.others if one.starts.where is Where.AHEAD and one.role is not Role.HIDES)
+    return any(not _STANDS.isdisjoint(_acts(one)) for one in ahead)
+
+
+def _acts(one: Other) -> frozenset[Act]:
+    return frozenset(deed.act for deed in one.does)

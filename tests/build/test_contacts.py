@@ -1,0 +1,107 @@
+"""Contacts that were said, that were said not to be, and of which nothing was said, as drives show them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from test_building import drive, simulator
+from test_towards import car, deed, others
+
+from chatscene.build.build import build
+from chatscene.program.judge import failures, judge
+from chatscene.simulate.boxes import gaps
+from chatscene.situations.form import from_plain
+from chatscene.terms.episode import Episode, Track
+from chatscene.terms.situation import Situation
+
+SEEDS = (0, 1, 2)
+STRUCK = {"whom": "A", "ego": "rear", "other": "front", "striker": "other"}
+
+
+def driven(said: Situation, seed: int) -> Episode:
+    made = build(said)
+    episode = drive(made, seed=seed)
+    assert isinstance(episode, Episode), episode
+    route = simulator(made.map, "native").route(made.program, 0)
+    assert not failures(judge(said, episode, route)), failures(judge(said, episode, route))
+    return episode
+
+
+def track(episode: Episode, name: str) -> Track:
+    return next(one for one in episode.tracks if one.actor == name)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_who_strikes_an_ego_that_stops_for_somebody_does_so_when_it_stands_and_that_one_is_over(seed: int) -> None:
+    walks: dict[str, Any] = {"id": "B", "kind": "pedestrian", "starts": {"where": "crossing"}}
+    said = others(
+        car("A", "behind", deed("go-along")),
+        {**walks, "does": [deed("cross")]},
+        ego={"does": [deed("stop")]},
+        road={"has": ["crosswalk"]},
+        contact=STRUCK,
+    )
+    episode = driven(said, seed)
+    assert episode.collision is not None
+    assert (episode.collision.other, episode.collision.side) == ("A", "rear")
+    assert episode.ego_track.speed[episode.collision.step - 1] < 0.1
+    assert gaps(episode.ego_track, track(episode, "B"))[-1] > 2.0
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_who_strikes_the_ego_before_something_in_its_lane_does_so_when_it_has_all_but_stopped(seed: int) -> None:
+    lies: dict[str, Any] = {"id": "B", "kind": "debris", "starts": {"where": "ahead"}, "does": [deed("stand")]}
+    episode = driven(others(car("A", "behind", deed("go-along")), lies, contact=STRUCK), seed)
+    assert episode.collision is not None
+    assert episode.collision.other == "A"
+    assert episode.ego_track.speed[episode.collision.step - 1] < 0.2 * episode.ego_track.speed[0]
+
+
+def test_the_parts_of_two_who_are_in_line_are_not_told_as_left_out() -> None:
+    said = others(car("A", "behind", deed("go-along")), ego={"does": [deed("stop")]}, contact=STRUCK)
+    assert not build(said).left_out
+    beside = {**STRUCK, "ego": "left"}
+    said = others(car("A", "behind", deed("go-along")), ego={"does": [deed("stop")]}, contact=beside)
+    assert build(said).left_out == ("contact.ego: left",)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("kind", ["car", "motorcycle"])
+def test_who_comes_in_our_lane_and_is_not_touched_goes_by_close(kind: str, seed: int) -> None:
+    comes = car("A", "oncoming-in-our-lane", deed("go-along"), kind=kind)
+    episode = driven(others(comes, contact={"happens": False}), seed)
+    assert episode.collision is None
+    assert 0.1 < gaps(episode.ego_track, track(episode, "A")).min() < 1.5
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_who_goes_by_in_our_lane_does_so_on_the_right_where_somebody_is_on_the_left(seed: int) -> None:
+    comes = car("A", "oncoming-in-our-lane", deed("go-along"), kind="motorcycle")
+    bus = {"id": "B", "kind": "bus", "starts": {"where": "beside", "side": "left"}}
+    episode = driven(others(comes, bus, contact={"happens": False}), seed)
+    ego, scooter = episode.ego_track, track(episode, "A")
+    near = int(gaps(ego, scooter).argmin())
+    dx, dy, heading = scooter.x[near] - ego.x[near], scooter.y[near] - ego.y[near], ego.heading[near]
+    assert dy * np.cos(heading) - dx * np.sin(heading) < -1.0
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_who_swerves_behind_the_ego_does_so_as_the_ego_brakes_for_somebody(seed: int) -> None:
+    stands: dict[str, Any] = {"id": "B", "kind": "bus", "starts": {"where": "ahead"}, "does": [deed("stand")]}
+    episode = driven(others(car("A", "behind", deed("swerve")), stands), seed)
+    assert episode.collision is None
+    assert gaps(episode.ego_track, track(episode, "A")).min() < 2.0
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_an_animal_that_the_ego_goes_round_lies_where_it_swings_out(seed: int) -> None:
+    said = from_plain(
+        {
+            "ego": {"route": "bypass"},
+            "others": [{"id": "A", "kind": "animal", "starts": {"where": "ahead"}, "does": [{"act": "stand"}]}],
+        }
+    )
+    episode = driven(said, seed)
+    assert episode.route_completion > 0.9
