@@ -80,3 +80,13 @@ def test_only_a_sentence_can_be_edited() -> None:
 
     with pytest.raises(EditRefused, match="a program of its own"):
         amended(replace(scenario_of(WALKS), frame=None), "at night", SETTINGS)
+
+
+def test_the_ego_is_told_another_speed_though_no_snippet_can_be_set_to_it() -> None:
+    done = edit("A car ahead brakes hard.", "we drive at 50 km/h")
+    assert [one.fact for one in done.changes] == ["ego-speed"]
+    told, _ = choose(done.scenario, SETTINGS)
+    assert told.behavior.snippet.id == "behavior/lane-brake"
+    assert any("50 km/h" in str(one.said) for one in told.unused)
+    again = edit("We drive at 30 km/h. A car ahead brakes hard.", "we drive at 50 km/h").changes
+    assert [(str(one.before), one.fact) for one in again] != [("()", "ego-speed")]

@@ -32,7 +32,8 @@ class Facts:
     @classmethod
     def of(cls, frame: Frame, slots: Slots) -> Facts:
         """The facts of a frame, once its slots are decided."""
-        said = (*frame.quantities, *frame.shifts)
+        of_ego = (frame.ego_speed,) if frame.ego_speed is not None else ()
+        said = (*frame.quantities, *of_ego, *frame.shifts)
         numbers = {measure: tuple(one for one in said if one.measure is measure) for measure in Measure}
         return cls(slots=slots, surroundings=frame.surroundings, numbers={m: n for m, n in numbers.items() if n})
 
@@ -48,11 +49,13 @@ class Facts:
 
     def on(self, frame: Frame) -> Frame:
         """A frame that says these facts and is sure of them."""
+        of_ego = [one for one in self.quantities if one.measure is Measure.EGO_SPEED]
         return replace(
             frame,
             outright=self.slots,
             surroundings=self.surroundings,
-            quantities=self.quantities,
+            quantities=tuple(one for one in self.quantities if one not in of_ego),
+            ego_speed=next(iter(of_ego), None),
             shifts=self.shifts,
         )
 
