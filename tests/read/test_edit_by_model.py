@@ -8,10 +8,13 @@ from typing import Any
 
 import pytest
 
+from chatscene.build.build import Built, build
 from chatscene.errors import EditRefused, LanguageModelError
 from chatscene.models.language.protocol import LanguageModel, load_language_model
 from chatscene.read.by_model import LIMITS
 from chatscene.read.edit_by_model import EXAMPLES, edited_by
+from chatscene.report import stated as report
+from chatscene.report.filled import editor_of
 from chatscene.situations.form import from_plain, to_plain
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import UserKind
@@ -110,3 +113,18 @@ def test_the_replies_that_are_shown_to_the_model_are_edits_that_it_may_give(tmp_
         before = json.loads(example.text.partition("\n")[0].removeprefix("Situation: "))
         made = edited_by(scripted(tmp_path, json.loads(example.reply)), builds)(from_plain(before), "an edit")
         assert made.changes
+
+
+def test_what_was_tried_for_the_model_is_not_built_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "script.json").write_text(json.dumps([reply(LEFT)]), encoding="utf-8")
+    built: list[Situation] = []
+
+    def counted(situation: Situation, **named: Any) -> Built:
+        built.append(situation)
+        return build(situation, **named)
+
+    monkeypatch.setattr(report, "build", counted)
+    before = report.Stated(situation=READ, built=build(READ), editor=editor_of(f"scripted:{tmp_path / 'script.json'}"))
+    after = before.edit("from the left")
+    assert len(built) == 1
+    assert after.built == report.built_of(after.situation)

@@ -53,7 +53,9 @@ def edited_by(model: LanguageModel, cannot_build: Callable[[Situation], str]) ->
             if answer.verdict is not Verdict.SITUATION:
                 return "" if (answer.reason or "").strip() else "reason: say in one sentence why nothing is changed"
             try:
-                one = replace(situation_in(answer.situation), about=situation.about, map=situation.map)
+                said = situation_in(answer.situation)
+                named = replace(said, about=situation.about, map=situation.map)
+                one = replace(named, evidence=still_evident(situation, named))
             except Malformed as error:
                 return faults_in(answer.situation, error)
             if one == situation:
@@ -69,8 +71,7 @@ def edited_by(model: LanguageModel, cannot_build: Callable[[Situation], str]) ->
         answer = model.reply(_asked(situation, text), Answer, check=check).answer
         if answer.verdict is not Verdict.SITUATION:
             raise EditRefused(f"{model.name} says: “{printable(answer.reason or '', LONGEST_REASON)}”")
-        after = replace(made[-1], evidence=still_evident(situation, made[-1]))
-        return Edited(text=" ".join(text.split()), before=situation, after=after)
+        return Edited(text=" ".join(text.split()), before=situation, after=made[-1])
 
     return edited
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import fields, replace
 
-from chatscene.build.build import build
+from chatscene.build.build import Built, build
 from chatscene.errors import NotBuilt, NothingFits, OfferedReading, SettingsError, SituationError, no_such
 from chatscene.files.caches import cache_folder
 from chatscene.interpret.offline import OfflineReader
@@ -18,6 +18,7 @@ from chatscene.read.reader import Reader
 from chatscene.report.stated import Editor, Stated, built_of, stated, with_edits
 from chatscene.report.understood import Understood, understand
 from chatscene.settings import OFFLINE, READERS, RetrievalSettings, Settings
+from chatscene.situations.edited import Edited
 from chatscene.situations.facts import NO_FACTS
 from chatscene.situations.words import told
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
@@ -110,7 +111,21 @@ def editor_of(language_model: str) -> Editor | None:
     if language_model == OFFLINE:
         return None
     model = load_language_model(language_model, limits=LIMITS, cache=cache_folder("replies"))
-    return edited_by(model, _unbuilt(None, None))
+
+    def edited(situation: Situation, text: str) -> tuple[Edited, Built]:
+        tried: list[tuple[Situation, Built]] = []
+
+        def cannot_build(one: Situation) -> str:
+            try:
+                tried.append((one, built_of(one)))
+            except NotBuilt as error:
+                return str(error)
+            return ""
+
+        made = edited_by(model, cannot_build)(situation, text)
+        return made, next((built for one, built in tried if one is made.after), None) or built_of(made.after)
+
+    return edited
 
 
 def read_already(settings: RetrievalSettings) -> RetrievalSettings:

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from chatscene.runs.record import SituationRecord
     from chatscene.situations.edited import Edited
 
-Editor = Callable[[Situation, str], "Edited"]
-"""Who applies an edit in words to a situation."""
+Editor = Callable[[Situation, str], tuple["Edited", Built]]
+"""Who applies an edit in words to a situation, and what is built of that."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,12 +91,10 @@ class Stated:
             EditRefused: The edit was not understood, contradicts itself or what stays, or changes nothing.
             NotBuilt: The edited situation cannot be built.
         """
-        from chatscene.interpret.edited import edited
-
-        made = (self.editor or edited)(self.situation, text)
+        made, built = (self.editor or _edited_offline)(self.situation, text)
         return Changed(
             situation=made.after,
-            built=built_of(made.after),
+            built=built,
             reader=self.reader,
             not_said=(*self.not_said, *(f"{one}: no scene shows it" for one in made.unused)),
             editor=self.editor,
@@ -187,6 +185,13 @@ class Changed(Stated):
                 *difference_told(self.difference),
             )
         )
+
+
+def _edited_offline(situation: Situation, text: str) -> tuple[Edited, Built]:
+    from chatscene.interpret.edited import edited
+
+    made = edited(situation, text)
+    return made, built_of(made.after)
 
 
 def built_of(situation: Situation) -> Built:
