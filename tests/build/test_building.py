@@ -155,7 +155,6 @@ def test_bounds_and_differences_to_the_ego_narrow_what_is_searched() -> None:
 @pytest.mark.parametrize(
     ("changed", "told"),
     [
-        ({"ego": {"route": "reverse"}}, "ego.route: reverse"),
         ({"road": {"kind": "parking-lot"}}, "road.kind: parking-lot"),
         (
             {"others": [{"id": "A", "kind": "car", "starts": {"where": "off-ramp"}}]},

@@ -66,7 +66,7 @@ def test_an_ego_that_comes_into_a_lane_meets_who_is_in_it(who: str, ego: str) ->
         ("leave-driveway", {"where": "arm", "side": "right"}, "starts.where: arm, where ego.route is leave-driveway"),
         ("leave-parking", {"where": "beside", "side": "left"}, "starts.where: beside of a parked ego"),
         ("park", {"where": "exit"}, "starts.where: exit, where ego.route is park"),
-        ("reverse", {"where": "behind"}, "ego.route: reverse"),
+        ("park", {"where": "arm"}, "starts.where: arm"),
     ],
 )
 def test_whom_such_an_ego_cannot_meet_is_refused(route: str, where: dict[str, str], told: str) -> None:

@@ -28,7 +28,7 @@ from chatscene.terms import surroundings, vocabulary
 from chatscene.terms.amount import Speed
 from chatscene.terms.reading import Verdict
 from chatscene.terms.situation import Situation
-from chatscene.terms.vocabulary import Act, UserKind, Word
+from chatscene.terms.vocabulary import Act, RoadKind, UserKind, Word
 
 TEXT = "A blue van on the right pulls out at 25 km/h, and we brake."
 ANSWER: dict[str, Any] = {
@@ -185,18 +185,18 @@ def test_a_text_that_cannot_be_told_gives_the_verdict_with_the_models_reason(ver
 
 
 def test_what_cannot_be_built_is_told_and_mended() -> None:
-    backwards = changed(lambda said: said.update(ego={"route": "reverse"}))
-    reader, script = asked(backwards, ANSWER, cannot_build=unbuilt)
-    assert reader.read(TEXT).ranked[0].situation.ego.route is None
-    assert "it cannot be built: nothing builds yet: ego.route: reverse" in told_again(script)
+    rails = changed(lambda said: said.update(road={"kind": "rail-crossing"}))
+    reader, script = asked(rails, ANSWER, cannot_build=unbuilt)
+    assert reader.read(TEXT).ranked[0].situation.road.kind is not RoadKind.RAIL_CROSSING
+    assert "it cannot be built: nothing builds yet: road.kind: rail-crossing" in told_again(script)
 
 
 def test_what_can_never_be_built_is_given_as_it_was_said() -> None:
-    backwards = changed(lambda said: said.update(ego={"route": "reverse"}))
-    reader, _ = asked(backwards, backwards, backwards, cannot_build=unbuilt)
+    rails = changed(lambda said: said.update(road={"kind": "rail-crossing"}))
+    reader, _ = asked(rails, rails, rails, cannot_build=unbuilt)
     read = reader.read(TEXT)
     assert read.verdict is Verdict.SITUATION
-    with pytest.raises(NotBuilt, match=r"ego\.route: reverse"):
+    with pytest.raises(NotBuilt, match=r"road\.kind: rail-crossing"):
         build(read.ranked[0].situation)
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from chatscene.build.actor import Actor
 from chatscene.build.asked import ROOM, Meets, between, stands_first
+from chatscene.build.backing import check_met
 from chatscene.build.coming import wanted_by
 from chatscene.build.contact import parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of
@@ -21,6 +22,7 @@ from chatscene.build.roadside import beside_road
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, screens
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
+from chatscene.terms.backing import as_it_backs, backs
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
@@ -66,18 +68,20 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
     situation = replace(situation, others=tuple(along_the_road(wrong_way(one)) for one in situation.others))
+    said, situation = situation, as_it_backs(situation)
+    check_met(situation)
     usual = wanted_by(situation)
-    read = Ledger(situation)
+    read = Ledger(situation, told=said)
     found = find(read)
     ledger, ego, everybody, body = _cast(read, found, usual)
     road = max(one.takes for one, _ in everybody)
-    if road > found.route.line.length:  # what is done goes on for longer
-        read = Ledger(situation)
+    if road > found.route.line.length and not backs(situation):  # what is done goes on for longer
+        read = Ledger(situation, told=said)
         found = find(read, road)
         ledger, ego, everybody, body = _cast(read, found, usual)
     slow = min((one.reaches / one.needs for one, _ in everybody if one.needs > 0.0), default=ego.coming.speed)
     if slow < ego.coming.speed and situation.ego.speed is None:  # it would be there before the others are done
-        ledger, ego, everybody, body = _cast(read, found, max(slow, SLOWEST))
+        ledger, ego, everybody, body = _cast(read, found, max(slow, min(SLOWEST, ego.coming.speed)))
     numbers = sorted((one for actor, _ in everybody for one in actor.numbers.declared(body)), key=lambda one: one.name)
     around = _around(ledger)
     if (contact := situation.contact) is not None and contact.whom in {one.id for one in situation.adversaries}:
@@ -85,6 +89,8 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     ledger.take(*parts_in_line(situation))
     declared = [f"param {one.name} = Range({one.low}, {one.high})" for one in numbers]
     query = ", ".join(f"{key}={value!r}" for key, value in found.query.items())
+    about = ", 3.14159" if backs(situation) else ""
+    placed = f"at startOf(egoRoute), facing directionOn(egoRoute, 0{about}), with route egoRoute{ego.properties}"
     source = "\n".join(
         (
             *textwrap.wrap(_title(situation), 100, initial_indent="# ", subsequent_indent="# "),
@@ -95,7 +101,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
             *ego.params,
             "",
             f"egoRoute = selectRoute({query})",
-            f"ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute{ego.properties}",
+            f"ego = new Car {placed}",
             "",
             body,
         )

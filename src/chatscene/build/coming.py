@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from chatscene.build.relations import speed_of_traffic
 from chatscene.ego.intelligent_driver import CURVE_ACCELERATION
+from chatscene.terms.backing import backs
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.polyline import Polyline
@@ -16,6 +17,7 @@ from chatscene.world.places import EgoRoute as Route
 
 _STEP = 0.1  # [s], in which a drive on an empty road is computed
 _LONGEST = 60.0  # [s] of it
+WALKS = 1.6  # [m/s] that an ego backs at, if no speed was said
 _ASIDE = 1.2  # [m] to the side: an ego that turns so far goes over the way of who is beside it
 
 
@@ -27,11 +29,13 @@ class Coming:
         speed: What it drives at where nothing holds it [m/s].
         late: How much later [s] than at that speed from the first it is where the others meet it; None if it never is.
         stands: Whether it stands, from the first on and all the time.
+        held: For how long [s] it is held where it stands at first, before it sets off.
     """
 
     speed: float
     late: float | None
     stands: bool = False
+    held: float = 0.0
 
     def seconds(self, metres: str) -> str:
         """When it is so many metres on its way, as a text of Scenic.
@@ -47,6 +51,8 @@ class Coming:
 def wanted_by(situation: Situation) -> float:
     """What the ego drives at where nothing holds it [m/s]: as was said of it or of the traffic, else as is usual."""
     said = situation.ego.speed
+    if said is None and backs(situation):
+        return WALKS
     if said is None:
         return max(NOMINAL.speed, speed_of_traffic(situation))
     return said.high if said.high < float("inf") else said.low
@@ -71,7 +77,9 @@ def coming(speed: float, orders: tuple[Order, ...], metres: float, *, stands: bo
         allowed = min([speed, *(order.allows(time, at) for order in orders)])
         now = min(allowed, now + NOMINAL.gain * _STEP)
         at, time = at + now * _STEP, time + _STEP
-    return Coming(speed, max(0.0, time - metres / speed) if at >= metres else None, stands=at <= 0.0)
+    first = (order.till for order in orders if order.allows(0.0, 0.0) <= 0.0 and order.till < math.inf)
+    late = max(0.0, time - metres / speed) if at >= metres else None
+    return Coming(speed, late, stands=at <= 0.0, held=max(first, default=0.0))
 
 
 def goes_over(route: Route, speed: float) -> tuple[float, float]:

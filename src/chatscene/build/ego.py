@@ -12,16 +12,18 @@ from chatscene.build.place import Found, at_junction
 from chatscene.build.relations import SLOWS
 from chatscene.errors import NotBuilt
 from chatscene.maps.routes import TO_LINE
+from chatscene.terms.backing import backs
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.situation import EGO, Deed, Situation
-from chatscene.terms.vocabulary import Act, Breach, EgoLight, Manner, Where
+from chatscene.terms.vocabulary import Act, Breach, EgoLight, EgoRoute, Manner, Where
 
 LINE = 3.5  # [m] before the junction the centre of an ego stands whose nose is at the line
 STAND = 4.0  # [s] that somebody stands who sets off again
 BESIDE = 3.0  # [s] that the ego stands beside its lane before it comes into it
 SLOW = 3.0  # [m/s]
+BACKS = 20.0  # [m] at most that an ego backs, if only a bound was said
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,12 +65,14 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     stop = found.route.eventAt - (LINE if junction else 0.0)
     orders = tuple(_orders(ledger, ego.does, stop, speed))
     stands = bool(ego.does) and ego.does[0].act is Act.STAND
-    if ego.route in BEGINS and not ego.does:  # others are to come from behind meanwhile
-        stands, orders = True, (Order(at_most=0, till=BESIDE),)
-        ledger.assume(f"the ego stands beside its lane for {BESIDE:g} s, which was not said")
+    back = backs(situation)
+    if (ego.route in BEGINS or back) and not stands:  # others are to come meanwhile
+        stands, orders = True, (Order(at_most=0, till=BESIDE), *orders)
+        where = "" if ego.route is EgoRoute.REVERSE else " beside its lane"
+        ledger.assume(f"the ego stands{where} for {BESIDE:g} s, which was not said")
     params = ["param egoStart = 'at-line'"] if stands and junction else []
     params += _lights(ledger, found)
-    moving = "" if stands else f", with speed {speed:.4g}"
+    moving = ", with backwards True" if back else "" if stands else f", with speed {speed:.4g}"
     given = f", with orders ({', '.join(map(_written, orders))},)" if orders else ""
     comes = coming(speed, orders, TO_LINE if stands and junction else found.route.eventAt, stands=stands)
     return BuiltEgo(params=tuple(params), coming=comes, properties=moving + wanted + given)
@@ -126,10 +130,29 @@ def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) 
                 begins += _lasts(ledger, deed, at)
             case Act.GO_ALONG if deed.time is not None and deed.time.low * speed <= stop:
                 ledger.take(f"{at}.time")  # its way leads so far before anything happens
-            case Act.GO_ALONG | Act.SET_OFF | Act.YIELD | Act.FOLLOW:
-                pass  # which is left to the ego
             case _:
-                raise NotBuilt(f"nothing builds yet: {at}.act: {deed.act}")
+                yield from _otherwise(ledger, deed, at)
+
+
+def _otherwise(ledger: Ledger, deed: Deed, at: str) -> Iterator[Order]:
+    """What orders nothing, or is the ego's way rather than what it does at the pedals."""
+    match deed.act:
+        case Act.GO_ALONG | Act.SET_OFF | Act.YIELD | Act.FOLLOW:
+            return  # which is left to the ego
+        case Act.REVERSE if backs(ledger.situation):
+            yield from _backed(ledger, deed, at)
+        case _:
+            raise NotBuilt(f"nothing builds yet: {at}.act: {deed.act}")
+
+
+def _backed(ledger: Ledger, deed: Deed, at: str) -> Iterator[Order]:
+    """How fast, and how far, an ego backs whose way is driven backwards."""
+    if deed.speed is not None:
+        ledger.take(f"{at}.speed")
+        yield Order(at_most=deed.speed.high)
+    if deed.distance is not None:
+        ledger.take(f"{at}.distance")
+        yield Order(at_most=0, place=round(deed.distance.within(0.5, BACKS)[0], 1))
 
 
 def _behind_whom(situation: Situation, deed: Deed) -> str | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -35,6 +35,7 @@ from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
 from chatscene.situations.check import COMES_OVER, TURNS
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.backing import BACKWARDS, backs, turned_about
 from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
@@ -68,11 +69,12 @@ def find(ledger: Ledger, road: float = 0.0) -> Found:
     lacking: list[str] = []
     rooms: dict[str, float] = {}
     for more in _lengths(situation, road):
-        for sides in _open_sides(situation.others):
+        for sides in _open_sides(situation):
             for name, query in _asked(situation, sides):
                 if found := _answered(situation, name, _longer(query, more), sides, lacking, rooms):
                     _take(ledger, found)
-                    return replace(found, further=min(more, further(situation)))
+                    far = found.route.eventAt / BACKED if backs(situation) else min(more, further(situation))
+                    return replace(found, further=far)
     if rooms:
         raise NotBuilt(
             "; ".join(f"{fact}: the longest road there is leads {room:.0f} m" for fact, room in rooms.items())
@@ -81,6 +83,7 @@ def find(ledger: Ledger, road: float = 0.0) -> Found:
     raise NotBuilt(f"no map has such a place: {said}")
 
 
+BACKED = 42.0  # [m] ahead of which others are about, in the middle, who are nearer to an ego that backs
 _MORE = 1.15  # by which routes that are looked for get shorter, the longest first
 _BEYOND = 2.5  # times as long as the way to somebody is an open road: as much leads on from there, and some is spare
 _ROOM_BEYOND = 10.0  # [m] of road beyond somebody whose distance was said
@@ -154,10 +157,12 @@ def _room(route: Route, one: Other) -> float:
     return route.eventAt if route.route.junction is not None else route.line.length - _ROOM_BEYOND
 
 
-def _open_sides(others: Sequence[Other]) -> Iterator[dict[str, Side]]:
+def _open_sides(situation: Situation) -> Iterator[dict[str, Side]]:
     """Ways to choose the sides that were left open: where two lanes have one side, all are tried on that first."""
+    others = situation.others
     open_ones = [one.id for one in others if one.starts.where.row.sided and one.starts.side is None]
     told = {one.id: side for one in others if one.id in open_ones and (side := comes_from(one)) is not None}
+    told |= {one.id: Side.LEFT for one in others if one.id in open_ones and from_left(situation, one)}
     for first in (Side.RIGHT, Side.LEFT) if len(open_ones) > len(told) else (Side.RIGHT,):
         yield dict.fromkeys(open_ones, first) | told
 
@@ -193,7 +198,8 @@ def _answered(
     except MapError as error:
         lacking.append(str(error))
         return None
-    for one in situation.others:
+    beside = backs(situation) and situation.ego.route is not EgoRoute.REVERSE  # along the road, that it backs onto
+    for one in () if beside else situation.others:
         if _said_distance(one) > (room := _room(route, one)):
             fact = f"others.{one.id}.starts.distance: {one.starts.distance}"
             rooms[fact] = max(room, rooms.get(fact, 0.0))
@@ -233,10 +239,8 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         for one in others
         if one.starts.where in NEXT_LANE and not rides_at_edge(one, situation.ego.route)
     ]
-    for name, edges in (("begins", BEGINS), ("ends", ENDS)):
-        if (edge := edges.get(situation.ego.route)) is not None:
-            base[name] = edge.value
-            lanes = []  # beside the ego is its own lane, if it is in none
+    if beside := _beside(situation):
+        base, lanes = base | beside, []  # beside the ego is its own lane, if it is in none
     exactly = {} if road.lanes is None else {"most": road.lanes}
     if road.lanes is not None:
         base["lanes"] = road.lanes
@@ -258,6 +262,13 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         if over:
             yield from _on_road(situation, sides, here, over)
         yield from _on_road(situation, sides, here, lanes)  # who goes over then goes where others come
+
+
+def _beside(situation: Situation) -> dict[str, Any]:
+    """How the ego's way begins or ends that does not do so along its lane."""
+    route = situation.ego.route
+    edges = {"begins": BACKWARDS if backs(situation) else BEGINS, "ends": ENDS}
+    return {name: rows[route].value for name, rows in edges.items() if route in rows}
 
 
 _GOES_OVER = {
@@ -385,7 +396,8 @@ def _take(ledger: Ledger, found: Found) -> None:
     for name, side in found.sides.items():
         if comes_from(situation[name]) is side:
             continue  # which was said
-        ledger.assume(f"{name} is on the {side}, which was not said")
+        own = turned_about(side) if backs(situation) else side
+        ledger.assume(f"{name} is on the {own}, which was not said")
     stops = any(deed.act in (Act.STOP, Act.STAND) for deed in situation.ego.does)
     if found.query.get("control") == Control.STOP_SIGN and not stops:
         ledger.assume("the ego has a stop sign as well, since no map has a junction where only others have one")

@@ -6,9 +6,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets
+from chatscene.build.backing import place_beside
 from chatscene.build.naming import name_of
 from chatscene.build.place import LANE
 from chatscene.errors import NotBuilt
+from chatscene.terms.backing import backs
 from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import Side, Where
 
@@ -23,6 +25,8 @@ SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidde
 
 def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
     """Where the n-th of it stands between the ego and whom it hides: nearer to the ego and farther in turn."""
+    if backs(actor.ledger.situation):
+        return place_beside(actor, hidden, n)
     if hidden.stand.meets is Meets.THROUGH and hidden.one.starts.where is Where.ARM:
         actor.ledger.take(f"{hidden.path}.hidden_by")
         return _at_corner(actor, hidden, n)

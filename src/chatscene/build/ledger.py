@@ -18,7 +18,8 @@ class Ledger:
     """What was said of a situation, and what became of it while it is built.
 
     Attributes:
-        situation: What was said.
+        situation: What was said, as it is built.
+        told: The same as it was said, where that is told otherwise.
         built: The paths of facts that the program has.
         assumed: What was not said and had to be something, in words.
     """
@@ -26,6 +27,7 @@ class Ledger:
     situation: Situation
     built: set[str] = field(default_factory=set[str])
     assumed: list[str] = field(default_factory=list[str])
+    told: Situation | None = None
 
     def take(self, *paths: str) -> None:
         """Facts that the program has: of each path, all in it."""
@@ -42,7 +44,7 @@ class Ledger:
         Raises:
             NotBuilt: There is a fact without which the scene would be another.
         """
-        left = {path: value for path, value in said_in(self.situation) if not self._is_built(path)}
+        left = {path: value for path, value in said_in(self.told or self.situation) if not self._is_built(path)}
         if refused := [f"{path}: {value}" for path, value in left.items() if not LEFT_OUT.match(path)]:
             raise NotBuilt("nothing builds yet: " + "; ".join(refused))
         return tuple(f"{path}: {value}" for path, value in left.items())

@@ -107,6 +107,8 @@ class Opening:
         elif soon:
             yield self._soon(waits)
         elif not actor.stand.rolls or actor.stand.meets is Meets.ALONG:
+            if (held := self._held()) is not None:
+                yield f"{waits} for {held} seconds"
             yield f"{waits} until {self._due()}"
 
     def _stands_before(self) -> Other | None:
@@ -321,14 +323,30 @@ class Opening:
             return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, {least:.3g})"
         return f"PaceOnPath({{p}}, ego, {ahead}, 40, {slowest_with_ego(self.phases.actor):.3g})"
 
+    def _held(self) -> str | None:
+        """How long [s] it waits while the ego is held at first, as that comes so much later; None where it is not.
+
+        It is so long as the ego is held, less what it needs more than the ego does once that is let go.
+        """
+        stand, held = self.phases.actor.stand, self.phases.actor.ego.held
+        waits = self.phases.actor.deeds[self.first].when is not None  # until it has done so, perhaps
+        if not held or waits or stand.meets not in (Meets.THROUGH, Meets.TOWARD, Meets.ACROSS):
+            return None
+        return f"max(0, {held:.3g} - max(0, {self._own()} - secondsTo(egoRoute, ego, {stand.ego_meets})))"
+
+    def _own(self) -> str:
+        """How long [s] it needs from when it is due to where it meets the ego."""
+        stand = self.phases.actor.stand
+        texts = (*(text for body in self.bodies for text in body), self._go(), stand.at, stand.point)
+        takes = in_terms_of(self.phases.actor.numbers, texts, self._wait)
+        return f"{stand.left} / ${self._speed()} {takes} + $OFFSET"
+
     def _due(self) -> str:
         """When the first deed is due: when the ego needs so many seconds more than it does to where they meet."""
         stand, wait = self.phases.actor.stand, self._wait()
         match stand.meets:
             case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
-                texts = (*(text for body in self.bodies for text in body), self._go(), stand.at, stand.point)
-                own = f"{stand.left} / ${self._speed()} {in_terms_of(self.phases.actor.numbers, texts, self._wait)}"
-                due = f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {own} + $OFFSET"
+                due = f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {self._own()}"
                 if (
                     stand.meets is Meets.ACROSS and stand.left == "0" and not stands_first(self.phases.actor.one)
                 ):  # it goes on, perhaps as fast as the ego
@@ -371,6 +389,7 @@ class Opening:
         controlled = situation.road.ego_light is not None or situation.road.control is not None
         waits_for_it = situation.ego.does and not self.phases.actor.ego.stands
         held = stand.meets is Meets.THROUGH or waits_for_it or (controlled and not self.phases.actor.ego.stands)
+        held = held or self.phases.actor.ego.held > 0.0
         return "" if held else f" or ego.pose[3] < {YIELDS:g}"
 
     def _takes(self) -> float:

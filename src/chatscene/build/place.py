@@ -8,6 +8,7 @@ from typing import Any
 from chatscene.maps.ring_ways import ROUND
 from chatscene.situations.check import RULED_BY, TURNS
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.backing import backs
 from chatscene.terms.routing import BEGINS, ENDS
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import Other, Situation
@@ -73,7 +74,7 @@ def at_free_crosswalk(situation: Situation) -> bool:
 
 def beside_lane(situation: Situation) -> bool:
     """Whether the ego's way begins or ends beside its lane."""
-    return situation.ego.route in BEGINS or situation.ego.route in ENDS
+    return situation.ego.route in BEGINS or situation.ego.route in ENDS or backs(situation)
 
 
 def control_of(situation: Situation) -> RightOfWay | None:
@@ -134,7 +135,7 @@ def ring_arms(one: Other, sides: dict[str, Side]) -> tuple[str, ...]:
 
 def from_left(situation: Situation, one: Other) -> bool:
     """Whether somebody comes along the road that the ego drives onto out of a driveway, in the lane that it takes."""
-    out = situation.ego.route is EgoRoute.LEAVE_DRIVEWAY
+    out = situation.ego.route is EgoRoute.LEAVE_DRIVEWAY or (backs(situation) and situation.ego.route in BEGINS)
     return out and one.starts.where is Where.ARM and one.starts.side in (Side.LEFT, None)
 
 

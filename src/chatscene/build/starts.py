@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from chatscene.build.arriving import comes_along, comes_back, roundabout, slow_enough, so_far_back, through
 from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, stops_ahead
+from chatscene.build.backing import comes_by, out_of, parked_beside
 from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
 from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.place import (
@@ -20,6 +21,7 @@ from chatscene.build.place import (
 )
 from chatscene.build.relations import slows_on_its_way
 from chatscene.errors import NotBuilt
+from chatscene.terms.backing import backs
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Role, Side, Striker, Where
 
@@ -127,6 +129,8 @@ def _changes_to(situation: Situation, side: str) -> bool:
 
 def _next_lane(asked: Asked) -> Stand:
     if asked.begins_beside:
+        if asked.one.starts.where is Where.BESIDE and backs(asked.situation) and asked.stands:
+            return parked_beside(asked)
         if asked.one.starts.where is Where.BEHIND_BESIDE:
             return comes_along(asked)
         raise NotBuilt(
@@ -199,6 +203,8 @@ def _walks_at_crosswalk(asked: Asked) -> bool:
 def _beside_road(asked: Asked) -> Stand:
     """On foot or on two wheels beside the road, or in a driveway: it faces the road."""
     where = asked.one.starts.where
+    if backs(asked.situation) and out_of(asked.situation):
+        return comes_by(asked)
     if where is Where.EXIT_CROSSING:
         asked.reach(2, 6, "how far behind the junction it is")
         level = "egoRoute.exitAt + $Y"

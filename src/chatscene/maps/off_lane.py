@@ -17,8 +17,13 @@ OVER = 14.0  # [m] along the road within which a car is at the kerb or gone from
 STRAIGHT = 2.0  # [m] along the kerb at first
 CURB_RADIUS = 6.0  # [m] of the bend into a driveway, as the design manuals of streets have for passenger cars
 DRIVEWAY = 7.0  # [m] of it that is driven
+BAY = 4.0  # [m] that a car backs out of a bay before it turns
+BACKED = 8.0  # [m] that it backs along its lane then
+BACKING = 24.0  # [m] that one backs along its lane that is in it
 TIGHTEST = 4.0  # [m] of radius at least, on which a car turns round
 BACK = 45.0  # [m] driven after that
+LEFT_BACKWARDS = frozenset((Beside.BACKWARDS, Beside.BACK_FROM_DRIVEWAY, Beside.BACK_FROM_BAY))
+"""Beginnings of routes that are driven backwards."""
 _ARC = 12  # points of a quarter of a circle
 
 
@@ -27,7 +32,15 @@ def begun(line: Polyline, begins: Beside) -> tuple[Polyline, float]:
     if begins is Beside.KERB:
         fine = line.resampled(1.0)
         return shifted(fine.offset(-KERB), KERB, STRAIGHT, None, OVER), STRAIGHT + OVER / 2
+    if begins is Beside.BACKWARDS:
+        along = np.linspace(0.0, -BACKING, 1 + round(BACKING))
+        return _beside(line, 0.0, along, np.zeros_like(along)), BACKING / 2
     angle = np.linspace(0.0, math.pi / 2, _ARC)
+    if begins in (Beside.BACK_FROM_DRIVEWAY, Beside.BACK_FROM_BAY):
+        straight = DRIVEWAY if begins is Beside.BACK_FROM_DRIVEWAY else BAY
+        along = np.concatenate(([0.0], CURB_RADIUS * (np.cos(angle) - 1.0), [-CURB_RADIUS - BACKED]))
+        left = np.concatenate(([-CURB_RADIUS - straight], CURB_RADIUS * (np.sin(angle) - 1.0), [0.0]))
+        return _beside(line, 0.0, along, left), straight + CURB_RADIUS / 2
     along = np.concatenate(([0.0], CURB_RADIUS * (1.0 - np.cos(angle))))
     left = np.concatenate(([-CURB_RADIUS - DRIVEWAY], CURB_RADIUS * (np.sin(angle) - 1.0)))
     bend = _beside(line, 0.0, along, left)

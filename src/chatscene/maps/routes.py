@@ -26,7 +26,7 @@ from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, arms, junction_kinds
 from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.maps.network import map_with
-from chatscene.maps.off_lane import TIGHTEST, begun, ended, has_kerb, turned_back
+from chatscene.maps.off_lane import LEFT_BACKWARDS, TIGHTEST, begun, ended, has_kerb, turned_back
 from chatscene.maps.sites import AT_JUNCTIONS, along, routes_at, windows_past
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Beside, Route, RouteQuery
@@ -46,6 +46,7 @@ CHANGE_AT, CHANGE_OVER = 30.0, 25.0  # [m], where a lane change begins and how l
 # [m], a bypass: the blocker, swinging out and in, passing beside
 BLOCKER_AT, SWING, PASSING = 50.0, 22.0, 10.0
 FROM_BEHIND = 70.0  # [m] of road behind where a route comes into its lane from beside it, for traffic there
+BEHIND_BACK, BEYOND_BACK = 130.0, 20.0  # [m] of road behind, and beyond, where one that is driven backwards begins
 # [m] of road beyond where a manoeuvre on open road begins; as much as before it, where that is not here
 BEYOND = {
     Maneuver.BYPASS: OPEN_ROAD - BLOCKER_AT,
@@ -369,6 +370,8 @@ def _lengths(query: RouteQuery) -> tuple[float, float]:
     long, short = MOTORWAYS if query.site is Site.MOTORWAY else (OPEN_ROAD, SHORT_ROAD)
     if query.approach is not None:
         long = short = max(query.approach + BEYOND.get(query.maneuver, query.approach), SHORT_ROAD)
+    if query.begins in LEFT_BACKWARDS:
+        return BEHIND_BACK + BEYOND_BACK, FROM_BEHIND + BEYOND_BACK
     return (long, short) if query.begins is None else (long + FROM_BEHIND, short + FROM_BEHIND)
 
 
@@ -433,8 +436,9 @@ def _beside_lane(
         return None
     if query.ends is not None:
         return ended(own, query.ends, event), run.ids_between(onset, onset + event), event
-    line, event = begun(run.line.between(onset + FROM_BEHIND, end), query.begins or Beside.KERB)
-    return line, run.ids_between(onset + FROM_BEHIND, end), event
+    starts = end - BEYOND_BACK if query.begins in LEFT_BACKWARDS else onset + FROM_BEHIND
+    line, event = begun(run.line.between(starts, end), query.begins or Beside.KERB)
+    return line, run.ids_between(starts, end), event
 
 
 def _offers(lane: Any, query: RouteQuery) -> bool:

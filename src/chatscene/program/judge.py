@@ -7,8 +7,9 @@ amounts for which `chatscene.program.measured` has no test have none.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
@@ -40,6 +41,7 @@ from chatscene.program.watching import Seen, watch
 from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Duration
+from chatscene.terms.backing import as_it_backs, backs, drive_as_it_backs, turned_about
 from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import EgoState
@@ -66,7 +68,13 @@ def judge(situation: Situation, episode: Episode, route: Route, *, through: bool
         route: The ego's route.
         through: Judge to the end a drive that went on through a collision.
     """
-    return tuple(_Judge(situation, episode, route, through).findings())
+    if not backs(situation):
+        return tuple(_Judge(situation, episode, route, through).findings())
+    judged = _Judge(as_it_backs(situation), drive_as_it_backs(episode), route, through).findings()
+    return tuple(replace(one, told=_SIDES.sub(lambda side: turned_about(side[0]), one.told)) for one in judged)
+
+
+_SIDES = re.compile(r"\b(?:left|right|front|rear)\b(?! its)")
 
 
 _EGO_ACTS = {
@@ -198,7 +206,12 @@ class _Judge:
             left = left_of_ego(seen, self.route)
             right = (left > 0) == (start.side is Side.LEFT)
             yield Finding(path=f"{at}.starts.side", shown=right, told=f"said {start.side}, {where}", at=0.0)
-        if (distance := self.measure.start(f"{at}.starts.distance", start, seen)) is not None:
+        if backs(self.situation) and start.distance is not None and self.situation.ego.route is not EgoRoute.REVERSE:
+            aside = np.abs(seen.across[:1])  # along the road, across which it looks out of where it stood
+            yield self.measure.number(
+                f"{at}.starts.distance", start.distance, aside, SLACK_LENGTH, "starts this far:", cut=False
+            )
+        elif (distance := self.measure.start(f"{at}.starts.distance", start, seen)) is not None:
             yield distance
         if start.lateral is not None:
             yield from of_lateral(start.lateral, one, f"{at}.starts.lateral", seen)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -27,6 +28,8 @@ from chatscene.terms.written_plans import WrittenPlan, written_plans
 from chatscene.world.bodies import Body, Vehicle
 
 ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCompletionTest)
+TURNED_ABOUT = {"front": "rear", "rear": "front", "left": "right", "right": "left"}
+"""The sides of a body, as of one that goes backwards they are by where it goes."""
 SECONDS_PER_METRE = 1.0  # SafeBench's time limit per metre of route
 
 
@@ -216,6 +219,7 @@ class SteppedSession:
         self._phases = {number: phase for number, phase in phases.items() if self._plan_of(number) is not None}
 
     def _contact(self, step: int, other: int, side: str, speed: float) -> Event:
+        side = TURNED_ABOUT[side] if self._ego.backs else side
         return Event(kind=EventKind.COLLISION, step=step, other=self._names[other][0], side=side, impact_speed=speed)
 
     def close(self) -> None:
@@ -386,6 +390,8 @@ class SteppedSession:
                 state = np.repeat(np.array([[body.x], [body.y], [body.heading], [0.0]]), steps, axis=1)
             else:
                 state = next(moving)
+                if body is self._ego and self._ego.backs:  # which is carried as it goes
+                    state = np.array([state[0], state[1], state[2] + math.pi, 0.0 - state[3]])
             tracks.append(
                 Track(
                     actor=name,

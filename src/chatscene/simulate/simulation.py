@@ -196,20 +196,22 @@ class PhysicsSimulation(DrivingSimulation):
         proxy = _live(obj)
         setDynamicProxyFor(obj, proxy)
         original = proxy.__dict__
-        position = original["position"]
+        position, backs = original["position"], bool(original.get("backwards", False))
+        heading, speed = original["heading"] + QUARTER, _speed_at_start(obj, original)
         proxy.body = self._physics.add(
             Placement(
                 kind=kind_of(obj),
                 x=position.x,
                 y=position.y,
-                heading=original["heading"] + QUARTER,
-                speed=_speed_at_start(obj, original),
+                heading=heading - math.pi if backs else heading,
+                speed=-speed if backs else speed,
                 length=original["length"],
                 width=original["width"],
                 wheelbase=original.get("wheelbase", 0.0),
                 wheel_angle=original.get("wheelAngle", 0.0),
                 blueprint=original.get("blueprint") or "",
                 grip=self.surroundings.grip,
+                backs=backs,
             )
         )
         self.bodies.append(proxy.body)

@@ -240,8 +240,8 @@ NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight",
 SIDES: Mapping[Side, str] = {Side.LEFT: "left", Side.RIGHT: "right"}
 
 _ON = "< on {egos} {side}>"
-_AWAY = "<, {distance} away>"
-_IN_FRONT = "<, {distance} ahead>"
+AHEAD, AWAY = "{distance} ahead", "{distance} away"
+_AWAY, _IN_FRONT = f"<, {AWAY}>", f"<, {AHEAD}>"
 
 PLACES: Mapping[Where, str] = {
     Where.AHEAD: "<{distance} >ahead of {ego} in {egos} lane",

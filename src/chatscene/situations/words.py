@@ -13,6 +13,8 @@ from typing import TypeVar
 
 from chatscene.situations.phrases import (
     ACTS,
+    AHEAD,
+    AWAY,
     BREACHES,
     CONTROLS,
     EGO_LIGHTS,
@@ -39,6 +41,7 @@ from chatscene.situations.phrases import (
 )
 from chatscene.situations.wording import Form, Words, filled, joined, sentence
 from chatscene.terms.amount import Amount
+from chatscene.terms.backing import backs
 from chatscene.terms.situation import EGO, SEVERAL, Contact, Deed, Lateral, Other, Road, Situation, When
 from chatscene.terms.vocabulary import Manner, Striker
 
@@ -215,7 +218,10 @@ class _Telling:
             "side": _word(f"{at}.starts.side", starts.side, SIDES),
             "distance": self._amount(starts.distance, f"{at}.starts.distance"),
         }
-        place = self._filled(PLACES[starts.where], form, slots).tells(f"{at}.starts.where")
+        phrase = PLACES[starts.where]
+        if backs(self.situation):
+            phrase = phrase.replace(AHEAD, AWAY)
+        place = self._filled(phrase, form, slots).tells(f"{at}.starts.where")
         asides = Words()
         if starts.facing is not None:
             asides += Words(", ") + self._filled(FACINGS[starts.facing], form).tells(f"{at}.starts.facing")

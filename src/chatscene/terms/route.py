@@ -18,6 +18,9 @@ class Beside(StrEnum):
     KERB = "kerb"
     DRIVEWAY = "driveway"
     BACK = "back"
+    BACKWARDS = "backwards"
+    BACK_FROM_DRIVEWAY = "back-from-driveway"
+    BACK_FROM_BAY = "back-from-bay"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -43,7 +46,8 @@ class RouteQuery:
         lane: Which lane of its direction it starts in, 1 for the outermost.
         approach: How far [m] it leads up to where its manoeuvre begins, on open road as far beyond; None for as far as
             is usual there.
-        begins: Where it begins beside its lane: at the ``kerb`` or in a ``driveway`` on its right.
+        begins: Where it begins beside its lane: at the ``kerb`` or in a ``driveway`` on its right. One that is driven
+            backwards leads along its lane against that, or out of a driveway or a bay and then against its lane.
         ends: Where it ends beside its lane: at the kerb, in a driveway, or ``back`` in a lane of the other direction.
     """
 

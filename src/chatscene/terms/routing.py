@@ -25,6 +25,7 @@ MANEUVERS: dict[EgoRoute | None, Maneuver] = {
     EgoRoute.PARK: Maneuver.STRAIGHT,
     EgoRoute.ENTER_DRIVEWAY: Maneuver.STRAIGHT,
     EgoRoute.U_TURN: Maneuver.STRAIGHT,
+    EgoRoute.REVERSE: Maneuver.STRAIGHT,
 }
 """What a route finder is asked for; for the ways of an ego that are not here, no map is asked."""
 

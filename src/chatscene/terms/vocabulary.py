@@ -83,7 +83,7 @@ class EgoRoute(Word):
     MERGE = ("merge", "comes onto a road from a ramp or from a lane that ends")
     EXIT = ("exit", "leaves a road by a ramp")
     ROUNDABOUT = ("roundabout", "enters a roundabout, goes round in it and leaves it")
-    REVERSE = ("reverse", "drives backwards")
+    REVERSE = ("reverse", "drives backwards along the road")
     LEAVE_PARKING = ("leave-parking", "leaves a parking place")
     PARK = ("park", "drives into a parking place")
     ENTER_DRIVEWAY = ("enter-driveway", "turns off the road into a driveway")

@@ -32,6 +32,7 @@ class Placement:
         wheel_angle: Largest wheel angle of a vehicle [rad]; else 0.
         blueprint: What the program says that it is in CARLA; empty where it does not.
         grip: The largest acceleration that the road lets it have [m/s²].
+        backs: Whether it drives backwards; heading and speed are then those of its way, so that its nose is behind.
     """
 
     kind: str
@@ -45,6 +46,7 @@ class Placement:
     wheel_angle: float = 0.0
     blueprint: str = ""
     grip: float = math.inf
+    backs: bool = False
 
 
 class Body:
@@ -104,9 +106,11 @@ class Vehicle(Body):
         steer: In [-1, 1], right positive.
         reverse: Whether the throttle pushes backwards.
         target_speed: A speed asked for directly [m/s], to be reached within the pedals' limits; None obeys pedals.
+        backs: Whether it drives backwards. It is then carried as it goes: its heading is where it goes to, its speed
+            positive, its nose behind, and the wheels that steer are the rear ones of its way.
     """
 
-    __slots__ = ("brake", "reverse", "steer", "target_speed", "throttle")
+    __slots__ = ("backs", "brake", "reverse", "steer", "target_speed", "throttle")
 
     moves = True
 
@@ -116,6 +120,7 @@ class Vehicle(Body):
         self.brake = 0.0
         self.steer = 0.0
         self.reverse = False
+        self.backs = False
         self.target_speed: float | None = None
 
 

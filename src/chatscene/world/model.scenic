@@ -82,6 +82,7 @@ class Car(Driven, Car):
     route: None
     orders: ()
     wantedSpeed: None
+    backwards: False
 
 class Truck(Car):
     length: _LIMITS['Truck'].length

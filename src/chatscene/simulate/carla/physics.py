@@ -169,6 +169,8 @@ class CarlaPhysics:
             ServerError: The server was lost, or refuses.
         """
         connection, kind = self._connection, placement.kind
+        if placement.backs:
+            raise CannotPlace("an ego that drives backwards is not driven in CARLA yet")
         world = self._world or self._begin()
         name = blueprint_of(placement)
         measured = connection.measured(name)

@@ -179,7 +179,8 @@ METHODS = frozenset(("offset", "project"))
 """What may be called on a thing: a line beside a line, and where on a line a point lies."""
 
 PROPERTIES = _set(
-    "allowCollisions behavior heading label length orders roadDeviation role route speed velocity wantedSpeed width"
+    "allowCollisions backwards behavior heading label length orders roadDeviation role route speed velocity"
+    " wantedSpeed width"
 )
 """What may follow ``with``."""
 

@@ -55,6 +55,7 @@ class VehicleBody(Vehicle):
             curvature = tightest if curvature > tightest else -tightest if curvature < -tightest else curvature
             # Slip of a centre half a wheelbase ahead of the rear axle, which follows the arc.
             slip = math.atan(0.5 * limits.wheelbase * curvature)
+            slip = -slip if self.backs else slip
             turned = mean * curvature * math.cos(slip) * dt
             course = self.heading + slip + 0.5 * turned
             self.x += mean * math.cos(course) * dt
@@ -86,7 +87,8 @@ class VehicleBody(Vehicle):
         rolling = sign * speed
         rolling += (push - resist) * dt if rolling > 0.0 or push > resist else 0.0
         rolling = 0.0 if rolling < 0.0 else rolling
-        return sign * (rolling if forward or rolling < REVERSE_SPEED else REVERSE_SPEED)
+        onward = forward != self.backs
+        return sign * (rolling if onward or rolling < REVERSE_SPEED else REVERSE_SPEED)
 
 
 class WalkerBody(Walker):
@@ -145,6 +147,8 @@ def make_body(
         raise ValueError(f"a {kind} of {size[0]:g} m by {size[1]:g} m at ({x:g}, {y:g}), at {speed:g} m/s")
     known = LIMITS.get(kind, THING)
     slowest = -REVERSE_SPEED if known.wheelbase else 0.0
+    if placement.backs and not speed <= -slowest:
+        raise ValueError(f"a {kind} that begins backwards at {speed:g} m/s; it goes so at {-slowest:g} m/s at most")
     if not slowest <= speed <= known.top_speed:
         raise ValueError(f"a {kind} that begins at {speed:g} m/s; it goes at {slowest:g} to {known.top_speed:g} m/s")
     if not known.top_speed:
@@ -153,5 +157,7 @@ def make_body(
         known, length=size[0], width=size[1], wheelbase=placement.wheelbase, wheel_angle=placement.wheel_angle
     )
     body = vehicle(x, y, heading, limits, speed) if known.wheelbase else WalkerBody(x, y, heading, limits, speed)
+    if isinstance(body, Vehicle):
+        body.backs = placement.backs
     body.grip = min(body.grip, placement.grip)
     return body

@@ -121,7 +121,8 @@ class LaggedVehicle(VehicleBody):
         rolling = (old if forward else -old) + (along - self.limits.drag - AIR_DRAG * old * old) * dt
         if rolling <= 0.0:
             return 0.0
-        return rolling if forward else -rolling if rolling < REVERSE_SPEED else -REVERSE_SPEED
+        rolling = rolling if forward != self.backs or rolling < REVERSE_SPEED else REVERSE_SPEED
+        return rolling if forward else -rolling
 
     def _turned(self, speed: float, dt: float) -> float:
         """The mean yaw rate [rad/s] over `dt` at a speed [m/s]; it follows what the wheel asks for."""
@@ -148,6 +149,7 @@ class LaggedVehicle(VehicleBody):
             self.y += speed * self.sin * dt
             return
         slip = 0.5 * self.limits.wheelbase * yaw_rate / speed
+        slip = -slip if self.backs else slip
         turned = yaw_rate * dt
         course = self.heading + math.asin(1.0 if slip > 1.0 else -1.0 if slip < -1.0 else slip) + 0.5 * turned
         self.x += speed * math.cos(course) * dt

@@ -172,6 +172,7 @@ class _Binder:
         row.limits = engine.Limits(length=body.length, width=body.width)
         if body.moves:
             row.limits = limits_of(body.limits)
+        row.backs = kind == VEHICLE and body.backs
         if kind == WALKER:
             row.course, row.target_speed, row.vx, row.vy = body.course, body.target_speed, body.vx, body.vy
         row.seen_as_vehicle = bool(getattr(thing, "isVehicle", False))

@@ -60,6 +60,7 @@ typedef struct {
     double sight;                          /* from how far the ego sees it */
     Limits limits;
     int32_t kind, reverse, walks, seen_as_vehicle;
+    int32_t backs, unused;                 /* drives backwards, and is carried as it goes */
 } Body;
 
 /* Conditions and numbers: programs for a stack. */
@@ -332,7 +333,8 @@ static double next_speed(const Body *b, double dt) {
     double rolling = sign * speed;
     rolling += rolling > 0.0 || push > resist ? (push - resist) * dt : 0.0;
     rolling = rolling < 0.0 ? 0.0 : rolling;
-    return sign * (forward || rolling < REVERSE_SPEED ? rolling : REVERSE_SPEED);
+    int onward = forward != b->backs;
+    return sign * (onward || rolling < REVERSE_SPEED ? rolling : REVERSE_SPEED);
 }
 
 static void step_vehicle(Body *b, double dt) {
@@ -351,6 +353,7 @@ static void step_vehicle(Body *b, double dt) {
         double tightest = lateral / (mean * mean);
         curvature = curvature > tightest ? tightest : curvature < -tightest ? -tightest : curvature;
         double slip = atan(0.5 * limits->wheelbase * curvature);
+        slip = b->backs ? -slip : slip;
         double turned = mean * curvature * cos(slip) * dt, course = b->heading + slip + 0.5 * turned;
         b->x += mean * cos(course) * dt;
         b->y += mean * sin(course) * dt;

@@ -62,7 +62,7 @@ class Body(Structure):
             )
         ),
         ("limits", Limits),
-        *((name, c_int32) for name in ("kind", "reverse", "walks", "seen_as_vehicle")),
+        *((name, c_int32) for name in ("kind", "reverse", "walks", "seen_as_vehicle", "backs", "unused")),
     )
 
 

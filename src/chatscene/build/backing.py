@@ -1,0 +1,90 @@
+"""Who comes by behind an ego that backs out of a driveway or a bay: where that crosses the ego's way."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from chatscene.build.asked import Asked, Meets, Stand
+from chatscene.errors import NotBuilt
+from chatscene.terms.actors import LIMITS
+from chatscene.terms.backing import backs
+from chatscene.terms.situation import Situation
+from chatscene.terms.vocabulary import EgoRoute, Side, Where
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+
+WAITS = 3.5, 7.0  # [m] beside the ego's way, from and to, somebody waits who does not come in time by itself
+OUTSIDE = 3.2  # [m] beside the middle of the lane, on the sidewalk
+BESIDE = 1.0  # [m] between who are parked side by side
+TOWARD_LANE = 1.2  # [m] that who hides somebody is nearer to the lane than the ego
+
+
+_BY_ROAD = frozenset((Where.ROADSIDE, Where.ARM, Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE))
+_ALONG = frozenset(
+    (Where.ROADSIDE, Where.CROSSING, Where.KERB, Where.DRIVEWAY, Where.BEHIND, Where.ONCOMING_IN_OUR_LANE)
+)
+
+
+def check_met(situation: Situation) -> None:
+    """Hold that others are where an ego that backs meets them.
+
+    Raises:
+        NotBuilt: Somebody is elsewhere.
+    """
+    for one in situation.others if backs(situation) else ():
+        if one.starts.where not in (_BY_ROAD if out_of(situation) else _ALONG):
+            raise NotBuilt(
+                f"nothing builds yet: others.{one.id}.starts.where: {one.starts.where}, of an ego that backs; who comes"
+                f" by behind it on foot or on two wheels is at the {Where.ROADSIDE}, who drives is {Where.BEHIND}"
+            )
+
+
+def out_of(situation: Situation) -> bool:
+    """Whether an ego that backs comes out of a driveway or a bay."""
+    return situation.ego.route is not EgoRoute.REVERSE
+
+
+def comes_by(asked: Asked) -> Stand:
+    """On foot or on two wheels along the edge of the road, behind who backs onto that."""
+    asked.reach(*WAITS, "how far beside the ego's way it is")
+    left = asked.side == Side.LEFT
+    level = f"levelOn(way{{i}}, egoRoute, 0) {'-' if left else '+'} "
+    far = asked.way_back("egoRoute.eventAt", "") if _in_time(asked) else "$Y"
+    return Stand(
+        meets=Meets.ACROSS,
+        way=f"wholeLane(egoRoute).offset({-OUTSIDE:g})",
+        point=f"pointOn(way{{i}}, {level}({far}{asked.more}))",
+        facing=f"directionOn(way{{i}}, levelOn(way{{i}}, egoRoute, 0){'' if left else ', 3.14159'})",
+        faces=True,
+        left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
+        rolls=far != "$Y",
+    )
+
+
+def _in_time(asked: Asked) -> bool:
+    """Whether it comes driving from so far that it is there when the ego is; so far off, it is hidden as well."""
+    comes = replace(asked, one=replace(asked.one, hidden_by=None)).comes
+    return comes and asked.one.starts.distance is None
+
+
+def parked_beside(asked: Asked) -> Stand:
+    """In the next bay, level with who backs out."""
+    aside = _aside(0.5 * asked.numbers.row.limits.width)
+    way = f"egoRoute.offset({aside if asked.side == Side.LEFT else -aside:.3g})"
+    return Stand(meets=Meets.ALONG, way=way, at=f"{TOWARD_LANE:g}{asked.more}")
+
+
+def _aside(half: float) -> float:
+    """How far [m] beside the ego somebody is parked who is twice so wide."""
+    return 0.5 * LIMITS["Car"].width + BESIDE + half
+
+
+def place_beside(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
+    """Where the n-th of it stands beside an ego that backs out: on the side of whom it hides, then on the other."""
+    actor.ledger.take(f"{hidden.path}.hidden_by", f"{actor.path}.starts")
+    left = (hidden.one.starts.side is Side.LEFT) != bool(n % 2)
+    aside = _aside(0.5 * actor.limits.width)
+    aside += n // 2 * (actor.limits.width + BESIDE)
+    return f"pointOn(egoRoute, {TOWARD_LANE:g}, {aside if left else -aside:.3g})", "directionOn(egoRoute, 0)"
