@@ -105,3 +105,23 @@ def test_an_animal_that_the_ego_goes_round_lies_where_it_swings_out(seed: int) -
     )
     episode = driven(said, seed)
     assert episode.route_completion > 0.9
+
+
+def cuts(said: Situation, seed: int) -> list[str]:
+    made = build(said)
+    episode = drive(made, seed=seed)
+    assert isinstance(episode, Episode), episode
+    found = judge(said, episode, simulator(made.map, "native").route(made.program, 0))
+    return [one.path for one in found if one.cut]
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_contact_cuts_nothing_short_of_who_is_to_be_touched_by_what_it_last_does(seed: int) -> None:
+    assert not cuts(others(car("A", "behind", deed("go-along")), ego={"does": [deed("stop")]}, contact=STRUCK), seed)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_contact_before_the_ego_has_stopped_cuts_that_short(seed: int) -> None:
+    near = car("A", "behind", deed("go-along"), distance="4 m", speed="30 km/h")
+    said = others(near, ego={"speed": "30 km/h", "does": [deed("stop")]}, contact=STRUCK)
+    assert "ego.does.0.act" in cuts(said, seed)

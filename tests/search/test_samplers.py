@@ -309,3 +309,14 @@ def test_where_nothing_crashed_the_nearest_misses_are_varied() -> None:
     misses = [corner(UnitCube(DECLARED).values([share] * 3)) for share in (0.9, 0.4, 0.8, 0.5, 0.6)]
     near = [one for one, _ in elites(misses)]
     assert near == [misses[1], misses[3], misses[4]]
+
+
+def test_a_search_where_no_contact_was_said_goes_toward_near_misses_and_away_from_collisions() -> None:
+    def came(collided: bool, distance: float, touch: bool | None = False) -> Outcome:
+        speed = 8.0 if collided else 0.0
+        return Outcome(values={}, collided=collided, distance=distance, impact_speed=speed, completion=1.0, touch=touch)
+
+    hit, near, far = came(True, 0.0), came(False, 0.5), came(False, 30.0)
+    assert near.danger > far.danger > hit.danger
+    assert not hit.crashed
+    assert came(True, 0.0, None).danger > near.danger

@@ -17,6 +17,9 @@ def candidate(
     shown: bool = True,
     kind: str = "",
     waits: bool = False,
+    cut: int = 0,
+    touch: bool | None = None,
+    distance: float | None = None,
 ) -> Candidate:
     return Candidate(
         scene_id=scene_id,
@@ -26,6 +29,9 @@ def candidate(
         overall_score=score,
         crash_type=kind,
         waits=waits,
+        cut=cut,
+        touch=touch,
+        distance=distance,
     )
 
 
@@ -161,3 +167,21 @@ def test_nothing_left_out_is_worth_more_than_anything_kept(crowd: list[Candidate
 def test_keeping_nothing_is_refused(count: int) -> None:
     with pytest.raises(SettingsError, match="at least one"):
         select([], count=count)
+
+
+def test_where_no_contact_was_said_the_nearest_drive_without_one_is_kept_and_is_no_fill_in() -> None:
+    hit = candidate("a", True, 0.1, shown=False, touch=False)
+    near = candidate("b", False, 0.9, touch=False, distance=0.4)
+    far = candidate("c", False, 0.2, touch=False, distance=6.0)
+    assert select([hit, near, far], count=1) == (Selected(scene_id="b", fill_in=False),)
+    assert [s.scene_id for s in select([hit, near, far], count=2, selection="shown")] == ["b", "c"]
+    unlike = candidate("d", False, 0.2, shown=False, touch=False, distance=6.0)
+    assert select([hit, unlike], count=1) == (Selected(scene_id="d", fill_in=False),)
+    assert [s.scene_id for s in select([hit, near, far], count=1, selection="worst")] == ["a"]
+
+
+def test_a_drive_in_which_all_is_seen_to_its_end_is_kept_before_one_that_a_contact_cut_short() -> None:
+    cut, whole, calm = candidate("a", True, 0.1, cut=2), candidate("b", True, 0.9), candidate("c", False, 0.9)
+    assert [s.scene_id for s in select([cut, whole, calm], count=1)] == ["b"]
+    assert [s.scene_id for s in select([cut, calm], count=1)] == ["c"]
+    assert [s.scene_id for s in select([cut, calm], count=1, selection="worst")] == ["a"]

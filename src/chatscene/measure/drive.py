@@ -10,7 +10,7 @@ from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.score import columns, measure
 from chatscene.measure.unplayed import unplayed
-from chatscene.program.shown import not_shown
+from chatscene.program.shown import shown
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.criticality import Criticality, Fault
 from chatscene.terms.episode import Episode
@@ -29,6 +29,8 @@ class Ran:
         measurements: Its raw numbers.
         metrics: One number per metric, by column name, paper mode.
         meaning: What the drive did not show of what was said; empty is good.
+        cut: How many facts a contact cut short that were to be seen to their end.
+        touch: Whether it was said that there is a contact; None where nothing was said of one.
         criticality: How close it came.
         fault: Who ran into whom; None without a collision.
         avoidable: Whether a careful driver would have avoided the collision; None without one.
@@ -48,6 +50,8 @@ class Ran:
     crash_type: str
     waits: bool
     unplayed: tuple[str, ...] = ()
+    cut: int = 0
+    touch: bool | None = None
 
 
 def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simulator, ego: EgoPolicy) -> Ran | Rejected:
@@ -69,12 +73,15 @@ def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simula
     if isinstance(episode, Rejected):
         return episode
     measurements = measure(episode)
+    found = shown(said, episode, simulator.route_in(program, scene))
     return Ran(
         scene=scene,
         episode=episode,
         measurements=measurements,
         metrics=columns(measurements),
-        meaning=not_shown(said, episode, simulator.route_in(program, scene)),
+        meaning=found.missing,
+        cut=found.cut,
+        touch=found.touch,
         criticality=criticality(episode),
         fault=fault(episode),
         avoidable=avoidable(episode, program, scene, ego, simulator),

@@ -18,12 +18,14 @@ class Finding:
         shown: Whether it is seen; None where the drive did not come to it, or no track tells.
         told: What was said, and what is seen, in words.
         at: When it is seen [s]; None for what has no moment.
+        cut: Whether a contact cut it short, although it was to be seen to its end.
     """
 
     path: str
     shown: bool | None
     told: str = ""
     at: float | None = None
+    cut: bool = False
 
 
 def not_judged(path: str) -> Finding:

@@ -14,7 +14,7 @@ from functools import partial
 
 import numpy as np
 
-from chatscene.program.contacts import is_of, of_contact
+from chatscene.program.contacts import is_of, is_with, of_contact
 from chatscene.program.deeds import ACTIONS, MOVING, STANDING, Act
 from chatscene.program.doing import (
     ACTS,
@@ -53,6 +53,8 @@ __all__ = ["Finding", "failures", "judge"]
 
 
 _ASIDE = (Said.SWERVE, Said.DRIFT)
+AVOIDS = frozenset((Said.SLOW_DOWN, Said.BRAKE, Said.STOP, Said.SWERVE, Said.LANE_CHANGE))
+"""What somebody behind the ego does so as not to run into it."""
 OVER = 5  # [steps] at the end of which an ego that is hit is seen to lose speed
 LOST_AT_ONCE = 0.5  # [m/s] that it has lost then, if it was losing speed when it was hit
 EDGE = 4.0  # [m] from the ego's line: who is so near comes into its lane
@@ -166,7 +168,8 @@ class _Judge:
                 state = EgoState.SLOWS_DOWN  # as much as was said, which may be less than half
             begun = self.contact is not None and speed[-1] < speed[-OVER:].max() - LOST_AT_ONCE  # and is cut short
             shown = EGO_STATES[state](speed, dt) or (None if begun else False)
-            yield Finding(path=path, shown=shown, told=f"said {deed.act}, {course}")
+            rolls = deed.act is Said.STOP and self.contact is not None and float(speed[-1]) > MOVING
+            yield Finding(path=path, shown=shown, told=f"said {deed.act}, {course}", cut=shown is None or rolls)
         else:
             yield not_judged(path)
 
@@ -258,7 +261,8 @@ class _Judge:
             done.setdefault(f"{one.id}.{act}", once)
             if not act.row.lasting:
                 latest, before = max(latest, once.began), str(act)
-            yield Finding(path=f"{path}.act", shown=True, told=f"said {act}", at=once.began * seen.dt)
+            cut = self._cut(one, k, once)
+            yield Finding(path=f"{path}.act", shown=True, told=f"said {act}", at=once.began * seen.dt, cut=cut)
             yield from self._how(one, path, deed, once, seen)
             if deed.when is not None:
                 self.waits.append((f"{path}.when", deed, once, seen))
@@ -281,6 +285,15 @@ class _Judge:
             )
         if deed.lateral is not None:
             yield from of_lateral(deed.lateral, one, f"{path}.lateral", seen, deed, once)
+
+    def _cut(self, one: Other, k: int, once: Act) -> bool:
+        """Whether a contact cut a deed short: not the last of whom the ego touches, unless that was to avoid it."""
+        crash, deed, contact = self.episode.collision, one.does[k], self.situation.contact
+        if crash is None or self.through or once.done is not None or deed.act.row.lasting:
+            return False
+        later = any(not then.act.row.lasting for then in one.does[k + 1 :])
+        avoids = contact is None and one.starts.where is Where.BEHIND and deed.act in AVOIDS
+        return later or avoids or not is_with(crash.other, one.id)
 
     def _seen(self, one: Other, k: int, seen: Seen, latest: int) -> Iterator[Act]:
         """The times that a deed is seen, of which some began before another did that was said before it."""

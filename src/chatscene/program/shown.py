@@ -2,12 +2,29 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from chatscene.program.judge import failures, judge
 from chatscene.program.meaning import check_meaning
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Said
 from chatscene.terms.situation import Situation
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Shown:
+    """How far a drive shows what was said.
+
+    Attributes:
+        missing: What it does not show, a sentence each; empty if it means what was said.
+        cut: How many facts a contact cut short that were to be seen to their end.
+        touch: Whether it was said that there is a contact; None where nothing was said of one.
+    """
+
+    missing: tuple[str, ...]
+    cut: int = 0
+    touch: bool | None = None
 
 
 def not_shown(
@@ -22,6 +39,21 @@ def not_shown(
         through: Judge to the end a drive that went on through a collision.
         met: Whether encounters count, and what nobody said: a search is still to find drives that are right in both.
     """
-    if isinstance(said, Situation):
-        return failures(judge(said, episode, route, through=through), met=met)
-    return check_meaning(said, episode, route, through=through)
+    return shown(said, episode, route, through=through, met=met).missing
+
+
+def shown(said: Said, episode: Episode, route: Route, *, through: bool = False, met: bool = True) -> Shown:
+    """How far a drive shows what was said.
+
+    Args:
+        said: What was said.
+        episode: What happened.
+        route: The ego's route.
+        through: Judge to the end a drive that went on through a collision.
+        met: Whether encounters count, and what nobody said: a search is still to find drives that are right in both.
+    """
+    if not isinstance(said, Situation):
+        return Shown(missing=check_meaning(said, episode, route, through=through))
+    found = judge(said, episode, route, through=through)
+    touch = None if said.contact is None else said.contact.happens
+    return Shown(missing=failures(found, met=met), cut=sum(one.cut for one in found), touch=touch)

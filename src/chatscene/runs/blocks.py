@@ -140,6 +140,8 @@ def _ran_row(ran: Ran) -> SceneRow:
         avoidable=ran.avoidable,
         crash_type=ran.crash_type,
         waits=ran.waits,
+        cut=ran.cut,
+        touch=ran.touch,
         stepped=ran.episode.stepped.by,
         instead=ran.episode.stepped.instead,
         unplayed=list(ran.unplayed),
@@ -257,6 +259,7 @@ def _outcomes(part: Part) -> list[Outcome]:
             by_ego=scene.fault is not None and Fault(scene.fault).by_ego,
             crash_type=scene.crash_type,
             waits=scene.waits,
+            touch=scene.touch,
         )
         for scene in part.scenes
         if scene.reason is None

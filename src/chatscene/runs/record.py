@@ -486,7 +486,9 @@ class SceneRow(_Frozen):
     fault: str | None = None
     avoidable: bool | None = None
     crash_type: str = ""
-    waits: bool = False  # for the search and the selection alone
+    waits: bool = False  # for the search and the selection alone, as the next two
+    cut: int = 0
+    touch: bool | None = None
     stepped: str = ""  # by which simulator
     instead: str = ""  # why not by the one that was asked for
     unplayed: list[str] = []  # what of a program of one's own did not take place

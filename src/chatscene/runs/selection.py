@@ -22,6 +22,9 @@ def selected(run: Workspace, settings: SearchSettings) -> dict[str, bool]:
                     overall_score=scene.metrics["overall_score"],
                     crash_type=scene.crash_type,
                     waits=scene.waits,
+                    cut=scene.cut,
+                    touch=scene.touch,
+                    distance=scene.criticality.get("distance"),
                 )
                 jobs.setdefault((part.scenario_id, part.route), []).append(candidate)
     return {

@@ -97,6 +97,7 @@ def outcomes(block: Block) -> list[Outcome]:
             by_ego=ran.fault is not None and ran.fault.by_ego,
             crash_type=ran.crash_type,
             waits=ran.waits,
+            touch=ran.touch,
         )
         for ran in block.ran
     ]

@@ -5,6 +5,7 @@ Paper: section 4.2 ("Scene": two of fifty per scenario and route). Released code
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -24,6 +25,9 @@ class Candidate:
         overall_score: Of that one drive, paper mode.
         crash_type: Of which kind the collision is (`chatscene.measure.crash_type`); empty without one.
         waits: Whether the ego waits at the end behind somebody who does not move on.
+        cut: How many facts a contact cut short that were to be seen to their end.
+        touch: Whether it was said that there is a contact; None where nothing was said of one.
+        distance: Least gap between the ego and an adversary [m]; None where there was none.
     """
 
     scene_id: str
@@ -33,6 +37,14 @@ class Candidate:
     overall_score: float
     crash_type: str = ""
     waits: bool = False
+    cut: int = 0
+    touch: bool | None = None
+    distance: float | None = None
+
+    @property
+    def wanted(self) -> bool:
+        """Whether it is what a search is for: a collision, or none where it was said that there is none."""
+        return self.collided is not (self.touch is False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,7 +53,7 @@ class Selected:
 
     Attributes:
         scene_id: Which.
-        fill_in: It did not collide; it is kept because too few did.
+        fill_in: It did not collide, though that was not said; it is kept because too few did.
     """
 
     scene_id: str
@@ -52,6 +64,9 @@ def select(
     candidates: Iterable[Candidate], *, count: int, selection: str = "distinct", avoidable_only: bool = False
 ) -> tuple[Selected, ...]:
     """Scenes that show what was said first, of these those that collided, of these the lowest overall scores.
+
+    Of those that show it, those come first in which no contact cuts short what was to be seen to its end. Where it was
+    said that there is no contact, those come first that have none, and of these the nearest.
 
     If too few are so, others fill up, in the same order.
 
@@ -78,23 +93,41 @@ def select(
     elif selection == "distinct":
         best = _distinct(allowed)[:count]
     else:
-        blind = selection == "worst"
-        best = sorted(allowed, key=lambda c: (not (c.shown or blind), not c.collided, c.overall_score, c.scene_id))
-        best = best[:count]
-    kept = (Selected(scene_id=c.scene_id, fill_in=not c.collided) for c in best)
+        best = sorted(allowed, key=_by_collision if selection == "worst" else _by_what_is_shown)[:count]
+    blind = selection in ("worst", "last")
+    kept = (Selected(scene_id=c.scene_id, fill_in=not (c.collided if blind else c.wanted)) for c in best)
     return tuple(sorted(kept, key=lambda s: s.scene_id))
 
 
 def _distinct(candidates: Iterable[Candidate]) -> list[Candidate]:
     """In the order in which they are worth keeping; a second of a kind comes after the first of every other."""
     found: Counter[object] = Counter()
-    order: list[tuple[tuple[bool, ...], int, Candidate]] = []
-    for one in sorted(candidates, key=lambda c: (*_rank(c), c.overall_score, c.scene_id)):
+    order: list[tuple[tuple[int, ...], int, Candidate]] = []
+    for one in sorted(candidates, key=lambda c: (*_rank(c), *_worst(c))):
         kind = _rank(one), one.crash_type
         order.append((_rank(one), found[kind], one))
         found[kind] += 1
     return [one for _, _, one in sorted(order, key=lambda placed: placed[:2])]
 
 
-def _rank(candidate: Candidate) -> tuple[bool, bool, bool, bool]:
-    return not candidate.shown, not candidate.collided, candidate.waits, candidate.avoidable is False
+def _by_collision(candidate: Candidate) -> tuple[bool, float, str]:
+    return not candidate.collided, candidate.overall_score, candidate.scene_id
+
+
+def _by_what_is_shown(candidate: Candidate) -> tuple[float | str, ...]:
+    return *_first(candidate), *_worst(candidate)
+
+
+def _rank(candidate: Candidate) -> tuple[int, ...]:
+    return *_first(candidate), candidate.waits, candidate.avoidable is False
+
+
+def _first(candidate: Candidate) -> tuple[int, ...]:
+    """What was said before all else."""
+    return not candidate.shown, candidate.cut, not candidate.wanted
+
+
+def _worst(candidate: Candidate) -> tuple[float, float, str]:
+    """The nearest where there is to be no contact, then the lowest score."""
+    far = math.inf if candidate.distance is None else candidate.distance
+    return far if candidate.touch is False else 0.0, candidate.overall_score, candidate.scene_id

@@ -30,7 +30,7 @@ class Paper:
         seed: int,  # noqa: ARG002
     ) -> Proposal:
         """Uniform in ranges around what collided."""
-        ranges = refine(declared, [outcome.values for block in done for outcome in block if outcome.collided])
+        ranges = refine(declared, [outcome.values for block in done for outcome in block if outcome.crashed])
         return Proposal(ranges=ranges, draw=lambda scene_seed: draw(ranges, seed=scene_seed))
 
 

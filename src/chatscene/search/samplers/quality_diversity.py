@@ -66,12 +66,12 @@ def elites(outcomes: Sequence[Outcome]) -> list[tuple[Outcome, float]]:
     """The most dangerous outcome of each kind and the share of scenes that vary it; those without a crash come last."""
     worst: dict[tuple[str, bool | None], Outcome] = {}
     found: Counter[tuple[str, bool | None]] = Counter()
-    for outcome in (outcome for outcome in outcomes if outcome.collided):
+    for outcome in (outcome for outcome in outcomes if outcome.crashed):
         kind = (outcome.crash_type, outcome.avoidable)
         found[kind] += 1
         if kind not in worst or outcome.danger > worst[kind].danger:
             worst[kind] = outcome
-    near = sorted((o for o in outcomes if not o.collided), key=lambda o: -o.danger)[:NEAREST]
+    near = sorted((o for o in outcomes if not o.crashed), key=lambda o: -o.danger)[:NEAREST]
     weighed = [(one, WORTH ** int(one.danger) / found[kind]) for kind, one in worst.items()]
     weighed += [(one, 1.0) for one in near]
     whole = sum(weight for _, weight in weighed)
