@@ -31,6 +31,7 @@ from chatscene.build.place import (
     lane_beside,
 )
 from chatscene.build.relations import speed_beside
+from chatscene.build.screening import Screen, from_its_lane, screen_of, stands_at
 from chatscene.build.starts import start_of
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
@@ -315,11 +316,10 @@ class Actor:
 
     def code(self, hidden: Actor | None) -> list[str]:
         """Its part of the program; of who hides somebody, beside whom it hides."""
-        one, stand = name_of(self.one.id), self.stand
+        one = name_of(self.one.id)
+        screen = self._screen(hidden)
         phases = self.phases()
-        named: list[str] = []
-        if hidden is None:
-            named = [self.filled(text) for text in (f"way{one} = {stand.way}", *stand.lines)]
+        named = self._lines(hidden, screen)
         body = "\n".join(phases)
         if f"beside{one}" in body:
             named.append(f"beside{one} = {self._beside()}")
@@ -340,16 +340,39 @@ class Actor:
         )
         lines = list(named)
         for n in range(self.count):
-            place, facing = place_hiding(self, hidden, n) if hidden is not None else self._place(n)
+            place, facing = self._placed(hidden, screen, n)
             said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
             said += f", with label '{self.one.id}'" + self.role()
             does = f"Does{one}" if rows[n] == phases else f"Does{one}_{n}"
-            lines.append(said + self.moving(phases) + (f", with behavior {does}()" if phases else ""))
+            said += self.moving(phases, screened=screen is not None)
+            lines.append(said + (f", with behavior {does}()" if phases else ""))
         lines += parts_of(self)
         if self.one.starts.speed is not None and self.one.starts.speed.high <= 0.0:
             self.ledger.take(f"{self.path}.starts.speed")  # it stands
         self.ledger.take(*self.numbers.built())
         return [f"## {self.one.id}: {self.said()}", *lines]
+
+    def _screen(self, hidden: Actor | None) -> Screen | None:
+        """How it hides somebody from a lane of its own; None if it hides nobody so."""
+        if hidden is None or not from_its_lane(self.ledger.situation, self.one, hidden.one):
+            return None
+        screen = screen_of(self, hidden)
+        self._texts = screen.phases
+        return screen
+
+    def _lines(self, hidden: Actor | None, screen: Screen | None) -> list[str]:
+        """What is named before, as a program says it."""
+        if screen is None and hidden is not None:
+            return []
+        texts = (screen.way,) if screen is not None else (self.stand.way, *self.stand.lines)
+        way, *lines = (self.filled(text) for text in texts)
+        return [f"way{name_of(self.one.id)} = {way}", *lines]
+
+    def _placed(self, hidden: Actor | None, screen: Screen | None, n: int) -> tuple[str, str]:
+        """Where the n-th of it stands, and which way it faces."""
+        if screen is not None:
+            return stands_at(self, screen, n)
+        return place_hiding(self, hidden, n) if hidden is not None else self._place(n)
 
     def _in_row(self, phases: tuple[str, ...], n: int) -> tuple[str, ...]:
         """The phases of the n-th of it, which keeps its place in the row."""
@@ -382,9 +405,9 @@ class Actor:
             raise NotBuilt(f"no map has such a place: {self.path} has no lane to the {side} of ours")
         return f"extended({OWN}, 60).offset({'' if side == Side.LEFT else '-'}{LANE})"
 
-    def moving(self, phases: Sequence[str]) -> str:
+    def moving(self, phases: Sequence[str], *, screened: bool = False) -> str:
         """Its speed at first: who goes the ego's way is under way as the ego is."""
-        if phases and self.stand.rolls:
+        if phases and (self.stand.rolls or (_DRIVES.match(phases[0]) and screened)):
             self.ledger.take(f"{self.path}.starts.speed")
             return self.filled(", with speed $SPEED")
         if not phases or self.stand.meets is not Meets.ALONG or stands_first(self.one) or self.lies:

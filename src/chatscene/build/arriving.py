@@ -8,15 +8,20 @@ from dataclasses import replace
 from chatscene.build.asked import Asked, Meets, Stand
 from chatscene.build.chain import in_terms_of
 from chatscene.build.coming import lost_in_curves
-from chatscene.build.place import arm_of, at_roundabout, from_left, ring_arms, room_against, way_of
+from chatscene.build.numbers import MOST
+from chatscene.build.place import Found, arm_of, at_roundabout, from_left, ring_arms, room_against, way_of
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
-from chatscene.maps.crossings import CrossingPath
+from chatscene.maps.crossings import CrossingPath, conflicting_paths, passing_path
 from chatscene.maps.ring_ways import ROUND
-from chatscene.terms.vocabulary import Side
+from chatscene.terms.scenario import Maneuver
+from chatscene.terms.situation import Other, Situation
+from chatscene.terms.vocabulary import Side, Where
 from chatscene.world.places import ringTraffic, trafficFrom, wayOf
 
-_EARLY, _LATE = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
+EARLIEST, LATEST = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
+FAR_OFF = 1.4, 1.8  # of the ego's speed: who comes so fast is so far off that who waits before it hides it
+AT_LINE = 1.0, 3.0  # [m] before the junction, from nose to line, that somebody stands who waits there
 _HALF_TURN = 14.0, 1.5  # [m] of turning round, and how much later [s] the ego then is for being slow in it
 
 
@@ -28,9 +33,42 @@ def through(asked: Asked) -> Stand:
         return roundabout(asked)
     arm = arm_of(asked.situation, asked.one, asked.found.sides)
     turn = way_of(asked.situation, asked.one, arm)
-    way = f'wayOf(trafficFrom(egoRoute, "{arm}"), "{turn}")'
-    found = wayOf(trafficFrom(asked.found.route, arm), turn)
+    found = way_through(asked.situation, asked.found, asked.one)
+    assert found is not None  # or the place would not have been found
+    way = f'wayOf(trafficFrom(egoRoute, "{arm}"), "{turn}"{_lane(asked.situation, asked.one, text=True)})'
+    if _lane(asked.situation, asked.one) and not asked.numbers.is_said("SPEED"):
+        fast = MOST * asked.numbers.row.limits.top_speed
+        asked.numbers.narrow("SPEED", *(min(share * asked.ego.speed, fast) for share in FAR_OFF))
+    if not _meets(asked.found, arm, turn):
+        way = "opposite(egoRoute)"
     return _on_its_way(asked, way, found, f"maximum(2, way{{i}}.entry - $Y{asked.less})")
+
+
+def way_through(situation: Situation, found: Found, one: Other) -> CrossingPath | None:
+    """The way of somebody through the ego's junction; None where nobody from there comes so.
+
+    Who comes from the arm opposite and goes straight on need not come over the ego's way.
+    """
+    arm = arm_of(situation, one, found.sides)
+    turn = way_of(situation, one, arm)
+    if _meets(found, arm, turn):
+        return wayOf(trafficFrom(found.route, arm), turn, _lane(situation, one))
+    passes = arm == "oncoming" and turn is Maneuver.STRAIGHT
+    return passing_path(found.route.network, found.route.route) if passes else None
+
+
+def _meets(found: Found, arm: str, turn: Maneuver) -> bool:
+    """Whether somebody from an arm comes over the ego's way by a turn."""
+    paths = conflicting_paths(found.route.network, found.route.route)
+    return any((path.from_side, path.turn) == (arm, turn) for path in paths)
+
+
+def _lane(situation: Situation, one: Other, *, text: bool = False) -> str:
+    """The lane in which somebody comes who is hidden by another beside it; empty for any."""
+    by = situation[one.hidden_by] if one.hidden_by is not None else None
+    if by is None or not by.starts.where is one.starts.where is Where.ONCOMING:
+        return ""
+    return ', "outer"' if text else "outer"
 
 
 def roundabout(asked: Asked) -> Stand:
@@ -46,7 +84,9 @@ def roundabout(asked: Asked) -> Stand:
 
 def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> Stand:
     """On a way that meets the ego's: driving from the first, so far back that it is there in time, else waiting."""
-    asked.reach(10, 25, "how far before the junction it is")
+    nose = 0.5 * asked.one.kind.row.body.row.limits.length
+    near, far = (nose + AT_LINE[0], nose + AT_LINE[1]) if asked.stands else (10, 25)
+    asked.reach(near, far, "how far before the junction it is")
     stand = Stand(
         meets=Meets.THROUGH,
         way=way,
@@ -62,7 +102,7 @@ def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> S
     seconds = found.ego_meets_at / asked.ego.speed + (asked.ego.late or 0.0)
     if said.distance is not None:
         return replace(stand, rolls=_in_time(asked, found, seconds))
-    (low, high), most = asked.numbers.range_of("SPEED")[:2], found.meets_at / (seconds + _LATE)
+    (low, high), most = asked.numbers.range_of("SPEED")[:2], found.meets_at / (seconds + LATEST)
     if high > most:
         if asked.numbers.is_said("SPEED"):
             raise NotBuilt(f"others.{asked.one.id}: the road by which it comes is too short for over {most:.1f} m/s")
@@ -104,7 +144,7 @@ def _in_time(asked: Asked, found: CrossingPath, seconds: float) -> bool:
     (near, far), (low, high) = (asked.numbers.range_of(name)[:2] for name in ("Y", "SPEED"))
     within = found.meets_at - found.entry
     soonest, latest = (near + within) / high, (far + within) / low
-    if latest < seconds - _EARLY or soonest > seconds + _LATE:
+    if latest < seconds - EARLIEST or soonest > seconds + LATEST:
         raise NotBuilt(
             f"others.{asked.one.id}.starts.distance: {asked.one.starts.distance}: at that speed it is where they meet"
             f" after {soonest:.1f} s, the ego after {seconds:.1f} s; it would have to start"
@@ -151,7 +191,7 @@ def slow_enough(asked: Asked) -> None:
         NotBuilt: It was said to be.
     """
     route = asked.found.route
-    seconds = route.eventAt / asked.ego.speed + (asked.ego.late or 0.0) + _LATE
+    seconds = route.eventAt / asked.ego.speed + (asked.ego.late or 0.0) + LATEST
     most = (room_against(route) - route.eventAt) / seconds
     low, high, *_ = asked.numbers.range_of("SPEED")
     if low <= most:

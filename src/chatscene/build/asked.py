@@ -117,7 +117,13 @@ class Asked:
         first = self.one.does[0] if self.one.does else None
         waits = first is not None and first.when is not None and first.act.row.lasting
         in_row = self.first is not None and not self.first.rolls
-        return not (self.stands or waits or in_row or self.one.hidden_by) and self.ego.late is not None
+        comes_out = self.one.hidden_by is not None and self.one.starts.where is not Where.ONCOMING
+        return not (self.stands or waits or in_row or comes_out) and self.ego.late is not None
+
+    @property
+    def hidden_by(self) -> Other | None:
+        """Who hides it at first."""
+        return self.situation[self.one.hidden_by] if self.one.hidden_by is not None else None
 
     @property
     def comes(self) -> bool:

@@ -19,6 +19,7 @@ from chatscene.build.place import Found, along_the_road, wrong_way
 from chatscene.build.possible import OFF_ROAD, impossible
 from chatscene.build.relations import check_passed_by_ego
 from chatscene.build.roadside import beside_road
+from chatscene.build.screening import from_its_lane
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, screens
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
@@ -183,7 +184,8 @@ def _hides(situation: Situation, one: Other) -> str | None:
     hides = (other.id for other in situation.others if other.hidden_by == one.id and not screens(one, other))
     hidden = next(hides, None)
     stands = one.role is Role.SUPPORTING and all(deed.act is Act.STAND for deed in one.does)
-    return hidden if one.role is Role.HIDES or stands else None
+    in_lane = hidden is not None and from_its_lane(situation, one, situation[hidden])
+    return hidden if one.role is Role.HIDES or stands or in_lane else None
 
 
 def _title(situation: Situation) -> str:

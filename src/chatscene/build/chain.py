@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 _NAME = re.compile(r"\$([A-Z][A-Z0-9_]*)")
-_ON_ROAD = re.compile(r"^pointOn\(.*, (-?[\d.]+)\)$")
+_ON_ROAD = re.compile(r"^pointOn\(.*, (-?[\d.]+)( [+-] \$X)?\)$")
 _FELT = 0.05  # [s] by which a time changes over a range, from which on that is told
 
 
@@ -76,7 +76,7 @@ def _across(actor: Actor) -> float:
     if actor.stand.left == "0":
         return 0.1
     if on_road := _ON_ROAD.search(actor.stand.point):
-        straight = abs(float(on_road[1])) - 1.0
+        straight = abs(float(on_road[1])) - 1.0 + (actor.numbers.middle("X") if on_road[2] else 0.0)
     else:
         aside = actor.numbers.middle("X") if "$X" in actor.stand.point else 0.0
         straight = aside + (LANE if actor.one.starts.side is Side.LEFT else 0.0) + 1.0

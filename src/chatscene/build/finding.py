@@ -8,7 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from chatscene.build.coming import further
+from chatscene.build.coming import further, wanted_by
+from chatscene.build.fitting import abreast, lacking_for, too_short
 from chatscene.build.holding import SITES, as_said, lanes_there
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import (
@@ -22,20 +23,18 @@ from chatscene.build.place import (
     control_of,
     from_left,
     rides_at_edge,
-    ring_arms,
     room_against,
-    way_of,
 )
 from chatscene.build.relations import AGAINST
+from chatscene.build.screening import side_hidden
 from chatscene.errors import MapError, NotBuilt
-from chatscene.maps.crossings import conflicting_paths
 from chatscene.maps.network import load_network, resolve_map
-from chatscene.maps.ring_ways import ring_ways
 from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
 from chatscene.situations.check import COMES_OVER, TURNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import BACKWARDS, backs, turned_about
+from chatscene.terms.pace import NOMINAL
 from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
@@ -73,17 +72,16 @@ def find(ledger: Ledger, road: float = 0.0) -> Found:
             for name, query in _asked(situation, sides):
                 if found := _answered(situation, name, _longer(query, more), sides, lacking, rooms):
                     _take(ledger, found)
-                    far = found.route.eventAt / BACKED if backs(situation) else min(more, further(situation))
-                    return replace(found, further=far)
+                    far = min(max(1.0, more), further(situation))
+                    return replace(found, further=found.route.eventAt / BACKED if backs(situation) else far)
     if rooms:
-        raise NotBuilt(
-            "; ".join(f"{fact}: the longest road there is leads {room:.0f} m" for fact, room in rooms.items())
-        )
+        raise NotBuilt("; ".join(told.format(most) for told, most in rooms.items()))
     said = "; ".join(dict.fromkeys(lacking))
     raise NotBuilt(f"no map has such a place: {said}")
 
 
 BACKED = 42.0  # [m] ahead of which others are about, in the middle, who are nearer to an ego that backs
+_SLOW = 0.6  # of the usual road, of an ego that is slower than usual
 _MORE = 1.15  # by which routes that are looked for get shorter, the longest first
 _BEYOND = 2.5  # times as long as the way to somebody is an open road: as much leads on from there, and some is spare
 _ROOM_BEYOND = 10.0  # [m] of road beyond somebody whose distance was said
@@ -122,7 +120,11 @@ def _through(query: Mapping[str, Any]) -> bool:
 
 def _longer(query: dict[str, Any], more: float) -> dict[str, Any]:
     """The same query, with so many times as much road as usual."""
-    if more <= 1.0 or (query.get("site") in AT_JUNCTIONS and query["site"] != Site.ROUNDABOUT):
+    if (
+        more == 1.0
+        or (more < 1.0 and not _through(query))
+        or (query.get("site") in AT_JUNCTIONS and query["site"] != Site.ROUNDABOUT)
+    ):
         return query
     return query | {"approach": round(more * _usual(query), 1)}
 
@@ -134,6 +136,8 @@ def _lengths(situation: Situation, road: float) -> Iterator[float]:
         yield more
         more /= _MORE
     yield 1.0
+    if wanted_by(situation) < NOMINAL.speed:  # else who comes to meet a slow ego would have to come from too far
+        yield _SLOW
 
 
 def _said_distance(one: Other) -> float:
@@ -161,8 +165,10 @@ def _open_sides(situation: Situation) -> Iterator[dict[str, Side]]:
     """Ways to choose the sides that were left open: where two lanes have one side, all are tried on that first."""
     others = situation.others
     open_ones = [one.id for one in others if one.starts.where.row.sided and one.starts.side is None]
-    told = {one.id: side for one in others if one.id in open_ones and (side := comes_from(one)) is not None}
-    told |= {one.id: Side.LEFT for one in others if one.id in open_ones and from_left(situation, one)}
+    told = {one.id: side for one in others if (side := side_hidden(situation, one)) is not None}
+    told |= {one.id: side for one in others if (side := comes_from(one)) is not None}
+    told |= {one.id: Side.LEFT for one in others if from_left(situation, one)}
+    told = {name: side for name, side in told.items() if name in open_ones}
     for first in (Side.RIGHT, Side.LEFT) if len(open_ones) > len(told) else (Side.RIGHT,):
         yield dict.fromkeys(open_ones, first) | told
 
@@ -189,7 +195,7 @@ def _answered(
         query: What it is asked for.
         sides: Those that were chosen.
         lacking: Takes what the map lacks, in words.
-        rooms: Takes how far [m] somebody can be at most, for each distance that was said and is more.
+        rooms: Takes what is the most that a place has room for, by what is told of it, where more was said.
     """
     path = str(resolve_map(name))
     network = load_network(path)
@@ -201,23 +207,17 @@ def _answered(
     beside = backs(situation) and situation.ego.route is not EgoRoute.REVERSE  # along the road, that it backs onto
     for one in () if beside else situation.others:
         if _said_distance(one) > (room := _room(route, one)):
-            fact = f"others.{one.id}.starts.distance: {one.starts.distance}"
+            fact = f"others.{one.id}.starts.distance: {one.starts.distance}: the longest road there is leads {{:.0f}} m"
             rooms[fact] = max(room, rooms.get(fact, 0.0))
             return None
-    if query.get("site") == Site.ROUNDABOUT:
-        there = {way.from_side for way in ring_ways(network, route.route)}
-        for one in situation.others:
-            if (arms := ring_arms(one, sides)) and not there & set(arms):
-                lacking.append(f"nobody from the {' or '.join(arms)} meets the ego's way in the roundabout of {name!r}")
-                return None
-    there = {(way.from_side, way.turn.value) for way in conflicting_paths(network, route.route)}
-    arms = ((one, arm_of(situation, one, sides)) for one in situation.others)
-    needs = {(arm, str(way_of(situation, one, arm))) for one, arm in arms if arm}
-    if missing := needs - there:
-        who = ", ".join(f"from the {arm} in a {turn}" for arm, turn in sorted(missing))
-        lacking.append(f"on map {Path(path).stem!r} nobody who comes {who} meets the ego's way there")
+    found = Found(name, query, route, sides)
+    if (lacks := lacking_for(situation, found)) is not None:
+        lacking.append(f"on map {Path(path).stem!r} {lacks}")
         return None
-    return Found(name, query, route, sides)
+    for told, most in too_short(situation, found):
+        rooms[told] = max(most, rooms.get(told, 0.0))
+        return None
+    return found
 
 
 def _asked(situation: Situation, sides: dict[str, Side]) -> Iterator[tuple[str, dict[str, Any]]]:
@@ -321,6 +321,10 @@ def _at_junction(
         query["crossed"] = tuple(dict.fromkeys(arms))
     if lanes:
         query |= {"lanes": max(2, query.get("lanes", 1)), "beside": lanes[0]}
+    if abreast(situation):  # and the ego in the lane beside theirs
+        query["lanes"] = max(2, query.get("lanes", 1))
+        if road.lanes is None and road.ego_lane is None:
+            query |= {"most": query["lanes"], "lane": query["lanes"]}
     four = query | {"place": Place.FOUR_WAY.value} if query["place"] == Place.JUNCTION else query
     asked = [query, four, four | {"crossed": tuple(dict.fromkeys((*arms, "left", "right", "oncoming")))}]
     if _of_side_road(situation):

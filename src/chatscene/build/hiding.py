@@ -30,12 +30,15 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
     if hidden.stand.meets is Meets.THROUGH and hidden.one.starts.where is Where.ARM:
         actor.ledger.take(f"{hidden.path}.hidden_by")
         return _at_corner(actor, hidden, n)
+    if hidden.stand.meets is Meets.KERB:
+        actor.ledger.take(f"{hidden.path}.hidden_by")
+        return _before_it(actor, hidden, n)
     if hidden.stand.meets is not Meets.ACROSS or "besideRoad" not in hidden.stand.point:
         raise NotBuilt(f"nothing builds yet: {actor.one.id}, which hides somebody who is {hidden.one.starts.where}")
     side = str(hidden.one.starts.side)
     if actor.one.starts.side not in (None, side):
         raise NotBuilt(f"nothing builds yet: {actor.path}, which hides {hidden.one.id} from its side")
-    actor.ledger.take(*(f"others.{name}.hidden_by" for name in _hidden_with(actor, hidden.one)))
+    actor.ledger.take(*(f"others.{name}.hidden_by" for name in hidden_with(actor, hidden.one)))
     length = actor.limits.length or 1.2
     away = 2.6 + 0.5 * length + n // 2 * (length + BETWEEN)
     off = 0.5 * actor.limits.width + OFF  # so that it is beside the lane, and not in it
@@ -49,7 +52,7 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
     return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
 
 
-def _hidden_with(actor: Actor, one: Other) -> Iterator[str]:
+def hidden_with(actor: Actor, one: Other) -> Iterator[str]:
     """The ids of all that it hides with somebody, who come from the same gap."""
     situation = actor.ledger.situation
     there = situation[one.id].starts  # as said: of ``one``, the side was chosen if none was
@@ -58,6 +61,14 @@ def _hidden_with(actor: Actor, one: Other) -> Iterator[str]:
         if other.hidden_by == actor.one.id and same and other.starts.distance is None:
             yield other.id
     yield one.id
+
+
+def _before_it(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
+    """Where the n-th of it stands in the row at the edge of the road, before whom it hides there."""
+    length = actor.limits.length or 1.2
+    away = 0.5 * (hidden.limits.length + length) + BETWEEN + n * (length + BETWEEN)
+    at, way = f"{hidden.filled(hidden.stand.at)} - {away:.3g}", f"way{name_of(hidden.one.id)}"
+    return f"pointOn({way}, {at})", f"directionOn({way}, {at})"
 
 
 def _at_corner(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from chatscene.build.arriving import comes_along, comes_back, roundabout, slow_enough, so_far_back, through
-from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, stops_ahead
+from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, stands_first, stops_ahead
 from chatscene.build.backing import comes_by, out_of, parked_beside
 from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
 from chatscene.build.facing import faces, slanting, turned
@@ -20,12 +20,14 @@ from chatscene.build.place import (
     lane_beside,
 )
 from chatscene.build.relations import slows_on_its_way
+from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.errors import NotBuilt
 from chatscene.terms.backing import backs
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Role, Side, Striker, Where
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
+DRIVES = 1.5  # [s] that the ego is longer on its way to whom somebody hides who comes driving and stops there
 EDGE, MEDIAN = 1.2, 1.9  # [m] from the ego's line, in its lane and between the directions
 HEADWAY = 0.9, 1.7  # [s] behind whom it follows an ego is, from and to
 STOPPING = 3.0  # [m/s²] that an ego loses at least which comes to a stand
@@ -237,7 +239,15 @@ def _beside_road(asked: Asked) -> Stand:
         left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
         anywhere=level.startswith("shortOf"),
     )
-    return stand if rolls else slanting(asked, stand, asked.side)
+    stand = stand if rolls else slanting(asked, stand, asked.side)
+    by = asked.hidden_by
+    if by is None or not from_its_lane(asked.situation, by, asked.one):
+        return stand
+    behind = shadowed(stand, by, by.kind.row.body.row.limits.width)
+    if stand.anywhere and asked.one.starts.distance is None and not stands_first(by):
+        asked.numbers.move("Y", DRIVES * asked.ego.speed)
+    asked.numbers.narrow("X", *(AT_EDGE if behind is stand else IN_SHADOW))
+    return behind
 
 
 def _kerb(asked: Asked) -> Stand:
@@ -285,9 +295,7 @@ def _exit(asked: Asked) -> Stand:
 
 def _median(asked: Asked) -> Stand:
     stand = _over(asked, MEDIAN, Side.LEFT)
-    if asked.one.starts.facing not in (None, Facing.ACROSS):
-        return stand
-    facing = f'crossingDirection(egoRoute, level{{i}}{asked.more}, "left")'
+    facing = faces(asked, f"level{{i}}{asked.more}", Facing.ACROSS, Side.LEFT)
     return slanting(asked, replace(stand, facing=facing), Side.LEFT)
 
 

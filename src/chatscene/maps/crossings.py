@@ -15,6 +15,7 @@ from chatscene.terms.route import Route
 from chatscene.terms.scenario import Maneuver
 
 MEETING = 2.5  # [m], paths nearer than this meet: about a car's width and some
+_BESIDE = 15.0  # [m] to the side of the ego's way at most that those pass it who come from the arm opposite
 _CROSSED = 60  # [m] of another's way after it enters the junction that may meet the ego's
 
 TURNS = {
@@ -93,6 +94,37 @@ def _crossing(network: Any, maneuver: Any, route: Route) -> CrossingPath | None:
         meets_at=float(entry + first),
         ego_meets_at=float(ego_entry + distance[first].argmin()),
     )
+
+
+@lru_cache(maxsize=256)
+def passing_path(network: Any, route: Route) -> CrossingPath | None:
+    """The way of who comes from the arm opposite the ego's, goes straight on, and passes it in the junction.
+
+    The two are level with each other where they are said to meet. None if there is no such way beside the ego's.
+    """
+    if route.junction is None:
+        return None
+    best: CrossingPath | None = None
+    nearest = _BESIDE
+    for maneuver in sorted(network.elements[route.junction].maneuvers, key=lambda m: (m.startLane.uid, m.endLane.uid)):
+        if maneuver.type.name != "STRAIGHT":
+            continue
+        line, enters = _way(network, maneuver)
+        if from_side_of(line.heading_at(enters - 1.0) - route.line.heading_at(route.event_at - 1.0)) != "oncoming":
+            continue
+        at = enters + 0.5 * maneuver.connectingLane.centerline.length
+        level, aside, _ = route.line.project(*line.point_at(at))
+        if level > route.event_at and MEETING <= abs(aside) < nearest:
+            nearest = abs(aside)
+            best = CrossingPath(
+                line=line,
+                turn=Maneuver.STRAIGHT,
+                from_side="oncoming",
+                entry=enters,
+                meets_at=at,
+                ego_meets_at=level,
+            )
+    return best
 
 
 @lru_cache(maxsize=4096)

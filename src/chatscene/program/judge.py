@@ -58,6 +58,7 @@ AVOIDS = frozenset((Said.SLOW_DOWN, Said.BRAKE, Said.STOP, Said.SWERVE, Said.LAN
 OVER = 5  # [steps] at the end of which an ego that is hit is seen to lose speed
 LOST_AT_ONCE = 0.5  # [m/s] that it has lost then, if it was losing speed when it was hit
 EDGE = 4.0  # [m] from the ego's line: who is so near comes into its lane
+_DRIVES_OUT = frozenset((Where.ARM, Where.ONCOMING))
 NEARER = 2.0  # [m] by which an ego comes nearer to somebody whom it is about to overtake
 
 
@@ -224,12 +225,19 @@ class _Judge:
         if one.hidden_by is not None:
             yield Finding(
                 path=f"{at}.hidden_by",
-                shown=self._hidden(one.hidden_by, seen),
+                shown=self._hidden(one.hidden_by, seen, drives=start.where in _DRIVES_OUT),
                 told=f"said hidden by {one.hidden_by}, which is not between it and the ego when it comes out",
             )
 
-    def _hidden(self, by: str, seen: Seen) -> bool:
-        """Whether it is hidden when it comes out: within a second before it has moved; who never moves, at any time."""
+    def _hidden(self, by: str, seen: Seen, *, drives: bool) -> bool:
+        """Whether it is hidden when it comes out: within a second before it has moved; who never moves, at any time.
+
+        Who comes driving along another road is hidden on its way.
+        """
+        if drives:
+            apart = np.hypot(seen.track.x - seen.ego.x, seen.track.y - seen.ego.y)
+            before = range(int(apart.argmin()) + 1)
+            return any(in_between(thing, seen.ego, seen.track, step) for thing in self._tracks(by) for step in before)
         moved = np.hypot(seen.track.x - seen.track.x[0], seen.track.y - seen.track.y[0])
         still = np.flatnonzero(moved < 1.0)
         comes_out = len(still) < len(moved)

@@ -273,7 +273,8 @@ def _hidden(classes: tuple[str, ...], seen: Seen, episode: Episode) -> bool:
 
 def in_between(thing: Track, ego: Track, adversary: Track, step: int) -> bool:
     """Whether the segment from ego to adversary meets the thing's box (slab test in the thing's frame)."""
-    x0, y0, heading = float(thing.x[0]), float(thing.y[0]), float(thing.heading[0])
+    now = min(step, len(thing.x) - 1)
+    x0, y0, heading = float(thing.x[now]), float(thing.y[now]), float(thing.heading[now])
     cos, sin = math.cos(heading), math.sin(heading)
 
     def local(track: Track) -> tuple[float, float]:

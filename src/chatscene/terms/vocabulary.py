@@ -208,7 +208,7 @@ class UserKind(RowWord):
     OBJECT = ("object", "a thing on the road, not said which", KindRow(body=AdversaryKind.BOX, general=True))
     DEBRIS = ("debris", "a lost load, a branch, rubble", _is(AdversaryKind.DEBRIS))
     CONE = ("cone", "a traffic cone or a barrier", _is(AdversaryKind.CONE))
-    BUS_SHELTER = ("bus-shelter", "a bus shelter, a bus stop with a roof", _thing("BusStop"))
+    BUS_SHELTER = ("bus-shelter", "a bus stop with a roof", _thing("BusStop"))
     VENDING_MACHINE = ("vending-machine", "a vending machine, a cabinet", _thing("VendingMachine"))
     KIOSK = ("kiosk", "a kiosk, a booth, a hut", _thing("Kiosk"))
     CONTAINER = ("container", "a container, a skip", _thing("Container"))
@@ -232,7 +232,7 @@ class Role(Word):
 
     ADVERSARY = ("adversary", "who meets the ego, or would; one at least")
     SUPPORTING = ("supporting", "who is needed for it, but is not met: a leader, traffic that closes the way")
-    HIDES = ("hides", "who or what only hides somebody else at first")
+    HIDES = ("hides", "what only hides somebody at first, also traffic that queues or passes")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

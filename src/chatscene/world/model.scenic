@@ -19,7 +19,7 @@ from chatscene.world.actors import Driven, Lying, Placed, Walking
 from chatscene.world.behaviors import *
 from chatscene.world.places import (adjacentPath, against, asideOf, backFrom, besideRoad, brakingDistance, choose_route as _choose_route,
     crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, lastLane, leftAt, levelOn, lineThrough, onward,
-    maximum, neighbourPath, offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, ringTraffic, route_along as _route_along,
+    maximum, neighbourPath, offsetFrom, opposite, ownLane, ownWay, pointOn, progressOn, restsWithin, ringTraffic, route_along as _route_along,
     secondsTo, shortOfJunction, straightOn, trafficFrom,
     unplaced as _unplaced, waitingTraffic, wayOf, wholeLane, wheelbase_of as _wheelbase_of)
 from chatscene.terms.actors import LIMITS as _LIMITS

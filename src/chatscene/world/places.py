@@ -19,6 +19,7 @@ from scenic.core.distributions import RejectionException, distributionFunction
 from scenic.core.vectors import Vector
 
 from chatscene.errors import MapError
+from chatscene.maps.crossings import passing_path
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
 from chatscene.maps.onward import route_through
@@ -306,6 +307,18 @@ def trafficFrom(route: EgoRoute, side: str) -> tuple[CrossingPath, ...]:  # noqa
     return found
 
 
+def opposite(route: EgoRoute) -> CrossingPath:
+    """The way of who comes from the arm opposite the ego's, goes straight on, and passes it in the junction.
+
+    Raises:
+        MapError: Nobody comes so.
+    """
+    way = passing_path(route.network, route.route)
+    if way is None:
+        raise MapError(f"route {route.route.id!r} has nobody who comes from opposite and passes it in the junction")
+    return way
+
+
 def ringTraffic(route: EgoRoute, *sides: str) -> CrossingPath:  # noqa: N802
     """The way of somebody in the roundabout of the ego's route that meets it; from the first side where there is one.
 
@@ -324,12 +337,13 @@ def ringTraffic(route: EgoRoute, *sides: str) -> CrossingPath:  # noqa: N802
     raise MapError(f"route {route.route.id!r} has no traffic {' or '.join(sides)} in a roundabout that meets it")
 
 
-def wayOf(traffic: tuple[CrossingPath, ...], turns: str | tuple[str, ...]) -> CrossingPath:  # noqa: N802
+def wayOf(traffic: tuple[CrossingPath, ...], turns: str | tuple[str, ...], lane: str = "") -> CrossingPath:  # noqa: N802
     """Among the ways of crossing traffic, one that does a turn; of several turns, the first that anybody can do.
 
     Args:
         traffic: From one side, as `trafficFrom` gives it.
         turns: ``straight``, ``left-turn`` or ``right-turn``, or more of them, best first.
+        lane: ``inner`` or ``outer``, of those that come from there in several lanes; the first of them if left out.
 
     Raises:
         MapError: Nobody from there can do any of them across the ego's way.
@@ -338,7 +352,15 @@ def wayOf(traffic: tuple[CrossingPath, ...], turns: str | tuple[str, ...]) -> Cr
     way = next((path for turn in wanted for path in traffic if path.turn.value == turn), None)
     if way is None:
         raise MapError(f"no traffic from the {traffic[0].from_side} meets the ego's route in a {' or '.join(wanted)}")
-    return way
+    if not lane:
+        return way
+    alike = sorted((path for path in traffic if path.turn is way.turn), key=lambda path: _to_left(path, way))
+    return alike[-1 if lane == "inner" else 0]
+
+
+def _to_left(path: CrossingPath, way: CrossingPath) -> float:
+    """How far [m] a way enters a junction to the left of another."""
+    return way.line.project(*path.line.point_at(path.entry))[1]
 
 
 def adjacentPath(route: EgoRoute) -> Polyline:  # noqa: N802

@@ -1,0 +1,62 @@
+"""Whether a route serves: all whom it is for can come there, and in time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from chatscene.build.arriving import LATEST, way_through
+from chatscene.build.asked import stands_first
+from chatscene.build.coming import wanted_by
+from chatscene.build.place import Found, arm_of, ring_arms, way_of
+from chatscene.build.relations import said_speed
+from chatscene.build.screening import from_its_lane
+from chatscene.maps.ring_ways import ring_ways
+from chatscene.terms.scenario import Site
+from chatscene.terms.situation import Situation
+from chatscene.terms.vocabulary import Where
+from chatscene.world.places import trafficFrom, wayOf
+
+
+def lacking_for(situation: Situation, found: Found) -> str | None:
+    """What a place lacks for somebody who is to be there, in words; None if it lacks nothing."""
+    if found.query.get("site") == Site.ROUNDABOUT:
+        there = {way.from_side for way in ring_ways(found.route.network, found.route.route)}
+        for one in situation.others:
+            if (arms := ring_arms(one, found.sides)) and not there & set(arms):
+                return f"nobody from the {' or '.join(arms)} meets the ego's way in the roundabout"
+    arms = [(one, arm) for one in situation.others if (arm := arm_of(situation, one, found.sides))]
+    ways = [(one, way_through(situation, found, one)) for one, _ in arms]
+    unmet = [pair for pair, (_, way) in zip(arms, ways, strict=True) if way is None]
+    if missing := {(arm, way_of(situation, one, arm)) for one, arm in unmet}:
+        who = ", ".join(f"from the {arm} in a {turn}" for arm, turn in sorted(missing))
+        return f"nobody who comes {who} meets the ego's way there"
+    if arms and abreast(situation):
+        opposite = trafficFrom(found.route, "oncoming")
+        if wayOf(opposite, "straight", "inner") is wayOf(opposite, "straight", "outer"):
+            return "nobody comes against the ego there in two lanes"
+    return None
+
+
+def too_short(situation: Situation, found: Found) -> Iterator[tuple[str, float]]:
+    """What is told of each road by which somebody comes who was said to be too fast for its length, and the most [m/s].
+
+    It begins so far back that it is there when an ego is that nothing holds.
+    """
+    ego = wanted_by(situation)
+    for one in situation.others:
+        said = said_speed(one, ego)
+        if said is None or one.starts.distance is not None or stands_first(one):
+            continue
+        way = way_through(situation, found, one) if arm_of(situation, one, found.sides) else None
+        if way is not None and said > (most := way.meets_at / (way.ego_meets_at / ego + LATEST)):
+            yield f"others.{one.id}: the road by which it comes is too short for over {{:.1f}} m/s", most
+
+
+def abreast(situation: Situation) -> bool:
+    """Whether two come against the ego side by side, one of whom hides the other."""
+    return any(
+        one.starts.where is Where.ONCOMING
+        and one.hidden_by is not None
+        and from_its_lane(situation, situation[one.hidden_by], one)
+        for one in situation.others
+    )

@@ -1,0 +1,204 @@
+"""Who hides somebody from a lane of its own: in a queue against the ego, in the next lane, or waiting at the junction.
+
+It stands there, comes to a stand there, or drives by; whom it hides begins in its shadow.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from chatscene.build.asked import ROOM, Meets, Stand, stands_first
+from chatscene.build.chain import meeting_of
+from chatscene.build.deeds import STILL
+from chatscene.build.hiding import hidden_with
+from chatscene.build.naming import name_of
+from chatscene.build.place import LANE, beside_lane, lane_beside
+from chatscene.errors import NotBuilt
+from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.backing import backs
+from chatscene.terms.situation import Other, Situation
+from chatscene.terms.vocabulary import Act, Role, Side, Where
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+
+GAP = 2.6  # [m] along the road between whom it hides and its end
+INTO_JUNCTION, OVER_LINE = (
+    7.0,
+    3.0,
+)  # [m] behind the entry of a junction of the nose of who waits to turn off there, and of who stops
+AT_EDGE = 0.8, 1.2  # [m] outside the lanes, from and to, that somebody begins whom traffic against the ego hides
+IN_SHADOW = 0.0, 0.4  # [m] beyond the side of who hides it, seen from the ego, that somebody begins
+AT_LINE = 1.0  # [m] before that who lets others by there stands
+STOOD = 1.0  # [s] that it has stood when whom it hides comes out
+BEFORE_MET = 5.0  # [s] before somebody at a junction is met, when who hides it there has come to a stand
+EASES = (0.35, 0.5)  # of its brakes, from and to, that who was not said to brake hard stops with
+_OUTSIDE = re.compile(r'besideRoad\((.*), "(left|right)", \$X\)')
+_NEXT = frozenset((Where.AHEAD_BESIDE, Where.BESIDE))
+_COMES_OVER = frozenset((Where.ROADSIDE, Where.CROSSING, Where.DRIVEWAY, Where.KERB))
+_STANDS = frozenset((Act.STAND, Act.YIELD))
+_STOPS = frozenset((Act.STOP, Act.BRAKE))
+_GOES = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Screen:
+    """Where and how somebody hides another. In texts ``$NAME`` is a parameter of who hides.
+
+    Attributes:
+        way: The line it is on.
+        at: Arc length [m] on that, of the first of it.
+        farther: Arc length [m] of the first of those that stand behind whom it hides; empty if all stand before.
+        sign: Of who stands farther from whom it hides, along the line.
+        phases: What it does; nothing if it only stands.
+    """
+
+    way: str
+    at: str
+    farther: str = ""
+    sign: str = "+"
+    phases: tuple[str, ...] = ()
+
+
+def from_its_lane(situation: Situation, one: Other, hidden: Other) -> bool:
+    """Whether somebody hides another from a lane, and not from beside the road."""
+    if beside_lane(situation) or backs(situation):
+        return False  # of whom it is seen from elsewhere
+    drives = one.kind.moves is Moves.DRIVES and one.role is not Role.ADVERSARY
+    in_lane = one.starts.where in _NEXT | {Where.ONCOMING} and hidden.starts.where in _COMES_OVER
+    at_line = one.starts.where in _NEXT and hidden.starts.where is Where.ARM
+    at_line = at_line and (None in (one.starts.side, hidden.starts.side) or one.starts.side is hidden.starts.side)
+    waits = one.starts.where is hidden.starts.where is Where.ONCOMING
+    return hidden.hidden_by == one.id and drives and (in_lane or at_line or waits)
+
+
+def side_hidden(situation: Situation, one: Other) -> Side | None:
+    """The side from which somebody comes who is hidden from a lane; None if any."""
+    by = situation[one.hidden_by] if one.hidden_by is not None else None
+    if by is None or not from_its_lane(situation, by, one) or not one.starts.where.row.sided:
+        return None
+    return Side.LEFT if by.starts.where is Where.ONCOMING else by.starts.side
+
+
+def screen_of(actor: Actor, hidden: Actor) -> Screen:
+    """Where and how somebody hides another from its lane; whom it hides begins in its shadow.
+
+    Raises:
+        NotBuilt: It cannot be between the ego and whom it hides.
+    """
+    if hidden.stand.meets is Meets.THROUGH:
+        screen = _at_junction(actor, hidden)
+    elif hidden.stand.meets is Meets.ACROSS:
+        screen = _beside_lane(actor, hidden)
+    else:
+        raise NotBuilt(f"nothing builds yet: {actor.one.id}, which hides somebody who is {hidden.one.starts.where}")
+    actor.ledger.take(*(f"others.{name}.hidden_by" for name in hidden_with(actor, hidden.one)))
+    actor.ledger.take(*(f"{actor.path}.does.{k}.act" for k in range(len(actor.deeds))))
+    return screen
+
+
+def shadowed(stand: Stand, by: Other, width: float) -> Stand:
+    """The same, of somebody who is to cross: it begins where who hides it from a lane is between it and the ego."""
+    if by.starts.where is Where.ONCOMING and not stands_first(by):
+        return stand  # which drives where it would stand
+    aside = LANE + 0.5 * width
+    found = _OUTSIDE.match(stand.point)
+    if found is None:
+        return stand
+    off = f"{aside:.3g} + $X" if found[2] == Side.LEFT else f"-{aside:.3g} - $X"
+    return replace(stand, point=f"pointOn({found[1]}, {off})")
+
+
+def _refused(actor: Actor, hidden: Actor, why: str) -> NotBuilt:
+    return NotBuilt(f"nothing builds yet: {actor.path}, which hides {hidden.one.id}: {why}")
+
+
+def _acts(actor: Actor) -> frozenset[Act]:
+    return frozenset(deed.act for deed in actor.deeds)
+
+
+def _beside_lane(actor: Actor, hidden: Actor) -> Screen:
+    """In the next lane, or in that of those who come against the ego."""
+    against = actor.one.starts.where is Where.ONCOMING
+    side = Side.LEFT if against else actor.one.starts.side
+    if hidden.one.starts.side is not side:
+        raise _refused(actor, hidden, f"it is not on the {hidden.one.starts.side}")
+    way = 'neighbourPath(egoRoute, "left")' if against else lane_beside(str(side))
+    one, level = name_of(actor.one.id), f"level{name_of(hidden.one.id)}"
+    there, sign = f"levelOn(way{one}, egoRoute, {level})", "+" if against else "-"
+    away = GAP + 0.5 * actor.limits.length
+    at, farther = f"{there} {sign} {away:.3g}", f"{there} {'-' if against else '+'} {away:.3g}"
+    acts, seconds = _acts(actor), hidden.ego.seconds(level)
+    lead = hidden.filled(
+        f"({meeting_of(hidden).metres:.2f} / $SPEED + $OFFSET)"
+    )  # before the ego is there it comes out
+    if acts <= _STANDS:
+        return Screen(way=way, at=at, farther=farther, sign=sign)
+    if acts <= _STANDS | _STOPS | _GOES and acts & _STOPS:
+        return _comes_to_stand(actor, Screen(way=way, at=at, sign=sign), f"{seconds} - {lead} - {STOOD:g}")
+    if acts <= _GOES and against:
+        aside = hidden.numbers.middle("X") + 1.5 * LANE
+        by = f"{(1.0 - LANE / aside) * actor.ego_speed:.3g} * {lead}"  # on the line of sight as that comes out
+        start = f"backFrom({there} + {by}, $SPEED * maximum(0, {seconds} - {lead}))"
+        return Screen(way=way, at=start, phases=("DrivePath({p}, $SPEED)",))
+    raise _refused(actor, hidden, "say that it stands or stops" + (", or goes along" if against else ""))
+
+
+def _at_junction(actor: Actor, hidden: Actor) -> Screen:
+    """At the junction: opposite the ego, beside who goes on there, or beside the ego before an arm."""
+    one, other, acts = name_of(actor.one.id), name_of(hidden.one.id), _acts(actor)
+    half = 0.5 * actor.limits.length
+    if hidden.one.starts.where is Where.ONCOMING and actor.one.starts.where is Where.ONCOMING:
+        way = 'wayOf(trafficFrom(egoRoute, "oncoming"), "straight", "inner")'
+        lets = acts & (_STOPS | {Act.YIELD})
+        at = f"way{one}.entry " + f"- {half - (OVER_LINE if lets else INTO_JUNCTION):.3g}"
+    elif actor.one.starts.where in _NEXT and actor.one.starts.side is hidden.one.starts.side:
+        way = lane_beside(str(actor.one.starts.side))
+        at = f"levelOn(way{one}, egoRoute, egoRoute.eventAt) - {half + AT_LINE:.3g}"
+    else:
+        raise _refused(actor, hidden, "it is not between the ego and the arm")
+    screen = Screen(way=way, at=at, sign="-")
+    if acts <= _STANDS:
+        return screen
+    if acts <= _STANDS | _STOPS | _GOES and acts & _STOPS:
+        return _comes_to_stand(actor, screen, f"{actor.ego.seconds(f'egoMeet{other}')} - {BEFORE_MET:g}")
+    raise _refused(actor, hidden, "say that it stands or stops")
+
+
+def _comes_to_stand(actor: Actor, screen: Screen, when: str) -> Screen:
+    """It comes driving, and has stopped there at a time [s]."""
+    numbers = actor.numbers
+    braking = [deed for deed in actor.deeds if deed.act in _STOPS]
+    said = next((k for k, deed in enumerate(actor.deeds) if deed in braking and deed.acceleration is not None), None)
+    if said is None:
+        numbers.narrow("BRAKE", *EASES)
+    else:
+        amount = actor.deeds[said].acceleration
+        assert amount is not None
+        numbers.bind("BRAKE", amount, actor.ego_speed, f"{actor.path}.does.{said}.acceleration")
+    hard = LIMITS[actor.one.kind.scenic].brake
+    brakes, takes = f"$SPEED * $SPEED / ({2 * hard:g} * $BRAKE)", f"$SPEED / ({hard:g} * $BRAKE)"
+    start = f"backFrom({screen.at}, {brakes} + $SPEED * maximum(0, {when} - {takes}))"
+    left = f"distanceLeft({{p}}, self, {screen.at})"
+    return replace(
+        screen,
+        at=start,
+        phases=(
+            f"DrivePath({{p}}, $SPEED) until {left} < brakingDistance(self) / $BRAKE + 0.5",
+            f"BrakeOnPath({{p}}, $BRAKE) until {STILL}",
+            "Halt()",
+        ),
+    )
+
+
+def stands_at(actor: Actor, screen: Screen, n: int) -> tuple[str, str]:
+    """Where the n-th of it stands, and which way it faces: before whom it hides, and behind in turn."""
+    way, apart = f"way{name_of(actor.one.id)}", actor.limits.length + ROOM
+    behind = n % 2 == 1 and bool(screen.farther)
+    k = n // 2 if screen.farther else n
+    sign = screen.sign if not behind else ("-" if screen.sign == "+" else "+")
+    at = (screen.farther if behind else screen.at) + (f" {sign} {k * apart:.3g}" if k else "")
+    return actor.filled(f"pointOn({way}, {at})"), actor.filled(f"directionOn({way}, {at})")
