@@ -35,7 +35,7 @@ from chatscene.build.screening import Screen, from_its_lane, screen_of, stands_a
 from chatscene.build.starts import start_of
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
-from chatscene.terms.actors import LIMITS, PROPS, AdversaryKind, Limits
+from chatscene.terms.actors import LIMITS, PROPS, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import SEVERAL, Deed, Other
@@ -127,6 +127,11 @@ class Actor:
     def along_speed(self) -> float:
         """How fast [m/s] it goes along with the ego: as that, or as it can at most."""
         return min(self.ego_speed, MOST * self.limits.top_speed)
+
+    @property
+    def ego_limits(self) -> Limits:
+        """What the ego's body can do."""
+        return self.ledger.situation.ego.body.row.limits
 
     @property
     def path(self) -> str:
@@ -228,7 +233,7 @@ class Actor:
         situation, numbers = self.ledger.situation, self.numbers
         if self.one.role is not Role.ADVERSARY or not self._goes_on_beside() or numbers.is_said("SPEED"):
             return
-        lengths = self.limits.length + AdversaryKind.CAR.row.limits.length
+        lengths = self.limits.length + self.ego_limits.length
         there, seconds = goes_over(self.found.route, self.ego_speed)
         seconds += self.ego.late or 0.0
         ahead = numbers.middle("Y") * (-1 if self.stand.behind else 1)

@@ -14,7 +14,6 @@ from chatscene.build.sweep import Moving, Touch, touches
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.situations.facts import is_said
-from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.situation import Contact
 from chatscene.terms.vocabulary import SIDES_OF, Act, Part, Role, Side, Striker
@@ -42,7 +41,7 @@ def set_offset(actor: Actor) -> None:
 
     Whoever comes later strikes the other.
     """
-    ego = AdversaryKind.CAR.row.limits
+    ego = actor.ego_limits
     late = -0.5 * (ego.length + actor.limits.length) / actor.ego_speed
     early = (ego.width + actor.limits.length) / _speed(actor)
     yields = bool(actor.deeds) and actor.deeds[0].act is Act.YIELD
@@ -168,7 +167,7 @@ def _speed(actor: Actor) -> float:
     """How fast somebody is where it meets the ego."""
     speed = actor.numbers.middle("SPEED")
     if actor.stand.meets is Meets.ACROSS and actor.stand.left != "0" and not actor.stand.rolls:  # from a stand
-        over = meeting_of(actor).metres + 0.5 * (AdversaryKind.CAR.row.limits.width + actor.limits.length)
+        over = meeting_of(actor).metres + 0.5 * (actor.ego_limits.width + actor.limits.length)
         return min(speed, Body(actor.limits, actor.walks).reaches(over))
     if (found := actor.stand.found) is not None:
         return min(speed, curve_speeds(found.line)[found.line.segment_at(found.meets_at)])
@@ -176,7 +175,7 @@ def _speed(actor: Actor) -> float:
 
 
 def _ego(actor: Actor) -> Moving:
-    line, limits = actor.found.route.line, AdversaryKind.CAR.row.limits
+    line, limits = actor.found.route.line, actor.ego_limits
     allowed = curve_speeds(line, EGO_GRIP)[line.segment_at(actor.meets_at)]
     speed = min(actor.ego_speed, allowed)
     return Moving(line=line, meets_at=actor.meets_at, speed=speed, length=limits.length, width=limits.width)

@@ -10,7 +10,7 @@ from chatscene.build.coming import Coming
 from chatscene.build.numbers import Numbers
 from chatscene.build.place import Found, beside_lane, rides_at_edge
 from chatscene.maps.crossings import CrossingPath
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
@@ -167,7 +167,12 @@ class Asked:
     def middles(self) -> float:
         """How far [m] the middles of the ego and of it are apart where they touch, one behind the other."""
         row = self.one.kind.row.body.row
-        return 0.5 * (LIMITS["Car"].length + row.limits.length)
+        return 0.5 * (self.situation.ego.body.row.limits.length + row.limits.length)
+
+    @property
+    def longer(self) -> float:
+        """How much nearer [m] the ego's nose and tail are to others than a car's, where middles are apart."""
+        return max(0.0, 0.5 * (self.situation.ego.body.row.limits.length - AdversaryKind.CAR.row.limits.length))
 
     def headway(self, low: float, high: float) -> None:
         """From where to where [s] before or behind the ego it may be, nose to tail, if no distance was said."""

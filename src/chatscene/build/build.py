@@ -89,9 +89,10 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
         ledger.take("contact.whom")
     ledger.take(*parts_in_line(situation))
     declared = [f"param {one.name} = Range({one.low}, {one.high})" for one in numbers]
-    query = ", ".join(f"{key}={value!r}" for key, value in found.query.items())
+    query = ", ".join(f"{key}={value!r}" for key, value in (found.query | ego.query).items())
     about = ", 3.14159" if backs(situation) else ""
     placed = f"at startOf(egoRoute), facing directionOn(egoRoute, 0{about}), with route egoRoute{ego.properties}"
+    cls = situation.ego.body.row.scenic
     source = "\n".join(
         (
             *textwrap.wrap(_title(situation), 100, initial_indent="# ", subsequent_indent="# "),
@@ -102,7 +103,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
             *ego.params,
             "",
             f"egoRoute = selectRoute({query})",
-            f"ego = new Car {placed}",
+            f"ego = new {cls} {placed}",
             "",
             body,
         )

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from chatscene.build.numbers import MOST
 from chatscene.build.relations import speed_of_traffic
 from chatscene.ego.intelligent_driver import CURVE_ACCELERATION
 from chatscene.terms.backing import backs
 from chatscene.terms.order import Order
-from chatscene.terms.pace import NOMINAL
+from chatscene.terms.pace import NOMINAL, usual_speed
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.situation import Situation
 from chatscene.world.control import HELD_BACK, curve_speeds
@@ -50,11 +51,11 @@ class Coming:
 
 def wanted_by(situation: Situation) -> float:
     """What the ego drives at where nothing holds it [m/s]: as was said of it or of the traffic, else as is usual."""
-    said = situation.ego.speed
+    said, body = situation.ego.speed, situation.ego.body
     if said is None and backs(situation):
         return WALKS
     if said is None:
-        return max(NOMINAL.speed, speed_of_traffic(situation))
+        return min(max(usual_speed(body), speed_of_traffic(situation)), MOST * body.row.limits.top_speed)
     return said.high if said.high < float("inf") else said.low
 
 
@@ -63,7 +64,9 @@ def further(situation: Situation) -> float:
     return max(1.0, wanted_by(situation) / NOMINAL.speed)
 
 
-def coming(speed: float, orders: tuple[Order, ...], metres: float, *, stands: bool) -> Coming:
+def coming(
+    speed: float, orders: tuple[Order, ...], metres: float, *, stands: bool, gain: float = NOMINAL.gain
+) -> Coming:
     """How an ego gets on that wants a speed and has orders.
 
     Args:
@@ -71,11 +74,12 @@ def coming(speed: float, orders: tuple[Order, ...], metres: float, *, stands: bo
         orders: What it is held to.
         metres: How far it is to where the others meet it.
         stands: Whether it stands at first.
+        gain: How it gets under way [m/s²].
     """
     at, time, now = 0.0, 0.0, 0.0 if stands else speed
     while at < metres and time < _LONGEST:
         allowed = min([speed, *(order.allows(time, at) for order in orders)])
-        now = min(allowed, now + NOMINAL.gain * _STEP)
+        now = min(allowed, now + gain * _STEP)
         at, time = at + now * _STEP, time + _STEP
     first = (order.till for order in orders if order.allows(0.0, 0.0) <= 0.0 and order.till < math.inf)
     late = max(0.0, time - metres / speed) if at >= metres else None

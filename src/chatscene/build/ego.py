@@ -8,22 +8,26 @@ from dataclasses import dataclass, fields
 
 from chatscene.build.coming import Coming, coming, wanted_by
 from chatscene.build.ledger import Ledger
+from chatscene.build.numbers import MOST
 from chatscene.build.place import Found, at_junction
 from chatscene.build.relations import SLOWS
 from chatscene.errors import NotBuilt
 from chatscene.maps.routes import TO_LINE
+from chatscene.terms.actors import LIMITS
 from chatscene.terms.backing import backs
 from chatscene.terms.order import Order
-from chatscene.terms.pace import NOMINAL
+from chatscene.terms.pace import NOMINAL, gain_in
 from chatscene.terms.routing import BEGINS
+from chatscene.terms.scene import CAR
 from chatscene.terms.situation import EGO, Deed, Situation
-from chatscene.terms.vocabulary import Act, Breach, EgoLight, EgoRoute, Manner, Where
+from chatscene.terms.vocabulary import Act, Breach, EgoLight, EgoRoute, Manner, UserKind, Where
 
-LINE = 3.5  # [m] before the junction the centre of an ego stands whose nose is at the line
+LINE = 3.5  # [m] before the junction the centre of a car stands whose nose is at the line
 STAND = 4.0  # [s] that somebody stands who sets off again
 BESIDE = 3.0  # [s] that the ego stands beside its lane before it comes into it
 SLOW = 3.0  # [m/s]
 BACKS = 20.0  # [m] at most that an ego backs, if only a bound was said
+EASILY = 0.9  # of a brake, the most that an ego is braked with of which it was not said how hard
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,11 +36,13 @@ class BuiltEgo:
 
     Attributes:
         params: Lines before the route is chosen.
+        query: What the map is asked for besides.
         coming: How it gets on.
         properties: What stands behind its place.
     """
 
     params: tuple[str, ...]
+    query: dict[str, float]
     coming: Coming
     properties: str
 
@@ -55,14 +61,20 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     situation = ledger.situation
     ego, junction = situation.ego, at_junction(situation)
     speed = wanted_by(situation) if ego.speed is not None else at_most
+    body = ego.body.row.limits
     if ego.speed is not None:
+        if ego.speed.low > (most := MOST * body.top_speed):
+            what = ego.kind or UserKind.CAR
+            raise NotBuilt(f"ego.speed: {ego.speed} is more than a {what} can: {3.6 * most:.0f} km/h at most")
         ledger.take("ego.speed")
+    ledger.take("ego.kind")
     if held := [one.at_most for one in _orders(Ledger(situation), ego.does[:1], 0.0, speed) if _all_along(one)]:
         speed = min(speed, *held)  # which is as fast as it ever is
     elif ego.speed is None:  # others are timed by it, so that it is wanted of every ego
         ledger.assume(f"the ego wants {3.6 * speed:.0f} km/h, which was not said")
     wanted = f", with wantedSpeed {speed:.4g}"
-    stop = found.route.eventAt - (LINE if junction else 0.0)
+    longer = 0.5 * (body.length - LIMITS[CAR].length)  # its nose is so much nearer than a car's
+    stop = found.route.eventAt - (LINE + longer if junction else 0.0)
     orders = tuple(_orders(ledger, ego.does, stop, speed))
     stands = bool(ego.does) and ego.does[0].act is Act.STAND
     back = backs(situation)
@@ -70,12 +82,15 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
         stands, orders = True, (Order(at_most=0, till=BESIDE), *orders)
         where = "" if ego.route is EgoRoute.REVERSE else " beside its lane"
         ledger.assume(f"the ego stands{where} for {BESIDE:g} s, which was not said")
-    params = ["param egoStart = 'at-line'"] if stands and junction else []
+    at_line = stands and junction
+    params = ["param egoStart = 'at-line'"] if at_line else []
     params += _lights(ledger, found)
     moving = ", with backwards True" if back else "" if stands else f", with speed {speed:.4g}"
     given = f", with orders ({', '.join(map(_written, orders))},)" if orders else ""
-    comes = coming(speed, orders, TO_LINE if stands and junction else found.route.eventAt, stands=stands)
-    return BuiltEgo(params=tuple(params), coming=comes, properties=moving + wanted + given)
+    metres = TO_LINE + longer if at_line else found.route.eventAt
+    comes = coming(speed, orders, metres, stands=stands, gain=gain_in(body))
+    query = {"to_line": round(metres, 2)} if at_line and longer else {}
+    return BuiltEgo(params=tuple(params), query=query, coming=comes, properties=moving + wanted + given)
 
 
 def _all_along(order: Order) -> bool:
@@ -202,7 +217,10 @@ def _seconds(ledger: Ledger, deed: Deed, at: str) -> float:
 
 
 def _braking(ledger: Ledger, deed: Deed, at: str, usual: float) -> float:
+    body, kind = ledger.situation.ego.body.row.limits, ledger.situation.ego.kind or UserKind.CAR
     if deed.acceleration is None:
-        return usual
+        return min(usual, EASILY * body.brake)
+    if deed.acceleration.low > body.brake + body.drag:
+        raise NotBuilt(f"{at}.acceleration: {deed.acceleration} is more than a {kind} can: {body.brake:g} m/s² at most")
     ledger.take(f"{at}.acceleration")
     return deed.acceleration.within(0.5, max(usual, deed.acceleration.low))[0]

@@ -11,7 +11,6 @@ from chatscene.build.deeds import OWN
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.relations import SLOWS, speed_of
 from chatscene.build.towards import done_to, to_whom
-from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
 
@@ -133,7 +132,7 @@ def seconds_to_get_ahead(actor: Actor, k: int) -> float:
 def seconds_to_get_by(actor: Actor, k: int) -> float:
     """How long [s] it takes somebody to get by whom it passes in its k-th deed."""
     numbers, whom = actor.numbers, done_to(actor.deeds[k])
-    length, row = AdversaryKind.CAR.row.limits.length, 0.0
+    length, row = actor.ego_limits.length, 0.0
     if whom != EGO:
         other = actor.ledger.situation[whom]
         length, row = other.kind.row.body.row.limits.length, actor.room

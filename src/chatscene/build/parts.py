@@ -15,6 +15,8 @@ from chatscene.build.asked import Meets
 from chatscene.build.naming import name_of
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS
+from chatscene.terms.scene import CAR
+from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import LETS_GO, Act, Side
 
 if TYPE_CHECKING:
@@ -71,6 +73,14 @@ def parts_of(actor: Actor) -> Iterator[str]:
             f"{'' if opens else actor.moving(actor.phases())}, with behavior Does{called}()"
         )
         actor.ledger.assume(part.told.format(actor.one.id))
+
+
+def into_lane(situation: Situation) -> float:
+    """How far [m] somebody stands in the ego's lane whose door is to reach the ego: as near to its side as to a car's.
+
+    Beside a car it stands at the edge of the lane; beside what is wider, as far outside that.
+    """
+    return 0.5 * (LIMITS[CAR].width - situation.ego.body.row.limits.width)
 
 
 def _waits(text: str, meanwhile: str, one: str) -> str:

@@ -14,8 +14,8 @@ from chatscene.build.contact import is_held_up, strikes_from_behind
 from chatscene.build.place import NEXT_LANE
 from chatscene.errors import NotBuilt
 from chatscene.maps.routes import PASSING, SWING
-from chatscene.terms.actors import LIMITS
 from chatscene.terms.amount import Speed
+from chatscene.terms.pace import NOMINAL
 from chatscene.terms.situation import EGO, Deed, Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Role, Where
 
@@ -78,12 +78,14 @@ def speed_beside(situation: Situation, one: Other, ego: float) -> tuple[float, f
         ego: What the ego drives at [m/s].
     """
     if is_passed_by_ego(situation, one):
-        most = passed_share(one) * ego
+        most = passed_share(situation, one) * ego
         return _SLOWER * most, most
     relation = relation_of(situation, one)
     if relation is None:
         return None
-    low, high = (share * ego for share in relation.value)
+    row, own = one.kind.row.body.row, situation.ego.body.row
+    slower = relation is Relation.AGAINST and own.fast < row.fast  # it is no measure of who comes against it
+    low, high = (share * (max(ego, NOMINAL.speed) if slower else ego) for share in relation.value)
     for deed in _passes(situation, one):
         if deed.speed is not None:  # how fast it is passed
             high = min(high, _least(deed.speed, ego) - PASSES)
@@ -96,9 +98,9 @@ def is_passed_by_ego(situation: Situation, one: Other) -> bool:
     return situation.ego.route is EgoRoute.OVERTAKE and one.starts.where is Where.AHEAD
 
 
-def passed_share(one: Other) -> float:
+def passed_share(situation: Situation, one: Other) -> float:
     """The most of the ego's speed that somebody may have whom it passes while it has swung out."""
-    both = LIMITS["Car"].length + one.kind.row.body.row.limits.length + _ROOM
+    both = situation.ego.body.row.limits.length + one.kind.row.body.row.limits.length + _ROOM
     return max(0.1, 1.0 - both / (PASSING + 2.0 * _BESIDE * SWING))
 
 
@@ -156,7 +158,7 @@ def check_passed_by_ego(situation: Situation, ego: float) -> None:
     """
     for one in situation.others:
         said = said_speed(one, ego) if is_passed_by_ego(situation, one) else None
-        if said is not None and said > (most := passed_share(one) * ego):
+        if said is not None and said > (most := passed_share(situation, one) * ego):
             raise NotBuilt(
                 f"others.{one.id}: the ego at {3.6 * ego:.0f} km/h does not overtake a {one.kind} at "
                 f"{3.6 * said:.0f} km/h before it comes back; say {3.6 * most:.0f} km/h at most, or a faster ego"

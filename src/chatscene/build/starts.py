@@ -11,6 +11,7 @@ from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, stands_first
 from chatscene.build.backing import comes_by, out_of, parked_beside
 from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
 from chatscene.build.facing import faces, slanting, turned
+from chatscene.build.parts import into_lane
 from chatscene.build.place import (
     LANE,
     at_junction,
@@ -98,14 +99,14 @@ def _behind(asked: Asked) -> Stand:
     close = asked.one.role is Role.ADVERSARY or any(deed.act is Act.TAILGATE for deed in asked.one.does)
     waits = [deed.act for deed in asked.situation.ego.does[:1]] == [Act.STAND]
     if (asked.ego.stands or waits) and not asked.stands:
-        asked.reach(28.0, 45.0, "how far behind the ego it is")
+        asked.reach(28.0 + asked.longer, 45.0 + asked.longer, "how far behind the ego it is")
     elif strikes_from_behind(asked.situation, asked.one) and comes_to_stand(asked.situation):
         stops = 0.5 * asked.ego.speed / STOPPING
         asked.headway(*(stops + after for after in STOOD))  # so that the ego stands when it is there
     elif close and _slows_before(asked):
         asked.headway(*HEADWAY)  # so that the ego has slowed down when it is there
     elif close:
-        asked.reach(9.0, 17.0, "how far behind the ego it is")
+        asked.reach(9.0 + asked.longer, 17.0 + asked.longer, "how far behind the ego it is")
     else:
         asked.headway(*CAREFUL)
     way = "ownLane(egoRoute)" if beside_lane(asked.situation) else "egoRoute"
@@ -144,12 +145,15 @@ def _next_lane(asked: Asked) -> Stand:
         over = "1.5708" if asked.side == Side.RIGHT else "-1.5708"
         return replace(stand, facing=faces(asked, f"level{{i}}{asked.more}", Facing.ALONG, asked.side), over=over)
     low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
+    if where is not Where.BESIDE:
+        low, high = low + asked.longer, high + asked.longer
     if back and asked.one.role is Role.SUPPORTING and _changes_to(asked.situation, asked.side):
         low, high = (asked.middles + one * asked.ego.speed for one in CAREFUL)
     contact = asked.situation.contact
     strikes = contact is not None and touches(asked.situation, asked.one)
     if where is Where.BESIDE and strikes and contact is not None and contact.striker is not None:
-        low, high = BESIDE_TO_STRIKE[contact.striker]
+        longer = asked.longer if contact.striker is Striker.EGO else 0.0
+        low, high = (end + longer for end in BESIDE_TO_STRIKE[contact.striker])
     if where is Where.BESIDE and any(deed.act is Act.OVERTAKE for deed in asked.one.does[:1]):
         low, high = -5.0, -0.5  # not yet ahead of it
     if asked.stands and where is Where.AHEAD_BESIDE:
@@ -257,7 +261,8 @@ def _kerb(asked: Asked) -> Stand:
     level = f"{'egoRoute.eventAt + ' if asked.swings_out else ''}$Y{asked.more}"
     if asked.side == Side.RIGHT:
         opens = any(deed.act is Act.OPEN_DOOR for deed in asked.one.does)  # into the lane, at whose edge it is then
-        edge = f'besideRoad(egoRoute, 20, "right", {0.5 * asked.numbers.row.limits.width if opens else 1.3:.3g})'
+        door = 0.5 * asked.numbers.row.limits.width - into_lane(asked.situation)
+        edge = f'besideRoad(egoRoute, 20, "right", {door if opens else 1.3:.3g})'
     else:
         beside = 'neighbourPath(egoRoute, "left")'
         edge = f"pointOn({beside}, levelOn({beside}, egoRoute, 20), -2.1)"

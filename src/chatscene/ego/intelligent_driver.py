@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import AHEAD, OWN, PER_ACTOR, Observation
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import LIMITS, Limits
 
 DESIRED_SPEED = 8.0  # [m/s]
 CURVE_ACCELERATION = 3.0  # [m/s²], lateral, that curves are taken with
@@ -22,7 +22,7 @@ MARGIN = 0.5  # [m] kept free beside the car
 FORESIGHT = np.arange(0.0, 2.51, 0.25)  # [s], when somebody may have come into the way
 EMERGENCY = 2.0  # [m/s²] of needed deceleration from which the brake is used at once
 
-_CAR = LIMITS["Car"]
+CAR = LIMITS["Car"]
 
 
 class IntelligentDriver:
@@ -30,21 +30,27 @@ class IntelligentDriver:
 
     Args:
         speed: Wanted [m/s].
+        body: What the vehicle can do that it drives.
 
     Attributes:
         speed: As it was given.
+        body: As it was given.
     """
 
     name = "idm"
     observation = "actors"
     pedals = "full-brake"
 
-    def __init__(self, speed: float = DESIRED_SPEED) -> None:
-        self.speed = speed
+    def __init__(self, speed: float = DESIRED_SPEED, body: Limits = CAR) -> None:
+        self.speed, self.body = speed, body
 
     def wanting(self, speed: float) -> IntelligentDriver:
         """The same driver with another wanted speed [m/s]."""
-        return IntelligentDriver(speed)
+        return IntelligentDriver(speed, self.body)
+
+    def driving(self, body: Limits) -> IntelligentDriver:
+        """The same driver in another vehicle."""
+        return IntelligentDriver(self.speed, body)
 
     def act(self, observation: Observation) -> tuple[float, float]:
         """Acceleration and steering in [-1, 1] for one step."""
@@ -53,8 +59,8 @@ class IntelligentDriver:
         actors = observation[OWN:].reshape(-1, PER_ACTOR)
         acceleration = _free(speed, wish)
         for row in actors[actors[:, 0] > 0.0]:
-            acceleration = min(acceleration, _behind(speed, row, acceleration))
-        action = acceleration / 3.0 if acceleration > 0.0 else acceleration / _CAR.brake
+            acceleration = min(acceleration, _behind(speed, row, acceleration, self.body))
+        action = pressed(acceleration, self.body)
         return max(-1.0, min(1.0, action)), _steering(observation)
 
 
@@ -64,20 +70,25 @@ def _free(speed: float, wish: float) -> float:
     return ACCELERATION * (1.0 - ratio**4) if ratio < 1.0 else max(-COMFORTABLE, -2.0 * (speed - wish))
 
 
-def _behind(speed: float, row: NDArray[np.float64], free: float) -> float:
+def pressed(acceleration: float, body: Limits) -> float:
+    """The pedal for an acceleration [m/s²]: as SafeBench presses a car's, and as much farther as a body is weaker."""
+    return acceleration / (3.0 * body.throttle / CAR.throttle) if acceleration > 0.0 else acceleration / body.brake
+
+
+def _behind(speed: float, row: NDArray[np.float64], free: float, body: Limits) -> float:
     """Acceleration [m/s²] with regard to one actor; `free` if it is not and will not be in the way."""
     along, beside, _, _, vx, vy = row[1:7].tolist()
     turned, half_length, half_width = row[7:10].tolist()
     reach = half_length * abs(math.cos(turned)) + half_width * abs(math.sin(turned))
     breadth = half_length * abs(math.sin(turned)) + half_width * abs(math.cos(turned))
-    room = along - reach - _CAR.length / 2
+    room = along - reach - body.length / 2
     if along < 0.0:
         return free
-    corridor = _CAR.width / 2 + breadth + MARGIN
+    corridor = body.width / 2 + breadth + MARGIN
     inside = np.abs(beside + vy * FORESIGHT) < corridor
     # In the way when the ego gets there; whoever has passed by then is not.
     ahead = along + (vx - speed) * FORESIGHT
-    meets = inside & (ahead < speed * 1.0 + reach + _CAR.length) & (ahead > -reach - _CAR.length)
+    meets = inside & (ahead < speed * 1.0 + reach + body.length) & (ahead > -reach - body.length)
     if not (inside[0] or meets.any()):
         return free
     lead = max(vx, 0.0) if inside[0] or vx > 2.0 * abs(vy) else 0.0
@@ -85,7 +96,7 @@ def _behind(speed: float, row: NDArray[np.float64], free: float) -> float:
     distance = max(room - 1.0, 0.1)
     needed = closing * closing / (2.0 * distance) if closing > 0.0 else 0.0
     if needed > EMERGENCY:
-        return -min(1.3 * needed, _CAR.brake)
+        return -min(1.3 * needed, body.brake)
     wanted = GAP + speed * HEADWAY + speed * closing / (2.0 * math.sqrt(ACCELERATION * COMFORTABLE))
     return max(free - ACCELERATION * (max(wanted, GAP) / max(room, 0.5)) ** 2, -COMFORTABLE)
 
@@ -103,8 +114,8 @@ def curve_speed(points: NDArray[np.float64]) -> float:
 
 
 def _steering(observation: Observation) -> float:
-    """Toward the nearest of the points ahead on the route."""
+    """Toward the nearest of the points ahead on the route, as a car's wheel turns there (`controls`)."""
     x, y = observation[4:6].tolist()
     curvature = 2.0 * y / max(x * x + y * y, 1.0)
-    wheel = math.atan(_CAR.wheelbase * curvature)
-    return max(-1.0, min(1.0, -wheel / _CAR.wheel_angle / 0.3))
+    wheel = math.atan(CAR.wheelbase * curvature)
+    return max(-1.0, min(1.0, -wheel / CAR.wheel_angle / 0.3))

@@ -17,9 +17,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.ego.intelligent_driver import curve_speed
+from chatscene.ego.intelligent_driver import CAR, curve_speed, pressed
 from chatscene.ego.observation import AHEAD, OWN, PER_ACTOR, ROAD, Observation
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import Limits
 
 DT = 0.2  # [s]
 TIMES = np.arange(1, 21) * DT
@@ -27,7 +27,6 @@ _ACCELERATIONS = (-8.0, -5.0, -3.0, -1.5, 0.0, 1.5, 3.0)  # [m/s²]
 _SHIFTS = (0.0, 1.2, -1.2, 2.4, -2.4, 3.6, -3.6)  # [m, positive = left of the route]
 ACCELERATION = np.repeat(_ACCELERATIONS, len(_SHIFTS))  # of each way
 SHIFT = np.tile(_SHIFTS, len(_ACCELERATIONS))
-_GAIN = TIMES[:, None] * ACCELERATION  # [m/s]
 MOVING, WAITING = 0.5, 1.5  # [m/s]: from here on somebody may brake or speed up; up to here, step into the way
 BESIDE, NEAR = 1.6, 8.0  # [m] from the route: who stands between these may step into it
 REACTION = 0.3  # [s] before somebody who stands sets out
@@ -36,7 +35,6 @@ FASTEST = 12.0  # [m/s] up to which others are expected to speed up
 AT_ONCE = 1.6  # [m] of a shift that is steered for at once
 SHORTEST = 5.0  # [m] ahead that is steered for
 
-_CAR = LIMITS["Car"]
 Array = NDArray[np.float64]
 
 
@@ -134,39 +132,47 @@ class Planner:
     Args:
         caution: What its ways are weighed by.
         name: How it is called in tables.
+        body: What the vehicle can do that it drives.
 
     Attributes:
         caution: As it was given.
+        body: As it was given.
         discount: (T,) what a crash that is expected then counts.
     """
 
     observation = "road"
     pedals = "full-brake"
 
-    def __init__(self, caution: Caution | None = None, *, name: str = "planner") -> None:
-        self.name = name
+    def __init__(self, caution: Caution | None = None, *, name: str = "planner", body: Limits = CAR) -> None:
+        self.name, self.body = name, body
+        self._acceleration = np.minimum(np.maximum(ACCELERATION, -body.brake), body.throttle)  # of each way
+        self._gain = TIMES[:, None] * self._acceleration  # [m/s]
         self.caution = caution or Caution()
         self.discount = np.array([math.exp(-time / self.caution.patience) for time in TIMES.tolist()])
 
     def wanting(self, speed: float) -> Planner:
         """The same driver with another wanted speed [m/s]."""
-        return Planner(replace(self.caution, speed=speed), name=self.name)
+        return Planner(replace(self.caution, speed=speed), name=self.name, body=self.body)
+
+    def driving(self, body: Limits) -> Planner:
+        """The same driver in another vehicle."""
+        return Planner(self.caution, name=self.name, body=body)
 
     def act(self, observation: Observation) -> tuple[float, float]:
         """Acceleration and steering in [-1, 1] for one step."""
-        return carried_out(observation, self.choose(observation), self.caution.speed)
+        return carried_out(observation, self.choose(observation), self.caution.speed, self.body)
 
     def choose(self, observation: Observation) -> int:
         """The way that costs least, an index into `ACCELERATION` and `SHIFT`."""
         c = self.caution
         speed, offset = float(observation[0]), float(observation[1])
         wish = min(c.speed, curve_speed(observation[4:OWN].reshape(-1, 2)))
-        speeds = np.minimum(np.maximum(speed + _GAIN, 0.0), max(wish, speed - 3.0 * DT))  # (T, ways)
+        speeds = np.minimum(np.maximum(speed + self._gain, 0.0), max(wish, speed - 3.0 * DT))  # (T, ways)
         gone = speeds.cumsum(axis=0) * DT
         reach = np.minimum(c.drift, c.agility * speeds).cumsum(axis=0) * DT
-        shift = _shifts(observation)
+        shift = _shifts(observation, self.body)
         beside = offset + np.minimum(np.maximum(shift - offset, -reach), reach)
-        cost = c.jerk * (ACCELERATION * ACCELERATION) - gone[-1] + c.resolve * np.abs(shift - offset)
+        cost = c.jerk * (self._acceleration * self._acceleration) - gone[-1] + c.resolve * np.abs(shift - offset)
         off = c.offset * (beside * beside) + c.astray * np.maximum(np.abs(beside) - 2.0, 0.0)
         cost += np.add.reduce(off, axis=0) * DT
         rows = observation[OWN:ROAD].reshape(-1, PER_ACTOR)
@@ -213,8 +219,8 @@ class Planner:
 
     def _danger(self, others: _Others, offset: float, speeds: Array, gone: Array, beside: Array) -> Array:
         """(ways,) what the crashes cost that each way may come to, and passing by too near."""
-        c = self.caution
-        along, across = _CAR.length / 2 + others.half_along, _CAR.width / 2 + others.half_beside  # (T, H)
+        c, body = self.caution, self.body
+        along, across = body.length / 2 + others.half_along, body.width / 2 + others.half_beside  # (T, H)
         # Who is nearer than we want already is not to stop us from moving away.
         apart, aside = np.abs(others.now_along) - along[0], np.abs(others.now_beside - offset) - across[0]
         room = np.where(aside < c.side + 0.2, np.minimum(np.maximum(apart - 0.1, 0.05), c.room), c.room)
@@ -237,29 +243,30 @@ def hardened() -> Planner:
     return Planner(HARDENED, name="hardened")
 
 
-def carried_out(observation: Observation, way: int, at_most: float) -> tuple[float, float]:
+def carried_out(observation: Observation, way: int, at_most: float, body: Limits = CAR) -> tuple[float, float]:
     """Acceleration and steering in [-1, 1] of one step of a way.
 
     Args:
         observation: The preset ``road``, or ``actors``, which has no edge of the road.
         way: Index into `ACCELERATION` and `SHIFT`.
         at_most: The speed that is not to be exceeded [m/s]; curves may allow less.
+        body: What the vehicle can do.
     """
     speed, offset = float(observation[0]), float(observation[1])
     wish = min(at_most, curve_speed(observation[4:OWN].reshape(-1, 2)))
-    acceleration = float(ACCELERATION[way])
+    acceleration = min(max(float(ACCELERATION[way]), -body.brake), body.throttle)
     if acceleration >= 0.0 and speed >= wish - 0.05:
         acceleration = max(-3.0, 2.0 * (wish - speed))
-    pedal = acceleration / 3.0 if acceleration > 0.0 else acceleration / _CAR.brake
-    shift = offset + max(-AT_ONCE, min(AT_ONCE, float(_shifts(observation)[way]) - offset))
+    pedal = pressed(acceleration, body)
+    shift = offset + max(-AT_ONCE, min(AT_ONCE, float(_shifts(observation, body)[way]) - offset))
     return max(-1.0, min(1.0, pedal)), _steering(observation, speed, shift)
 
 
-def _shifts(observation: Observation) -> Array:
-    """(ways,) where each way leads beside the route [m]: with the whole car on the driving lanes, if they are seen."""
+def _shifts(observation: Observation, body: Limits) -> Array:
+    """(ways,) where each way leads beside the route [m]: with the whole body on the driving lanes, if they are seen."""
     if len(observation) <= ROAD:
         return SHIFT
-    left, right = np.maximum(observation[ROAD:] - _CAR.width / 2, 0.0)
+    left, right = np.maximum(observation[ROAD:] - body.width / 2, 0.0)
     return np.minimum(np.maximum(SHIFT, -right), left)
 
 
@@ -312,14 +319,14 @@ def _straight(points: list[list[float]], rows: Array, along: Array, beside: Arra
 
 
 def _steering(observation: Observation, speed: float, shift: float) -> float:
-    """Pure pursuit of a point ahead, `shift` [m] left of the route."""
+    """Pure pursuit of a point ahead, `shift` [m] left of the route, as a car's wheel turns there (`controls`)."""
     look = max(SHORTEST, 0.9 * speed)
     xs, ys = observation[4:OWN:2].tolist(), observation[5:OWN:2].tolist()
     way = math.atan2(ys[1] - ys[0], xs[1] - xs[0])
     x = _between(look, xs) - math.sin(way) * shift
     y = _between(look, ys) + math.cos(way) * shift
-    wheel = math.atan(_CAR.wheelbase * 2.0 * y / max(x * x + y * y, 1.0))
-    return max(-1.0, min(1.0, -wheel / _CAR.wheel_angle / 0.3))
+    wheel = math.atan(CAR.wheelbase * 2.0 * y / max(x * x + y * y, 1.0))
+    return max(-1.0, min(1.0, -wheel / CAR.wheel_angle / 0.3))
 
 
 def _between(ahead: float, values: list[float]) -> float:

@@ -13,8 +13,9 @@ from typing import Any, Protocol
 from chatscene.ego.observation import IN_WORDS, Observation, check_preset
 from chatscene.errors import ChatSceneError, EgoError
 from chatscene.plugins import Kind, make
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import LIMITS, Limits
 from chatscene.terms.pointing import place_in, pointed, told
+from chatscene.terms.scene import CAR, ScenicProgram
 
 FAR = 1.1  # of an action; what is less beyond [-1, 1] is a network's rounding
 _PACKAGE = Path(__file__).parents[1]
@@ -34,6 +35,8 @@ class EgoPolicy(Protocol):
         pedals: Which of `PEDALS` its actions go through; ``safebench`` if it does not say.
         reset: Called without arguments before each episode.
         wanting: Called with a speed [m/s], gives an ego that is like it and wants to drive at that; see `wanting`.
+        driving: Called with what a kind of vehicle can do, gives an ego that is like it and knows that it drives such
+            a one, and no car; see `fitted`.
     """
 
     def act(self, observation: Observation) -> tuple[float, float]:
@@ -69,6 +72,23 @@ def wanting(ego: EgoPolicy, speed: float | None) -> EgoPolicy:
     """
     made: Callable[[float], EgoPolicy] | None = getattr(ego, "wanting", None)
     return ego if speed is None or made is None else made(speed)
+
+
+def knows_body(ego: EgoPolicy) -> bool:
+    """Whether an ego can be told what kind of vehicle it drives."""
+    return hasattr(ego, "driving")
+
+
+def fitted(ego: EgoPolicy, program: ScenicProgram) -> EgoPolicy:
+    """An ego that drives as a program has it, where it can be told: at the speed that it wants, in the body it has.
+
+    Args:
+        ego: Which.
+        program: What it is to drive in.
+    """
+    ego = wanting(ego, program.wanted_speed)
+    made: Callable[[Limits], EgoPolicy] | None = getattr(ego, "driving", None)
+    return ego if made is None or program.ego_kind == CAR else made(program.ego_limits)
 
 
 def failed(ego: EgoPolicy, error: BaseException, when: str) -> EgoError:
@@ -198,12 +218,22 @@ PEDALS: dict[str, float] = {"safebench": 0.375, "full-brake": 1.0}
 """How an acceleration becomes pedals, by name, and the hardest brake each can command."""
 
 
-def controls(action: Any, pedals: str = "safebench") -> tuple[float, float, float]:
+TURNED = 0.3
+"""Of a car's wheel, the most that an ego can command."""
+_CAR = LIMITS[CAR]
+
+
+def controls(action: Any, pedals: str = "safebench", body: Limits = _CAR) -> tuple[float, float, float]:
     """Throttle, brake and steering for an action, as SafeBench maps it.
 
     Acceleration is three times the first number [m/s²]: throttle = a/3 when positive, else brake = -a/8, so that
     the hardest brake an ego can command is 0.375; ``full-brake`` stretches braking to the whole pedal. Steering is
-    0.3 times the second.
+    0.3 times the second, of a car; any other body turns on the circle on which a car then turns.
+
+    Args:
+        action: What an ego answers.
+        pedals: Which of `PEDALS` it goes through.
+        body: What its vehicle can do.
 
     Raises:
         EgoError: The action is not two finite numbers.
@@ -216,7 +246,15 @@ def controls(action: Any, pedals: str = "safebench") -> tuple[float, float, floa
     if not (math.isfinite(acceleration) and math.isfinite(steering)):
         raise EgoError(f"an ego returned {action!r}; acceleration and steering must be finite")
     acceleration = min(max(acceleration, -1.0), 1.0)
-    steer = 0.3 * min(max(steering, -1.0), 1.0)
+    steer = wheel_of(body, TURNED * min(max(steering, -1.0), 1.0))
     if acceleration > 0.0:
         return acceleration, 0.0, steer
     return 0.0, -acceleration * PEDALS[pedals], steer
+
+
+def wheel_of(body: Limits, steer: float) -> float:
+    """The share of its wheel angle with which a body turns on the circle on which a car turns with another share."""
+    if body.wheelbase == _CAR.wheelbase and body.wheel_angle == _CAR.wheel_angle:
+        return steer
+    turned = math.atan(body.wheelbase * (math.tan(steer * _CAR.wheel_angle) / _CAR.wheelbase)) / body.wheel_angle
+    return min(max(turned, -1.0), 1.0)

@@ -275,16 +275,17 @@ def _junction_route(
     )
 
 
-def from_line(network: Any, route: Route) -> tuple[Route, Polyline | None]:
+def from_line(network: Any, route: Route, to_line: float = TO_LINE) -> tuple[Route, Polyline | None]:
     """A route that begins where a car waits that wants into its junction, and the way to there; as it is without one.
 
     Args:
         network: Scenic's road network.
         route: A route from `find_routes`.
+        to_line: How far its middle is from the junction's entry [m].
     """
     if route.junction is None:
         return route, None
-    begin = route.event_at - TO_LINE
+    begin = route.event_at - to_line
     x, y = route.line.point_at(begin)
     lanes = list(route.lane_ids)
     while len(lanes) > 1 and not shapely.contains_xy(network.elements[lanes[0]].polygons, x, y):
@@ -294,7 +295,7 @@ def from_line(network: Any, route: Route) -> tuple[Route, Polyline | None]:
         id=f"{route.id}-at-line",
         line=route.line.between(begin, route.length),
         lane_ids=tuple(lanes),
-        event_at=TO_LINE,
+        event_at=to_line,
     )
     return cut, route.line.between(0.0, begin)
 

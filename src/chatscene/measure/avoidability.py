@@ -22,11 +22,11 @@ from chatscene.ego.policy import PEDALS, EgoPolicy, begin, pedals_of
 from chatscene.measure.instead import drive_instead
 from chatscene.simulate.simulator import Simulator
 from chatscene.simulate.watchdog import time_limit
-from chatscene.terms.actors import LIMITS, has_lamps
+from chatscene.terms.actors import LIMITS, Limits, has_lamps
 from chatscene.terms.braking import Braking
 from chatscene.terms.episode import Array, Episode, Role, Track
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.scene import Scene, ScenicProgram
+from chatscene.terms.scene import CAR, Scene, ScenicProgram
 
 RISK_EVALUATION = 0.4  # [s] (UN R157, annex 3)
 BRAKING_DELAY = 0.75  # [s] from having judged until braking begins (the same)
@@ -120,9 +120,12 @@ def crashes_braking_from(
         SimulationError: The scene cannot be driven again.
         EgoError: The ego fails this time.
     """
-    braking = careful_braking(step, dt, simulator.identity.brake_lag, not_over_before=not_over_before)
+    lag = simulator.identity.brake_lag
+    if lag and program.ego_kind != CAR:
+        lag = program.ego_limits.brake_lag
+    braking = careful_braking(step, dt, lag, not_over_before=not_over_before)
     return drive_instead(
-        CarefulDriver(ego, braking, dt),
+        CarefulDriver(ego, braking, dt, program.ego_limits),
         ego,
         program,
         scene,
@@ -153,8 +156,8 @@ def careful_braking(step: int, dt: float, brake_lag: float = 0.0, *, not_over_be
 class CarefulDriver:
     """Another ego until a step, then the brake of the careful driver; the other's steering throughout."""
 
-    def __init__(self, ego: EgoPolicy, braking: Braking, dt: float) -> None:
-        self._ego = ego
+    def __init__(self, ego: EgoPolicy, braking: Braking, dt: float, body: Limits = LIMITS[CAR]) -> None:
+        self._ego, self._body = ego, body
         self._scale = PEDALS[pedals_of(ego)]
         self._braking = braking
         self.begins = braking.begins
@@ -172,9 +175,8 @@ class CarefulDriver:
         if acceleration < 0.0:
             acceleration *= self._scale
         if self._step >= self.begins:
-            car = LIMITS["Car"]
             wish = self._braking.wish(self._step, self._dt)
-            acceleration = min(acceleration, -max(0.0, wish - car.drag) / car.brake)
+            acceleration = min(acceleration, -max(0.0, wish - self._body.drag) / self._body.brake)
         self._step += 1
         return acceleration, steering
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import PEDALS, EgoPolicy, begin, name_of, observation_of, pedals_of, wanting
+from chatscene.ego.policy import PEDALS, EgoPolicy, begin, fitted, name_of, observation_of, pedals_of
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -30,7 +30,7 @@ def branch(
         EgoError: An ego fails.
         ProgramError: The program's own code fails.
     """
-    ego, to = (wanting(one, program.wanted_speed) for one in (ego, to))
+    ego, to = (fitted(one, program) for one in (ego, to))
     first = _Noted(ego)
     driven = simulate(simulator, program, scene, first)
     return driven if isinstance(driven, Rejected) else simulate(simulator, program, scene, _After(first, to, step))

@@ -19,11 +19,11 @@ from chatscene.program.without import Placing, placings, without
 from chatscene.simulate.boxes import least_gap
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.simulate.watchdog import time_limit
-from chatscene.terms.actors import LIMITS, named
+from chatscene.terms.actors import LIMITS, Limits, named
 from chatscene.terms.braking import STANDING
 from chatscene.terms.episode import Episode, Event, Track
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.terms.scene import CAR, Rejected, Scene, ScenicProgram
 
 FINENESS = 0.1  # [m/s], of how much slower the ego is tried
 LEAST_SHARE = 0.5  # of its highest speed; to go at less than half is no small change
@@ -286,7 +286,7 @@ def latest_braking(trial: Trial) -> Braking | None:
     return Braking(
         step=latest,
         own=_own_braking(trial.episode, trial.crash.step),
-        deceleration=PEDALS[pedals_of(trial.ego)] * LIMITS["Car"].brake,
+        deceleration=PEDALS[pedals_of(trial.ego)] * trial.program.ego_limits.brake,
     )
 
 
@@ -300,7 +300,7 @@ def highest_speed(trial: Trial) -> Slower | None:
     count = int(highest * (1.0 - LEAST_SHARE) / FINENESS + 1e-9)
 
     def avoided(less: int) -> bool:
-        driver = _Limited(trial.ego, highest - less * FINENESS, trial.episode.dt)
+        driver = _Limited(trial.ego, highest - less * FINENESS, trial.episode.dt, trial.program.ego_limits)
         return trial.instead(driver, pedals_of(trial.ego), trial.crash.step)
 
     least = _first_of_run(range(1, count + 1), avoided)
@@ -358,10 +358,10 @@ class _Limited:
 
     begins = 0
 
-    def __init__(self, ego: EgoPolicy, limit: float, dt: float) -> None:
-        self._ego, self._limit, self._dt = ego, limit, dt
+    def __init__(self, ego: EgoPolicy, limit: float, dt: float, body: Limits = LIMITS[CAR]) -> None:
+        self._ego, self._limit, self._dt, self._body = ego, limit, dt, body
         self._speed_at = SPEED_AT[observation_of(ego)]
-        self._brake = PEDALS[pedals_of(ego)] * LIMITS["Car"].brake
+        self._brake = PEDALS[pedals_of(ego)] * body.brake
         begin(ego)
 
     def skip(self) -> None:
@@ -370,7 +370,7 @@ class _Limited:
     def act(self, observation: Observation) -> tuple[float, float]:
         acceleration, steering = self._ego.act(observation)
         most = (self._limit - float(observation[self._speed_at])) / self._dt  # [m/s²]
-        allowed = most / LIMITS["Car"].throttle if most > 0.0 else max(most, -COMFORTABLE) / self._brake
+        allowed = most / self._body.throttle if most > 0.0 else max(most, -COMFORTABLE) / self._brake
         return min(acceleration, allowed), steering
 
 

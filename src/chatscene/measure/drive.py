@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from chatscene.ego.policy import EgoPolicy, name_of, takes_speed, wanting
+from chatscene.ego.policy import EgoPolicy, fitted, knows_body, name_of, takes_speed
 from chatscene.measure.avoidability import avoidable
 from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
@@ -12,11 +12,12 @@ from chatscene.measure.score import columns, measure
 from chatscene.measure.unplayed import unplayed
 from chatscene.program.shown import shown
 from chatscene.simulate.simulator import Simulator, simulate
+from chatscene.terms.actors import noun_of
 from chatscene.terms.criticality import Criticality, Fault
 from chatscene.terms.episode import Episode
 from chatscene.terms.metrics import Measurements
 from chatscene.terms.scenario import Said
-from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.terms.scene import CAR, Rejected, Scene, ScenicProgram
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,7 +69,7 @@ def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simula
         EgoError: The ego fails.
         ProgramError: The program's own code fails.
     """
-    ego = wanting(ego, program.wanted_speed)
+    ego = fitted(ego, program)
     episode = simulate(simulator, program, scene, ego)
     if isinstance(episode, Rejected):
         return episode
@@ -92,7 +93,12 @@ def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simula
 
 
 def _not_kept_to(program: ScenicProgram, ego: EgoPolicy) -> list[str]:
-    """Whether a program wants a speed of its ego, and this one drives at its own."""
-    if program.wanted_speed is None or program.as_written or takes_speed(ego):
+    """What a program wants of its ego, its speed or its kind of vehicle, that this one does not take."""
+    if program.as_written:
         return []
-    return [f"the ego is to drive at {program.wanted_speed:g} m/s, and {name_of(ego)} drives at a speed of its own"]
+    told: list[str] = []
+    if program.wanted_speed is not None and not takes_speed(ego):
+        told = [f"the ego is to drive at {program.wanted_speed:g} m/s, and {name_of(ego)} drives at a speed of its own"]
+    if program.ego_kind != CAR and not knows_body(ego):
+        told.append(f"the ego is no car ({noun_of(program.ego_kind)}), and {name_of(ego)} drives it as if it were one")
+    return told

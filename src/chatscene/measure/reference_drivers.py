@@ -26,7 +26,7 @@ from chatscene.measure.avoidability import BRAKING_DELAY, FULL_BRAKE, HORIZON, R
 from chatscene.measure.instead import drive_instead
 from chatscene.simulate.simulator import Session, Simulator
 from chatscene.simulate.watchdog import time_limit
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import Limits
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import Scene, ScenicProgram
@@ -139,7 +139,7 @@ def by_rule(rule: Rule) -> Judge:
         if episode.collision is None:
             return None
         line = simulator.route_in(program, scene).line
-        driver = _ByRule(ego, rule, line, episode.collision.other, episode.dt)
+        driver = _ByRule(ego, rule, line, episode.collision.other, episode.dt, program.ego_limits)
         return _avoids(driver, driver.watch, episode, program, scene, ego, simulator)
 
     return judge
@@ -223,8 +223,9 @@ class _InPlace:
 class _ByRule(_InPlace):
     """Brakes as a rule wants, `BRAKING_DELAY` after it first does, and with no more than `JERK`."""
 
-    def __init__(self, ego: EgoPolicy, rule: Rule, line: Polyline, other: str, dt: float) -> None:
+    def __init__(self, ego: EgoPolicy, rule: Rule, line: Polyline, other: str, dt: float, body: Limits) -> None:
         super().__init__(ego, dt)
+        self._body = body
         self._rule, self._line, self._other = rule, line, other
         self._left = BRAKING_DELAY
         self._pressed = 0.0
@@ -237,9 +238,8 @@ class _ByRule(_InPlace):
         self._pressed = min(wish, self._pressed + JERK * self._dt) if braked else 0.0
         if wish > 0.0:
             acceleration = min(acceleration, 0.0)  # the foot leaves the throttle at once
-        car = LIMITS["Car"]
         if self._pressed > 0.0:
-            acceleration = min(acceleration, -max(0.0, self._pressed - car.drag) / car.brake)
+            acceleration = min(acceleration, -max(0.0, self._pressed - self._body.drag) / self._body.brake)
         return acceleration, steering
 
     def _wish(self) -> float:

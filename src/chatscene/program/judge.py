@@ -110,6 +110,9 @@ class _Judge:
         yield from of_road(self.situation, self.episode, self.route, until)
         ego = self.situation.ego
         speed = self.episode.ego_track.speed[:until]
+        if ego.kind is not None:
+            kind = self.episode.ego_track.kind
+            yield Finding(path="ego.kind", shown=kind == ego.kind.scenic, told=f"said {ego.kind}, it is a {kind}")
         if ego.speed is not None:
             yield self.measure.number("ego.speed", ego.speed, speed, SLACK_SPEED, "drives at", most=True)
         for k, deed in enumerate(ego.does):

@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from chatscene.ego.policy import wanting
+from chatscene.ego.policy import fitted
 from chatscene.errors import RunError
 from chatscene.measure.avoidability import braking_step, crashes_braking_from, risk_step
 from chatscene.measure.counterfactual import (
@@ -398,7 +398,7 @@ def trial_in(made: Remade, row: Mapping[str, Any]) -> Trial:
     """
     program, simulator = made.program, made.simulator
     scene = scene_of(row, program)
-    ego = wanting(made.ego, program.wanted_speed)
+    ego = fitted(made.ego, program)
     episode = simulate(simulator, program, scene, ego)
     if isinstance(episode, Rejected) or episode.collision is None:
         raise RunError(f"scene {scene.id!r} crashed when it was made and does not now; `chatscene replay` says more")

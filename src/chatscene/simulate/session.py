@@ -60,6 +60,7 @@ class SteppedSession:
         orders: What the ego is held to.
         others: Everybody but the ego, whether each walks, and from how far it is seen [m].
         observation: What the ego sees now.
+        limits: What the ego's kind of vehicle can do.
         ending: Why it ended, or None while it goes on.
         rejection: Why the program itself rejects it, or empty.
         step_number: How many steps were made.
@@ -94,7 +95,7 @@ class SteppedSession:
         self._ego = body
         self.orders = () if program.as_written else _orders(objects[0], label)
         _check_wanted(objects[0], program, label)
-        self._limits = LIMITS.get(kind_of(objects[0]), LIMITS["Car"])
+        self.limits = LIMITS.get(kind_of(objects[0]), LIMITS["Car"])
         self.simulation = simulation
         self.route = route
         self.around = around
@@ -157,7 +158,7 @@ class SteppedSession:
         """
         self.check_open()
         body, simulation = self._ego, self.simulation
-        pressed = controls(action, self.pedals)
+        pressed = controls(action, self.pedals, self.limits)
         if not self._as_written:
             body.throttle, body.brake, body.steer = pressed
         if self.orders:
@@ -169,7 +170,7 @@ class SteppedSession:
                 along=self._view.along,
                 speed=body.speed,
                 dt=dt,
-                limits=self._limits,
+                limits=self.limits,
             )
         if not self._go_on(simulation.advance):
             return

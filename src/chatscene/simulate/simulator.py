@@ -14,12 +14,12 @@ from chatscene.ego.policy import (
     EgoPolicy,
     begin,
     failed,
+    fitted,
     is_cut_off,
     name_of,
     observation_of,
     pedals_of,
     tell_cut_off,
-    wanting,
 )
 from chatscene.errors import EgoError, MapError, SettingsError, StuckBehavior
 from chatscene.plugins import Kind, make, without_address
@@ -179,7 +179,7 @@ def simulate(
         ProgramError: The program does not compile, or its own code fails.
         StuckBehavior: The program does not come to its end.
     """
-    ego = wanting(ego, program.wanted_speed)
+    ego = fitted(ego, program)
     with time_limit(f"scene {scene.id!r}"):
         session = simulator.open(
             program,

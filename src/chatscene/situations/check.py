@@ -14,7 +14,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
 from chatscene.terms.pointing import meant
 from chatscene.terms.situation import EGO, Deed, Lateral, Other, Situation
-from chatscene.terms.vocabulary import Act, Breach, EgoRoute, RightOfWay, RoadKind
+from chatscene.terms.vocabulary import Act, Breach, EgoRoute, RightOfWay, RoadKind, UserKind
 
 JUNCTIONS = frozenset(
     (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY, RoadKind.ROUNDABOUT, RoadKind.RAIL_CROSSING)
@@ -55,6 +55,10 @@ def faults_of(situation: Situation) -> Iterator[Fault]:
         yield from _of_other(situation, one, at)
     if situation.others and not situation.adversaries:
         yield Fault(("others",), "nobody is the adversary; who meets the ego has the role 'adversary'")
+    if (kind := situation.ego.kind) is not None and not kind.may_be_ego:
+        kinds = ", ".join(one for one in UserKind if one.may_be_ego)
+        no = "says nothing of what it is, so leave it out" if kind.row.general else _WAYS[kind.moves]
+        yield Fault(("ego", "kind"), f"{kind!s} {no}; the ego drives or rides, as one of {kinds}")
     for i, deed in enumerate(situation.ego.does):
         if not deed.act.row.ego:
             acts = ", ".join(act for act in Act if act.row.ego)

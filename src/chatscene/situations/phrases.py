@@ -52,6 +52,7 @@ class Me:
         its: What is its own, of several of a kind.
         itself: As whom it does something to.
         several: Whether its verbs are those of several.
+        has: How it is told what the ego is; ``{kind}`` is that, with its article, ``{goes}`` the verb of who has it.
     """
 
     does: str
@@ -60,12 +61,21 @@ class Me:
     its: str
     itself: str
     several: bool
+    has: str
 
 
 VOICES: Mapping[Voice, Me] = {
-    Voice.PLAIN: Me(does="we", object="us", own="our", its="ours", itself="ourselves", several=True),
+    Voice.PLAIN: Me(
+        does="we", object="us", own="our", its="ours", itself="ourselves", several=True, has="{goes} {kind}"
+    ),
     Voice.PROTOCOL: Me(
-        does="the SV", object="the SV", own="the SV's", its="the one of the SV", itself="itself", several=False
+        does="the SV",
+        object="the SV",
+        own="the SV's",
+        its="the one of the SV",
+        itself="itself",
+        several=False,
+        has="[are/is] {kind}",
     ),
 }
 
@@ -75,7 +85,7 @@ class Way:
     """How a route is told.
 
     Attributes:
-        does: What the ego does.
+        does: What the ego does; ``{goes}`` is the verb for its way of moving.
         paced: Whether a speed stands behind it; else it drives at that speed, and does this.
         at: The place that the words name already.
     """
@@ -86,7 +96,7 @@ class Way:
 
 
 ROUTES: Mapping[EgoRoute, Way] = {
-    EgoRoute.STRAIGHT: Way(does="[drive/drives/driving] straight on", paced=True),
+    EgoRoute.STRAIGHT: Way(does="{goes} straight on", paced=True),
     EgoRoute.LEFT_TURN: Way(does="[turn/turns/turning] left"),
     EgoRoute.RIGHT_TURN: Way(does="[turn/turns/turning] right"),
     EgoRoute.TURN: Way(does="[make/makes/making] a turn"),
@@ -98,8 +108,8 @@ ROUTES: Mapping[EgoRoute, Way] = {
     EgoRoute.OVERTAKE: Way(does="[overtake/overtakes/overtaking]"),
     EgoRoute.MERGE: Way(does="[merge/merges/merging]"),
     EgoRoute.EXIT: Way(does="[leave/leaves/leaving] the road by a ramp", at=RoadKind.RAMP),
-    EgoRoute.ROUNDABOUT: Way(does="[drive/drives/driving] through a roundabout", paced=True, at=RoadKind.ROUNDABOUT),
-    EgoRoute.REVERSE: Way(does="[drive/drives/driving] backwards", paced=True),
+    EgoRoute.ROUNDABOUT: Way(does="{goes} through a roundabout", paced=True, at=RoadKind.ROUNDABOUT),
+    EgoRoute.REVERSE: Way(does="{goes} backwards", paced=True),
     EgoRoute.LEAVE_PARKING: Way(does="[leave/leaves/leaving] a parking place"),
     EgoRoute.PARK: Way(does="[park/parks/parking]"),
     EgoRoute.ENTER_DRIVEWAY: Way(does="[turn/turns/turning] into a driveway"),
@@ -186,12 +196,14 @@ class Noun:
         many: More than one.
         goes: The verb for its way of moving.
         somebody: Whether it is a person, whom nobody calls *it*.
+        vehicle: Of such a person, what is driven or ridden, with its article.
     """
 
     one: str
     many: str
     goes: str
     somebody: bool = False
+    vehicle: str = ""
 
 
 _DRIVES, _RIDES = "[drive/drives/driving]", "[ride/rides/riding]"
@@ -204,9 +216,13 @@ KINDS: Mapping[UserKind, Noun] = {
     UserKind.BUS: Noun(one="a bus", many="buses", goes=_DRIVES),
     UserKind.TRACTOR: Noun(one="a tractor", many="tractors", goes=_DRIVES),
     UserKind.TRAM: Noun(one="a tram", many="trams", goes=_RUNS),
-    UserKind.MOTORCYCLE: Noun(one="a motorcyclist", many="motorcyclists", goes=_RIDES, somebody=True),
-    UserKind.BICYCLE: Noun(one="a cyclist", many="cyclists", goes=_RIDES, somebody=True),
-    UserKind.E_SCOOTER: Noun(one="an e-scooter rider", many="e-scooter riders", goes=_RIDES, somebody=True),
+    UserKind.MOTORCYCLE: Noun(
+        one="a motorcyclist", many="motorcyclists", goes=_RIDES, somebody=True, vehicle="a motorcycle"
+    ),
+    UserKind.BICYCLE: Noun(one="a cyclist", many="cyclists", goes=_RIDES, somebody=True, vehicle="a bicycle"),
+    UserKind.E_SCOOTER: Noun(
+        one="an e-scooter rider", many="e-scooter riders", goes=_RIDES, somebody=True, vehicle="an e-scooter"
+    ),
     UserKind.EMERGENCY_VEHICLE: Noun(one="an emergency vehicle", many="emergency vehicles", goes=_DRIVES),
     UserKind.VEHICLE: Noun(one="a vehicle", many="vehicles", goes=_DRIVES),
     UserKind.PEDESTRIAN: Noun(one="a pedestrian", many="pedestrians", goes=_WALKS, somebody=True),

@@ -40,6 +40,7 @@ from chatscene.situations.phrases import (
     Voice,
 )
 from chatscene.situations.wording import Form, Words, filled, joined, sentence
+from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
 from chatscene.terms.backing import backs
 from chatscene.terms.situation import EGO, SEVERAL, Contact, Deed, Lateral, Other, Road, Situation, When
@@ -53,7 +54,7 @@ _THAN = re.compile(r" (?P<more>more|less) than the ego$")
 _FASTER = {"more": "faster", "less": "slower"}
 _FIRST_SV = re.compile(r"\b(?P<the>[Tt]he) SV(?P<own>'s)?")
 _A_SENTENCE = 2  # deeds that one holds
-_GOES = "[drive/drives/driving]"
+_GOES, _RIDES = "[drive/drives/driving]", "[ride/rides/riding]"
 _IS = "[are/is/being]"
 
 
@@ -139,12 +140,18 @@ class _Telling:
     def _my_form(self) -> Form:
         return Form.SEVERAL if self._me.several else Form.ONE
 
+    @property
+    def _my_way(self) -> str:
+        """The verb for the ego's way of moving."""
+        kind = self.situation.ego.kind
+        return _RIDES if kind is not None and kind.moves is Moves.RIDES else _GOES
+
     def sentences(self) -> Iterator[Words]:
         """Each sentence, in order."""
         own = tuple(self._deeds(EGO, self._me.does))
         waits = any(name != EGO for deed in self.situation.ego.does for name in _named_by(deed))
         told = (
-            (self._ego(),),
+            (self._vehicle(), self._ego()),
             self._road(),
             () if waits else own,
             self._others(),
@@ -155,15 +162,25 @@ class _Telling:
 
     # The ego and the road
 
+    def _vehicle(self) -> Words:
+        """What the ego is."""
+        kind = self.situation.ego.kind
+        if kind is None:
+            return Words()
+        named = Words(KINDS[kind].vehicle or KINDS[kind].one).tells("ego.kind")
+        slots = {"goes": self._filled(self._my_way, self._my_form), "kind": named}
+        return sentence(self._me.does, " ", self._filled(self._me.has, self._my_form, slots))
+
     def _ego(self) -> Words:
         ego, road = self.situation.ego, self.situation.road
         way = None if ego.route is None else ROUTES[ego.route]
-        does = Words() if way is None else self._filled(way.does, self._my_form).tells("ego.route")
+        goes = {"goes": self._filled(self._my_way, self._my_form)}
+        does = Words() if way is None else self._filled(way.does, self._my_form, goes).tells("ego.route")
         place = Words(ROADS[road.kind]).tells("road.kind") if road.kind is not None else Words()
         if way is not None and way.at is not None and way.at is road.kind:
             does, place = does.tells("road.kind"), Words()
         where = joined(filter(None, (place, _word("road.setting", road.setting, SETTINGS))), by=" ", last=" ")
-        drives = self._filled(_GOES, self._my_form)
+        drives = self._filled(self._my_way, self._my_form)
         if ego.speed is not None:
             pace = self._pace(ego.speed, "ego.speed")
             if way is not None and way.paced:
@@ -363,7 +380,7 @@ class _Telling:
         return Words(name).tells(*paths)
 
     def _goes(self, who: str, form: Form) -> Words:
-        return self._filled(_GOES if who == EGO else KINDS[self.situation[who].kind].goes, form)
+        return self._filled(self._my_way if who == EGO else KINDS[self.situation[who].kind].goes, form)
 
     def _form_of(self, who: str) -> Form:
         return self._my_form if who == EGO else _form(self.situation[who])

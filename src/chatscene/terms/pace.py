@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from chatscene.terms.actors import LIMITS, AdversaryKind, Limits, kind_of
+
 
 @dataclass(frozen=True, slots=True)
 class Pace:
@@ -25,9 +27,25 @@ class Pace:
     @classmethod
     def of(cls, ego: object) -> Pace:
         """Of an ego in a program: the speed that the program wants of it, else the nominal one."""
-        wanted = getattr(ego, "wantedSpeed", None)
-        return NOMINAL if wanted is None else cls(speed=float(wanted), gain=NOMINAL.gain)
+        wanted, gain = getattr(ego, "wantedSpeed", None), gain_in(LIMITS.get(kind_of(ego), _CAR))
+        return cls(speed=NOMINAL.speed if wanted is None else float(wanted), gain=gain)
 
 
 NOMINAL = Pace(speed=7.8, gain=2.3)
 """Of `idm` on an empty road of the packaged town: 41.5 m in the first 7 s, from standstill."""
+_CAR = AdversaryKind.CAR.row.limits
+
+
+def gain_in(body: Limits) -> float:
+    """The acceleration [m/s²] by which an ego in a body gets under way: as in a car, if it is as strong as that asks.
+
+    Args:
+        body: What its vehicle can do.
+    """
+    able = body.throttle * (1.0 - 0.5 * NOMINAL.speed / body.top_speed) - body.drag
+    return min(NOMINAL.gain, able)
+
+
+def usual_speed(body: AdversaryKind) -> float:
+    """What an ego of a kind drives at [m/s] where nothing holds it: as fast for its kind as a car's is for a car."""
+    return NOMINAL.speed * (body.row.fast / AdversaryKind.CAR.row.fast)

@@ -10,10 +10,14 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from chatscene.terms.actors import LIMITS, AdversaryKind, Limits
 from chatscene.terms.snippet import ParameterRange
 
 _WANTED = re.compile(r"^ego\s*=\s*new\b[^#]*?\bwith\s+wantedSpeed\s+(\d+(?:\.\d+)?)\s*(?:,|$)", re.MULTILINE)
+_PLACED = re.compile(r"^ego\s*=\s*new\s+(\w+)", re.MULTILINE)
 
+CAR = AdversaryKind.CAR.row.scenic
+"""The class of an ego of which nothing else is said."""
 OWN_MODEL = "chatscene.world.model"
 """The world model of programs whose scenes are their parameters, no more: Scenic draws nothing in them."""
 
@@ -31,6 +35,7 @@ class ScenicProgram:
         model: The world model that it is written for, as its `model` line says.
         as_written: Whether its own ego drives, as the program has it, and the ego under test only rides along.
         wanted_speed: What the ego under test is to drive at [m/s], as `with wantedSpeed` says; else None.
+        ego_kind: The class of the ego, as the line says that places it; that of a car where none says so.
         own: What a user calls a program of his own, such as its file; empty for one that was made here.
     """
 
@@ -40,6 +45,7 @@ class ScenicProgram:
     snippet_ids: tuple[str, ...]
     digest: str = field(init=False)
     wanted_speed: float | None = field(init=False, compare=False)
+    ego_kind: str = field(init=False, compare=False)
     model: str = OWN_MODEL
     as_written: bool = False
     own: str = field(default="", compare=False)
@@ -50,6 +56,14 @@ class ScenicProgram:
         )
         found = None if self.drawn else _WANTED.search(self.source)
         object.__setattr__(self, "wanted_speed", float(found[1]) if found else None)
+        placed = None if self.drawn else _PLACED.search(self.source)
+        kind = placed[1] if placed else CAR
+        object.__setattr__(self, "ego_kind", kind if kind in LIMITS else CAR)
+
+    @property
+    def ego_limits(self) -> Limits:
+        """What the ego's kind of vehicle can do."""
+        return LIMITS[self.ego_kind]
 
     @property
     def called(self) -> str:

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.amount import Acceleration, Duration, Length, Share, Speed
 from chatscene.terms.surroundings import Light, Surface, Weather
 from chatscene.terms.vocabulary import (
@@ -163,14 +164,21 @@ class Ego(_Closed):
     """The vehicle that is tested.
 
     Attributes:
+        kind: What it is, of those that drive or ride; a car where that was not said.
         route: The way it goes.
         speed: How fast it drives where nothing holds it.
         does: What it does at the pedals before the danger, in order.
     """
 
+    kind: UserKind | None = None
     route: EgoRoute | None = None
     speed: Speed | None = None
     does: tuple[Deed, ...] = ()
+
+    @property
+    def body(self) -> AdversaryKind:
+        """The kind of the world that it is built as."""
+        return (self.kind or UserKind.CAR).row.body
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

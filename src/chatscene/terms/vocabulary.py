@@ -152,7 +152,9 @@ class Feature(Word):
     SCHOOL = ("school", "a school, or a sign for one")
 
 
-# Those others
+# Who there is
+
+_WHEELS = frozenset((Moves.DRIVES, Moves.RIDES))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -220,6 +222,11 @@ class UserKind(RowWord):
     def moves(self) -> Moves:
         """How it moves."""
         return self.row.body.row.manner
+
+    @property
+    def may_be_ego(self) -> bool:
+        """Whether an ego may be said to be one: it drives or rides, and the word says what it is."""
+        return self.moves in _WHEELS and not self.row.general
 
     @property
     def scenic(self) -> str:
@@ -328,7 +335,6 @@ class ActRow:
     lasting: bool = False
 
 
-_WHEELS = frozenset((Moves.DRIVES, Moves.RIDES))
 _FEET = frozenset((Moves.WALKS,))
 _ALL = _WHEELS | _FEET
 _THINGS = _ALL | {Moves.LIES}

@@ -24,7 +24,7 @@ from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
 from chatscene.maps.onward import route_through
 from chatscene.maps.ring_ways import ring_ways
-from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes, from_line
+from chatscene.maps.routes import TO_LINE, CrossingPath, conflicting_paths, find_routes, from_line
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.pace import Pace
 from chatscene.terms.polyline import Polyline
@@ -149,8 +149,12 @@ def _routes(network: Any, map_name: str, query: RouteQuery) -> tuple[Route, ...]
         return str(error)
 
 
-def choose_route(network: Any, map_path: str, index: int, *, at_line: bool = False, **query: Any) -> EgoRoute:
+def choose_route(
+    network: Any, map_path: str, index: int, *, at_line: bool = False, to_line: float = TO_LINE, **query: Any
+) -> EgoRoute:
     """The `index`-th route that the geometry asks for; from its junction's line on, if it is to begin there.
+
+    `to_line` is how far [m] the middle of who waits there is from the junction's entry.
 
     Raises:
         MapError: There are fewer routes than that.
@@ -161,7 +165,7 @@ def choose_route(network: Any, map_path: str, index: int, *, at_line: bool = Fal
             f"map {Path(map_path).stem!r} has {len(routes)} routes for this geometry, so there is no route {index}; "
             f"ask for at most {len(routes)}"
         )
-    route, before = from_line(network, routes[index]) if at_line else (routes[index], None)
+    route, before = from_line(network, routes[index], to_line) if at_line else (routes[index], None)
     return EgoRoute(route, network, len(routes), before)
 
 

@@ -11,6 +11,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from chatscene.ego.intelligent_driver import CAR
 from chatscene.ego.policy import PEDALS
 from chatscene.errors import ChatSceneError
 from chatscene.simulate.native import engine
@@ -138,6 +139,9 @@ class _Binder:
         world.contact, world.most_contacts = self._array(engine.Contact, [], CONTACTS), CONTACTS
         world.limit, world.moving, world.through = session.limit, moving, session.through
         world.preset, world.hardest = PRESETS[session.preset], PEDALS[session.pedals]
+        own = session.limits
+        if (own.wheelbase, own.wheel_angle) != (CAR.wheelbase, CAR.wheel_angle):
+            world.wheelbase, world.wheel_angle = own.wheelbase, own.wheel_angle
         world.dt, world.arrival = session.settings.dt, ARRIVAL * session.route.length
         world.along, world.offset = session.along, session.offset
         if session.preset == "road":

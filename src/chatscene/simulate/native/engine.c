@@ -123,7 +123,7 @@ typedef struct {
 typedef struct {
     int64_t bodies, agents, areas, orders, limit, step, moving, contacts, most_contacts;
     int32_t ending, through, preset, near, fault, unused;
-    double dt, arrival, along, offset, hardest;
+    double dt, arrival, along, offset, hardest, wheelbase, wheel_angle; /* the last two: of an ego that is no car */
     uint64_t touching;
     Body *body;
     Agent *agent;
@@ -915,8 +915,18 @@ static void press(World *w, double acceleration, double steering_) {
     acceleration = 1.0 < acceleration ? 1.0 : acceleration;
     steering_ = steering_ < -1.0 ? -1.0 : steering_;
     double steer = 0.3 * (1.0 < steering_ ? 1.0 : steering_);
+    if (w->wheelbase > 0.0) { /* on the circle on which a car then turns */
+        steer = atan(w->wheelbase * (tan(steer * 1.22) / 2.85)) / w->wheel_angle;
+        steer = steer > -1.0 ? steer : -1.0;
+        steer = steer < 1.0 ? steer : 1.0;
+    }
     if (acceleration > 0.0) step_world(w, acceleration, 0.0, steer);
     else step_world(w, 0.0, -acceleration * w->hardest, steer);
+}
+
+/* chatscene.ego.intelligent_driver.pressed */
+static double pressed(const Limits *car, double a) {
+    return a > 0.0 ? a / (3.0 * car->throttle / 4.5) : a / car->brake;
 }
 
 static double within_one(double value) {
@@ -982,7 +992,7 @@ static void intelligent_driver(const Limits *car, double wanted, const double *s
     }
     double x = seen[4], y = seen[5], chord2 = x * x + y * y;
     double wheel = atan(car->wheelbase * (2.0 * y / (1.0 > chord2 ? 1.0 : chord2)));
-    *acceleration = within_one(a > 0.0 ? a / 3.0 : a / car->brake);
+    *acceleration = within_one(pressed(car, a));
     *steer = within_one(-wheel / car->wheel_angle / 0.3);
 }
 
@@ -994,6 +1004,11 @@ static const double ACCELERATIONS[7] = {-8.0, -5.0, -3.0, -1.5, 0.0, 1.5, 3.0};
 
 static double larger(double a, double b) { return a > b ? a : b; }
 static double smaller(double a, double b) { return a < b ? a : b; }
+
+/* That of a way, as far as the body can. */
+static double acceleration_of(const Limits *car, int way) {
+    return smaller(larger(ACCELERATIONS[way / 7], -car->brake), car->throttle);
+}
 
 typedef struct {
     double along, beside, ahead, left, speed, half_along, half_beside;
@@ -1145,13 +1160,13 @@ static double shift_of(const Limits *car, const double *seen, int chosen) {
 /* One step of a way to a shift, no faster than is wished. */
 static void carry_out(const Limits *car, const double *seen, int chosen, double to, double wish, double *acceleration,
                       double *steer) {
-    double speed = seen[0], offset = seen[1], a = ACCELERATIONS[chosen / 7];
+    double speed = seen[0], offset = seen[1], a = acceleration_of(car, chosen);
     if (a >= 0.0 && speed >= wish - 0.05) a = larger(-3.0, 2.0 * (wish - speed));
     double shift = offset + larger(-1.6, smaller(1.6, to - offset));
     double look = larger(5.0, 0.9 * speed), way = atan2(seen[7] - seen[5], seen[6] - seen[4]);
     double x = between(look, seen + 4) - sin(way) * shift, y = between(look, seen + 5) + cos(way) * shift;
     double chord2 = x * x + y * y, wheel = atan(car->wheelbase * 2.0 * y / larger(chord2, 1.0));
-    *acceleration = within_one(a > 0.0 ? a / 3.0 : a / car->brake);
+    *acceleration = within_one(pressed(car, a));
     *steer = within_one(-wheel / car->wheel_angle / 0.3);
 }
 
@@ -1165,7 +1180,7 @@ static void planner(const Limits *car, const Caution *c, const double *seen, dou
         ways.furthest[t] = ways.leftmost[t] = -INFINITY;
         ways.rightmost[t] = INFINITY;
         for (int w = 0; w < WAYS; w++) {
-            double v = smaller(larger(speed + (t + 1) * STRIDE * ACCELERATIONS[w / 7], 0.0), most);
+            double v = smaller(larger(speed + (t + 1) * STRIDE * acceleration_of(car, w), 0.0), most);
             ways.speed[t][w] = v;
             gone[w] += v;
             reach[w] += smaller(c->drift, c->agility * v);
@@ -1196,7 +1211,7 @@ static void planner(const Limits *car, const Caution *c, const double *seen, dou
     }
     int best = 0;
     for (int w = 0; w < WAYS; w++) {
-        double a = ACCELERATIONS[w / 7];
+        double a = acceleration_of(car, w);
         cost[w] = c->jerk * (a * a) - ways.gone[STEPS - 1][w] + c->resolve * fabs(shift[w] - offset);
         cost[w] += off[w] * STRIDE;
         if (count) cost[w] += danger[w];

@@ -147,7 +147,7 @@ class World(Structure):
             for name in ("bodies", "agents", "areas", "orders", "limit", "step", "moving", "contacts", "most_contacts")
         ),
         *((name, c_int32) for name in ("ending", "through", "preset", "near", "fault", "unused")),
-        *((name, c_double) for name in ("dt", "arrival", "along", "offset", "hardest")),
+        *((name, c_double) for name in ("dt", "arrival", "along", "offset", "hardest", "wheelbase", "wheel_angle")),
         ("touching", c_uint64),
         ("body", POINTER(Body)),
         ("agent", POINTER(Agent)),

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from ctypes import POINTER, c_float, c_int32
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.ego.intelligent_driver import IntelligentDriver
+from chatscene.ego.intelligent_driver import CAR, IntelligentDriver
 from chatscene.ego.network import HIDDEN, OUTPUTS, Network, NetworkEgo
 from chatscene.ego.observation import OBSERVATIONS
 from chatscene.ego.planner import Planner
@@ -17,7 +18,7 @@ from chatscene.ego.policy import EgoPolicy
 from chatscene.ego.rule_based import RuleBased
 from chatscene.simulate.native.binding import limits_of
 from chatscene.simulate.native.engine import Caution, Engine, Foot, Layer, Policy
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import Limits
 from chatscene.terms.braking import STANDING, STANDSTILL, Braking
 
 RULE_BASED, INTELLIGENT_DRIVER, NETWORK, PLANNER = range(4)  # as engine.c numbers them
@@ -31,11 +32,11 @@ ASKED = 16  # observations on which a network's answers are held against numpy's
 def policy_of(ego: EgoPolicy, engine: Engine) -> Policy | None:
     """An ego in the engine's terms; None for one that has to be asked at every step."""
     if type(ego) is RuleBased:
-        return _by_rule(RULE_BASED, Caution(speed=ego.speed))
+        return _by_rule(RULE_BASED, Caution(speed=ego.speed), CAR)
     if type(ego) is IntelligentDriver:
-        return _by_rule(INTELLIGENT_DRIVER, Caution(speed=ego.speed))
+        return _by_rule(INTELLIGENT_DRIVER, Caution(speed=ego.speed), ego.body)
     if type(ego) is Planner:
-        return _by_rule(PLANNER, _caution(ego))
+        return _by_rule(PLANNER, _caution(ego), ego.body)
     if type(ego) is NetworkEgo and ego.network.size == OBSERVATIONS.get(ego.observation) and ego.every > 0:
         policy = network_policy(ego.network)
         if not _agree(ego.network, engine):
@@ -45,23 +46,30 @@ def policy_of(ego: EgoPolicy, engine: Engine) -> Policy | None:
     return None
 
 
-def foot_of(braking: Braking, own: float) -> Foot:
-    """Somebody's foot on the brake in the engine's terms; `own`: how much of the brake the ego's own foot has."""
+def foot_of(braking: Braking, own: float, body: Limits) -> Foot:
+    """Somebody's foot on the brake in the engine's terms.
+
+    Args:
+        braking: How it brakes.
+        own: How much of the brake the ego's own foot has.
+        body: What the ego's vehicle can do.
+    """
     return Foot(
         begins=braking.begins,
         over=braking.over,
         own=own,
         full=braking.full,
         ramp=braking.ramp,
-        car=limits_of(LIMITS["Car"]),
+        car=limits_of(body),
         standstill=STANDSTILL,
         standing=STANDING,
     )
 
 
-def _by_rule(kind: int, caution: Caution) -> Policy:
-    """Somebody who decides at every step, and takes his car for one of ours."""
-    return Policy(kind=kind, every=1, car=limits_of(LIMITS["Car"]), caution=caution)
+def _by_rule(kind: int, caution: Caution, body: Limits) -> Policy:
+    """Somebody who decides at every step, and knows what he drives; the wheel is turned as a car's (`controls`)."""
+    own = replace(body, wheelbase=CAR.wheelbase, wheel_angle=CAR.wheel_angle)
+    return Policy(kind=kind, every=1, car=limits_of(own), caution=caution)
 
 
 def _caution(ego: Planner) -> Caution:
@@ -101,7 +109,7 @@ def network_policy(network: Network) -> Policy:
         hidden=HIDDEN.index(network.hidden),
         output=OUTPUTS.index(network.output),
         every=1,
-        car=limits_of(LIMITS["Car"]),
+        car=limits_of(CAR),
         caution=Caution(speed=network.at_most),
         layers=len(layers),
         layer=layers,

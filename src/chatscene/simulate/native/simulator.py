@@ -78,7 +78,7 @@ class NativeSession:
             EgoError: The action is not two finite numbers.
             StuckBehavior: A plan comes to no act, since its phases end as they begin.
         """
-        self._engine.step(self._bound.world, *controls(action, self._pedals))
+        self._engine.step(self._bound.world, *controls(action, self._pedals, self._reference.limits))
         self._look()
 
     def drive(self, ego: EgoPolicy, until: int | None = None) -> bool:
@@ -103,7 +103,7 @@ class NativeSession:
         if policy is None or observation_of(ego) != self._reference.preset:
             return False
         self._bound.world.hardest = PEDALS[self._pedals]
-        self._engine.brake(self._bound.world, policy, foot_of(braking, PEDALS[pedals_of(ego)]))
+        self._engine.brake(self._bound.world, policy, foot_of(braking, PEDALS[pedals_of(ego)], self._reference.limits))
         self._look()
         return True
 
