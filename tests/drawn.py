@@ -175,7 +175,10 @@ def situations(draw: st.DrawFn) -> Situation:
     )
     return Situation(
         ego=Ego(
-            route=draw(maybe(st.sampled_from(routes))), speed=draw(maybe(amounts(Speed, of_ego=True))), does=tuple(own)
+            kind=draw(maybe(st.sampled_from([kind for kind in UserKind if kind.may_be_ego]))),
+            route=draw(maybe(st.sampled_from(routes))),
+            speed=draw(maybe(amounts(Speed, of_ego=True))),
+            does=tuple(own),
         ),
         road=road,
         others=tuple(others),

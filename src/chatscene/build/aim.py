@@ -102,7 +102,7 @@ def _at_point(
         NotBuilt: It is met there at no time.
     """
     assert contact.at is not None
-    width = AdversaryKind.CAR.row.limits.width
+    width = actor.ego_limits.width
     sign = 1.0 if _from_left(actor) else -1.0
     low, high = contact.at.within(0.0, 1.0)
     fronts = [one is not None and one.ego == "front" for one in found]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import Asked, Meets, Stand
 from chatscene.build.deeds import OWN, Steps
 from chatscene.build.place import LANE, NEXT_LANE
-from chatscene.terms.actors import AdversaryKind, Limits
+from chatscene.terms.actors import Limits
 from chatscene.terms.amount import Amount
 from chatscene.terms.lateral import aside_of_ego
 from chatscene.terms.situation import Lateral, Other
@@ -46,7 +46,7 @@ def placed(asked: Asked, stand: Stand) -> tuple[Stand, str]:
     middle = {Side.LEFT: LANE, Side.RIGHT: -LANE}.get(one.starts.side or Side.LEFT, 0.0)
     lane = 0.0 if one.starts.where in _OURS or asked.rides else middle
     ego = LANE if asked.swings_out and one.starts.where in _OURS else 0.0
-    low, high = _left(lateral, side, asked.numbers.row.limits, ego - lane)
+    low, high = _left(lateral, side, asked.numbers.row.limits, asked.situation.ego.body.row.limits.width, ego - lane)
     toward = stand.meets is Meets.TOWARD
     if toward:
         low, high = -high, -low
@@ -70,10 +70,10 @@ def led_aside(actor: Actor, k: int, steps: Steps) -> Steps:
     toward = actor.stand.meets is Meets.TOWARD
     texts = (*steps.does, *steps.last)
     if deed.act in _INTO_OURS and (line := next((line for line in (OWN, "{ours}") if line in "".join(texts)), "")):
-        low, high = _left(lateral, side, actor.limits, 0.0)
+        low, high = _left(lateral, side, actor.limits, actor.ego_limits.width, 0.0)
     elif deed.act is Act.OVERTAKE and lateral.clearance is not None and "{beside}" in "".join(texts):
         line, side = "{beside}", deed.to or Side.LEFT
-        low, high = _left(lateral, side, actor.limits, -LANE if side is Side.LEFT else LANE)
+        low, high = _left(lateral, side, actor.limits, actor.ego_limits.width, -LANE if side is Side.LEFT else LANE)
         chosen = ""
     else:
         return steps
@@ -97,7 +97,7 @@ def goes_aside(actor: Actor, k: int) -> tuple[float, float] | None:
     side, _ = _side(deed.lateral, actor.one)
     start = actor.one.starts
     lane = 0.0 if start.where in _OURS else -LANE if start.side is Side.RIGHT else LANE
-    ends = _left(deed.lateral, side, actor.limits, -lane)
+    ends = _left(deed.lateral, side, actor.limits, actor.ego_limits.width, -lane)
     began = actor.numbers.middle("ASIDE") if "ASIDE" in actor.numbers.ranges else 0.0
     if actor.stand.meets is Meets.TOWARD:
         began = -began
@@ -113,14 +113,21 @@ def _side(lateral: Lateral, one: Other) -> tuple[Side, str]:
     return usual, f"{one.id} is to the {usual} across the road, which was not said"
 
 
-def _left(lateral: Lateral, side: Side, limits: Limits, ego: float) -> tuple[float, float]:
-    """How far [m] to the left of the middle of a lane somebody is, from and to; with how far the ego's line is."""
+def _left(lateral: Lateral, side: Side, limits: Limits, own: float, ego: float) -> tuple[float, float]:
+    """How far [m] to the left of the middle of a lane somebody is, from and to.
+
+    Args:
+        lateral: What was said.
+        side: To which side.
+        limits: What its body can do.
+        own: How wide the ego is [m].
+        ego: How far to the left of that middle the ego's line is [m].
+    """
     sign = 1.0 if side is Side.LEFT else -1.0
     name, said = next((name, one) for name in _NAMES if (one := getattr(lateral, name)) is not None)
     assert isinstance(said, Amount)
     ends = said.within(_LEAST.get(name, 0.0), max(_MOST.get(name, 0.5 * LANE), said.low))
     if name in ("overlap", "clearance"):
-        own = AdversaryKind.CAR.row.limits.width
         far = [ego + sign * aside_of_ego(name, end, own, limits.width) for end in ends]
     else:
         far = [sign * (0.5 * LANE - end if name == "edge" else end) for end in ends]

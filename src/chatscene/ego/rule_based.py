@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from chatscene.ego.observation import Observation
-from chatscene.terms.actors import Limits
 
 TARGET_SPEED = 7.5  # [m/s]; from SafeBench's 8 its hardest brake does not stop it within its sight
 TURN_SPEED = 5.5  # [m/s], while the route ahead bends away
@@ -26,10 +25,6 @@ class RuleBased:
     def wanting(self, speed: float) -> RuleBased:
         """The same driver with another wanted speed [m/s]."""
         return RuleBased(speed)
-
-    def driving(self, body: Limits) -> RuleBased:  # noqa: ARG002 - of the protocol
-        """The same driver, who takes nothing of what is driven into account."""
-        return self
 
     def act(self, observation: Observation) -> tuple[float, float]:
         """Acceleration and steering in [-1, 1] for one step."""

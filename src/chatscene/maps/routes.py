@@ -292,7 +292,7 @@ def from_line(network: Any, route: Route, to_line: float = TO_LINE) -> tuple[Rou
         lanes.pop(0)
     cut = replace(
         route,
-        id=f"{route.id}-at-line",
+        id=f"{route.id}-at-line" + ("" if to_line == TO_LINE else f"-{to_line:g}"),
         line=route.line.between(begin, route.length),
         lane_ids=tuple(lanes),
         event_at=to_line,

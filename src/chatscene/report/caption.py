@@ -6,7 +6,9 @@ from PIL import Image, ImageDraw, ImageFont
 
 from chatscene.maps.picture import GROUND, INK, OVERSAMPLE, PAINT, ROLES, WIDTH, Camera
 from chatscene.report.tracks import called
+from chatscene.terms.actors import noun_of
 from chatscene.terms.episode import Episode, Role
+from chatscene.terms.scene import CAR
 
 FONT, LINE, EDGE = 13, 18, 10  # [px]
 LINES = 3  # of the sentence, at most
@@ -63,7 +65,9 @@ def _who(episode: Episode, ego: str) -> list[tuple[Role, str]]:
     kinds = dict.fromkeys(
         (track.role, called(track.role, track.kind)) for track in episode.tracks if track.role is not Role.EGO
     )
-    return [(Role.EGO, f"ego: {ego}" if ego else "ego"), *kinds]
+    own = episode.ego_track.kind
+    what = "ego" if own == CAR else f"ego ({noun_of(own)})"
+    return [(Role.EGO, f"{what}: {ego}" if ego else what), *kinds]
 
 
 def _wrapped(said: str) -> list[str]:
