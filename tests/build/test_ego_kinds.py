@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+import chatscene.build
 from chatscene.build.build import Built, build
 from chatscene.ego.policy import fitted, load_ego
 from chatscene.errors import NotBuilt, SituationError
@@ -92,6 +95,13 @@ def test_a_drive_has_an_ego_of_the_body_that_was_said(kind: UserKind) -> None:
     assert {finding.path: finding.shown for finding in judge(said, episode, route)}["ego.kind"]
     other = judge(with_fact(said, "ego.kind", "tram" if kind is UserKind.CAR else "car"), episode, route)
     assert not {finding.path: finding.shown for finding in other}["ego.kind"]
+
+
+def test_nothing_that_is_built_takes_the_ego_for_a_car() -> None:
+    folder = Path(chatscene.build.__file__).parent
+    compare = {"asked.py", "ego.py", "parts.py"}  # how much longer and wider than a car it is
+    named = {one.name for one in folder.glob("*.py") if re.search(r"AdversaryKind\.CAR|LIMITS\[", one.read_text())}
+    assert named <= compare | {"actor.py"}, "take the ego's body: situation.ego.body"
 
 
 def test_an_ego_of_which_nothing_is_said_is_the_car_that_it_was() -> None:

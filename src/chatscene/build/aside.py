@@ -9,7 +9,6 @@ from chatscene.build.asked import Meets, stands_first, stops_ahead
 from chatscene.build.gaps import LOSES
 from chatscene.build.naming import name_of
 from chatscene.build.place import NEXT_LANE
-from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import Act, Side, Where
 
@@ -54,8 +53,8 @@ def line_aside(actor: Actor, k: int, way: str | None) -> str:
     if not stays or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD):
         return ""
     if (before is not None or round_ego) and deed.distance is None:
-        body = before.kind.row.body if before is not None else AdversaryKind.CAR
-        least = 0.5 * (actor.limits.width + body.row.limits.width) + CLEAR
+        limits = before.kind.row.body.row.limits if before is not None else actor.ego_limits
+        least = 0.5 * (actor.limits.width + limits.width) + CLEAR
         actor.numbers.narrow("SWERVE", least, least + CLEAR)
     name = str(deed.act).upper() + (f"_{k}" if deed.distance is not None else "")
     own = f"way{name_of(actor.one.id)}" + (".line" if actor.stand.way == "egoRoute" else "")
@@ -67,7 +66,7 @@ def goes_by(actor: Actor, phases: tuple[str, ...]) -> tuple[str, ...]:
 
     It goes by on the side of its own lane, if nobody is there.
     """
-    aside = 0.5 * (actor.limits.width + AdversaryKind.CAR.row.limits.width)
+    aside = 0.5 * (actor.limits.width + actor.ego_limits.width)
     actor.numbers.measure("BY", aside + BY[0], aside + BY[1], "m", "how far aside of the ego it goes by")
     others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
     taken = any(
