@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Asked, Meets, Stand
 from chatscene.errors import NotBuilt
-from chatscene.terms.actors import LIMITS
 from chatscene.terms.backing import backs
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import EgoRoute, Side, Where
@@ -71,20 +70,20 @@ def _in_time(asked: Asked) -> bool:
 
 def parked_beside(asked: Asked) -> Stand:
     """In the next bay, level with who backs out."""
-    aside = _aside(0.5 * asked.numbers.row.limits.width)
+    aside = _aside(asked.situation, 0.5 * asked.numbers.row.limits.width)
     way = f"egoRoute.offset({aside if asked.side == Side.LEFT else -aside:.3g})"
     return Stand(meets=Meets.ALONG, way=way, at=f"{TOWARD_LANE:g}{asked.more}")
 
 
-def _aside(half: float) -> float:
+def _aside(situation: Situation, half: float) -> float:
     """How far [m] beside the ego somebody is parked who is twice so wide."""
-    return 0.5 * LIMITS["Car"].width + BESIDE + half
+    return 0.5 * situation.ego.body.row.limits.width + BESIDE + half
 
 
 def place_beside(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
     """Where the n-th of it stands beside an ego that backs out: on the side of whom it hides, then on the other."""
     actor.ledger.take(f"{hidden.path}.hidden_by", f"{actor.path}.starts")
     left = (hidden.one.starts.side is Side.LEFT) != bool(n % 2)
-    aside = _aside(0.5 * actor.limits.width)
+    aside = _aside(actor.ledger.situation, 0.5 * actor.limits.width)
     aside += n // 2 * (actor.limits.width + BESIDE)
     return f"pointOn(egoRoute, {TOWARD_LANE:g}, {aside if left else -aside:.3g})", "directionOn(egoRoute, 0)"

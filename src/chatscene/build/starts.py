@@ -139,25 +139,12 @@ def _next_lane(asked: Asked) -> Stand:
         raise NotBuilt(
             f"nothing builds yet: others.{asked.one.id}.starts.where: {asked.one.starts.where} of a parked ego"
         )
-    where, back = asked.one.starts.where, asked.one.starts.where is Where.BEHIND_BESIDE
+    back = asked.one.starts.where is Where.BEHIND_BESIDE
     if asked.walks and not back:
         stand = _over(asked, LANE / 2, asked.side)  # which turns when it crosses
         over = "1.5708" if asked.side == Side.RIGHT else "-1.5708"
         return replace(stand, facing=faces(asked, f"level{{i}}{asked.more}", Facing.ALONG, asked.side), over=over)
-    low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
-    if where is not Where.BESIDE:
-        low, high = low + asked.longer, high + asked.longer
-    if back and asked.one.role is Role.SUPPORTING and _changes_to(asked.situation, asked.side):
-        low, high = (asked.middles + one * asked.ego.speed for one in CAREFUL)
-    contact = asked.situation.contact
-    strikes = contact is not None and touches(asked.situation, asked.one)
-    if where is Where.BESIDE and strikes and contact is not None and contact.striker is not None:
-        longer = asked.longer if contact.striker is Striker.EGO else 0.0
-        low, high = (end + longer for end in BESIDE_TO_STRIKE[contact.striker])
-    if where is Where.BESIDE and any(deed.act is Act.OVERTAKE for deed in asked.one.does[:1]):
-        low, high = -5.0, -0.5  # not yet ahead of it
-    if asked.stands and where is Where.AHEAD_BESIDE:
-        low, high = 38.0 * asked.found.further, 56.0 * asked.found.further
+    low, high = _level(asked)
     asked.reach(low, high, "how far behind the ego it is" if back else "how far ahead of the ego it is")
     at = f"60 {'-' if back else '+'} $Y{asked.more}"
     if asked.rides:
@@ -169,6 +156,32 @@ def _next_lane(asked: Asked) -> Stand:
         at=at,
         behind=back,
     )
+
+
+def _level(asked: Asked) -> tuple[float, float]:
+    """How far [m] ahead of the ego, or behind it, somebody in the next lane is, from and to, if that was not said."""
+    where, stands = asked.one.starts.where, asked.stands
+    if where is Where.BESIDE:
+        return _beside(asked)
+    if where is Where.AHEAD_BESIDE:
+        low, high = (38.0 * asked.found.further, 56.0 * asked.found.further) if stands else (8.0, 18.0)
+    elif asked.one.role is Role.SUPPORTING and _changes_to(asked.situation, asked.side):
+        return asked.middles + CAREFUL[0] * asked.ego.speed, asked.middles + CAREFUL[1] * asked.ego.speed
+    else:
+        low, high = 7.0, 16.0
+    return low + asked.longer, high + asked.longer
+
+
+def _beside(asked: Asked) -> tuple[float, float]:
+    """How far [m] ahead of the ego somebody level with it is, from and to."""
+    if any(deed.act is Act.OVERTAKE for deed in asked.one.does[:1]):
+        return -5.0, -0.5  # not yet ahead of it
+    contact = asked.situation.contact
+    if contact is None or contact.striker is None or not touches(asked.situation, asked.one):
+        return -2.0, 4.5
+    low, high = BESIDE_TO_STRIKE[contact.striker]
+    longer = asked.longer if contact.striker is Striker.EGO else 0.0
+    return low + longer, high + longer
 
 
 ON_CROSSWALK = (0.7, 3.3)  # [m] from where a crosswalk begins
