@@ -107,13 +107,14 @@ def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
     if one.starts.side is not None and not where.row.sided and one.starts.side not in where.row.sides:
         lies = f"lies on the {' or the '.join(where.row.sides)}" if where.row.sides else "has no side"
         yield Fault((*at, "starts", "side"), f"{where!s} {lies}")
+    side = one.starts.side or (where.row.sides[0] if len(where.row.sides) == 1 else None)  # of a place that has one
     yield from _of_lateral(one.starts.lateral, (*at, "starts", "lateral"))
     if one.hidden_by is not None:
         yield from _somebody(situation, one.hidden_by, (*at, "hidden_by"), ego=False)
         if one.hidden_by == one.id:
             yield Fault((*at, "hidden_by"), "nobody hides itself")
     for k, deed in enumerate(one.does):
-        if deed.act in COMES_OVER and deed.to is not None and deed.to is one.starts.side:
+        if deed.act in COMES_OVER and deed.to is not None and deed.to is side:
             yield Fault((*at, "does", k, "to"), f"it is on the {deed.to} at first, and comes to the other side")
         if one.kind.moves not in deed.act.row.by:
             yield Fault((*at, "does", k, "act"), f"{one.kind!s} {_WAYS[one.kind.moves]}, and cannot {deed.act!s}")
