@@ -59,7 +59,9 @@ def system() -> str:
 
 def told_words() -> str:
     """Every field and word with its meaning."""
-    return "\n".join(("Fields:", *_fields(), *_which(), "", "Words:", *_words()))
+    return "\n".join(
+        ("Fields (with the type, if it has another name):", *_fields(), *_which(), "", "Words:", *_words())
+    )
 
 
 @cache
@@ -85,7 +87,8 @@ def _fields() -> Iterator[str]:
 def _meant(name: str, property_: Mapping[str, Any]) -> str:
     """A field with what it says, but where the words that it takes tell that."""
     table = schema()["$defs"].get(_type(property_).removeprefix(_SEVERAL), {})
-    if "enum" in table and "\n" in table.get("description", ""):
+    of_its_own_name = _named(name, property_) == name
+    if "enum" in table and (of_its_own_name or "\n" in table.get("description", "")):
         return f"{_named(name, property_)}."
     return f"{_named(name, property_)}: {property_['description']}"
 
@@ -96,7 +99,9 @@ def _asked(part: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str, Any]]]:
 
 
 def _named(name: str, property_: Mapping[str, Any]) -> str:
-    return f"{name} ({_type(property_)})"
+    """A field with its type, but where that is called as the field is."""
+    type_ = _type(property_)
+    return name if type_.lower() == name else f"{name} ({type_})"
 
 
 def _type(property_: Mapping[str, Any]) -> str:
