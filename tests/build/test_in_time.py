@@ -138,3 +138,33 @@ def test_a_phase_takes_the_time_that_a_body_needs() -> None:
     assert gone.seconds == pytest.approx(3.0, abs=0.2)
     assert gone.metres == pytest.approx(2 * 2 - 0.5 + 0.4, abs=0.4)
     assert gone.speed == 0.0
+
+
+@pytest.mark.parametrize(
+    "one",
+    [
+        {"kind": "car", "starts": {"where": "kerb", "side": "right"}, "does": [deed("pull-out")]},
+        {"kind": "pedestrian", "starts": {"where": "roadside", "side": "left"}, "does": [deed("cross")]},
+        {"kind": "car", "starts": {"where": "ahead-beside", "side": "left"}, "does": [deed("cut-in")]},
+    ],
+    ids=lambda one: one["does"][0]["act"],
+)
+@pytest.mark.parametrize("when", ["after", "during"])
+def test_how_the_ego_brakes_because_of_another_is_left_to_its_driver_and_told(one: dict[str, Any], when: str) -> None:
+    brakes: dict[str, Any] = {"act": "brake", "when": {when: "A.0"}}
+    said = from_plain({"ego": {"does": [brakes]}, "others": [{"id": "A", **one}]})
+    act = one["does"][0]["act"]
+    assert f"the ego's brake {when} the {act} of A is left to whoever drives it" in build(said).assumed
+    assert not [fact for fact in unseen(said) if fact.startswith("ego.")]
+    numbered = from_plain({"ego": {"does": [brakes | {"acceleration": "6 m/s²"}]}, "others": [{"id": "A", **one}]})
+    with pytest.raises(NotBuilt, match=r"ego\.does\.0\.acceleration"):
+        build(numbered)
+
+
+@pytest.mark.parametrize(("role", "does", "told"), [("adversary", "MoveAhead", True), ("supporting", "Halt", False)])
+def test_who_is_beside_the_road_without_a_deed_crosses_or_stands(role: str, does: str, *, told: bool) -> None:
+    lead = {"id": "B", "kind": "car", "starts": {"where": "ahead"}}
+    one = {"id": "A", "kind": "pedestrian", "role": role, "starts": {"where": "roadside", "side": "left"}}
+    made = build(from_plain({"others": [lead, one]}))
+    assert f"do {does}" in made.program.source.partition("behavior DoesA():")[2].partition("\n\n")[0][:60]
+    assert ("A crosses our lane, which was not said" in made.assumed) == told

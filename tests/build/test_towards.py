@@ -66,7 +66,7 @@ def test_a_deed_is_begun_while_another_is_under_way(what: str) -> None:
 
 def test_a_deed_that_waits_for_what_nobody_sees_is_refused() -> None:
     waits = car("A", "ahead", deed("brake") | {"when": {"after": "B.0"}})
-    with pytest.raises(NotBuilt, match=r"does\.0\.when\.after: B\.0, which is u-turn"):
+    with pytest.raises(NotBuilt, match=r"does\.0\.when\.after: B\.0, as nothing shows that somebody does u-turn"):
         build(others(waits, car("B", "oncoming", deed("u-turn"))))
 
 

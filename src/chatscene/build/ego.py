@@ -10,7 +10,6 @@ from chatscene.build.coming import Coming, coming, wanted_by
 from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import MOST
 from chatscene.build.place import Found, at_junction
-from chatscene.build.relations import SLOWS
 from chatscene.errors import NotBuilt
 from chatscene.maps.routes import TO_LINE
 from chatscene.terms.actors import LIMITS
@@ -19,8 +18,8 @@ from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL, gain_in
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scene import CAR
-from chatscene.terms.situation import EGO, Deed, Situation
-from chatscene.terms.vocabulary import Act, Breach, EgoLight, EgoRoute, Manner, UserKind, Where
+from chatscene.terms.situation import EGO, Deed
+from chatscene.terms.vocabulary import Act, Breach, EgoLight, EgoRoute, Manner, UserKind
 
 LINE = 3.5  # [m] before the junction the centre of a car stands whose nose is at the line
 STAND = 4.0  # [s] that somebody stands who sets off again
@@ -120,9 +119,11 @@ def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) 
     for k, deed in enumerate(deeds):
         at, then = f"ego.does.{k}", deeds[k + 1].act if k + 1 < len(deeds) else None
         ledger.take(f"{at}.act", *_in_a_row(deed, at))
-        if (leader := _behind_whom(ledger.situation, deed)) is not None:  # it answers by itself, as it has to
-            ledger.take(f"{at}.when.after")
-            ledger.assume(f"the ego's {deed.act} after that of {leader} is left to whoever drives it")
+        if (answers := ledger.situation.answered(deed)) is not None:  # it does so by itself, as it has to
+            name, reference = answers
+            does = f"the {ledger.situation.deed(reference).act} of {reference.partition('.')[0]}"
+            ledger.take(f"{at}.when.{name}")
+            ledger.assume(f"the ego's {deed.act} {name} {does} is left to whoever drives it")
             continue
         again = then in (Act.SET_OFF, Act.GO_ALONG, Act.ACCELERATE)
         there = begins * speed if begins else stop  # where it is to be slow, or to stand
@@ -168,15 +169,6 @@ def _backed(ledger: Ledger, deed: Deed, at: str) -> Iterator[Order]:
     if deed.distance is not None:
         ledger.take(f"{at}.distance")
         yield Order(at_most=0, place=round(deed.distance.within(0.5, BACKS)[0], 1))
-
-
-def _behind_whom(situation: Situation, deed: Deed) -> str | None:
-    """After whom the ego loses speed or stops, who is in its lane before it and does so; None if after nobody."""
-    after = (deed.when.after if deed.when is not None else None) or ""
-    who = next((one for one in situation.others if one.id == after.partition(".")[0]), None)
-    if who is None or deed.act not in SLOWS or who.starts.where is not Where.AHEAD:
-        return None
-    return who.id if situation.deed(after).act in SLOWS else None
 
 
 def _in_a_row(deed: Deed, at: str) -> Iterator[str]:

@@ -9,10 +9,10 @@ from chatscene.build.asked import Meets
 from chatscene.build.contact import misses
 from chatscene.build.deeds import OWN
 from chatscene.build.place import NEXT_LANE
-from chatscene.build.relations import SLOWS, speed_of
+from chatscene.build.relations import speed_of
 from chatscene.build.towards import done_to, to_whom
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Manner, Role, Side, Where
+from chatscene.terms.vocabulary import SLOWS, Act, Manner, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor

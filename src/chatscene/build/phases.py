@@ -106,7 +106,7 @@ class Phases:
         actor, meets = self.actor, self.actor.stand.meets
         go = MOVE if meets is Meets.ACROSS else GO
         if not actor.deeds:
-            yield "Park()" if meets is Meets.KERB else go
+            yield self._undirected(go)
             return
         if all(deed.act is Act.STAND and deed.time is None for deed in actor.deeds):
             yield "Park()" if meets is not Meets.ACROSS else "Halt()"
@@ -121,6 +121,15 @@ class Phases:
             before = sum(map(len, bodies[: len(self.due_after) - first]))
             self.due_after.append(len(opening) + before + len(body) - 1)
             yield from body
+
+    def _undirected(self, go: str) -> str:
+        """What somebody does of whom no deed was said: who drives goes on, who is beside the road stands."""
+        actor, meets = self.actor, self.actor.stand.meets
+        if meets is Meets.ACROSS and actor.one.role is not Role.ADVERSARY:
+            return "Halt()"
+        if meets is Meets.ACROSS:
+            actor.ledger.assume(f"{actor.one.id} crosses our lane, which was not said")
+        return "Park()" if meets is Meets.KERB else go
 
     def begins(self, bodies: list[list[str]], start: Course, meeting: Meeting | None = None) -> Course:
         """Where somebody is when its last deed is under way, and is to be seen when the ego is there."""

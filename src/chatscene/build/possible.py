@@ -10,10 +10,9 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from chatscene.build.place import NEXT_LANE
-from chatscene.build.relations import SLOWS
 from chatscene.situations.faults import Fault
 from chatscene.terms.situation import EGO, Deed, Other, Situation
-from chatscene.terms.vocabulary import COMES_IN, LETS_GO, Act, Where
+from chatscene.terms.vocabulary import COMES_IN, LETS_GO, SLOWS, Act, Where
 
 OFF_ROAD = frozenset(
     (Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.EXIT_CROSSING, Where.MEDIAN, Where.KERB, Where.BUS_BAY)

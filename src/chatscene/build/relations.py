@@ -17,7 +17,7 @@ from chatscene.maps.routes import PASSING, SWING
 from chatscene.terms.amount import Speed
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.situation import EGO, Deed, Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Role, Where
+from chatscene.terms.vocabulary import SLOWS, Act, EgoRoute, Role, Where
 
 PASSES = 1.5  # [m/s] that somebody is faster at least than whom it passes
 GAINS = (3.0, 5.5)  # [m/s] by which it is, where that was not said, so that it is past before the road ends
@@ -26,7 +26,6 @@ AGAINST = frozenset((Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE))
 AHEAD = frozenset((Where.AHEAD, Where.AHEAD_BESIDE))
 BEHIND = frozenset((Where.BEHIND, Where.BEHIND_BESIDE))
 ALONG = NEXT_LANE | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP}
-SLOWS = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
 _WITH = frozenset((Act.KEEP_LEVEL, Act.FOLLOW, Act.TAILGATE))
 _BESIDE = 0.38  # of a swing, at its end, in which the ego is as far aside as it must be to pass
 _SLOWER = 0.85  # of the most that somebody may have, from which on its speed is drawn

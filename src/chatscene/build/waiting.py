@@ -154,7 +154,10 @@ def _seen(actor: Actor, k: int, name: str, reference: str) -> str:
         return ""  # what it does from the beginning
     sign = _sign_of(actor, who, deed)
     if sign is None:
-        raise NotBuilt(f"nothing builds yet: {at}: {reference}, which is {deed.act}")
+        raise NotBuilt(
+            f"nothing builds yet: {at}: {reference}, as nothing shows that somebody does {deed.act}; "
+            "wait for another deed, or say ego_within"
+        )
     called, whom = (one if one == EGO else name_of(one) for one in (who, deed.whom or EGO))
     waits = who != EGO and (situation[who].starts.where in OFF_ROAD or stands_first(situation[who]))
     first = deed is next((one for one in does if one.act is not Act.STAND), None)

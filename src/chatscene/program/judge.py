@@ -171,9 +171,11 @@ class _Judge:
             if deed.act is Said.BRAKE and (deed.speed is not None or deed.time is not None):
                 state = EgoState.SLOWS_DOWN  # as much as was said, which may be less than half
             begun = self.contact is not None and speed[-1] < speed[-OVER:].max() - LOST_AT_ONCE  # and is cut short
-            shown = EGO_STATES[state](speed, dt) or (None if begun else False)
+            left = self.situation.answered(deed) is not None  # to whoever drives it
+            shown = EGO_STATES[state](speed, dt) or (None if begun or left else False)
             rolls = deed.act is Said.STOP and self.contact is not None and float(speed[-1]) > MOVING
-            yield Finding(path=path, shown=shown, told=f"said {deed.act}, {course}", cut=shown is None or rolls)
+            cut = not left and (shown is None or rolls)
+            yield Finding(path=path, shown=shown, told=f"said {deed.act}, {course}", cut=cut)
         else:
             yield not_judged(path)
 

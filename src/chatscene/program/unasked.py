@@ -15,7 +15,7 @@ from chatscene.simulate.boxes import Boxes, Pair
 from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoLight, RightOfWay, Role, Where
+from chatscene.terms.vocabulary import SLOWS, Act, EgoLight, RightOfWay, Role, Where
 
 DEEP = 0.3  # [m] that two bodies are in each other, from which one is seen to drive through the other
 LEFT_LANE = 2.2  # [m] aside of where it began, from which a road user has left its lane
@@ -23,7 +23,6 @@ STRAIGHT = 0.2  # [rad] that a road turns at most of which lanes are told by how
 APART = 0.5  # [s] between two times that somebody brakes, or it is one
 IN_LANE = frozenset((Act.STAND, Act.GO_ALONG, Act.SET_OFF, Act.ACCELERATE, Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
 """What is done without leaving the lane, and by its own will."""
-_LOSES = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
 _SAID = {
     EventKind.RED_LIGHT: (EgoLight.RED, EgoLight.YELLOW, EgoLight.TURNS_RED, EgoLight.TURNS_GREEN),
     EventKind.STOP_SIGN: (RightOfWay.STOP_SIGN,),
@@ -78,7 +77,7 @@ def of_somebody(situation: Situation, one: Other, seen: Seen, route: Route) -> I
     if not acts or not IN_LANE.issuperset(acts):
         return
     later = one.does[1:]  # who goes on at a speed or comes to stand may have to brake for it
-    said = (acts[0] in _LOSES) + sum(deed.act in (*_LOSES, Act.STAND) or deed.speed is not None for deed in later)
+    said = (acts[0] in SLOWS) + sum(deed.act in (*SLOWS, Act.STAND) or deed.speed is not None for deed in later)
     times = _times_braking(seen)
     if said and len(times) > said:
         told = f"it brakes {len(times)} times, which was said {said} times"

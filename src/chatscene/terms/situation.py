@@ -15,6 +15,7 @@ from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.amount import Acceleration, Duration, Length, Share, Speed
 from chatscene.terms.surroundings import Light, Surface, Weather
 from chatscene.terms.vocabulary import (
+    SLOWS,
     Act,
     Breach,
     EgoLight,
@@ -328,6 +329,17 @@ class Situation(_Closed):
             if what in (str(i), deed.act.value):
                 return i
         raise KeyError(reference)
+
+    def answered(self, deed: Deed) -> tuple[str, str] | None:
+        """What of another a deed of the ego answers, by which it loses speed: ``after`` or ``during``, and which deed.
+
+        None where it loses none, or of itself. How it answers is up to whoever drives it.
+        """
+        for name in ("after", "during"):
+            reference = getattr(deed.when, name, None) or f"{EGO}."
+            if deed.act in SLOWS and not reference.startswith(f"{EGO}."):
+                return name, reference
+        return None
 
     def everybody(self) -> Iterator[tuple[str, tuple[Deed, ...]]]:
         """The ego and all others, with what they do."""

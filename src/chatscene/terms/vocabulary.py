@@ -419,6 +419,8 @@ class Act(RowWord):
 
 LETS_GO = {Act.OPEN_DOOR: "door", Act.DROP_LOAD: "load"}
 """Acts by which somebody lets go of a body of its own, which is named after it: ``A-door``."""
+SLOWS = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
+"""What is done to be slower, or to stand."""
 COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
 """What is done by whoever is outside the ego's lane and comes into it: begun before, and done when it is in."""
 
