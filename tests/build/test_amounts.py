@@ -144,3 +144,63 @@ def test_how_near_the_ego_is_is_from_its_front_to_the_tail_of_who_stands() -> No
     begins = int(np.argmax(bus.speed > 0.1))
     room = np.hypot(bus.x - ego.x, bus.y - ego.y)[begins] - (bus.length + ego.length) / 2
     assert room == pytest.approx(15.0, abs=2.0)
+
+
+def numbers(said: Situation, name: str, seeds: int = 2) -> list[bool | None]:
+    built = build(said)
+    route = simulator(built.map, "native").route(built.program, 0)
+    found = [one for n in range(seeds) for one in judge(said, met(built, n), route)]
+    return [one.shown for one in found if one.path == f"others.A.does.{name}"]
+
+
+@pytest.mark.parametrize(
+    ("kind", "start", "does", "name"),
+    [
+        ("car", {"where": "ahead-beside", "side": "right", "speed": "40 km/h"}, [{"act": "cut-in", "distance": "12 m"}],
+         "0.distance"),
+        ("car", {"where": "ahead-beside", "side": "right"}, [{"act": "lane-change", "time": "3.5 s"}], "0.time"),
+        ("car", {"where": "ahead"}, [{"act": "cut-out", "time": "5 s"}], "0.time"),
+        ("bus", {"where": "kerb", "side": "right"}, [{"act": "pull-out", "acceleration": "1 m/s²"}], "0.acceleration"),
+        ("car", {"where": "ahead"}, [{"act": "stand"}, {"act": "set-off", "acceleration": "2 m/s²"}], "1.acceleration"),
+        ("car", {"where": "ahead"}, [{"act": "accelerate", "time": "3 s"}], "0.time"),
+        ("car", {"where": "ahead"}, [{"act": "slow-down", "acceleration": "1 m/s²"}], "0.acceleration"),
+        ("car", {"where": "ahead"}, [{"act": "brake", "speed": "20 km/h", "time": "3 s"}], "0.time"),
+        ("car", {"where": "ahead"}, [{"act": "stop", "distance": "25 m"}], "0.distance"),
+        ("car", {"where": "ahead"}, [{"act": "weave", "time": "5 s"}], "0.time"),
+        ("car", {"where": "ahead-beside", "side": "right"}, [{"act": "drift", "time": "3 s"}], "0.time"),
+        ("car", {"where": "behind"}, [{"act": "follow", "distance": "25 m"}], "0.distance"),
+        ("car", {"where": "ahead"}, [{"act": "go-along", "distance": "40 m"}, {"act": "brake"}], "0.distance"),
+    ],
+)  # fmt: skip
+def test_how_hard_how_far_and_how_long_is_what_was_said(
+    kind: str, start: dict[str, Any], does: list[dict[str, Any]], name: str
+) -> None:
+    said = of(kind, start, *does, ego={"speed": "50 km/h"})
+    found = numbers(said, name)
+    assert found and False not in found and True in found
+
+
+def test_what_no_body_does_in_a_time_or_on_a_way_is_refused_by_its_path() -> None:
+    for start, deed in (
+        ({"where": "ahead-beside", "side": "right"}, {"act": "lane-change", "time": "1 s"}),
+        ({"where": "ahead"}, {"act": "stop", "distance": "5 m"}),
+        ({"where": "ahead"}, {"act": "accelerate", "time": "0.5 s", "speed": "90 km/h"}),
+        ({"where": "ahead"}, {"act": "weave", "time": "1 s"}),
+    ):
+        with pytest.raises(NotBuilt, match=r"others\.A\.does\.0\.(time|distance)"):
+            build(of("car", start, deed, ego={"speed": "50 km/h"}))
+
+
+def test_who_is_passed_while_it_cuts_in_is_before_the_ego_by_the_room_that_was_said_at_the_line() -> None:
+    start = {"where": "ahead-beside", "side": "right", "speed": "80 km/h"}
+    said = of("car", start, {"act": "cut-in", "distance": "12 m"}, ego={"speed": "100 km/h"}, road={"lanes": 3})
+    episode = driven(said)
+    ego, other, left = episode.ego_track, track(episode), left_of_ego(episode)
+    over = int(np.argmax(np.abs(left) < 1.75))
+    room = np.hypot(other.x - ego.x, other.y - ego.y)[over] - (other.length + ego.length) / 2
+    assert room == pytest.approx(12.0, rel=0.15)
+
+
+def test_who_keeps_a_distance_keeps_up_with_a_fast_ego() -> None:
+    said = of("car", {"where": "behind"}, {"act": "tailgate", "distance": "12 m"}, ego={"speed": "120 km/h"})
+    assert numbers(said, "0.distance") == [True, True]

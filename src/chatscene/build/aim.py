@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 NEAR_MISS = 0.5  # [s] before the ego at most that somebody has gone by where there is no contact
-YIELDS = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
+LETS_BY = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
 STOOD = 1.0  # [s] that somebody has stood in the ego's way when the ego comes, so that it is seen to stop
 GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
 NEAR_POINT = 0.1  # of the ego's width: how near to the point that was said somebody is met
@@ -46,7 +46,7 @@ def set_offset(actor: Actor) -> None:
     early = (ego.width + actor.limits.length) / _speed(actor)
     yields = bool(actor.deeds) and actor.deeds[0].act is Act.YIELD
     if yields:  # who waits for the ego is there well before it
-        late, early = YIELDS
+        late, early = LETS_BY
     else:
         late, early, *taken = aimed(actor, (late, early))
         actor.ledger.take(*taken)

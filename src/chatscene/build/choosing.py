@@ -31,6 +31,8 @@ from chatscene.build.local import check_round, radius_to_turn_round
 from chatscene.build.naming import name_of
 from chatscene.build.paces import Pace
 from chatscene.build.place import NEXT_LANE, ROUNDABOUT_PLACES, at_junction, rides_at_edge
+from chatscene.build.rates import at_a_rate
+from chatscene.build.sideways import takes_long
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed
@@ -57,7 +59,8 @@ def steps_of(actor: Actor, k: int) -> Steps:
     if deed.act not in table or (deed.act in _ASIDE and where in ROUNDABOUT_PLACES):  # nobody sees it on a bend
         along = "; who goes along the road is ahead, beside or behind" if across and deed.act in ALONG else ""
         raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}{along}")
-    return _by_numbers(actor, k, table[deed.act])
+    steps = at_a_rate(actor, k, _by_numbers(actor, k, table[deed.act]), across=across)
+    return takes_long(actor, k, steps)
 
 
 def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:

@@ -59,7 +59,10 @@ _EASES = "BrakeOnPath({p}, $EASE) until self.pose[3] < $SLOW"
 _BY = "Halt() until progressOn(egoRoute, ego)[0] > {meets} + 6"
 _TURNS = (Act.TURN_LEFT, Act.TURN_RIGHT)
 _GOES = Steps(
-    does=(GO + " for $GO_TIME seconds",), last=(GO,), binds={"speed": "SPEED", "time": "GO_TIME"}, lasting=True
+    does=(GO + " for $GO_TIME seconds",),
+    last=(GO,),
+    binds={"speed": "SPEED", "time": "GO_TIME", "distance": "GO_TIME"},
+    lasting=True,
 )
 _STANDS = Steps(
     does=(f"BrakeOnPath({{p}}, 1) until {STILL}", "BrakeOnPath({p}, 1) for $STOP_TIME seconds"),
@@ -373,7 +376,7 @@ ACROSS: dict[Act, Steps] = {
     Act.GO_ALONG: Steps(
         does=(MOVE + " for $GO_TIME seconds",),
         last=(MOVE,),
-        binds={"speed": "SPEED", "time": "GO_TIME"},
+        binds={"speed": "SPEED", "time": "GO_TIME", "distance": "GO_TIME"},
         lasting=True,
     ),
 }

@@ -9,7 +9,7 @@ from dataclasses import replace
 from chatscene.build.asked import Asked, Meets, Stand
 from chatscene.situations.check import COMES_OVER
 from chatscene.terms.situation import Other
-from chatscene.terms.vocabulary import Act, Facing, Manner, Side
+from chatscene.terms.vocabulary import Act, Facing, Manner, Side, Where
 
 OVER = frozenset((Act.CROSS, Act.ENTER, Act.GO_STRAIGHT))
 """What is done at a slant, if it is."""
@@ -71,5 +71,6 @@ def said_anyway(one: Other, meets: Meets) -> Iterator[str]:
     if one.starts.facing is not None and FACES.get(meets) is one.starts.facing:
         yield f"{at}.starts.facing"
     for k, deed in enumerate(one.does):
-        if deed.act in COMES_OVER and deed.to is not None and deed.to is not one.starts.side:
+        comes_from = Side.LEFT if one.starts.where is Where.ONCOMING else one.starts.side
+        if deed.act in COMES_OVER and deed.to is not None and deed.to is not comes_from:
             yield f"{at}.does.{k}.to"

@@ -29,8 +29,10 @@ HALF_BY = 0.6  # of its time beside whom it passes, in which somebody meets the 
 CLOSE = (1.0, 3.0)  # [m], from and to, that somebody leaves who comes in suddenly, or all but touches the ego
 GETS_BY = 3.0  # [m/s] that somebody is faster at most who gets as far before another as it must be …
 FALLS_BACK = 0.75  # … and the least of that one's speed
-NEARLY = 1.0  # [m] of a gap that was said
-GAINS = 5.0  # [m/s] that somebody is faster than the ego on the average who gets before it
+GAP_WITHIN, EASED = 1.0, 1.0  # [m] of a gap that was said; [m/s] faster than whom it passed, who is no faster
+GETS_PAST = 5.0  # [m/s] that somebody is faster than the ego on the average who gets before it
+OVER_THE_LINE = 0.75  # [s] after it sets out for a lane that somebody's middle is over the line
+SAME = 1.0  # [m/s] by which two go as fast
 BACKS = 1.5  # [m/s] that somebody backs up at, of whom only the way was said
 
 
@@ -52,9 +54,13 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
     if deed.act not in _COMES_BEFORE and not (leaves_room(actor) and deed.act in _OVER) and not stops_before(actor, k):
         return
     from_behind = _from_behind(actor, k) or leaves_room(actor)
-    if gap_is_said(deed):
+    if gap_is_said(deed) and keeps_its_speed(actor, k):
         ahead = f"{_MIDDLES}${_bound(actor, k)}"
-        there = f"abs(headway(egoRoute, ego, self) - ({ahead})) < {NEARLY:g}"
+        _start_far_enough(actor, k)
+        yield f"DrivePath({way}, $SPEED) until {_has_room(actor, ahead)}"
+    elif gap_is_said(deed):
+        ahead = f"{_MIDDLES}${_bound(actor, k)}"
+        there = f"abs(headway(egoRoute, ego, self) - ({ahead})) < {GAP_WITHIN:g}"
         yield to_whom(f"PaceOnPath({way}, ego, {ahead}, {speeds}) until {there}", deed)
     elif (
         stops_before(actor, k)
@@ -68,6 +74,39 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
     elif from_behind and k and actor.one.starts.where is Where.BEHIND:
         ahead = f"{_MIDDLES}${_room(actor, k)}"
         yield f"PaceOnPath({way}, ego, {ahead}, {speeds}) until headway(egoRoute, ego, self) > {ahead} - 2"
+
+
+def keeps_its_speed(actor: Actor, k: int) -> bool:
+    """Whether somebody who leaves a room that was said cuts in at a speed that was said, and so waits for its time."""
+    deed = actor.deeds[k]
+    said = actor.numbers.is_said("SPEED") or deed.speed is not None
+    free = done_to(deed) == EGO and actor.stand.meets is Meets.ALONG and not actor.stand.rolls
+    passed = any(one.act is Act.OVERTAKE for one in actor.deeds[:k])  # and then is no faster than the ego
+    return said and free and not passed and abs(_closing(actor)) > SAME
+
+
+def _closing(actor: Actor) -> float:
+    """By how much [m/s] the ego is faster."""
+    return actor.ego_speed - actor.numbers.middle("SPEED")
+
+
+def _has_room(actor: Actor, ahead: str) -> str:
+    """What shows that the room is right once somebody who sets out for the ego's lane now is over its line."""
+    room = f"headway(egoRoute, ego, self) - ({ahead})"
+    closes = f"{OVER_THE_LINE:g} * (ego.pose[3] - self.pose[3])"
+    return f"{room} < {closes}" if _closing(actor) > 0.0 else f"{room} > {closes}"
+
+
+def _start_far_enough(actor: Actor, k: int) -> None:
+    """Let somebody on whom the ego closes in begin so far ahead that it has the room when it is due."""
+    numbers, closing = actor.numbers, _closing(actor)
+    if closing <= 0.0 or actor.one.starts.distance is not None or actor.first is not None or actor.stand.behind:
+        return
+    soon = closing * (numbers.range_of("STEADY")[1] + OVER_THE_LINE)
+    middles = 0.5 * (actor.ego_limits.length + actor.limits.length)
+    low = middles + numbers.range_of(_bound(actor, k))[1] + soon
+    far, most, unit, meaning = numbers.range_of("Y")
+    numbers.measure("Y", max(far, low), max(most, low + closing), unit, meaning)
 
 
 def _room(actor: Actor, k: int) -> str:
@@ -126,7 +165,7 @@ def seconds_to_get_ahead(actor: Actor, k: int) -> float:
     first = k == 0 and actor.deeds[k].act is not Act.CUT_IN
     if first or not _from_behind(actor, k):
         return 0.0
-    return (actor.numbers.middle("Y") + 2 * actor.limits.length) / GAINS
+    return (actor.numbers.middle("Y") + 2 * actor.limits.length) / GETS_PAST
 
 
 def seconds_to_get_by(actor: Actor, k: int) -> float:
@@ -148,7 +187,7 @@ def seconds_to_get_by(actor: Actor, k: int) -> float:
 
 def eases(actor: Actor, k: int, way: str) -> str:
     """How somebody who has passed another in its k-th deed comes to be no faster than that, before it comes in."""
-    least = speed_of(actor.ledger.situation, done_to(actor.deeds[k]), actor.ego_speed) + NEARLY
+    least = speed_of(actor.ledger.situation, done_to(actor.deeds[k]), actor.ego_speed) + EASED
     return f"BrakeOnPath({way}, $EASE) until self.pose[3] < {least:.4g}"
 
 

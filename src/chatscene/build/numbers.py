@@ -14,6 +14,7 @@ from chatscene.terms.vocabulary import Manner
 
 _NAME = re.compile(r"\$([A-Z][A-Z0-9_]*)")
 _OF_DEED = re.compile(r"_\d+$")
+GENTLEST = 0.02  # of the brakes, the least that is pressed
 MOST = 0.95  # of a body's top speed, which nobody quite reaches
 
 RANGES: dict[str, tuple[float, float, str, str]] = {
@@ -98,12 +99,14 @@ class Numbers:
         low, high, unit, meaning = self.range_of(name)
         share = _SHARES.get(_OF_DEED.sub("", name))
         scale = share(self.row) if share else 1.0
-        least, most = (amount.low + ego * amount.than_ego) / scale, (amount.high + ego * amount.than_ego) / scale
+        drag = self.row.limits.drag if name.startswith("BRAKE") and share else 0.0  # which slows it down as well
+        least, most = ((end + ego * amount.than_ego - drag) / scale for end in (amount.low, amount.high))
         fastest = (
             min(REVERSE_SPEED, self.row.limits.top_speed) if name.startswith("BACK") else self.row.limits.top_speed
         )
         top = 1.0 if share else MOST * fastest if unit == "m/s" else most
         least, most = max(least, min(low, most)), min(most, max(high, least))
+        least, most = (max(GENTLEST, least), max(GENTLEST, most)) if drag else (least, most)
         if least > top + 1e-9:
             most_told = f"{top * scale:.3g} {unit if unit != '1' else 'm/s²'} at most"
             at = f"{path}: " if path else ""

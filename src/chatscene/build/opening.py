@@ -36,9 +36,9 @@ NEAREST = 4.0  # [m] before a junction: who is nearer is in it
 DRIVES = 1.0  # [s]: who drives so long before it brakes is seen to come driving
 BEGUN = 0.8  # [s]: what is done so long before the ego is there is seen to begin
 STANDS = 0.6  # [s]: who stands so long before it sets off is seen to stand
-YIELDS = 1.0  # [m/s]: an ego that goes no faster yields
+GIVES_WAY = 1.0  # [m/s]: an ego that goes no faster yields
 LATEST = 12.0  # [s] that somebody goes with the ego before it does anything
-LEAST = 2.0  # [m/s] that somebody goes at least who goes with an ego that is faster
+KEEPS_UP = 2.0  # [m/s] that somebody goes at least who goes with an ego that is faster
 INSIDE = 3.0  # [m] before where the ways meet: who does something there does it in the ego's sight
 IS_OPEN = 1.5  # [s] before the ego is there that somebody begins to open a door
 SHORT = 25.0  # [m] before the end of a road, or before a junction: nobody is placed farther
@@ -319,7 +319,7 @@ class Opening:
         if self.phases.actor.leads:
             return GO.replace("$SPEED", f"{self.phases.actor.along_speed:.4g}")
         if not keeps_distance(self.phases.actor):
-            least = min(LEAST, 0.8 * self.phases.actor.ego_speed)
+            least = min(KEEPS_UP, 0.8 * self.phases.actor.ego_speed)
             return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, {least:.3g})"
         return f"PaceOnPath({{p}}, ego, {ahead}, 40, {slowest_with_ego(self.phases.actor):.3g})"
 
@@ -390,7 +390,7 @@ class Opening:
         waits_for_it = situation.ego.does and not self.phases.actor.ego.stands
         held = stand.meets is Meets.THROUGH or waits_for_it or (controlled and not self.phases.actor.ego.stands)
         held = held or self.phases.actor.ego.held > 0.0
-        return "" if held else f" or ego.pose[3] < {YIELDS:g}"
+        return "" if held else f" or ego.pose[3] < {GIVES_WAY:g}"
 
     def _takes(self) -> float:
         """How long [s] it takes about to where it meets the ego, at its speed."""

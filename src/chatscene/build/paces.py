@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from chatscene.build.deeds import Steps
 
 SEEN = 1.1  # times what a watcher must see at least
-NEARLY = 0.95  # of the speed that a pedal holds, from which on it is held
-LEAST = 0.3  # [m/s], nobody goes slower on purpose
+HELD_FROM = 0.95  # of the speed that a pedal holds, from which on it is held
+CREEPS = 0.3  # [m/s], nobody goes slower on purpose
 FOLLOWS = 0.64  # of the ego's speed, the least of who goes with it
 CRAWLS = 1.0  # [m/s]: who must be slower before it gains speed gains it from a stand
 AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
@@ -110,7 +110,7 @@ class Paces:
             case Pace.GAINS | Pace.LOSES:
                 gains = pace is Pace.GAINS
                 top = MOST * self._numbers.row.limits.top_speed
-                then = self._new(name, *(said or (LEAST, top)), said=said is not None)
+                then = self._new(name, *(said or (CREEPS, top)), said=said is not None)
                 self._changes.append(Change(deed=k, before=self._now, after=then, gains=gains))
                 self._now = then
             case Pace.STANDS:
@@ -128,7 +128,7 @@ class Paces:
     def held(self, speed: Speed) -> float:
         """The share of a speed that is wanted from which on it is held."""
         ends = (speed.low, speed.high) if speed.high > 0.0 else (1.0,)
-        return round(NEARLY * min(self._body.holds(wish) / wish for wish in ends if wish > 0.0), 3)
+        return round(HELD_FROM * min(self._body.holds(wish) / wish for wish in ends if wish > 0.0), 3)
 
     def settle(self, deeds: Sequence[Deed]) -> None:
         """Choose the speeds that were not said.
@@ -140,7 +140,7 @@ class Paces:
         for one in reversed(self._changes):
             if one.gains:
                 wish = one.after.low if one.after.said else one.after.high
-                _lower(one.before, NEARLY * self._body.holds(wish) - gain)
+                _lower(one.before, HELD_FROM * self._body.holds(wish) - gain)
             elif one.after.said:
                 least = min(one.after.high + LOST * SEEN, one.after.high / (1 - SHARE_LOST * SEEN))
                 _raise(one.before, least)
@@ -148,7 +148,7 @@ class Paces:
                     _raise(one.before, least / share)
         for one in self._changes:
             if one.gains and not one.after.said:
-                one.after.low = max(one.after.low, min((one.before.high + gain) / NEARLY, one.after.high))
+                one.after.low = max(one.after.low, min((one.before.high + gain) / HELD_FROM, one.after.high))
                 one.after.high = min(one.after.high, max(one.after.low, one.after.low + gain))
             elif not one.gains and not one.after.said:
                 one.after.low, one.after.high = 0.3 * one.before.low, 0.6 * one.before.low
@@ -161,7 +161,7 @@ class Paces:
         before, after, name = one.before, one.after, f"{self._path}.does.{one.deed}.act: {deed.act}"
         least = gain_of(self._numbers.row)
         was = before.low if before.name else before.high  # who keeps to the ego is about as fast as it
-        if one.gains and after.high < was + least and was > LEAST:
+        if one.gains and after.high < was + least and was > CREEPS:
             raise NotBuilt(f"{name} {_told(was, after.high)}; say {_kmh(was + least)} at least")
         if before.low > MOST * self._numbers.row.limits.top_speed:
             kind, most = self._numbers.row.scenic.lower(), MOST * self._numbers.row.limits.top_speed
@@ -290,7 +290,7 @@ def _kmh(speed: float) -> str:
 def _lower(speed: Speed, most: float) -> None:
     """Let a speed that was not said be no more than something."""
     if not speed.said:
-        speed.high = max(LEAST, min(speed.high, most))
+        speed.high = max(CREEPS, min(speed.high, most))
         speed.low = min(speed.low, speed.high)
 
 

@@ -16,37 +16,35 @@ from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, RESTS_THERE, ROUND, R
 from chatscene.build.facing import OVER
 from chatscene.build.gaps import (
     LOSES,
-    backs_by,
     comes_in,
     gap_is_said,
     gets_ahead,
     goes_before,
     keeps_before,
+    keeps_its_speed,
     seconds_to_get_ahead,
     seconds_to_get_by,
 )
-from chatscene.build.lateral import goes_aside, led_aside
+from chatscene.build.lateral import led_aside
 from chatscene.build.local import breaks, check_turn
-from chatscene.build.numbers import FIRM
+from chatscene.build.numbered import held_at, of_deed, renamed
 from chatscene.build.opening import Opening
-from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_passing_speed
-from chatscene.build.place import LANE, NEXT_LANE
+from chatscene.build.paces import CRAWLS, Pace, Paces, paces_of, set_passing_speed
+from chatscene.build.place import NEXT_LANE
 from chatscene.build.reacting import LOCKS, SLOWED, ego_slows, goes_until_ego_slows, swerves_slowed
 from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
-from chatscene.terms.situation import Deed
-from chatscene.terms.vocabulary import Act, Manner, Role, Side
+from chatscene.terms.vocabulary import Act, Manner, Role
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
-BACK, DRIFTS = 1.5, 8.0  # [m] that somebody goes back; that it goes on while it drifts by a third
-WAVE = 20.0  # [m], five times as far as a tracker looks ahead: a shorter wave is cut
 GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
-NEARLY, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
+AS_SAID, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
+STAYS = frozenset((Act.ACCELERATE, Act.DRIFT))  # it goes on so, whatever time that took
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 
 
@@ -141,7 +139,7 @@ class Phases:
         if actor.deeds[-1].speed is not None and self.steps[-1].pace in (Pace.KEEPS, Pace.GAINS):
             wish = self.paces.after[-1]
             if wish.name:  # until it is nearly as fast as was said
-                reaches = f"MoveAhead(${wish.name}) until self.pose[3] > {NEARLY:g} * ${wish.name}"
+                reaches = f"MoveAhead(${wish.name}) until self.pose[3] > {AS_SAID:g} * ${wish.name}"
                 reached = course([reaches], actor.numbers, self.body, begins, meeting)
                 begins = replace(begins, seconds=min(reached.seconds, begins.seconds + LONGEST))
         takes = sum(
@@ -233,11 +231,11 @@ class Phases:
         twice = k > 0 and self.actor.deeds[k].act is self.actor.deeds[k - 1].act is Act.BRAKE
         if twice and self.actor.stand.meets is not Meets.ACROSS:
             return True
-        if self._goes_on_braking(k) or not steps.going or (steps.pace is Pace.GAINS and before.high <= CRAWLS):
+        if self.goes_on_braking(k) or not steps.going or (steps.pace is Pace.GAINS and before.high <= CRAWLS):
             return False
         return still or (bool(before.name) and steps.pace is not Pace.GAINS)
 
-    def _goes_on_braking(self, k: int) -> bool:
+    def goes_on_braking(self, k: int) -> bool:
         """Whether it comes to a stand by the braking that it has begun."""
         deeds = self.actor.deeds
         across = self.actor.stand.meets is Meets.ACROSS
@@ -273,27 +271,12 @@ class Phases:
     def _at(self, k: int, text: str, *, before: bool = False) -> str:
         """A phase at the speed that it has before or in a deed."""
         speed = (self.paces.before if before else self.paces.after)[k]
-        return self._held(_renamed(text, "SPEED", speed.name or "SPEED"), speed)
-
-    def _held(self, text: str, speed: Speed) -> str:
-        """A phase that ends when a speed is reached, with the share of it that its pedals hold."""
-        if "{held}" not in text:
-            return text
-        if not speed.name:
-            low, high, *_ = self.actor.numbers.range_of("SPEED")
-            speed = Speed("SPEED", low, high)
-        return text.replace("{held}", f"{self.paces.held(speed):g}")
-
-    def _lasts(self, text: str, speed: Speed) -> str:
-        """A phase with the time that it takes somebody to get so far that it is seen."""
-        goes = 0.5 * (speed.low + speed.high) if speed.name else self.actor.numbers.middle("SPEED")
-        period = max(3.0, WAVE / goes)
-        text = text.replace("{period}", f"{period:.2g}").replace("{weaves}", f"{1.5 * period:.2g}")
-        return text.replace("{back}", f"{1.0 + BACK / goes:.2g}").replace("{drift}", f"{max(0.9, DRIFTS / goes):.2g}")
+        return held_at(self, renamed(text, "SPEED", speed.name or "SPEED"), speed)
 
     def _of(self, k: int, steps: Steps, way: str | None, *, still: bool, last: bool, go: str) -> Iterator[str]:
         actor, deed = self.actor, self.actor.deeds[k]
-        ends = last and bool(steps.last) and deed.time is None
+        far = deed.act is Act.GO_ALONG and deed.distance is not None
+        ends = last and bool(steps.last) and ((deed.time is None and not far) or deed.act in STAYS)
         phases = steps.last if ends else steps.does
         own = steps.way or line_aside(actor, k, way) or way
         if last and not ends:
@@ -314,7 +297,7 @@ class Phases:
         yield from gets_ahead(actor, k, way or "{p}", last=last)
         phases = self._beside_ego(k, phases, way or "{p}")
         for text in self._careful(phases) if last else phases:
-            said = to_whom(self._of_deed(k, text, steps), deed)
+            said = to_whom(of_deed(self, k, text, steps), deed)
             said = said.replace("{meets}", actor.stand.ego_meets)
             if k + 1 < len(actor.deeds) and swerves_slowed(actor, k + 1) and deed.time is None:
                 actor.numbers.narrow("BRAKE_TIME", *LOCKS)
@@ -330,7 +313,7 @@ class Phases:
         actor, deed = self.actor, self.actor.deeds[k]
         if deed.act in (Act.GO_ALONG, Act.FOLLOW) and goes_before(actor, k):
             return (keeps_before(actor, way),)
-        if gap_is_said(deed) and deed.speed is None:
+        if gap_is_said(deed) and deed.speed is None and not keeps_its_speed(actor, k):
             return (comes_in(actor, k), *phases[1:])
         return phases
 
@@ -359,80 +342,3 @@ class Phases:
         if not self.actor.walks or phases[-1] != MOVE:
             return phases
         return (*phases[:-1], f"{MOVE} until {BARRED}", "Halt()")
-
-    def _of_deed(self, k: int, text: str, steps: Steps) -> str:
-        """A phase of a deed, with the numbers that were said of that deed and of no other."""
-        actor, deed = self.actor, self.actor.deeds[k]
-        numbers, at = actor.numbers, f"{actor.path}.does.{k}"
-        speed = self.paces.after[k]
-        if steps.binds.get("acceleration") == "THROTTLE" and deed.acceleration is not None:
-            return self._at_full_power(
-                k, self._lasts(self._held(_renamed(_renamed(text, "FAST", speed.name), "SPEED", "SPEED"), speed), speed)
-            )
-        changed = {Pace.GAINS: "FAST", Pace.LOSES: "SLOW"}.get(steps.pace)
-        text = _renamed(text, changed, speed.name) if changed else text
-        text = self._lasts(self._held(_renamed(text, "SPEED", speed.name or "SPEED"), speed), speed)
-        if deed.act is Act.REVERSE and deed.distance is not None:
-            text = _renamed(_renamed(text, "BACK", f"BACK_{k}"), "BACK_TIME", backs_by(actor, k))
-        for amount, name in steps.binds.items():
-            if (said := getattr(deed, amount)) is None or name in (changed, "SPEED"):
-                continue
-            own = f"{name}_{k}"
-            if amount == "speed" and deed.act is Act.OVERTAKE and own in numbers.bound:
-                text = _renamed(text, name, own)
-                continue
-            numbers.bind(own, said, actor.ego_speed, f"{at}.{amount}")
-            if name in ("DRIFT", "SWERVE") and self._over_the_edge(deed):
-                numbers.move(own, 0.5 * (LANE - actor.limits.width))
-            text = _renamed(text, name, own)
-        if (far := goes_aside(actor, k)) is not None and "distance" in steps.binds:
-            own = f"{(name := steps.binds['distance'])}_{k}"
-            numbers.measure(own, *far, "m", "how far from its line it goes", f"{at}.lateral")
-            text = _renamed(text, name, own)
-        if deed.act is Act.OVERTAKE and "FAST" in steps.binds.values():
-            text = _renamed(text, "FAST", f"FAST_{k}")
-        if deed.act is Act.KEEP_LEVEL and numbers.is_said("SPEED"):
-            text = text.replace(", 25, 2)", ", $SPEED, 0.97 * $SPEED)")  # which it does not give up
-        return self._braking(k, text, steps)
-
-    def _braking(self, k: int, text: str, steps: Steps) -> str:
-        """A phase that brakes as hard as was said, or as it began to."""
-        actor, deed = self.actor, self.actor.deeds[k]
-        numbers, at = actor.numbers, f"{actor.path}.does.{k}"
-        if self._goes_on_braking(k) and deed.acceleration is None and f"BRAKE_{k - 1}" in numbers.ranges:
-            text = _renamed(text, "BRAKE", f"BRAKE_{k - 1}")
-        if deed.manner is not None and deed.manner in FIRM and deed.acceleration is None and "$BRAKE" in text:
-            numbers.narrow(f"BRAKE_{k}", FIRM[deed.manner], 1.0)
-            text = _renamed(text, "BRAKE", f"BRAKE_{k}")
-            actor.ledger.take(f"{at}.manner")
-        elif deed.manner is Manner.SUDDEN and not steps.lasting:  # nobody shows beforehand what it is about to do
-            actor.ledger.take(f"{at}.manner")
-        return text
-
-    def _over_the_edge(self, deed: Deed) -> bool:
-        """Whether somebody leaves its lane for the ego's: what was said is then how far it is over the edge of that."""
-        start, toward = self.actor.one.starts, self.actor.stand.meets is Meets.TOWARD
-        away = start.side if not toward else Side.LEFT
-        return (toward or start.where in NEXT_LANE) and deed.to is not away
-
-    def _at_full_power(self, k: int, text: str) -> str:
-        """A phase with the pedal that gives the acceleration that was said, at the speed that it has before."""
-        actor, deed, limits = self.actor, self.actor.deeds[k], self.actor.limits
-        assert deed.acceleration is not None
-        before = self.paces.before[k]
-        left = 1.0 - 0.5 * (before.low + before.high) / limits.top_speed
-        low, high = (one / (limits.throttle * left) for one in deed.acceleration.within(0.0, limits.throttle * left))
-        if low > 1.0:
-            raise NotBuilt(
-                f"{actor.path}.does.{k}.acceleration: {deed.acceleration} is more than a {actor.one.kind} can at "
-                f"{3.6 * before.high:.0f} km/h: {limits.throttle * left:.2g} m/s² at most"
-            )
-        name = f"THROTTLE_{k}"
-        actor.numbers.narrow(name, low, min(high, 1.0))
-        actor.numbers.bound[name] = f"{actor.path}.does.{k}.acceleration"
-        return _renamed(text, "THROTTLE", name)
-
-
-def _renamed(text: str, name: str, own: str) -> str:
-    """A text that reads another parameter in the place of one."""
-    return re.sub(rf"\${name}(?![A-Z0-9_])", f"${own}", text)

@@ -24,7 +24,7 @@ from chatscene.build.relations import slows_on_its_way
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.errors import NotBuilt
 from chatscene.terms.backing import backs
-from chatscene.terms.situation import Situation
+from chatscene.terms.situation import EGO, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Role, Side, Striker, Where
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
@@ -93,12 +93,23 @@ def _through_point(point: str) -> str:
     return f"ownLane(egoRoute).offset(ownLane(egoRoute).project(*{point}.coordinates[:2])[1])"
 
 
+def _keeps_behind(asked: Asked) -> tuple[float, float] | None:
+    """How far [m] behind the ego somebody was said to keep that follows it first."""
+    first = asked.one.does[0] if asked.one.does else None
+    follows = first is not None and first.act in (Act.FOLLOW, Act.TAILGATE) and first.whom in (None, EGO)
+    if first is None or not follows or first.distance is None:
+        return None
+    return first.distance.within(1.0, max(first.distance.low, 2.0))
+
+
 def _behind(asked: Asked) -> Stand:
     if asked.begins_beside:
         return comes_along(asked)
     close = asked.one.role is Role.ADVERSARY or any(deed.act is Act.TAILGATE for deed in asked.one.does)
     waits = [deed.act for deed in asked.situation.ego.does[:1]] == [Act.STAND]
-    if (asked.ego.stands or waits) and not asked.stands:
+    if (room := _keeps_behind(asked)) is not None:
+        asked.reach(asked.middles + room[0], asked.middles + room[1], "how far behind the ego it is")
+    elif (asked.ego.stands or waits) and not asked.stands:
         asked.reach(28.0 + asked.longer, 45.0 + asked.longer, "how far behind the ego it is")
     elif strikes_from_behind(asked.situation, asked.one) and comes_to_stand(asked.situation):
         stops = 0.5 * asked.ego.speed / STOPPING
@@ -176,6 +187,9 @@ def _beside(asked: Asked) -> tuple[float, float]:
     """How far [m] ahead of the ego somebody level with it is, from and to."""
     if any(deed.act is Act.OVERTAKE for deed in asked.one.does[:1]):
         return -5.0, -0.5  # not yet ahead of it
+    if any(deed.act is Act.KEEP_LEVEL for deed in asked.one.does[:1]):
+        low, high, *_ = asked.numbers.range_of("LEVEL")
+        return low, high
     contact = asked.situation.contact
     if contact is None or contact.striker is None or not touches(asked.situation, asked.one):
         return -2.0, 4.5

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 LONGEST_DELAY = 5.0  # [s], where it was only said how long at least
 UNDER_WAY = 0.3  # [m/s]
+SEEN_BEFORE = 1.5  # [s] for which somebody is seen before the ego is as near as was said
 CLOSES_IN = 0.9  # of the ego's speed: on who is slower the ego closes in
 
 
@@ -92,7 +93,30 @@ def when_of(actor: Actor, k: int, when: When, meanwhile: str) -> Iterator[str]:
         actor.numbers.measure(f"DELAY_{k}", low, high, "s", "how long after that it begins", f"{at}.delay")
         yield f"{meanwhile} for $DELAY_{k} seconds"
     if when.ego_within is not None:
-        yield f"{meanwhile} until {_near(actor, k, when)}"
+        near = _near(actor, k, when)
+        _start_far_enough(actor, k, when)
+        yield f"{meanwhile} until {near}"
+
+
+def _start_far_enough(actor: Actor, k: int, when: When) -> None:
+    """Let somebody on whom the ego closes in begin so far ahead that the ego is not as near as was said from the first.
+
+    Who goes as fast as the ego begins as near as was said, or it never would be.
+    """
+    start, said, numbers = actor.one.starts, when.ego_within, actor.numbers
+    if start.distance is not None or actor.first is not None or when.of is not None or said is None:
+        return
+    if start.where not in (Where.AHEAD, Where.AHEAD_BESIDE, Where.KERB) or "Y" not in numbers.ranges:
+        return
+    stands = stands_first(actor.one) or start.where is Where.KERB
+    own = 0.0 if stands else numbers.middle("SPEED") if numbers.is_said("SPEED") else actor.ego_speed
+    closing = actor.ego_speed - own
+    if k or closing < (1.0 - CLOSES_IN) * actor.ego_speed:
+        return
+    nearest = numbers.range_of(f"NEAR_{k}")[1] * (closing if said.QUANTITY == "duration" else 1.0)
+    low = nearest + 0.5 * (actor.ego_limits.length + actor.limits.length) + SEEN_BEFORE * closing
+    far, most, unit, meaning = numbers.range_of("Y")
+    numbers.measure("Y", max(far, low), max(most, low + closing), unit, meaning)
 
 
 def _near(actor: Actor, k: int, when: When) -> str:

@@ -276,10 +276,10 @@ def gone_back(s: Seen, once: Act) -> Array:
     return -s.track.speed[once.began :].clip(max=0.0).sum(keepdims=True) * s.dt
 
 
-def room_left(s: Seen, once: Act) -> Array:
-    """(T,) [m], the room between the ego and who comes in before it, about when it is there."""
+def room_left(s: Seen, once: Act, there: int) -> Array:
+    """(T,) [m], the room between the ego and who comes in before it, from when it does to a step, when it is there."""
     done = once.done or 0
-    return s.lead[done : done + HALT] - (s.ego.length + s.track.length) / 2
+    return s.lead[done : max(there, done) + 1] - (s.ego.length + s.track.length) / 2
 
 
 def stood(s: Seen, once: Act) -> tuple[int, int]:

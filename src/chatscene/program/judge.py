@@ -32,15 +32,15 @@ from chatscene.program.encounter import encounter
 from chatscene.program.finding import Finding, failures, not_judged
 from chatscene.program.lateral import is_aside, of_lateral
 from chatscene.program.meaning import EGO_STATES, TOGETHER, in_between, left_of_ego
-from chatscene.program.measured import SLACK, SLACK_LENGTH, SLACK_SPEED, SLACK_TIME, Measure
-from chatscene.program.near import how_near
+from chatscene.program.measured import SLACK_LENGTH, SLACK_SPEED, Measure
 from chatscene.program.roads import of_road
+from chatscene.program.said import ASIDE, due, gently, to_side, untold, waits_for_others
 from chatscene.program.starting import STARTS, faces
 from chatscene.program.unasked import of_somebody, unasked
+from chatscene.program.waits import Waiting
 from chatscene.program.watching import Seen, watch
 from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
-from chatscene.terms.amount import Duration
 from chatscene.terms.backing import as_it_backs, backs, drive_as_it_backs, turned_about
 from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.route import Route
@@ -52,12 +52,10 @@ from chatscene.terms.vocabulary import Act as Said
 __all__ = ["Finding", "failures", "judge"]
 
 
-_ASIDE = (Said.SWERVE, Said.DRIFT)
 AVOIDS = frozenset((Said.SLOW_DOWN, Said.BRAKE, Said.STOP, Said.SWERVE, Said.LANE_CHANGE))
 """What somebody behind the ego does so as not to run into it."""
 OVER = 5  # [steps] at the end of which an ego that is hit is seen to lose speed
 LOST_AT_ONCE = 0.5  # [m/s] that it has lost then, if it was losing speed when it was hit
-EDGE = 4.0  # [m] from the ego's line: who is so near comes into its lane
 _DRIVES_OUT = frozenset((Where.ARM, Where.ONCOMING))
 NEARER = 2.0  # [m] by which an ego comes nearer to somebody whom it is about to overtake
 
@@ -94,10 +92,12 @@ class _Judge:
     route: Route
     through: bool
     measure: Measure = field(init=False)
+    waiting: Waiting = field(init=False)
     waits: list[tuple[str, Deed, Act, Seen]] = field(default_factory=list[tuple[str, Deed, Act, Seen]])
 
     def __post_init__(self) -> None:
         wanted = float(np.percentile(self.episode.ego_track.speed, 90))  # as nothing held it
+        self.waiting = Waiting(self.situation, self.episode, self.route, self.contact)
         self.measure = Measure(ego_speed=wanted, cut=self.contact is not None)
 
     @property
@@ -118,10 +118,10 @@ class _Judge:
         for k, deed in enumerate(ego.does):
             yield from self._of_ego(f"ego.does.{k}.act", deed, speed)
         done: dict[str, Act] = {}
-        for one in sorted(self.situation.others, key=_waits_for_others):  # who is waited for first
+        for one in sorted(self.situation.others, key=waits_for_others):  # who is waited for first
             yield from self._of_other(one, done)
         for path, deed, once, seen in self.waits:  # once it is known when everybody did what
-            yield from self._when(path, deed, once, seen, done)
+            yield from self.waiting.of(path, deed, once, seen, done)
         yield from self._of_passing()
         yield from of_contact(self.situation, self.episode)
         if not self.through:
@@ -196,6 +196,7 @@ class _Judge:
         seen = watch(self.episode, self.route, tracks[0], self.contact)
         yield from self._start(one, at, seen)
         yield from self._deeds(one, at, seen, done)
+        yield from self._lasting(one, at, seen, done)
         yield from of_somebody(self.situation, one, seen, self.route)
 
     def _start(self, one: Other, at: str, seen: Seen) -> Iterator[Finding]:
@@ -255,7 +256,7 @@ class _Judge:
         latest, before, mine = 0, "", list[Act]()
         for k, deed in enumerate(one.does):
             path, act = f"{at}.does.{k}", deed.act
-            yield from (not_judged(f"{path}.{name}") for name in _untold(deed))
+            yield from (not_judged(f"{path}.{name}") for name in untold(deed))
             found = [once for once in self._seen(one, k, seen, latest) if once not in mine or act is Said.STAND]
             lasts = act.row.lasting and act is not Said.STAND
             after = [once for once in found if lasts or once.began >= latest - TOGETHER / seen.dt]
@@ -266,9 +267,11 @@ class _Judge:
                     told = f"said {before}, then {act}, but it does it the other way round"
                 yield Finding(path=f"{path}.act", shown=False, told=told)
                 continue
-            due = [one for one in after if _due(deed, one, done, seen)] or after
+            timely = [one for one in after if due(deed, one, done, seen)] or after
             sided = act is Said.DRIFT  # who swerves comes back, which is no swerve to the other side
-            once = self._fitting(path, deed, [one for one in due if sided and _to_side(deed, one, seen)] or due, seen)
+            once = self._fitting(
+                path, deed, [one for one in timely if sided and to_side(deed, one, seen)] or timely, seen
+            )
             mine.append(once)  # one time seen is one deed
             done[f"{one.id}.{k}"] = once
             done.setdefault(f"{one.id}.{act}", once)
@@ -280,11 +283,23 @@ class _Judge:
             if deed.when is not None:
                 self.waits.append((f"{path}.when", deed, once, seen))
 
+    def _lasting(self, one: Other, at: str, seen: Seen, done: Mapping[str, Act]) -> Iterator[Finding]:
+        """How long what goes on is done, until the next deed begins."""
+        for k, deed in enumerate(one.does):
+            began, ends = done.get(f"{one.id}.{k}"), done.get(f"{one.id}.{k + 1}")
+            before = done.get(f"{one.id}.{k - 1}")
+            if began is None or (ends is None and k + 1 < len(one.does)):
+                continue
+            first = began.began if before is None else min(began.began, before.began)
+            comes_in = ends is not None and one.does[k + 1].act in COMES_IN
+            until = None if ends is None else ends.done if comes_in else ends.began
+            yield from self.measure.lasts(f"{at}.does.{k}", deed, first, until, seen, self._toward(deed, seen))
+
     def _how(self, one: Other, path: str, deed: Deed, once: Act, seen: Seen) -> Iterator[Finding]:
         """How a deed is done: to which side, by which numbers, in which manner, against which rule."""
-        if deed.to is not None and deed.act in _ASIDE:
+        if deed.to is not None and deed.act in ASIDE:
             told = f"said {deed.to}, it goes to the {_side(moved_left(seen, once))}"
-            yield Finding(path=f"{path}.to", shown=_to_side(deed, once, seen), told=told)
+            yield Finding(path=f"{path}.to", shown=to_side(deed, once, seen), told=told)
         yield from self._amounts(path, deed, once, seen)
         if deed.manner is Manner.SLANTING:
             slants = any(True for _ in ACTIONS[Action.DIAGONAL](seen))
@@ -320,6 +335,8 @@ class _Judge:
         sees = standing if stands else ACTS[act]
         if meets:
             sees = enters
+        if act is Said.BRAKE and gently(one.does[k]):
+            sees = ACTS[Said.SLOW_DOWN]
         if act is Said.ACCELERATE and (speed := one.does[k].speed) is not None and not speed.than_ego:
             sees = partial(accelerates, to=speed.high)
         if act is Said.DRIFT and (far := one.does[k].distance) is not None:
@@ -354,80 +371,15 @@ class _Judge:
         measure = self.measure
         speed = None if deed.speed is None else measure.speed(f"{path}.speed", deed.speed, seen, once)
         hard = measure.acceleration(path, deed, seen, once)
-        found = (speed, hard, measure.way(path, deed, once, seen), measure.stand(path, deed, once, seen))
+        way = measure.way(path, deed, once, seen, self._toward(deed, seen))
+        found = (speed, hard, way, measure.stand(path, deed, once, seen), measure.time(path, deed, once, seen))
         yield from (one for one in found if one is not None)
 
-    def _when(self, path: str, deed: Deed, once: Act, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
-        when = deed.when
-        assert when is not None
-        slack = TOGETHER / seen.dt
-        for name, reference in (("after", when.after), ("during", when.during)):
-            if reference is None or reference.startswith(f"{EGO}."):
-                continue
-            other = done.get(reference)
-            if other is None:
-                continue  # which has a finding of its own
-            right = once.began >= other.began - slack
-            lasts = reference.partition(".")[0] == path.split(".")[1] or self.situation.deed(reference).act.row.lasting
-            if name == "during" and other.done is not None and not lasts:  # else it is under way until this begins
-                right = right and once.began <= other.done + slack
-            if when.delay is not None and (name == "during" or when.during is None):
-                since = other.began if name == "during" or other.done is None else other.done
-                yield self._delay(path, when.delay, once, since, seen)
-            told = f"said {name} {reference}, it begins {(once.began - other.began) * seen.dt:.1f} s after that begins"
-            yield Finding(path=f"{path}.{name}", shown=right, told=told, at=once.began * seen.dt)
-        if (near := when.ego_within) is not None:
-            step = _comes(deed, once, seen)
-            whom = seen if when.of is None else watch(self.episode, self.route, self._tracks(when.of)[0], self.contact)
-            measured = how_near(whom, step, in_seconds=isinstance(near, Duration))
-            slack_of = SLACK_TIME if isinstance(near, Duration) else SLACK_LENGTH
-            most = near.high if math.isfinite(near.high) else near.low
-            nearest = min(measured, key=lambda one: abs(one - most))
-            right = nearest <= most * (1 + 2 * SLACK) + 2 * slack_of
-            told = f"said within {near}, the ego is at {nearest:.1f}"
-            yield Finding(path=f"{path}.ego_within", shown=right, told=told, at=once.began * seen.dt)
-
-    def _delay(self, path: str, said: Duration, once: Act, since: int, seen: Seen) -> Finding:
-        """How long after something a deed begins."""
-        later = np.array([(once.began - since) * seen.dt])
-        return self.measure.number(f"{path}.delay", said, later, SLACK_TIME, "begins after", cut=False)
-
-
-def _comes(deed: Deed, once: Act, seen: Seen) -> int:
-    """The step at which a deed is seen to begin: of who comes into the ego's lane, when it comes to its edge."""
-    if deed.act not in COMES_IN:
-        return once.began
-    near = np.flatnonzero(np.abs(seen.offset[once.began :]) < EDGE)
-    return once.began + int(near[0]) if near.size else once.began
-
-
-def _waits_for_others(one: Other) -> bool:
-    """Whether a deed of somebody waits for one of somebody else."""
-    waits = (deed.when for deed in one.does if deed.when is not None)
-    named = (name for when in waits for name in (when.after, when.during) if name is not None)
-    return any(name.partition(".")[0] not in (one.id, EGO) for name in named)
-
-
-def _due(deed: Deed, once: Act, done: Mapping[str, Act], seen: Seen) -> bool:
-    """Whether a time that a deed is seen is one at which it was due, by what it waits for."""
-    references = (deed.when.after, deed.when.during) if deed.when is not None else ()
-    others = (done[one] for one in references if one is not None and one in done)
-    return all(once.began >= other.began - TOGETHER / seen.dt for other in others)
-
-
-def _to_side(deed: Deed, once: Act, seen: Seen) -> bool:
-    """Whether somebody who leaves its line does so to the side that was said, if one was."""
-    if deed.to is None or deed.act not in _ASIDE:
-        return True
-    return (moved_left(seen, once) > 0) == (deed.to is Side.LEFT)
-
-
-def _untold(deed: Deed) -> Iterator[str]:
-    """What of a deed no track tells."""
-    if deed.manner is not None and deed.manner is not Manner.SLANTING:
-        yield "manner"
-    if deed.breaks in (Breach.STOP_SIGN, Breach.RIGHT_OF_WAY):
-        yield "breaks"
+    def _toward(self, deed: Deed, seen: Seen) -> Seen:
+        """Somebody as who is done something to sees it, if that is another than the ego."""
+        if deed.whom in (None, EGO) or not (tracks := self._tracks(deed.whom or EGO)):
+            return seen
+        return watch(self.episode, self.route, seen.track, of=tracks[0])
 
 
 def _side(left: float) -> str:

@@ -16,7 +16,7 @@ from chatscene.terms.situation import Deed, Lateral, Other, Start
 from chatscene.terms.vocabulary import Act as Said
 from chatscene.terms.vocabulary import Side, Where
 
-SLACK, LEAST = 0.15, 0.2  # of a number that was said; [m], the least of it
+SLACK, LEAST_ASIDE = 0.15, 0.2  # of a number that was said; [m], the least of it
 LEAST_SHARE = 0.1  # of the ego's width
 LANE = 3.5  # [m], a lane's width
 STEADY = 5  # [steps] over which somebody keeps its line that goes on there
@@ -49,7 +49,7 @@ def of_lateral(
     if said.side is not None:
         middle = _lane(one, deed)
         right = bool(((left - middle > 0.0) == (said.side is Side.LEFT)).any()) or bool(
-            (np.abs(left - middle) < LEAST).any()
+            (np.abs(left - middle) < LEAST_ASIDE).any()
         )
         yield Finding(path=f"{path}.side", shown=right, told=f"said {said.side}, it is {left[-1] - middle:.1f} m left")
 
@@ -97,7 +97,7 @@ def _kept(seen: Seen, once: Act) -> Array:
 
 def _finding(path: str, said: Amount, values: Array, *, share: bool) -> Finding:
     aim = said.low if np.isfinite(said.low) else said.high
-    slack = max(LEAST_SHARE if share else LEAST, SLACK * aim)
+    slack = max(LEAST_SHARE if share else LEAST_ASIDE, SLACK * aim)
     right = bool(((values >= said.low - slack) & (values <= said.high + slack)).any())
     nearest = float(values[np.abs(values - aim).argmin()])
     told = f"{100 * nearest:.0f} %" if share else f"{nearest:.2f} m"

@@ -3,28 +3,33 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from chatscene.program.amounts import FAR, HALF_LANE, LASTS, LONG, gaining_run, losing_run, over_the_line
 from chatscene.program.deeds import Act
 from chatscene.program.doing import gone_aside, gone_back, room_left, stood
 from chatscene.program.finding import Finding
+from chatscene.program.lateral import LANE
 from chatscene.program.watching import Seen
 from chatscene.terms.amount import Amount
 from chatscene.terms.episode import Array
-from chatscene.terms.seeing import loss_of
 from chatscene.terms.situation import EGO, Deed, Start
 from chatscene.terms.vocabulary import NOSE_TO_TAIL, Where
 from chatscene.terms.vocabulary import Act as Said
 
 SLACK = 0.15  # of a number that was said: what a watcher does not see
-SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
+SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 1.0, 0.4  # [m/s], [m], [s]: the least of it
 SLACK_ACCELERATION = 0.5  # [m/s²]
 BACK_SLACK, SLACK_ASIDE = 0.7, 0.2  # [m]
 HELD = 0.5  # [s] for which somebody holds a speed, within the slack, that it is seen to go at
 OVER = 5  # [steps] over which somebody is seen to gain speed
-ROLLS = 0.5  # [m/s²] up to which speed is lost by rolling out
+
+
+GAINING = frozenset((Said.ACCELERATE, Said.SET_OFF, Said.PULL_OUT))
+"""By what speed is gained."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,37 +80,65 @@ class Measure:
         return self.number(path, said, held, SLACK_SPEED, "goes at")
 
     def acceleration(self, path: str, deed: Deed, seen: Seen, once: Act) -> Finding | None:
-        """How hard speed changes by a deed: of who loses it the mean over all of that, else the most in half a second.
-
-        Who gains speed does so by less and less, as its engine lets it.
-        """
+        """How hard speed changes by a deed: the mean over all of what is lost, or over most of what is gained."""
         speed = np.abs(seen.track.speed[once.began :])
         if deed.acceleration is None or len(speed) <= OVER:
             return None
-        gains = deed.act in (Said.ACCELERATE, Said.SET_OFF)
-        change = (
-            float(np.abs(speed[OVER:] - speed[:-OVER]).max()) / (OVER * seen.dt) if gains else losing(speed, seen.dt)
-        )
+        runs = gaining_run if deed.act in GAINING else losing_run
+        first, end = runs(speed, seen.dt)
+        change = abs(float(speed[end] - speed[first])) / ((end - first) * seen.dt)
         return self.number(
             f"{path}.acceleration", deed.acceleration, np.array([change]), SLACK_ACCELERATION, "changes speed by"
         )
 
-    def way(self, path: str, deed: Deed, once: Act, seen: Seen) -> Finding | None:
+    def way(self, path: str, deed: Deed, once: Act, seen: Seen, toward: Seen) -> Finding | None:
         """The room that is left or the way that is covered, if that was said."""
         if deed.act is Said.REVERSE and deed.distance is not None:
             return self.number(f"{path}.distance", deed.distance, gone_back(seen, once), BACK_SLACK, "covers")
         if deed.act in (Said.DRIFT, Said.SWERVE) and deed.distance is not None:
-            return self.number(
-                f"{path}.distance", deed.distance, gone_aside(seen, once), SLACK_ASIDE, "leaves its line by"
-            )
+            aside = gone_aside(seen, once)
+            over = aside - 0.5 * (LANE - seen.track.width)  # of the edge of its lane, if it comes to the ego's
+            both = np.concatenate((aside, over)) if abs(seen.offset[once.began]) > HALF_LANE else aside
+            return self.number(f"{path}.distance", deed.distance, both, SLACK_ASIDE, "leaves its line by")
         if deed.act is Said.CUT_IN and once.done is not None and deed.whom in (None, EGO):
-            room = room_left(seen, once)
+            room = room_left(seen, replace(once, done=over_the_line(seen, once)), once.done)
             if deed.distance is not None:
                 return self.number(f"{path}.distance", deed.distance, room, SLACK_LENGTH, "leaves")
             if deed.time is not None:
                 seconds = room / max(float(seen.ego.speed[once.done]), 1.0)
                 return self.number(f"{path}.time", deed.time, seconds, SLACK_TIME, "leaves")
+        if deed.act in FAR and deed.distance is not None:
+            values, verb = FAR[deed.act]
+            return self.number(f"{path}.distance", deed.distance, values(toward, once), SLACK_LENGTH, verb)
         return None
+
+    def time(self, path: str, deed: Deed, once: Act, seen: Seen) -> Finding | None:
+        """How long something takes, if that was said of what ends by itself."""
+        if deed.time is None or deed.act not in LONG:
+            return None
+        values, verb = LONG[deed.act]
+        return self.number(f"{path}.time", deed.time, values(seen, once), SLACK_TIME, verb)
+
+    def lasts(self, path: str, deed: Deed, began: int, ends: int | None, seen: Seen, toward: Seen) -> Iterator[Finding]:
+        """How long and how far something goes on, at least, until the next deed begins."""
+        if deed.act not in LASTS:
+            return
+        until = len(seen.track.speed) - 1 if ends is None else ends
+        seconds = max(until - began, 0) * seen.dt
+        if deed.act is Said.KEEP_LEVEL:
+            level = np.abs(toward.lead[:until]) < (toward.ego.length + toward.track.length) / 2
+            seconds = float(level.sum()) * seen.dt
+        covered = float(np.abs(seen.track.speed[began:until]).sum()) * seen.dt
+        for name, said, value, least in (
+            ("time", deed.time, seconds, SLACK_TIME),
+            ("distance", deed.distance if deed.act is Said.GO_ALONG else None, covered, SLACK_LENGTH),
+        ):
+            if said is None:
+                continue
+            aim = said.low if math.isfinite(said.low) else 0.0
+            right = value >= aim - max(least, SLACK * aim)
+            shown = right or (None if ends is None else False)
+            yield Finding(path=f"{path}.{name}", shown=shown, told=f"said {said}, it does so for {value:.1f} at most")
 
     def stand(self, path: str, deed: Deed, once: Act, seen: Seen) -> Finding | None:
         """How long somebody stands, if that was said."""
@@ -115,13 +148,3 @@ class Measure:
         found = self.number(f"{path}.time", deed.time, np.array([(end - first) * seen.dt]), SLACK_TIME, "stands for")
         whole = end < len(seen.track.speed)  # else nobody saw the end of it
         return found if whole or found.shown else replace(found, shown=None)
-
-
-def losing(speed: Array, dt: float) -> float:
-    """The mean [m/s²] by which speed is lost, the first time that it is seen to be, from beginning to end."""
-    falls = np.concatenate(([False], -np.diff(speed) > ROLLS * dt, [False])).astype(int)
-    edges = np.diff(falls)
-    runs = list(zip(np.flatnonzero(edges == 1).tolist(), np.flatnonzero(edges == -1).tolist(), strict=True))
-    seen = (run for run in runs if speed[run[0]] - speed[run[1]] >= loss_of(float(speed[run[0]])))
-    first, end = next(seen, (0, 1))
-    return float(speed[first] - speed[end]) / ((end - first) * dt)

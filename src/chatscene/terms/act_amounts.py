@@ -20,6 +20,7 @@ _MEANS: Mapping[Act, Mapping[str, str]] = {
     Act.STAND: {"time": "how long it stands"},
     Act.GO_ALONG: {"distance": "how far it does that"},
     Act.SET_OFF: _GAINS,
+    Act.PULL_OUT: {"acceleration": "how hard"},
     Act.ACCELERATE: _GAINS,
     Act.SLOW_DOWN: _LOSES,
     Act.BRAKE: _LOSES,

@@ -372,7 +372,11 @@ class Act(RowWord):
     STOP = ("stop", "was moving, and comes to a standstill", _act(_ALL, "acceleration time distance", ego=True))
     HESITATE = ("hesitate", "pauses, and goes on", _act(_ALL, "time"))
     REVERSE = ("reverse", "moves backwards", _act(_ALL, "speed time distance", ego=True))
-    PULL_OUT = ("pull-out", "leaves where it stood at the edge for the ego's lane", _act(_WHEELS, "speed", placed=True))
+    PULL_OUT = (
+        "pull-out",
+        "leaves where it stood at the edge for the ego's lane",
+        _act(_WHEELS, "speed acceleration", placed=True),
+    )
     CUT_IN = (
         "cut-in",
         "comes from the next lane into the ego's, close in front",

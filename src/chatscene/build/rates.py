@@ -1,0 +1,183 @@
+"""How hard somebody gains or loses speed: as was said, or as the time or the way asks for in which it does."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from chatscene.build.deeds import BRAKES_TO, GO, OWN, Steps
+from chatscene.errors import NotBuilt
+from chatscene.simulate.embedded.dynamics import AIR_DRAG
+from chatscene.terms.amount import Amount, Duration, Length
+from chatscene.terms.vocabulary import Act
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+    from chatscene.build.paces import Speed
+    from chatscene.build.timing import Body
+
+GENTLEST = 0.1  # [m/s²] of the brakes alone
+ENOUGH = 0.8  # of the speed that is lost in the time for which somebody brakes
+GETS = 0.9  # of what it gains: the mean is up to there
+NEARLY_ALL = 0.98  # of a speed that is gained with a pedal that is held
+LEAST_GAINED = 1.5  # [m/s] over which a pedal is measured
+_STEP, _MOST = 0.1, 60.0  # [s] in which a pedal is followed, and for how long
+_LOSES = frozenset((Act.BRAKE, Act.SLOW_DOWN))
+_OFF = frozenset((Act.SET_OFF, Act.PULL_OUT))
+_FLOORS = "ThrottleOnPath({p}, $THROTTLE, 0, $SPEED) until self.pose[3] > {held} * $SPEED"
+AT_A_RATE: dict[Act, Steps] = {
+    Act.SET_OFF: Steps(
+        does=(_FLOORS, GO + " for 3 seconds"), last=(_FLOORS, GO), binds={"speed": "SPEED", "acceleration": "THROTTLE"}
+    ),
+    Act.PULL_OUT: Steps(
+        does=(_FLOORS.replace("{p}", OWN),), way=OWN, binds={"speed": "SPEED", "acceleration": "THROTTLE"}
+    ),
+}
+"""Of somebody who sets off as hard as was said."""
+
+
+def at_a_rate(actor: Actor, k: int, steps: Steps, *, across: bool) -> Steps:
+    """The row of a deed whose acceleration, time or way says how hard it is done; else the same."""
+    deed = actor.deeds[k]
+    if across:
+        if deed.act in _LOSES and deed.time is not None:  # in which nobody on foot slows down
+            return replace(steps, binds={one: name for one, name in steps.binds.items() if one != "time"})
+        return steps
+    if deed.act in _OFF and rate_of(actor, k) is not None and not actor.walks:
+        return AT_A_RATE[deed.act]
+    if deed.act is Act.SLOW_DOWN and (deed.acceleration is not None or deed.time is not None):
+        return BRAKES_TO
+    if deed.act is Act.ACCELERATE and (deed.time is not None or deed.acceleration is not None):
+        gains = f"{steps.last[0]} until self.pose[3] > {NEARLY_ALL:g} * $FAST"
+        return replace(steps, does=(gains,), binds={**steps.binds, "time": "THROTTLE"})
+    return steps
+
+
+def rate_of(actor: Actor, k: int) -> tuple[Amount, str] | None:
+    """The acceleration that was said of how somebody gets under way, or of what it gains then; and its path."""
+    deed, at = actor.deeds[k], f"{actor.path}.does"
+    if deed.acceleration is not None:
+        return deed.acceleration, f"{at}.{k}.acceleration"
+    if deed.act in _OFF and deed.speed is None and k + 1 < len(actor.deeds):
+        then = actor.deeds[k + 1]
+        if then.act is Act.ACCELERATE and then.acceleration is not None and then.when is None:
+            return then.acceleration, f"{at}.{k + 1}.acceleration"
+    return None
+
+
+def brakes_by(actor: Actor, k: int, before: Speed, after: Speed, *, loses: bool) -> bool:
+    """Let somebody lose speed as hard as the time or the way asks for that was said; whether it was.
+
+    Raises:
+        NotBuilt: It cannot brake so hard.
+    """
+    deed = actor.deeds[k]
+    was, then = (0.5 * (one.low + one.high) for one in (before, after))
+    timed = deed.act in _LOSES and deed.time is not None and loses
+    if timed or (deed.act is Act.STOP and deed.distance is not None):
+        _settle(actor, before, after)
+    if timed and deed.time is not None:
+        low, high = _rates(deed.time, was - then)
+        path = "time"
+    elif deed.act is Act.STOP and deed.distance is not None:
+        low, high = _rates(deed.distance, 0.5 * was * was)
+        path = "distance"
+    elif deed.act is Act.BRAKE and deed.time is not None and deed.acceleration is None:
+        most = ENOUGH * was / deed.time.low / actor.limits.brake  # so that it is long in coming to a stand
+        low, high, *_ = actor.numbers.range_of("BRAKE")
+        actor.numbers.narrow(f"BRAKE_{k}", min(low, 0.8 * most), min(high, most))
+        return True
+    else:
+        return False
+    air = AIR_DRAG * (was * was + was * then + then * then) / 3.0
+    _bind(actor, k, "BRAKE", (low - air, high - air), path)
+    return True
+
+
+def throttles_by(actor: Actor, k: int, body: Body, before: Speed, after: Speed, held: float) -> None:
+    """Let somebody gain speed as hard as was said on the average, or in the time that was said.
+
+    Raises:
+        NotBuilt: It cannot.
+    """
+    deed = actor.deeds[k]
+    was = 0.0 if deed.act in _OFF else 0.5 * (before.low + before.high)
+    _settle(actor, before, after)
+    then = max((held if deed.act in _OFF else 1.0) * 0.5 * (after.low + after.high), was + LEAST_GAINED)
+    if deed.time is not None and deed.acceleration is None:
+        rates, path = _rates(deed.time, GETS * (then - was)), f"{actor.path}.does.{k}.time"
+    else:
+        said = rate_of(actor, k)
+        assert said is not None
+        rates, path = said[0].within(0.1, max(actor.limits.throttle, said[0].low)), said[1]
+    pedals = [_pedal(body, was, then, rate) for rate in rates]
+    if pedals[0] > 1.0:
+        most = _mean(body, was, then, 1.0)
+        said_so = deed.time if deed.time is not None and deed.acceleration is None else f"{rates[0]:.3g} m/s²"
+        raise NotBuilt(
+            f"{path}: {said_so} is more than a {actor.one.kind} can from {3.6 * was:.0f} to {3.6 * then:.0f} km/h: "
+            f"{most:.2g} m/s² at most"
+        )
+    name = f"THROTTLE_{k}"
+    actor.numbers.measure(name, pedals[0], min(pedals[1], 1.0), "1", "how far the pedal is pressed", path)
+
+
+def goes_so_far(actor: Actor, k: int, speed: Speed) -> str:
+    """The parameter that is how long somebody goes on at a speed so that it covers the way that was said."""
+    deed = actor.deeds[k]
+    assert deed.distance is not None
+    _settle(actor, speed)
+    goes = 0.5 * (speed.low + speed.high) or actor.ego_speed
+    low, high = (end / goes for end in deed.distance.within(1.0, max(2.0 * deed.distance.low, 10.0)))
+    name = f"GO_TIME_{k}"
+    actor.numbers.measure(name, low, high, "s", "for how long it goes on so", f"{actor.path}.does.{k}.distance")
+    return name
+
+
+def _settle(actor: Actor, *speeds: Speed) -> None:
+    """Let speeds that were not said be one number each, of which the time or the way follows."""
+    for speed in speeds:
+        if speed.name and not speed.said:
+            middle = 0.5 * (speed.low + speed.high)
+            actor.numbers.narrow(speed.name, middle, middle)
+
+
+def _rates(said: Duration | Length, change: float) -> tuple[float, float]:
+    """From which acceleration [m/s²] to which a change of speed takes the time, or the half of its square the way."""
+    low, high = said.within(0.5 * max(said.low, 0.5) if math.isinf(said.high) else 0.3, max(2.0 * said.low, 0.5))
+    return change / high, change / low
+
+
+def _bind(actor: Actor, k: int, name: str, rates: tuple[float, float], path: str) -> None:
+    most, drag = actor.limits.brake, actor.limits.drag
+    low, high = (max(GENTLEST, rate - drag) / most for rate in rates)
+    at = f"{actor.path}.does.{k}.{path}"
+    if rates[1] < drag:
+        raise NotBuilt(f"{at}: {getattr(actor.deeds[k], path)}: it loses speed sooner if it only rolls out")
+    if low > 1.0:
+        said = getattr(actor.deeds[k], path)
+        raise NotBuilt(f"{at}: {said} is more than a {actor.one.kind} can: {rates[0]:.3g} m/s², and {most:.3g} at most")
+    actor.numbers.measure(f"{name}_{k}", low, min(high, 1.0), "1", "how hard it brakes", at)
+
+
+def _pedal(body: Body, was: float, then: float, rate: float) -> float:
+    """How far the pedal is pressed so that speed is gained at a rate on the average; above 1 where that cannot be."""
+    if _mean(body, was, then, 1.0) < rate:
+        return 2.0
+    low, high = 0.0, 1.0
+    for _ in range(20):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if _mean(body, was, then, middle) < rate else (low, middle)
+    return high
+
+
+def _mean(body: Body, was: float, then: float, pedal: float) -> float:
+    """The mean [m/s²] of gaining most of what is gained with a pedal that is held; 0 if it is never gained."""
+    speed, seconds, ends = was, 0.0, was + GETS * (then - was)
+    while speed < ends:
+        air = _STEP * AIR_DRAG * speed * speed
+        speed, seconds = body.after(speed, then + 1.0, pedal) - air, seconds + _STEP
+        if seconds > _MOST:
+            return 0.0
+    return (speed - was) / seconds if seconds else 0.0

@@ -1,0 +1,117 @@
+"""Whether a deed begins when it was said to: after or while another, so long after that, or with the ego so near."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from chatscene.program.contacts import is_of
+from chatscene.program.deeds import Act
+from chatscene.program.finding import Finding
+from chatscene.program.meaning import TOGETHER
+from chatscene.program.measured import SLACK, SLACK_LENGTH, SLACK_TIME
+from chatscene.program.near import how_near
+from chatscene.program.watching import Seen, watch
+from chatscene.terms.amount import Duration
+from chatscene.terms.episode import Episode
+from chatscene.terms.route import Route
+from chatscene.terms.situation import EGO, Deed, Situation, When
+from chatscene.terms.vocabulary import COMES_IN
+
+EDGE = 4.0  # [m] from the ego's line: who is so near comes into its lane
+
+
+@dataclass(frozen=True, slots=True)
+class Waiting:
+    """What deeds wait for in one drive.
+
+    Attributes:
+        situation: What was said.
+        episode: What happened.
+        route: The ego's.
+        contact: The step of the first contact, after which nothing is judged.
+    """
+
+    situation: Situation
+    episode: Episode
+    route: Route
+    contact: int | None
+
+    def of(self, path: str, deed: Deed, once: Act, seen: Seen, done: Mapping[str, Act]) -> Iterator[Finding]:
+        """What is seen of when a deed begins.
+
+        Args:
+            path: Of when it does.
+            deed: What was said.
+            once: When it was done.
+            seen: Who does it.
+            done: When all others were, by who does each and its number or act.
+        """
+        when = deed.when
+        assert when is not None
+        slack = TOGETHER / seen.dt
+        for name, reference in (("after", when.after), ("during", when.during)):
+            if reference is None or reference.startswith(f"{EGO}."):
+                continue
+            other = done.get(reference)
+            if other is None:
+                continue  # which has a finding of its own
+            right = once.began >= other.began - slack
+            lasts = reference.partition(".")[0] == path.split(".")[1] or self.situation.deed(reference).act.row.lasting
+            if name == "during" and other.done is not None and not lasts:  # else it is under way until this begins
+                right = right and once.began <= other.done + slack
+            told = f"said {name} {reference}, it begins {(once.began - other.began) * seen.dt:.1f} s after that begins"
+            yield Finding(path=f"{path}.{name}", shown=right, told=told, at=once.began * seen.dt)
+        if when.delay is not None and (since := _since(path, when, done)) is not None:
+            yield _later(f"{path}.delay", when.delay, (once.began - since) * seen.dt)
+        if when.ego_within is not None:
+            yield self._near(path, deed, once, seen)
+
+    def _near(self, path: str, deed: Deed, once: Act, seen: Seen) -> Finding:
+        """How near the ego is to somebody when a deed begins."""
+        when = deed.when
+        assert when is not None
+        near = when.ego_within
+        assert near is not None
+        step = _comes(deed, once, seen)
+        whom = seen
+        if when.of is not None:
+            track = next(track for track in self.episode.tracks if is_of(track.actor, when.of))
+            whom = watch(self.episode, self.route, track, self.contact)
+        seconds = isinstance(near, Duration)
+        most = near.high if math.isfinite(near.high) else near.low
+        nearest = min(how_near(whom, step, in_seconds=seconds), key=lambda one: abs(one - most))
+        right = nearest <= most * (1 + SLACK) + 2 * (SLACK_TIME if seconds else SLACK_LENGTH)
+        told = f"said within {near}, the ego is at {nearest:.1f}"
+        return Finding(path=f"{path}.ego_within", shown=right, told=told, at=once.began * seen.dt)
+
+
+def _since(path: str, when: When, done: Mapping[str, Act]) -> int | None:
+    """The step from which on a delay is counted; None where that was not seen."""
+    if when.during is not None:
+        other = done.get(when.during)
+        return None if other is None else other.began
+    _, who, _, number, _ = path.split(".")
+    before = when.after or (f"{who}.{int(number) - 1}" if int(number) else "")
+    if not before:
+        return 0  # the beginning of the scene
+    other = done.get(before)
+    return None if other is None or other.done is None else other.done
+
+
+def _later(path: str, said: Duration, seconds: float) -> Finding:
+    aim = said.low if math.isfinite(said.low) else said.high
+    slack = max(SLACK_TIME, SLACK * aim)
+    right = bool(np.clip(seconds, said.low - slack, said.high + slack) == seconds)
+    return Finding(path=path, shown=right, told=f"said {said}, it begins {seconds:.1f} s later")
+
+
+def _comes(deed: Deed, once: Act, seen: Seen) -> int:
+    """The step at which a deed is seen to begin: of who comes into the ego's lane, when it comes to its edge."""
+    if deed.act not in COMES_IN:
+        return once.began
+    near = np.flatnonzero(np.abs(seen.offset[once.began :]) < EDGE)
+    return once.began + int(near[0]) if near.size else once.began
