@@ -263,7 +263,7 @@ CAR = "others: [{id: A, kind: car, starts: {where: "
 @pytest.mark.parametrize(
     ("written", "told"),
     [
-        ("ego: {route: bypass}\nroad: {two_way: false}\n" + CAR + "oncoming}}]", "road.two_way: False"),
+        ("ego: {route: bypass}\nroad: {two_way: false}\n" + CAR + "oncoming}}]", "road.two_way: false"),
         (
             "contact: {whom: B}\n" + CAR + "ahead}}, {id: B, kind: car, role: supporting, starts: {where: behind}}]",
             "contact.whom: B",

@@ -86,3 +86,15 @@ def test_the_speed_of_who_backs_onto_the_road_is_what_was_said() -> None:
 def test_that_the_ego_has_a_stop_sign_too_is_told() -> None:
     built = somebody("car", "arm", {"act": "go-straight", "breaks": "stop-sign"}, side="right")
     assert any("the ego has a stop sign as well" in one for one in built.assumed)
+
+
+def test_who_hides_somebody_beside_the_road_stands_there_and_that_is_told() -> None:
+    child = {"id": "A", "kind": "child", "starts": {"where": "roadside", "side": "right"}, "hidden_by": "B"}
+    bus = {"id": "B", "kind": "bus", "role": "hides", "starts": {"where": "ahead"}, "does": [{"act": "stand"}]}
+    made = build(from_plain({"others": [child | {"does": [{"act": "cross"}]}, bus]}))
+    assert "B stands beside the road, and not ahead, so that it hides A" in made.assumed
+
+
+def test_who_comes_in_our_lane_without_a_deed_goes_by_where_the_two_do_not_touch() -> None:
+    comes = {"id": "A", "kind": "bicycle", "starts": {"where": "oncoming-in-our-lane"}}
+    assert build(from_plain({"others": [comes], "contact": {"happens": False}})).left_out == ()

@@ -21,6 +21,8 @@ BETWEEN = 1.2  # [m] between things in a row
 OFF = 0.1  # [m] between the lane and the side of what hides somebody
 BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
 SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
+BESIDE = frozenset((Where.KERB, Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.EXIT_CROSSING, Where.BUS_BAY))
+"""Where who hides somebody beside the road may have been said to be."""
 
 
 def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
@@ -39,6 +41,9 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
     if actor.one.starts.side not in (None, side):
         raise NotBuilt(f"nothing builds yet: {actor.path}, which hides {hidden.one.id} from its side")
     actor.ledger.take(*(f"others.{name}.hidden_by" for name in hidden_with(actor, hidden.one)))
+    if actor.one.starts.where not in BESIDE:
+        where = actor.one.starts.where
+        actor.ledger.assume(f"{actor.one.id} stands beside the road, and not {where}, so that it hides {hidden.one.id}")
     length = actor.limits.length or 1.2
     away = 2.6 + 0.5 * length + n // 2 * (length + BETWEEN)
     off = 0.5 * actor.limits.width + OFF  # so that it is beside the lane, and not in it

@@ -44,10 +44,11 @@ class Ledger:
         Raises:
             NotBuilt: There is a fact without which the scene would be another.
         """
-        left = {path: value for path, value in said_in(self.told or self.situation) if not self._is_built(path)}
-        if refused := [f"{path}: {value}" for path, value in left.items() if not LEFT_OUT.match(path)]:
+        facts = ((path, value) for path, value in said_in(self.told or self.situation) if not self._is_built(path))
+        left = {path: f"{path}: {str(value).lower() if isinstance(value, bool) else value}" for path, value in facts}
+        if refused := [told for path, told in left.items() if not LEFT_OUT.match(path)]:
             raise NotBuilt("nothing builds yet: " + "; ".join(refused))
-        return tuple(f"{path}: {value}" for path, value in left.items())
+        return tuple(left.values())
 
     def _is_built(self, path: str) -> bool:
         return within(path, self.built)

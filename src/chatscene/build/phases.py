@@ -104,7 +104,7 @@ class Phases:
         actor, meets = self.actor, self.actor.stand.meets
         go = MOVE if meets is Meets.ACROSS else GO
         if not actor.deeds:
-            yield self._undirected(go)
+            yield from self._careful((self._undirected(go),))
             return
         if all(deed.act is Act.STAND and deed.time is None for deed in actor.deeds):
             yield "Park()" if meets is not Meets.ACROSS else "Halt()"

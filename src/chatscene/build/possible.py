@@ -67,7 +67,9 @@ def impossible(situation: Situation) -> Iterator[Fault]:
         for k, deed in enumerate(one.does):
             moved_away = any(other.act in FROM for other in one.does[:k])
             if not moved_away and one.starts.where not in _from(deed):
-                yield Fault((f"{at}.{k}.act",), f"nobody who is {one.starts.where} can {deed.act}")
+                places = ", ".join(where for where in Where if where in _from(deed))
+                told = f"nobody who is {one.starts.where} can {deed.act}, but who is {places}"
+                yield Fault((f"{at}.{k}.act",), told)
             if stood and deed.act not in _OFF | _WHERE_IT_STANDS:
                 yield Fault((f"{at}.{k}.act",), f"who stands must set off before it can {deed.act}")
             if k and deed.act is Act.SET_OFF and one.does[k - 1].act not in _MAY_STAND:
