@@ -12,11 +12,13 @@ import pytest
 
 import chatscene.build
 from chatscene.build.build import Built, build
-from chatscene.ego.policy import fitted, load_ego
+from chatscene.ego.policy import fitted, in_words, load_ego, senses_of
 from chatscene.errors import NotBuilt, SituationError
 from chatscene.maps.network import resolve_map
 from chatscene.program.judge import judge
 from chatscene.program.sample import draw
+from chatscene.runs.asked import asked_run
+from chatscene.runs.record import SituationRecord
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.situations.facts import with_fact
@@ -195,3 +197,12 @@ def test_who_is_told_of_the_body_knows_it_and_drives_a_car_as_before() -> None:
     for name in ("idm", "planner", "hardened"):
         assert getattr(fitted(load_ego(name), bus), "body") == LIMITS["Bus"]  # noqa: B009 - of some egos alone
         assert getattr(fitted(load_ego(name), car), "body") == LIMITS["Car"]  # noqa: B009
+
+
+def test_how_hard_an_ego_brakes_is_told_of_what_it_drives() -> None:
+    assert in_words(senses_of(load_ego("idm"), "Bus")).endswith("brakes with at most 5.5 m/s² (the whole pedal)")
+    assert in_words(senses_of(load_ego("idm"))).endswith("brakes with at most 8 m/s² (the whole pedal)")
+    written = "ego: {kind: bus}\nothers: [{id: A, kind: car, starts: {where: ahead}, does: [{act: stop}]}]\n"
+    record = SituationRecord(name="", text=written)
+    (senses,) = asked_run(situation=record, generator="situation").senses.values()
+    assert senses["body"] == "Bus"

@@ -160,13 +160,18 @@ def pedals_of(ego: EgoPolicy) -> str:
     return pedals
 
 
-def senses_of(ego: EgoPolicy) -> dict[str, str]:
-    """What an ego sees and brakes with, by the names of the presets; `in_words` says them.
+def senses_of(ego: EgoPolicy, kind: str = CAR) -> dict[str, str]:
+    """What an ego sees and brakes with, by the names of the presets, and what it drives if that is no car.
+
+    Args:
+        ego: Which; `in_words` says it.
+        kind: The class of what it drives.
 
     Raises:
         EgoError: There is no such preset, or no such pedals.
     """
-    return {"observation": observation_of(ego), "pedals": pedals_of(ego)}
+    seen = {"observation": observation_of(ego), "pedals": pedals_of(ego)}
+    return seen if kind == CAR else seen | {"body": kind}
 
 
 def in_words(senses: Mapping[str, str]) -> str:
@@ -175,8 +180,9 @@ def in_words(senses: Mapping[str, str]) -> str:
     if seen not in IN_WORDS or pedals not in PEDALS:
         return "(what it sees was not recorded)"
     share = PEDALS[pedals]
+    brake = LIMITS.get(senses.get("body", CAR), LIMITS[CAR]).brake
     part = "the whole pedal" if share == 1.0 else f"{share:g} of the pedal"
-    return f"{IN_WORDS[seen]}; brakes with at most {share * LIMITS['Car'].brake:g} m/s² ({part})"
+    return f"{IN_WORDS[seen]}; brakes with at most {share * brake:g} m/s² ({part})"
 
 
 FILES = (".npz", ".zip", ".pt", ".onnx")

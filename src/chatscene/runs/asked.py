@@ -31,8 +31,10 @@ from chatscene.search.generator import Generator, load_generator
 from chatscene.search.sampler import load_sampler
 from chatscene.settings import EGO, RetrievalSettings, Settings
 from chatscene.simulate.simulator import load_simulator
+from chatscene.situations.file import read_text
 from chatscene.terms.conflict import Conflict
 from chatscene.terms.scenario import Scenario
+from chatscene.terms.scene import CAR, ScenicProgram
 
 
 def asked_run(
@@ -72,8 +74,17 @@ def asked_run(
         generator=generator,
         egos=[ego],
         **report,
-        **_on_a_map(map_name or map_with(read.slots.site), [ego], settings, maker),
+        **_on_a_map(map_name or map_with(read.slots.site), [ego], settings, maker, _driven(situation, program)),
     )
+
+
+def _driven(situation: SituationRecord | None, program: ProgramRecord | None) -> str:
+    """The class of what the ego of a run drives."""
+    if situation is not None:
+        return read_text(situation.text).ego.body.row.scenic
+    if program is None:
+        return CAR
+    return ScenicProgram(scenario_id="", source=program.source, parameters=(), snippet_ids=()).ego_kind
 
 
 def scenario_of(record: RunRecord, generator: Generator) -> Scenario:
@@ -127,14 +138,16 @@ def asked_benchmark(
     )
 
 
-def _on_a_map(map_name: str, egos: list[str], settings: Settings, generator: Generator | None = None) -> dict[str, Any]:
+def _on_a_map(
+    map_name: str, egos: list[str], settings: Settings, generator: Generator | None = None, kind: str = CAR
+) -> dict[str, Any]:
     """What drives and where; in the simulator that the generator has its programs run in, if there is one."""
     path = resolve_map(map_name)
     simulator = simulator_of(generator, path, settings) if generator else load_simulator(path, settings.simulation)
     return {
         "map_name": map_name,
         "map_digest": digest_of(path),
-        "senses": {ego: senses_of(load_ego(ego)) for ego in egos},
+        "senses": {ego: senses_of(load_ego(ego), kind) for ego in egos},
         "ego_digests": ego_digests(egos),
         "simulator": SimulatorRecord.of(simulator.identity),
         "settings": asdict(settings),

@@ -106,7 +106,7 @@ def _beside(made: Remade, drove: str, rows: Sequence[Mapping[str, Any]]) -> Besi
     crashed = [row for row in rows if row["collision"]][:TOLD]
     return Beside(
         ego=name,
-        senses=in_words(senses_of(ego)),
+        senses=in_words(senses_of(ego, made.program.ego_kind)),
         drives={one.scene_id: one for one in driven if not isinstance(one, Rejected)},
         stories={row["scene_id"]: _story(made, row) for row in crashed},
     )
