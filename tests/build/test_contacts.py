@@ -125,3 +125,68 @@ def test_a_contact_before_the_ego_has_stopped_cuts_that_short(seed: int) -> None
     near = car("A", "behind", deed("go-along"), distance="4 m", speed="30 km/h")
     said = others(near, ego={"speed": "30 km/h", "does": [deed("stop")]}, contact=STRUCK)
     assert "ego.does.0.act" in cuts(said, seed)
+
+
+@pytest.mark.parametrize("seed", (0, 3, 5))
+def test_who_comes_partly_in_our_lane_touches_the_side_that_was_said(seed: int) -> None:
+    comes = car("A", "oncoming-in-our-lane", deed("go-along"), kind="motorcycle")
+    said = others(comes, road={"two_way": True}, contact={"ego": "left", "striker": "other"})
+    assert not build(said).left_out
+    episode = driven(said, seed)
+    assert episode.collision is not None
+    assert episode.collision.side == "left"
+
+
+@pytest.mark.parametrize("seed", (2, 3, 4))
+def test_an_ego_that_is_to_clip_a_door_has_no_time_to_stop_for_it(seed: int) -> None:
+    parked: dict[str, Any] = {"id": "A", "kind": "car", "starts": {"where": "kerb", "side": "right"}}
+    said = others(
+        {**parked, "does": [deed("stand"), deed("open-door", to="left")]},
+        ego={"speed": "25 mph"},
+        contact={"other": "left", "striker": "ego"},
+    )
+    assert not build(said).left_out
+    episode = driven(said, seed)
+    assert episode.collision is not None
+    assert episode.collision.other == "A-door"
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_those_whom_the_ego_lets_by_at_a_junction_come_before_whom_it_meets(seed: int) -> None:
+    arm: dict[str, Any] = {"starts": {"where": "arm", "side": "right"}, "does": [deed("go-straight")]}
+    said = others(
+        {"id": "A", "kind": "van", **arm},
+        {"id": "B", "kind": "motorcycle", "count": 2, **arm},
+        ego={"does": [deed("stand"), deed("set-off")]},
+        road={"kind": "junction", "control": "signal", "ego_light": "turns-green"},
+    )
+    episode = driven(said, seed)
+    met, *by = (
+        int(np.hypot(one.x - episode.ego_track.x[-1], one.y - episode.ego_track.y[-1]).argmin())
+        for one in (track(episode, name) for name in ("A", "B", "B-2"))
+    )
+    assert max(by) < met
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_an_animal_is_by_before_the_ego_that_is_to_strike_the_other(seed: int) -> None:
+    deer: dict[str, Any] = {"kind": "deer", "starts": {"where": "roadside", "side": "right"}, "does": [deed("cross")]}
+    said = from_plain(
+        {
+            "ego": {"speed": "55 mph"},
+            "others": [{"id": "A", **deer}, {"id": "B", **deer}],
+            "contact": {"whom": "B", "striker": "ego"},
+        }
+    )
+    episode = drive(build(said), seed=seed)
+    assert isinstance(episode, Episode), episode
+    assert episode.collision is None or episode.collision.other == "B"
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_who_cuts_in_behind_another_that_brakes_does_not_drive_through_it(seed: int) -> None:
+    said = others(
+        car("A", "ahead-beside", deed("cut-in")),
+        car("B", "ahead", deed("go-along"), deed("brake", when={"after": "A.cut-in"})),
+    )
+    driven(said, seed)

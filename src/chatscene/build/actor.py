@@ -284,7 +284,9 @@ class Actor:
         """Whether it keeps its distance to whoever is before it: who is not met, and who goes behind others."""
         ahead = sum(other.starts.where is Where.AHEAD for other in self.ledger.situation.others)
         queues = self.one.starts.where is Where.AHEAD and ahead > 1
-        return self.stand.meets is Meets.ALONG and not self.walks and (self.one.role is Role.SUPPORTING or queues)
+        comes_in = ahead > 0 and any(deed.act is Act.CUT_IN for deed in self.deeds)
+        follows = self.one.role is Role.SUPPORTING or queues or comes_in
+        return self.stand.meets is Meets.ALONG and not self.walks and follows
 
     @property
     def met(self) -> float:

@@ -10,13 +10,15 @@ import numpy as np
 from chatscene.build.asked import Meets, stops_in_the_way
 from chatscene.build.chain import meeting_of
 from chatscene.build.coming import EGO_GRIP
-from chatscene.build.sweep import Moving, Touch, touches
+from chatscene.build.contact import touches
+from chatscene.build.sweep import Moving, Touch
+from chatscene.build.sweep import touches as touching
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.situations.facts import is_said
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.situation import Contact
-from chatscene.terms.vocabulary import SIDES_OF, Act, Part, Role, Side, Striker
+from chatscene.terms.vocabulary import COMES_IN, SIDES_OF, Act, Part, Role, Side, Striker
 from chatscene.world.control import curve_speeds
 
 if TYPE_CHECKING:
@@ -70,7 +72,7 @@ def aimed(actor: Actor, usual: Window) -> tuple[float, float, *tuple[str, ...]]:
         met together with what stands before it is not aimed at.
     """
     sooner = np.linspace(min(usual[0], -_LOOKS), max(usual[1], _LOOKS), _STEPS)
-    found = touches(_ego(actor), way, sooner) if (way := _other(actor)) is not None else []
+    found = touching(_ego(actor), way, sooner) if (way := _other(actor)) is not None else []
     if not any(found):  # along each other
         found = [_FRONTAL if usual[0] <= one <= usual[1] else None for one in sooner.tolist()]
     contact = actor.ledger.situation.contact
@@ -78,12 +80,14 @@ def aimed(actor: Actor, usual: Window) -> tuple[float, float, *tuple[str, ...]]:
         return _at_point(actor, contact, sooner.tolist(), found)
     met = [one is not None for one in found]
     low, high = (float(sooner[one]) for one in _longest(met))
+    by = usual[1] if met[-1] else high  # who turns into the ego's lane is never by
+    if contact is not None and _strikes_another(actor):
+        return by, by + NEAR_MISS
     if contact is None or contact.whom not in (None, actor.one.id):
         return max(low, usual[0] - _SPARE), min(high, usual[1] + _SPARE)
-    if not contact.happens:
-        by = usual[1] if met[-1] else high  # who turns into the ego's lane is never by
+    if not contact.happens and not any(True for _ in _asked(contact)):
         return by, by + NEAR_MISS, "contact.happens"
-    taken: list[str] = []
+    taken = [] if contact.happens else ["contact.happens"]  # it is braking that keeps them apart
     for path, holds in _asked(contact):
         both = [so and one is not None and holds(one) for so, one in zip(met, found, strict=True)]
         if way is not None and any(both):
@@ -125,6 +129,14 @@ def _from_left(actor: Actor) -> bool:
     if (found := actor.stand.found) is not None:
         return found.from_side == Side.LEFT
     return actor.one.starts.side is Side.LEFT or "left" in actor.stand.facing
+
+
+def _strikes_another(actor: Actor) -> bool:
+    """Whether it was said that the ego strikes another who comes over its way, and not this one, who is by before."""
+    situation = actor.ledger.situation
+    others = (one for one in situation.others if one.id != actor.one.id and touches(situation, one))
+    named = situation.contact is not None and situation.contact.whom is not None
+    return named and any(not COMES_IN.isdisjoint(deed.act for deed in one.does) for one in others)
 
 
 _FRONTAL = Touch("front", 1.0, "front", 1.0, by_ego=True)

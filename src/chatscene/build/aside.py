@@ -6,17 +6,21 @@ import re
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, stands_first, stops_ahead
+from chatscene.build.contact import touches
 from chatscene.build.gaps import LOSES
 from chatscene.build.naming import name_of
 from chatscene.build.place import NEXT_LANE
 from chatscene.terms.situation import Other
-from chatscene.terms.vocabulary import Act, Side, Where
+from chatscene.terms.vocabulary import Act, Part, Side, Striker, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 CLEAR = 0.4  # [m] at least between two of whom one swerves round the other
 BY = (0.3, 0.8)  # [m] between who goes by the ego and the ego, from and to
+GRAZES = (-0.14, -0.06)  # [m] the same, of who touches a side of the ego
+COMES_ASIDE_AT = 3.5  # [s] before they touch that it is aside
+_ON_A_SIDE = frozenset((Part.LEFT, Part.RIGHT, Part.LEFT_FRONT, Part.RIGHT_FRONT))
 GOES_BY_AT = 2.0  # [s] before they would touch that it leaves the ego's line
 _DRIVES = re.compile(r"^DrivePath\((.+), ([^,]+)\)$")
 SWERVES_AT, NEAR, SLOWER = 1.0, 2.0, 0.7  # [s], [m] before whom it swerves round; of the speed that one then has
@@ -66,20 +70,39 @@ def goes_by(actor: Actor, phases: tuple[str, ...]) -> tuple[str, ...]:
 
     It goes by on the side of its own lane, if nobody is there.
     """
-    aside = 0.5 * (actor.limits.width + actor.ego_limits.width)
-    actor.numbers.measure("BY", aside + BY[0], aside + BY[1], "m", "how far aside of the ego it goes by")
     others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
     taken = any(
         one.starts.where is Where.ONCOMING or (one.starts.where in NEXT_LANE and one.starts.side is Side.LEFT)
         for one in others
     )
+    actor.ledger.take("contact.happens")
+    return _aside(actor, phases, BY, GOES_BY_AT, left=not taken)
+
+
+def grazes(actor: Actor) -> bool:
+    """Whether it was said that who comes against the ego in its lane touches a side of it, and not its front."""
+    contact, ours = actor.ledger.situation.contact, actor.one.starts.where is Where.ONCOMING_IN_OUR_LANE
+    ours = ours and touches(actor.ledger.situation, actor.one)
+    return contact is not None and ours and contact.ego in _ON_A_SIDE
+
+
+def comes_aside(actor: Actor, phases: tuple[str, ...]) -> tuple[str, ...]:
+    """The last phases of who comes against the ego partly in its lane, so that the two touch with a side."""
+    contact = actor.ledger.situation.contact
+    assert contact is not None
+    actor.ledger.take("contact.ego", *(("contact.striker",) if contact.striker is Striker.OTHER else ()))
+    return _aside(actor, phases, GRAZES, COMES_ASIDE_AT, left=contact.ego in (Part.LEFT, Part.LEFT_FRONT))
+
+
+def _aside(actor: Actor, phases: tuple[str, ...], by: tuple[float, float], at: float, *, left: bool) -> tuple[str, ...]:
+    """The last phases of who comes against the ego, and leaves its line so many seconds before they would touch."""
+    middles = 0.5 * (actor.limits.width + actor.ego_limits.width)
+    actor.numbers.measure("BY", middles + by[0], middles + by[1], "m", "how far aside of the ego it goes by")
     *before, last = phases
     found = _DRIVES.match(last)
     assert found is not None
-    near = f"gap(self, ego) < (self.pose[3] + ego.pose[3]) * {GOES_BY_AT:g} + {NEAR:g}"
-    actor.ledger.take("contact.happens")
-    by = f"DrivePath({found[1]}, {found[2]}, {'' if taken else '-'}$BY)"
-    return (*before, f"{last} until {near}", by)
+    near = f"gap(self, ego) < (self.pose[3] + ego.pose[3]) * {at:g} + {NEAR:g}"
+    return (*before, f"{last} until {near}", f"DrivePath({found[1]}, {found[2]}, {'-' if left else ''}$BY)")
 
 
 def sign_of_side(actor: Actor, k: int) -> str:

@@ -200,7 +200,7 @@ class Asked:
     @property
     def less(self) -> str:
         """The room that is taken off a place behind."""
-        return f" - {self.room:g}" if self.room else ""
+        return f" {'-' if self.room > 0.0 else '+'} {abs(self.room):g}" if self.room else ""
 
 
 def bolts(one: Other) -> bool:

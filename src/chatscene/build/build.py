@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from chatscene.build.actor import Actor
+from chatscene.build.actor import SOME, Actor
 from chatscene.build.asked import ROOM, Meets, between, stands_first
 from chatscene.build.backing import check_met
 from chatscene.build.coming import wanted_by
@@ -135,9 +135,10 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
     situation = ledger.situation
     built: dict[str, Actor] = {}
     rows: dict[tuple[str, str, bool], tuple[Actor, float]] = {}
+    ahead: dict[tuple[str, str, bool], float] = {}
     order: list[tuple[Actor, Actor | None]] = []
     others = [at_distance(ledger, one) for one in in_rows(situation.others)]
-    for one in sorted(others, key=lambda other: _hides(situation, other) is not None):
+    for one in sorted(others, key=lambda other: (_hides(situation, other) is not None, _on_arm_unmet(other))):
         hidden = _hides(situation, one)
         stands = stands_first(one) and one.starts.where not in OFF_ROAD
         in_row = next((other for other in others if passes(one, other) and in_one_row(one, other)), one)
@@ -145,11 +146,14 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         place = (_SAME.get(where, str(where)), str(one.starts.side), stands)
         shares = hidden is None and one.starts.distance is None  # else it stands where it was said to
         first, room = rows.get(place, (None, 0.0)) if shares else (None, 0.0)
+        apart = one.kind.row.body.row.limits.length + between(one, ego.coming.speed)
+        if before := first is not None and _is_by_before(one, first.one, ego):
+            ahead[place] = ahead.get(place, 0.0) + (one.count or SOME) * apart
+            room = -ahead[place]
         actor = Actor(ledger, found, started(one, found.sides), ego.coming, room, first)
         built[one.id] = actor
-        if hidden is None:
+        if hidden is None and not before:
             abreast = 1.5 if one.hidden_by is not None else 2.5  # from the same gap
-            apart = actor.limits.length + between(one, ego.coming.speed)
             long = abreast if actor.stand.meets is Meets.ACROSS else actor.count * apart
             rows[place] = (first or actor, room + long)
         order.append((actor, built[hidden] if hidden is not None else None))
@@ -157,6 +161,23 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         if actor.one.starts.distance is None and actor.first is None:
             actor.numbers.move("Y", max(0.0, by.farthest + ROOM - actor.nearest))
     return order
+
+
+def _on_arm_unmet(one: Other) -> bool:
+    return one.starts.where is Where.ARM and one.role is Role.SUPPORTING
+
+
+def _is_by_before(one: Other, met: Other, ego: BuiltEgo) -> bool:
+    """Whether somebody who is not met comes through a junction in a row with who is: it is by before that one."""
+    drives = all(_comes_driving(other) for other in (one, met))
+    return _on_arm_unmet(one) and met.role is Role.ADVERSARY and drives and ego.coming.late is not None
+
+
+def _comes_driving(one: Other) -> bool:
+    """Whether somebody comes driving from the first, from no distance that was said."""
+    free = one.starts.distance is None and one.hidden_by is None and not stands_first(one)
+    when = one.does[0].when if one.does else None
+    return free and when is None and all(deed.act.row.lasting for deed in one.does[:-1])
 
 
 def _behind_leaders(everybody: Sequence[tuple[Actor, Actor | None]]) -> Iterator[tuple[Actor, Actor]]:

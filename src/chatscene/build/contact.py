@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import COMES_IN, Act, EgoRoute, Part, Role, Striker, Where
+from chatscene.terms.vocabulary import COMES_IN, Act, EgoRoute, Part, Role, Side, Striker, Where
 
 _LOSES = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP, Act.HESITATE, Act.REVERSE))
 _STANDS = frozenset((Act.STAND, Act.STOP, Act.FALL))
@@ -58,6 +58,20 @@ def parts_in_line(situation: Situation) -> Iterator[str]:
     yield from (f"contact.{name}" for name, part in (("ego", ego), ("other", other)) if getattr(contact, name) is part)
     if striker is not None and contact.striker is striker:
         yield "contact.striker"
+
+
+def parts_of_door(situation: Situation, one: Other) -> Iterator[str]:
+    """The paths of what was said of a contact with the door of somebody at the kerb that is so by where that is."""
+    contact = situation.contact
+    if contact is None:
+        return
+    right = one.starts.side is Side.RIGHT
+    if contact.striker is not None:
+        yield "contact.striker"
+    if contact.ego is (Part.RIGHT_FRONT if right else Part.LEFT_FRONT):
+        yield "contact.ego"
+    if contact.other is (Part.LEFT if right else Part.RIGHT):
+        yield "contact.other"
 
 
 def is_held_up(situation: Situation) -> bool:

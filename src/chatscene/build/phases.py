@@ -8,10 +8,10 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.aim import STOOD, set_offset
-from chatscene.build.aside import avoids, goes_by, line_aside, must_avoid, sign_of_side
+from chatscene.build.aside import avoids, comes_aside, goes_by, grazes, line_aside, must_avoid, sign_of_side
 from chatscene.build.asked import Meets, stands_first, stops_in_the_way, stops_on_its_way
 from chatscene.build.choosing import is_in_ours, steps_of
-from chatscene.build.contact import misses
+from chatscene.build.contact import misses, parts_of_door, touches
 from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, RESTS_THERE, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
 from chatscene.build.facing import OVER
 from chatscene.build.gaps import (
@@ -36,7 +36,7 @@ from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
-from chatscene.terms.vocabulary import Act, Manner, Role
+from chatscene.terms.vocabulary import Act, Manner, Role, Striker
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -45,6 +45,7 @@ GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 AS_SAID, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
 STAYS = frozenset((Act.ACCELERATE, Act.DRIFT))  # it goes on so, whatever time that took
+OPENS_BEFORE, OPENS_INTO = (-1.1, -0.5), (-1.4, -1.1)  # [s] later than one could stop for it that a door is opened
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 
 
@@ -96,6 +97,12 @@ class Phases:
                 set_passing_speed(actor, k)
         if actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) or actor.stand.rolls:
             set_offset(actor)
+        opens = deeds and deeds[-1].act is Act.OPEN_DOOR and actor.stand.meets is Meets.KERB
+        if opens and touches(actor.ledger.situation, one):  # too late for the ego to stop
+            contact = actor.ledger.situation.contact
+            into = contact is not None and contact.striker is Striker.OTHER
+            actor.numbers.narrow("OFFSET", *(OPENS_INTO if into else OPENS_BEFORE))
+            actor.ledger.take(*parts_of_door(actor.ledger.situation, one))
         return tuple(self._all())
 
     # All phases
@@ -334,6 +341,8 @@ class Phases:
 
     def _careful(self, phases: tuple[str, ...]) -> tuple[str, ...]:
         """The last phases, of somebody on foot who is not to touch an ego that stands where it is to go on."""
+        if grazes(self.actor) and phases[-1].startswith("DrivePath(") and "{home}" not in phases[-1]:
+            return comes_aside(self.actor, phases)
         if not misses(self.actor.ledger.situation, self.actor.one):
             return phases
         drives = phases[-1].startswith("DrivePath(") and "{home}" not in phases[-1]

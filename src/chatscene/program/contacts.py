@@ -13,7 +13,7 @@ from chatscene.program.finding import Finding
 from chatscene.simulate.contact import side_touched
 from chatscene.terms.episode import Episode, Track, contact_point
 from chatscene.terms.situation import Situation
-from chatscene.terms.vocabulary import LETS_GO, NOSE, SIDES_OF, Striker
+from chatscene.terms.vocabulary import LETS_GO, NOSE, SIDES_OF, Act, Striker
 
 AT_SLACK = 0.15  # of the ego's width
 
@@ -23,6 +23,8 @@ def striker_of(episode: Episode, other: Track) -> Striker:
     collision, ego = episode.collision, episode.ego_track
     assert collision is not None
     before = max(collision.step - 2, 0)
+    if any(_is_door_of(other.actor, track.actor) for track in episode.tracks):
+        return Striker.EGO if _at_front(episode) else Striker.OTHER
     noses = collision.side == "front", _touches_with_nose(episode, other)
     if noses == (True, False) and ego.speed[before] > MOVING:
         return Striker.EGO
@@ -36,6 +38,15 @@ def striker_of(episode: Episode, other: Track) -> Striker:
         return sign * speed * (math.cos(heading) * dx + math.sin(heading) * dy) / far
 
     return Striker.EGO if toward(ego, 1.0) >= toward(other, -1.0) else Striker.OTHER
+
+
+def _at_front(episode: Episode) -> bool:
+    """Whether the ego is touched in the front half: it drives into a door that is open, and else one opens into it."""
+    collision, ego = episode.collision, episode.ego_track
+    assert collision is not None
+    x, y = contact_point(episode, collision)
+    dx, dy, heading = x - ego.x[collision.step], y - ego.y[collision.step], ego.heading[collision.step]
+    return bool(dx * np.cos(heading) + dy * np.sin(heading) > 0.0)
 
 
 def _touches_with_nose(episode: Episode, other: Track) -> bool:
@@ -77,7 +88,8 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
         right = low - AT_SLACK <= share <= high + AT_SLACK
         yield Finding(path="contact.at", shown=right, told=f"said {said.at}, it is {100 * share:.0f} % of the width")
     if said.other is not None:
-        side = side_touched(other, episode.ego_track, collision.step)
+        whose = next((t for t in episode.tracks if _is_door_of(other.actor, t.actor)), other)  # it is a part of it
+        side = side_touched(whose, episode.ego_track, collision.step)
         right = side in SIDES_OF[said.other]
         yield Finding(path="contact.other", shown=right, told=f"said {said.other}, it is the {side}")
     if said.striker is not None:
@@ -93,6 +105,11 @@ def _on_width(ego: Track, other: Track, step: int) -> float:
     left = (other.y[steps] - ego.y[steps]) * np.cos(heading) - (other.x[steps] - ego.x[steps]) * np.sin(heading)
     from_left = left[np.abs(left).argmax()] > 0.0
     return 0.5 - (1.0 if from_left else -1.0) * float(left[-1]) / ego.width
+
+
+def _is_door_of(door: str, actor: str) -> bool:
+    """Whether somebody has a door that is open."""
+    return is_of(door, f"{actor}-{LETS_GO[Act.OPEN_DOOR]}")
 
 
 def is_of(actor: str, name: str) -> bool:
