@@ -204,3 +204,22 @@ def test_who_is_passed_while_it_cuts_in_is_before_the_ego_by_the_room_that_was_s
 def test_who_keeps_a_distance_keeps_up_with_a_fast_ego() -> None:
     said = of("car", {"where": "behind"}, {"act": "tailgate", "distance": "12 m"}, ego={"speed": "120 km/h"})
     assert numbers(said, "0.distance") == [True, True]
+
+
+def test_a_protocol_of_a_change_of_lanes_is_driven_to_its_numbers() -> None:
+    over = {"act": "lane-change", "to": "left", "time": "3.5 s", "when": {"ego_within": "25 m"}}
+    brakes = {"act": "brake", "acceleration": "4 m/s²", "speed": "50 km/h", "when": {"after": "A.0", "delay": "1 s"}}
+    start = {"where": "ahead-beside", "side": "right", "speed": "80 km/h"}
+    said = of("car", start, over, brakes, ego={"speed": "110 km/h"}, road={"lanes": 3, "ego_lane": 2})
+    found = shown(said, driven(said))
+    for name in ("0.time", "0.when.ego_within", "1.when.delay", "1.acceleration", "1.speed"):
+        assert found[f"others.A.does.{name}"] is True, name
+
+
+def test_a_bus_that_pulls_out_gains_speed_at_the_rate_that_was_said_of_what_it_does_then() -> None:
+    gains = {"act": "accelerate", "acceleration": "1 m/s²"}
+    said = of("bus", {"where": "kerb", "side": "right"}, "stand", "pull-out", gains, ego={"speed": "45 km/h"})
+    assert shown(said, driven(said))["others.A.does.2.acceleration"] is True
+    bus = track(driven(said))
+    begins = int(np.argmax(bus.speed > 0.2))
+    assert bus.speed[begins + 30] - bus.speed[begins] == pytest.approx(3.0, rel=0.2)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from chatscene.build.paces import Speed
     from chatscene.build.timing import Body
 
+ALMOST = 0.93  # of a rate that was said: nobody sees the difference
 GENTLEST = 0.1  # [m/s²] of the brakes alone
 ENOUGH = 0.8  # of the speed that is lost in the time for which somebody brakes
 GETS = 0.9  # of what it gains: the mean is up to there
@@ -111,6 +112,10 @@ def throttles_by(actor: Actor, k: int, body: Body, before: Speed, after: Speed, 
         said = rate_of(actor, k)
         assert said is not None
         rates, path = said[0].within(0.1, max(actor.limits.throttle, said[0].low)), said[1]
+    if not after.said and after.name and deed.act is Act.ACCELERATE:  # to a speed at which it still can
+        while then > was + LEAST_GAINED and _mean(body, was, then, 1.0) < rates[0]:
+            then = max(was + LEAST_GAINED, then - 1.0)
+        actor.numbers.narrow(after.name, then, then)
     pedals = [_pedal(body, was, then, rate) for rate in rates]
     if pedals[0] > 1.0:
         most = _mean(body, was, then, 1.0)
@@ -163,8 +168,8 @@ def _bind(actor: Actor, k: int, name: str, rates: tuple[float, float], path: str
 
 def _pedal(body: Body, was: float, then: float, rate: float) -> float:
     """How far the pedal is pressed so that speed is gained at a rate on the average; above 1 where that cannot be."""
-    if _mean(body, was, then, 1.0) < rate:
-        return 2.0
+    if (most := _mean(body, was, then, 1.0)) < rate:
+        return 1.0 if most > ALMOST * rate else 2.0
     low, high = 0.0, 1.0
     for _ in range(20):
         middle = 0.5 * (low + high)

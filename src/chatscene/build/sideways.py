@@ -14,7 +14,7 @@ from chatscene.world.places import lanes_beside
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
-LAGS = 0.9  # [s] that whoever steers for a line is behind it
+LAGS = 0.35  # [s] that whoever steers for a line is behind it
 PIECE = 0.35  # [s] of one piece of the way, about
 QUICKEST, USUAL = 1.7, 2.4  # [s] in which somebody changes lanes at least, and in which it does without delay
 _CHANGES = frozenset((Act.LANE_CHANGE, Act.CUT_OUT))
@@ -52,7 +52,7 @@ def takes_long(actor: Actor, k: int, steps: Steps) -> Steps:
 
 def _share(along: float) -> float:
     """How much of its way over somebody has behind it: slowly at first, and slowly at last."""
-    return along * along * (3.0 - 2.0 * along)
+    return along * (0.4 + 0.6 * along * (3.0 - 2.0 * along))
 
 
 def _goes_right(actor: Actor, k: int, line: str) -> bool:

@@ -13,6 +13,7 @@ from chatscene.terms.seeing import loss_of
 from chatscene.terms.vocabulary import Act as Said
 
 ROLLS = 0.5  # [m/s²] up to which speed is lost by rolling out, or gained by a hill
+ENDS = 0.03  # of the way to another lane, at both ends, that nobody sees
 NEARLY_THERE = 0.8  # of the way to a side: who drifts or swerves is nearly there
 MOST = 0.9  # of what is gained or of the way to a side: it is done with it then
 LEFT = 0.1  # [m] from a line: who is farther has left it
@@ -73,23 +74,37 @@ def _stops_in(seen: Seen, once: Act) -> Array:
 
 
 def _goes_over_for(seen: Seen, once: Act) -> Array:
-    """From when it leaves the line that it was on to when it is on the other."""
-    moved = _runs_aside(seen, once)
-    return np.array([(moved[1] - moved[0]) * seen.dt])
+    """From when it leaves the line that it was on to when it is all but on the other."""
+    first, last = _run_aside(seen, once)
+    over = _over(seen, first, last)
+    return np.array([(int(np.argmax(over > 1.0 - ENDS)) - int(np.argmax(over > ENDS))) * seen.dt])
 
 
-def _runs_aside(seen: Seen, once: Act) -> tuple[int, int]:
+def settled(seen: Seen, once: Act) -> int:
+    """The step at which somebody who comes over to another lane is all but on its line."""
+    first, last = _run_aside(seen, once)
+    over = _over(seen, first, last)
+    return first + int(np.argmax(over > 1.0 - ENDS))
+
+
+def _run_aside(seen: Seen, once: Act) -> tuple[int, int]:
     """The first and the last step of the way to a side of which a deed is a part."""
-    drift, at = seen.drift, once.done if once.done is not None else len(seen.drift) - 1
+    drift, at = seen.aside, once.done if once.done is not None else len(seen.aside) - 1
     rate = np.gradient(drift) / seen.dt
     most = once.began + int(np.argmax(np.abs(rate[once.began : at + 1])))
     sign = np.sign(rate[most]) or 1.0
     first = last = most
-    while first > 0 and sign * rate[first] > SWINGS:
+    while first > 0 and sign * rate[first] > SWINGS / 2:
         first -= 1
     while last < len(drift) - 1 and sign * rate[last] > SWINGS:
         last += 1
     return first, last
+
+
+def _over(seen: Seen, first: int, last: int) -> Array:
+    """How much of its way to a side, beside the ego's lane wherever that bends, somebody has behind it."""
+    whole = float(seen.aside[last] - seen.aside[first]) or 1.0
+    return (seen.aside[first : last + 1] - seen.aside[first]) / whole
 
 
 def _goes_aside_for(seen: Seen, once: Act) -> Array:

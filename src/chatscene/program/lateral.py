@@ -8,7 +8,7 @@ import numpy as np
 
 from chatscene.program.deeds import Act
 from chatscene.program.finding import Finding
-from chatscene.program.watching import Seen
+from chatscene.program.watching import Seen, moved_over
 from chatscene.terms.amount import Amount
 from chatscene.terms.episode import Array
 from chatscene.terms.lateral import seen_of_ego
@@ -42,6 +42,9 @@ def of_lateral(
     )
     passes = name == "clearance" and (deed is None or deed.act is Said.OVERTAKE)
     left = _where_it_passes(seen) if passes else None
+    if passes and left is None and deed is None and seen.line.length and bool(np.ptp(moved_over(seen.line)) > LANE / 2):
+        yield Finding(path=f"{path}.{name}", shown=None, told=f"said {amount}, the ego does not get by it")
+        return
     if left is None:
         left = seen.offset[:1] if once is None else _kept(seen, once)
     sides = _values(name, left, one, seen, deed, said.side)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from chatscene.program.amounts import settled
 from chatscene.program.contacts import is_of
 from chatscene.program.deeds import Act
 from chatscene.program.finding import Finding
@@ -20,7 +21,9 @@ from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 from chatscene.terms.situation import EGO, Deed, Situation, When
 from chatscene.terms.vocabulary import COMES_IN
+from chatscene.terms.vocabulary import Act as Said
 
+_OVER = frozenset((Said.CUT_IN, Said.LANE_CHANGE, Said.CUT_OUT, Said.MERGE, Said.ENTER))
 EDGE = 4.0  # [m] from the ego's line: who is so near comes into its lane
 
 
@@ -65,10 +68,29 @@ class Waiting:
                 right = right and once.began <= other.done + slack
             told = f"said {name} {reference}, it begins {(once.began - other.began) * seen.dt:.1f} s after that begins"
             yield Finding(path=f"{path}.{name}", shown=right, told=told, at=once.began * seen.dt)
-        if when.delay is not None and (since := _since(path, when, done)) is not None:
-            yield _later(f"{path}.delay", when.delay, (once.began - since) * seen.dt)
+        if when.delay is not None and (since := self._since(path, when, done, seen)) is not None:
+            yield _later(f"{path}.delay", when.delay, *((once.began - step) * seen.dt for step in since))
         if when.ego_within is not None:
             yield self._near(path, deed, once, seen)
+
+    def _since(self, path: str, when: When, done: Mapping[str, Act], seen: Seen) -> tuple[int, int] | None:
+        """The steps from which on a delay is counted, the latest first; None where that was not seen.
+
+        Who comes over to another lane is there when it is on its line, and for others when it is over the edge.
+        """
+        if when.during is not None:
+            other = done.get(when.during)
+            return None if other is None else (other.began, other.began)
+        _, who, _, number, _ = path.split(".")
+        before = when.after or (f"{who}.{int(number) - 1}" if int(number) else "")
+        if not before:
+            return 0, 0  # the beginning of the scene
+        other = done.get(before)
+        if other is None or other.done is None:
+            return None
+        own = before.partition(".")[0] == who and self.situation.deed(before).act in _OVER
+        ends = max(other.done, settled(seen, other)) if own else other.done
+        return ends, other.done
 
     def _near(self, path: str, deed: Deed, once: Act, seen: Seen) -> Finding:
         """How near the ego is to somebody when a deed begins."""
@@ -89,24 +111,12 @@ class Waiting:
         return Finding(path=f"{path}.ego_within", shown=right, told=told, at=once.began * seen.dt)
 
 
-def _since(path: str, when: When, done: Mapping[str, Act]) -> int | None:
-    """The step from which on a delay is counted; None where that was not seen."""
-    if when.during is not None:
-        other = done.get(when.during)
-        return None if other is None else other.began
-    _, who, _, number, _ = path.split(".")
-    before = when.after or (f"{who}.{int(number) - 1}" if int(number) else "")
-    if not before:
-        return 0  # the beginning of the scene
-    other = done.get(before)
-    return None if other is None or other.done is None else other.done
-
-
-def _later(path: str, said: Duration, seconds: float) -> Finding:
+def _later(path: str, said: Duration, least: float, most: float) -> Finding:
+    """Whether something begins so long after another, of which it is seen from when to when that ended."""
     aim = said.low if math.isfinite(said.low) else said.high
     slack = max(SLACK_TIME, SLACK * aim)
-    right = bool(np.clip(seconds, said.low - slack, said.high + slack) == seconds)
-    return Finding(path=path, shown=right, told=f"said {said}, it begins {seconds:.1f} s later")
+    right = most >= said.low - slack and least <= said.high + slack
+    return Finding(path=path, shown=right, told=f"said {said}, it begins {least:.1f} s later")
 
 
 def _comes(deed: Deed, once: Act, seen: Seen) -> int:
