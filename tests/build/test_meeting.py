@@ -84,7 +84,8 @@ def test_the_speed_of_who_backs_onto_the_road_is_what_was_said() -> None:
 
 
 def test_that_the_ego_has_a_stop_sign_too_is_told() -> None:
-    built = somebody("car", "arm", {"act": "go-straight", "breaks": "stop-sign"}, side="right")
+    sign = {"control": "stop-sign"}
+    built = somebody("car", "arm", {"act": "go-straight", "breaks": "stop-sign"}, side="right", road=sign)
     assert any("the ego has a stop sign as well" in one for one in built.assumed)
 
 

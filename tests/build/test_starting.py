@@ -176,7 +176,7 @@ def test_the_light_of_the_ego_is_what_was_said_at_a_junction_that_has_one(light:
     assert "".join(dict.fromkeys(own[:120])) == shown
 
 
-@pytest.mark.parametrize(("breach", "control"), [("red-light", "signal"), ("stop-sign", "stop-sign")])
+@pytest.mark.parametrize(("breach", "control"), [("red-light", "signal"), ("stop-sign", "none")])
 def test_a_rule_that_is_broken_is_there(breach: str, control: str) -> None:
     said = someone("arm", "go-straight", side="left")
     said["others"][0]["does"][0]["breaks"] = breach

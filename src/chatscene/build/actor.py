@@ -17,6 +17,7 @@ from chatscene.build.lateral import placed
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
+from chatscene.build.over_lanes import is_lane, lane_line
 from chatscene.build.paces import AT_ONE_SPEED
 from chatscene.build.parts import parts_of
 from chatscene.build.phases import Phases
@@ -311,7 +312,8 @@ class Actor:
         if OWN in text and self._lane_ends:
             text = text.replace(OWN, "ownWay(egoRoute)")
         first = one if self.count > 1 else "self"
-        text = text.replace("{beside}", f"beside{one}").replace("{ours}", f"ours{one}").replace("{home}", f"home{one}")
+        for mark in ("next", "beside", "ours", "home"):
+            text = text.replace(f"{{{mark}}}", f"{mark}{one}")
         row = name_of(self.first.one.id) if self.first is not None else one
         text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first).replace("{row}", row)
         if self.first is not None and self.stand.rolls and self._keeps_up_with(self.first):
@@ -330,6 +332,8 @@ class Actor:
         body = "\n".join(phases)
         if f"beside{one}" in body:
             named.append(f"beside{one} = {self._beside()}")
+        if f"next{one}" in body:
+            named.append(f"next{one} = {self._next()}")
         if f"ours{one}" in body:
             named.append(f"ours{one} = against(ownLane(egoRoute))")
         if f"home{one}" in body:
@@ -411,6 +415,18 @@ class Actor:
         if side not in sides:
             raise NotBuilt(f"no map has such a place: {self.path} has no lane to the {side} of ours")
         return f"extended({OWN}, 60).offset({'' if side == Side.LEFT else '-'}{LANE})"
+
+    def _next(self) -> str:
+        """The line of a lane of the ego's direction that is not next to the ego's.
+
+        Raises:
+            NotBuilt: There is none.
+        """
+        lane = int(self.named["lane"])
+        if not is_lane(self.found.route, lane):
+            side = Side.LEFT if lane > 0 else Side.RIGHT
+            raise NotBuilt(f"no map has such a place: {self.path} has no second lane to the {side} of ours")
+        return lane_line(lane)
 
     def moving(self, phases: Sequence[str], *, screened: bool = False) -> str:
         """Its speed at first: who goes the ego's way is under way as the ego is."""

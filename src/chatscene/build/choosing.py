@@ -16,6 +16,7 @@ from chatscene.build.deeds import (
     BRAKES_TO,
     COMES_BACK,
     DRIFTS_OVER,
+    INTO_NEXT,
     LOSES_SLOWLY,
     OFF,
     Steps,
@@ -29,6 +30,7 @@ from chatscene.build.deeds import (
 from chatscene.build.gaps import GOES_ON, eases, stops_before
 from chatscene.build.local import check_round, radius_to_turn_round
 from chatscene.build.naming import name_of
+from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import Pace
 from chatscene.build.place import NEXT_LANE, ROUNDABOUT_PLACES, at_junction, rides_at_edge
 from chatscene.build.rates import at_a_rate
@@ -70,7 +72,7 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     yield from steps_for(meets, walks=actor.walks, beside=where in NEXT_LANE).items()
     along = meets is Meets.ALONG
     if deed.act is Act.LANE_CHANGE and along:
-        yield from _changing_lanes(actor, deed)
+        yield from _changing_lanes(actor, k)
     if deed.act is Act.ENTER and meets is Meets.THROUGH and where not in ROUNDABOUT_PLACES:
         yield Act.ENTER, ALONG[Act.CROSS]  # its way leads onto the ego's road
     if deed.act in OFF and along and where in (Where.AHEAD, Where.BEHIND):
@@ -89,16 +91,14 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         yield from _to_another(actor, k)
 
 
-def _changing_lanes(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
-    """The row of who leaves its lane.
-
-    Raises:
-        NotBuilt: It would go away from the ego's lane, of which it is in the next.
-    """
-    if actor.one.starts.where not in NEXT_LANE:
+def _changing_lanes(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
+    """The row of who leaves its lane, for the ego's, for the next to it, or for one farther off."""
+    lane = lane_after(actor.one, actor.deeds, k)
+    if abs(lane) > 1:
+        actor.named["lane"] = str(lane)
+        yield Act.LANE_CHANGE, INTO_NEXT
+    elif lane:
         yield Act.LANE_CHANGE, ALONG[Act.CUT_OUT]
-    elif deed.to is not None and deed.to == actor.one.starts.side:
-        raise NotBuilt(f"nothing builds yet: {actor.path}: lane-change to the {deed.to}, away from the ego's lane")
 
 
 def _overtaking(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:

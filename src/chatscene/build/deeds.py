@@ -202,6 +202,12 @@ ALONG: dict[Act, Steps] = {
     Act.YIELD: Steps(does=(BRAKES, _BY), last=(BRAKES, _BY, GO), still=True, going=True, pace=Pace.STANDS),
 }
 """Of somebody who goes the ego's way, comes through a junction, or leaves the kerb."""
+INTO_NEXT = Steps(
+    does=("DrivePath({next}, $SPEED) until abs(offsetFrom({next}, self)) < 0.8",),
+    way="{next}",
+    binds={"speed": "SPEED"},
+)
+"""Of somebody who changes to a lane that is not next to the ego's."""
 _INTO_OURS = Steps(
     does=("DrivePath({ours}, $SPEED) until abs(offsetFrom(egoRoute, self)) < 1",),
     way="{ours}",

@@ -12,6 +12,7 @@ from chatscene.build.coming import further, wanted_by
 from chatscene.build.fitting import abreast, lacking_for, too_short
 from chatscene.build.holding import SITES, as_said, lanes_there
 from chatscene.build.ledger import Ledger
+from chatscene.build.over_lanes import lanes_needed
 from chatscene.build.place import (
     NEXT_LANE,
     PACKAGED,
@@ -22,6 +23,7 @@ from chatscene.build.place import (
     beside_lane,
     control_of,
     from_left,
+    only_others_stop,
     rides_at_edge,
     room_against,
 )
@@ -248,6 +250,7 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         base["lane"] = road.ego_lane
     if road.two_way is not None and not at_junction(situation):
         base["opposite"] = road.two_way
+    base |= _many_lanes(situation, sides)
     over: list[str] = []
     against = any(one.starts.where in AGAINST for one in others)  # for whom that lane is
     if not (against or lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
@@ -262,6 +265,16 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         if over:
             yield from _on_road(situation, sides, here, over)
         yield from _on_road(situation, sides, here, lanes)  # who goes over then goes where others come
+
+
+def _many_lanes(situation: Situation, sides: dict[str, Side]) -> dict[str, Any]:
+    """How many lanes there must be for those who change several of them, and in which the ego is then."""
+    left, right = lanes_needed(situation, sides)
+    straight = situation.ego.route in (None, EgoRoute.STRAIGHT)
+    if left + right < 2 or not straight or at_junction(situation) or at_roundabout(situation):
+        return {}
+    lane = {} if situation.road.ego_lane is not None else {"lane": 1 + right}
+    return {"lanes": max(1 + left + right, situation.road.lanes or 0), **lane}
 
 
 def _beside(situation: Situation) -> dict[str, Any]:
@@ -338,7 +351,9 @@ def _at_junction(
 
 def _of_side_road(situation: Situation) -> bool:
     """Whether there is a junction only since somebody comes from a side: out of a lane, an alley, a field."""
-    named = situation.road.kind is not None or situation.ego.route in TURNS or control_of(situation) is not None
+    ruled = control_of(situation) is not None and not only_others_stop(situation)
+    named = situation.road.kind not in (None, RoadKind.JUNCTION) or situation.ego.route in TURNS or ruled
+    named = named or (situation.road.kind is not None and not only_others_stop(situation))
     return not named and any(one.starts.where is Where.ARM for one in situation.others)
 
 
@@ -402,6 +417,8 @@ def _take(ledger: Ledger, found: Found) -> None:
             continue  # which was said
         own = turned_about(side) if backs(situation) else side
         ledger.assume(f"{name} is on the {own}, which was not said")
+    if only_others_stop(situation):
+        ledger.assume("no sign is seen where others do not stop, since no map has one that only others have")
     stops = any(deed.act in (Act.STOP, Act.STAND) for deed in situation.ego.does)
     if found.query.get("control") == Control.STOP_SIGN and not stops:
         ledger.assume("the ego has a stop sign as well, since no map has a junction where only others have one")

@@ -7,14 +7,16 @@ from collections.abc import Iterator
 from chatscene.build.arriving import LATEST, way_through
 from chatscene.build.asked import stands_first
 from chatscene.build.coming import wanted_by
-from chatscene.build.place import Found, arm_of, ring_arms, way_of
+from chatscene.build.place import NEXT_LANE, Found, arm_of, beside_lane, rides_at_edge, ring_arms, way_of
 from chatscene.build.relations import said_speed
 from chatscene.build.screening import from_its_lane
 from chatscene.maps.ring_ways import ring_ways
+from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.backing import backs
 from chatscene.terms.scenario import Site
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Where
-from chatscene.world.places import trafficFrom, wayOf
+from chatscene.world.places import lanes_beside, trafficFrom, wayOf
 
 
 def lacking_for(situation: Situation, found: Found) -> str | None:
@@ -24,6 +26,9 @@ def lacking_for(situation: Situation, found: Found) -> str | None:
         for one in situation.others:
             if (arms := ring_arms(one, found.sides)) and not there & set(arms):
                 return f"nobody from the {' or '.join(arms)} meets the ego's way in the roundabout"
+    if (side := _no_lane(situation, found)) is not None:
+        ring = " the roundabout has one lane, and" if found.query.get("site") == Site.ROUNDABOUT else ""
+        return f"{ring.strip()} no lane of the ego's direction lies to its {side}".strip()
     arms = [(one, arm) for one in situation.others if (arm := arm_of(situation, one, found.sides))]
     ways = [(one, way_through(situation, found, one)) for one, _ in arms]
     unmet = [pair for pair, (_, way) in zip(arms, ways, strict=True) if way is None]
@@ -34,6 +39,20 @@ def lacking_for(situation: Situation, found: Found) -> str | None:
         opposite = trafficFrom(found.route, "oncoming")
         if wayOf(opposite, "straight", "inner") is wayOf(opposite, "straight", "outer"):
             return "nobody comes against the ego there in two lanes"
+    return None
+
+
+def _no_lane(situation: Situation, found: Found) -> str | None:
+    """The side on which somebody is to be in the next lane, where there is none of the ego's direction."""
+    route = situation.ego.route
+    if beside_lane(situation) or backs(situation):
+        return None
+    there = lanes_beside(found.route)
+    for one in situation.others:
+        side = str(one.starts.side or found.sides.get(one.id, ""))
+        in_lane = one.starts.where in NEXT_LANE and not rides_at_edge(one, route) and one.kind.moves is Moves.DRIVES
+        if in_lane and there.get(side) is not False:
+            return side
     return None
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import Meets
 from chatscene.build.contact import misses
 from chatscene.build.deeds import OWN
+from chatscene.build.over_lanes import lane_after
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.relations import speed_of
 from chatscene.build.towards import done_to, to_whom
@@ -51,6 +52,8 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
         last: Whether it does nothing then.
     """
     deed, speeds = actor.deeds[k], _speeds(actor, k)
+    if deed.act is Act.LANE_CHANGE and lane_after(actor.one, actor.deeds, k) != 0:
+        return
     if deed.act not in _COMES_BEFORE and not (leaves_room(actor) and deed.act in _OVER) and not stops_before(actor, k):
         return
     from_behind = _from_behind(actor, k) or leaves_room(actor)

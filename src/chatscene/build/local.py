@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from chatscene.build.asked import HALTS, Meets
-from chatscene.build.place import LANE, ring_arms
+from chatscene.build.place import LANE, only_others_stop, ring_arms
 from chatscene.errors import MapError, NotBuilt
 from chatscene.terms.situation import Deed
 from chatscene.terms.vocabulary import COMES_IN, Act, Breach, EgoLight, Where
@@ -35,7 +35,7 @@ def breaks(actor: Actor, deed: Deed) -> bool:
             red = (actor.ledger.situation.road.ego_light in (EgoLight.RED, EgoLight.TURNS_RED)) == with_us
             return moves and control == "signal" and (red or with_us)
         case Breach.STOP_SIGN:
-            return moves and control == "stop-sign"
+            return moves and (control == "stop-sign" or only_others_stop(actor.ledger.situation))
         case _:
             return moves or deed.act in _INTO_THE_WAY
 

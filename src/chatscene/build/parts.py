@@ -12,12 +12,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets
+from chatscene.build.doors import away, door_side
 from chatscene.build.naming import name_of
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.scene import CAR
 from chatscene.terms.situation import Situation
-from chatscene.terms.vocabulary import LETS_GO, Act, Side
+from chatscene.terms.vocabulary import LETS_GO, Act, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -102,10 +103,13 @@ def _opens(actor: Actor, k: int) -> tuple[str, ...]:
     Raises:
         NotBuilt: It does not reach the ego's lane.
     """
-    if actor.stand.meets is not Meets.KERB or actor.one.starts.side is not Side.RIGHT or actor.count > 1:
-        raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}: open-door but of one who stands at the right kerb")
-    if actor.deeds[k].to is Side.RIGHT:
-        raise NotBuilt(f"{actor.path}.does.{k}.to: right: that door opens away from our lane")
+    at_left = actor.one.starts.where is Where.KERB and actor.one.starts.side is not Side.RIGHT
+    if actor.stand.meets is not Meets.KERB or at_left or actor.count > 1:
+        raise NotBuilt(
+            f"nothing builds yet: {actor.path}.does.{k}: open-door but of one who stands at the right kerb or in a lane"
+        )
+    if actor.deeds[k].to is away(actor.one):
+        raise NotBuilt(f"{actor.path}.does.{k}.to: {actor.deeds[k].to}: that door opens away from our lane")
     door = LIMITS["Door"]
     out = 0.5 * (actor.limits.width + door.length) - OPENS**2 / (2.0 * door.brake)
     there = f"abs(offsetFrom(way{name_of(actor.one.id)}, self)) > {out:.3g}"
@@ -117,5 +121,7 @@ def _place(actor: Actor, *, opens: bool) -> str:
     way, at = f"way{name_of(actor.one.id)}", actor.filled(actor.stand.at)
     if not opens:
         return f"pointOn({way}, {at} + {_carried(actor):.3g}), facing directionOn({way}, {at})"
-    aside = 0.5 * (actor.limits.width - LIMITS["Door"].length)
-    return f"pointOn({way}, {at} + {HINGE:g}, {aside:.3g}), facing directionOn({way}, {at} + {HINGE:g}, 1.5708)"
+    sign = 1 if door_side(actor.one) is Side.LEFT else -1
+    aside = sign * 0.5 * (actor.limits.width - LIMITS["Door"].length)
+    facing = f"directionOn({way}, {at} + {HINGE:g}, {sign * 1.5708:g})"
+    return f"pointOn({way}, {at} + {HINGE:g}, {aside:.3g}), facing {facing}"

@@ -29,6 +29,7 @@ from chatscene.build.lateral import led_aside
 from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbered import held_at, of_deed, renamed
 from chatscene.build.opening import Opening
+from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import CRAWLS, Pace, Paces, paces_of, set_passing_speed
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.reacting import LOCKS, SLOWED, ego_slows, goes_until_ego_slows, swerves_slowed
@@ -333,7 +334,8 @@ class Phases:
         if beside and deed.to not in (None, actor.one.starts.side):
             raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, of who is on the other side")
         if deed.to is not None and deed.act in (Act.CUT_OUT, Act.LANE_CHANGE, Act.OVERTAKE):
-            if actor.named.setdefault("side", str(deed.to)) != str(deed.to):
+            into_ours = deed.act is Act.LANE_CHANGE and lane_after(actor.one, actor.deeds, k) == 0
+            if not into_ours and actor.named.setdefault("side", str(deed.to)) != str(deed.to):
                 raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, after the other side")
             actor.ledger.take(f"{actor.path}.does.{k}.to")
         if deed.whom is not None:

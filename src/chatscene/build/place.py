@@ -12,7 +12,7 @@ from chatscene.terms.backing import backs
 from chatscene.terms.routing import BEGINS, ENDS
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, RightOfWay, RoadKind, Side, Where
+from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Facing, Feature, RightOfWay, RoadKind, Side, Where
 from chatscene.world.places import EgoRoute as Route
 from chatscene.world.places import lanes_beside, neighbourPath, ownLane
 
@@ -23,6 +23,7 @@ AT_CROSSWALKS = frozenset((Where.CROSSING, Where.EXIT_CROSSING))
 ROUNDABOUT_PLACES = frozenset((Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
 WAYS = {Act.TURN_LEFT: Maneuver.LEFT_TURN, Act.TURN_RIGHT: Maneuver.RIGHT_TURN}
 PACKAGED = ("town", "outskirts")
+_STOPS = frozenset((Act.STAND, Act.STOP, Act.SET_OFF, Act.YIELD))
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
 GOES_OVER = _TO_SIDE | {EgoRoute.LANE_CHANGE_LEFT: Side.LEFT, EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT}
 """The side on which the ego goes over the way of who goes on beside it."""
@@ -83,8 +84,18 @@ def control_of(situation: Situation) -> RightOfWay | None:
         return situation.road.control
     if situation.road.ego_light is not None:
         return RightOfWay.SIGNAL
+    if only_others_stop(situation):
+        return RightOfWay.NONE
     broken = (deed.breaks for one in situation.others for deed in one.does)
     return next((RULED_BY[breach] for breach in broken if breach is not None and breach in RULED_BY), None)
+
+
+def only_others_stop(situation: Situation) -> bool:
+    """Whether somebody from an arm does not stop at a sign that the ego, which goes on, is not said to have."""
+    broken = (one for one in situation.others for deed in one.does if deed.breaks is Breach.STOP_SIGN)
+    goes_on = not any(deed.act in _STOPS for deed in situation.ego.does)
+    own = situation.road.control not in (None, RightOfWay.NONE)
+    return goes_on and not own and any(one.starts.where is Where.ARM for one in broken)
 
 
 def at_roundabout(situation: Situation) -> bool:

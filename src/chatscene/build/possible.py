@@ -36,7 +36,7 @@ FROM: dict[Act, frozenset[Where]] = {
     Act.TURN_RIGHT: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
     Act.YIELD: _JOINS | _AGAINST | {Where.ARM},
     Act.TURN_BACK: OFF_ROAD | {Where.AHEAD, Where.ARM},
-    Act.OPEN_DOOR: frozenset((Where.KERB,)),
+    Act.OPEN_DOOR: frozenset((Where.KERB, Where.AHEAD, Where.AHEAD_BESIDE, Where.BESIDE, Where.ONCOMING)),
     Act.DROP_LOAD: frozenset((Where.AHEAD,)),
     Act.DRIFT: frozenset(Where) - OFF_ROAD - {Where.ONCOMING_IN_OUR_LANE},
 }

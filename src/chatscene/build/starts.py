@@ -10,6 +10,7 @@ from chatscene.build.arriving import comes_along, comes_back, roundabout, slow_e
 from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, stands_first, stops_ahead
 from chatscene.build.backing import comes_by, out_of, parked_beside
 from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
+from chatscene.build.doors import opens_in_lane, stands_in_lane
 from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.parts import into_lane
 from chatscene.build.place import (
@@ -386,4 +387,4 @@ def start_of(asked: Asked) -> Stand:
     if where not in STARTS:
         near = f"; the nearest is {NEAREST[where]}" if where in NEAREST else ""
         raise NotBuilt(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}{near}")
-    return turned(asked, STARTS[where](asked))
+    return turned(asked, stands_in_lane(asked) if opens_in_lane(asked) else STARTS[where](asked))

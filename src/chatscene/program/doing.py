@@ -20,6 +20,7 @@ from chatscene.terms.seeing import gain_of, loss_of
 from chatscene.terms.vocabulary import Act as Said
 
 DRIFTED = 0.8  # [m]
+LANE = 3.5  # [m], a lane's width
 BACK = 0.5  # [m]
 ON_LINE = 0.3  # [m] aside of its line at most, who is still on that
 BACK_ASIDE = 0.1  # [m] toward its line, from which somebody goes back to that
@@ -194,6 +195,12 @@ def _any_change(s: Seen) -> Iterable[Act]:
     yield from ACTIONS[Action.CHANGE_LANE](s)
     yield from ACTIONS[Action.CUT_IN](s)
     yield from comes_in(s.offset, outside=1.9, there=np.abs(s.offset) < 1.3, dt=s.dt)
+    away = np.abs(s.drift)
+    for over in (LANE, 2 * LANE):  # the next lane, and one more
+        farther = np.flatnonzero(away > over + 2.4)
+        if farther.size:
+            before = np.flatnonzero(away[: farther[0]] < over + 0.3)
+            yield Act(int(before[-1]), int(farther[0]))
 
 
 ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {

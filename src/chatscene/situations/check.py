@@ -127,7 +127,8 @@ def _of_deed(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
         some = ", ".join(act for act in Act if act.row.sided)
         yield Fault((*at, "to"), f"{deed.act!s} goes to no side, so leave this out; {some} go to one")
     ruled = RULED_BY.get(deed.breaks) if deed.breaks is not None else None
-    if ruled is not None and situation.road.control not in (None, ruled):
+    theirs = deed.breaks is Breach.STOP_SIGN and situation.road.control is RightOfWay.NONE  # whoever comes has the sign
+    if ruled is not None and situation.road.control not in (None, ruled) and not theirs:
         yield Fault((*at, "breaks"), f"there is no {deed.breaks!s} where the control is {situation.road.control}")
     if deed.whom is not None:
         if not row.whom:

@@ -189,7 +189,7 @@ class Road(_Closed):
     Attributes:
         kind: What kind of road.
         setting: What lies about it.
-        control: What rules the junction.
+        control: What rules the ego's way.
         ego_light: The traffic light that the ego has.
         lanes: How many lanes go the ego's way.
         ego_lane: Which of them the ego is in, from the outermost, which is 1.

@@ -1,0 +1,98 @@
+"""Who changes lanes away from ours or over several, who opens a door in a lane, and who alone has a stop sign."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from test_building import drive
+
+from chatscene.build.build import build
+from chatscene.build.over_lanes import lane_after
+from chatscene.errors import NotBuilt
+from chatscene.situations.form import from_plain
+from chatscene.terms.episode import Episode, Track
+
+STANDS, OPENS = {"act": "stand"}, {"act": "open-door"}
+
+
+def said(where: str, *does: dict[str, Any], side: str | None = None, **more: Any) -> dict[str, Any]:
+    starts = {"where": where} | ({"side": side} if side else {})
+    return {"others": [{"id": "A", "kind": "car", "starts": starts, "does": list(does)}], **more}
+
+
+def driven(plain: dict[str, Any]) -> dict[str, Track]:
+    episode = drive(build(from_plain(plain)), seed=1, ego="idm")
+    assert isinstance(episode, Episode), episode
+    return {one.actor: one for one in episode.tracks}
+
+
+def to_left(tracks: dict[str, Track], name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """How far [m] somebody is to the left of where the ego began, as that faced."""
+    ego, one = tracks["ego"], tracks[name]
+    cos, sin = np.cos(ego.heading[0]), np.sin(ego.heading[0])
+    return -(one.x - ego.x[0]) * sin + (one.y - ego.y[0]) * cos
+
+
+def change(to: str) -> dict[str, Any]:
+    return {"act": "lane-change", "to": to}
+
+
+MOTORWAY = {"kind": "motorway"}
+
+
+@pytest.mark.parametrize(
+    ("where", "side", "does", "lanes"),
+    [
+        ("ahead-beside", "left", [change("left")], [1, 2]),
+        ("ahead-beside", "left", [{"act": "cut-in", "to": "right"}, change("right")], [1, 0, -1]),
+        ("ahead", None, [change("right"), change("right")], [0, -1, -2]),
+        ("ahead-beside", "right", [{"act": "lane-change"}], [-1, 0]),
+    ],
+    ids=["away from ours", "over ours", "over two", "into ours"],
+)
+def test_who_changes_lanes_is_in_one_after_the_other(
+    where: str, side: str | None, does: list[dict[str, Any]], lanes: list[int]
+) -> None:
+    plain = said(where, *does, side=side, road=MOTORWAY)
+    one = from_plain(plain).others[0]
+    assert [lane_after(one, one.does, k) for k in range(len(does))] == lanes[1:]
+    aside = to_left(driven(plain), "A")
+    assert abs(aside[0] - 3.5 * lanes[0]) < 1.0
+    for lane in lanes:
+        assert np.abs(aside - 3.5 * lane).min() < 1.0
+
+
+@pytest.mark.parametrize(
+    ("where", "side", "ego"),
+    [("ahead-beside", "left", {}), ("ahead-beside", "right", {}), ("oncoming", None, {}), ("ahead", None, "bypass")],
+)
+def test_a_door_opens_into_our_way_of_who_stands_in_a_lane(where: str, side: str | None, ego: Any) -> None:
+    route = {"route": ego} if ego else {}
+    tracks = driven(said(where, STANDS, OPENS, side=side, ego=route))
+    door, car = to_left(tracks, "A-door"), to_left(tracks, "A")
+    toward = 1.0 if where == "ahead" else -np.sign(car[0])  # an ego that swings out passes on the left
+    assert abs(door[-1] - door[0]) > 0.5
+    assert np.sign(door[-1] - car[0]) == toward
+
+
+def test_a_door_of_who_drives_is_refused() -> None:
+    with pytest.raises(NotBuilt, match="open-door but of one who stands"):
+        build(from_plain(said("ahead-beside", {"act": "go-along"}, OPENS, side="left")))
+
+
+def test_where_only_others_have_a_stop_sign_the_ego_has_none() -> None:
+    breaks = {"act": "go-straight", "breaks": "stop-sign"}
+    plain = said("arm", breaks, side="right")
+    built = build(from_plain(plain))
+    assert "control='none'" in built.program.source
+    assert any("no sign is seen where others do not stop" in one for one in built.assumed)
+    assert from_plain(plain | {"road": {"control": "none"}}).others[0].does[0].breaks == "stop-sign"
+    waits = plain | {"ego": {"does": [{"act": "stand"}, {"act": "set-off"}]}}
+    assert "control='stop-sign'" in build(from_plain(waits)).program.source
+
+
+def test_two_beside_each_other_in_a_roundabout_are_refused_by_its_one_lane() -> None:
+    with pytest.raises(NotBuilt, match="the roundabout has one lane"):
+        build(from_plain(said("beside", {"act": "go-along"}, side="left", ego={"route": "roundabout"})))
