@@ -125,8 +125,8 @@ def test_fences_thoughts_and_nulls_of_an_old_model_are_passed_over() -> None:
         ),
         (changed(lambda said: said["others"].clear()), "others: nobody is there"),
         (
-            changed(lambda said: said.update(ego={"does": [{"act": "swerve"}]})),
-            "ego.does.0.act: the ego cannot be told to swerve",
+            changed(lambda said: said.update(ego={"does": [{"act": "cut-in"}]})),
+            "ego.does.0.act: the ego cannot be told to cut-in",
         ),
         ({"verdict": "situation", "reason": "", "situation": None}, "situation: is missing"),
         ({"verdict": "no-situation", "reason": " ", "situation": None}, "reason: say in one sentence"),

@@ -9,7 +9,7 @@ from chatscene.ego.observation import Observation
 from chatscene.errors import ProgramError
 from chatscene.maps.network import resolve_map
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.obedience import obeyed
+from chatscene.simulate.obedience import Obedience
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.episode import Episode
@@ -127,5 +127,5 @@ def test_pedals_are_as_asked_for_or_as_needed(
     orders: Sequence[Order], speed: float, asked: tuple[float, float], pressed: tuple[float, float]
 ) -> None:
     limits = LIMITS["Car"]
-    found = obeyed(orders, asked, time=0.0, along=0.0, speed=speed, dt=DT, limits=limits)
+    found = Obedience(orders).pedals(asked, time=0.0, along=0.0, speed=speed, dt=DT, limits=limits)
     assert found == pytest.approx(pressed)

@@ -137,7 +137,7 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
     rows: dict[tuple[str, str, bool], tuple[Actor, float]] = {}
     ahead: dict[tuple[str, str, bool], float] = {}
     order: list[tuple[Actor, Actor | None]] = []
-    others = [at_distance(ledger, one) for one in in_rows(situation.others)]
+    others = [at_distance(ledger, one) for one in in_rows(situation)]
     for one in sorted(others, key=lambda other: (_hides(situation, other) is not None, _on_arm_unmet(other))):
         hidden = _hides(situation, one)
         stands = stands_first(one) and one.starts.where not in OFF_ROAD

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass, fields
 
 from chatscene.build.coming import Coming, coming, wanted_by
 from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import MOST
+from chatscene.build.own import KEEPS, is_own, own_orders
 from chatscene.build.place import Found, at_junction
 from chatscene.errors import NotBuilt
 from chatscene.maps.routes import TO_LINE
@@ -16,7 +17,9 @@ from chatscene.terms.actors import LIMITS
 from chatscene.terms.backing import backs
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL, gain_in
+from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS
+from chatscene.terms.scenario import Maneuver
 from chatscene.terms.scene import CAR
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import Act, Breach, EgoLight, EgoRoute, Manner, UserKind
@@ -25,6 +28,8 @@ LINE = 3.5  # [m] before the junction the centre of a car stands whose nose is a
 STAND = 4.0  # [s] that somebody stands who sets off again
 BESIDE = 3.0  # [s] that the ego stands beside its lane before it comes into it
 SLOW = 3.0  # [m/s]
+GOES_THROUGH, THROUGH = 5.0, 14.0  # [m/s], [m] before and beyond where it is to give way, that an ego goes on
+OVER_LANE, INTO_TURN = 3.0, 9.0  # [m] on its way into a lane, or through a turn, that an ego is across a lane
 BACKS = 20.0  # [m] at most that an ego backs, if only a bound was said
 EASILY = 0.9  # of a brake, the most that an ego is braked with of which it was not said how hard
 
@@ -67,13 +72,15 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
             raise NotBuilt(f"ego.speed: {ego.speed} is more than a {what} can: {3.6 * most:.0f} km/h at most")
         ledger.take("ego.speed")
     ledger.take("ego.kind")
-    if held := [one.at_most for one in _orders(Ledger(situation), ego.does[:1], 0.0, speed) if _all_along(one)]:
+    if held := [one.at_most for one in _orders(Ledger(situation), ego.does, 0.0, speed) if _all_along(one)]:
         speed = min(speed, *held)  # which is as fast as it ever is
     elif ego.speed is None:  # others are timed by it, so that it is wanted of every ego
         ledger.assume(f"the ego wants {3.6 * speed:.0f} km/h, which was not said")
     wanted = f", with wantedSpeed {speed:.4g}"
     longer = 0.5 * (body.length - LIMITS[CAR].length)  # its nose is so much nearer than a car's
     stop = found.route.eventAt - (LINE + longer if junction else 0.0)
+    if stops_across(ego.does) and (across := _across(found, junction=junction)) is not None:
+        stop = across
     orders = tuple(_orders(ledger, ego.does, stop, speed))
     stands = bool(ego.does) and ego.does[0].act is Act.STAND
     back = backs(situation)
@@ -92,16 +99,34 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     return BuiltEgo(params=tuple(params), query=query, coming=comes, properties=moving + wanted + given)
 
 
+def _across(found: Found, *, junction: bool) -> float | None:
+    """How far [m] along its way an ego is that stands across the lane that it goes over, or comes into."""
+    if found.query.get("begins") in (Beside.DRIVEWAY, Beside.KERB):
+        return found.route.eventAt + OVER_LANE
+    turns = found.query["maneuver"] in (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)
+    return TO_LINE + INTO_TURN if junction and turns else None
+
+
+def stops_across(deeds: tuple[Deed, ...]) -> bool:
+    """Whether an ego stops after it had waited: on its way, and not where it waits."""
+    acts = [deed.act for deed in deeds]
+    begins = next((k for k, act in enumerate(acts) if act in (Act.SET_OFF, Act.YIELD)), None)
+    return begins is not None and Act.STOP in acts[begins:] and Act.STOP not in acts[:begins]
+
+
 def _all_along(order: Order) -> bool:
     """Whether an order lets the ego drive, and holds from the beginning to the end."""
-    return order.at_most > 0.0 and order == Order(at_most=order.at_most)
+    always = order.since <= 0.0 and order.till == order.place * -1 == math.inf and not order.whom
+    return always and 0.0 < order.at_most < math.inf
 
 
 def _written(order: Order) -> str:
     """An order as a program has it."""
     given = {one.name: getattr(order, one.name) for one in fields(Order)}
     usual = {one.name: one.default for one in fields(Order)}
-    return f"Order({', '.join(f'{name}={value:.4g}' for name, value in given.items() if value != usual[name])})"
+    said = {name: value for name, value in given.items() if repr(value) != repr(usual[name])}
+    texts = (f"{name}={value!r}" if isinstance(value, str) else f"{name}={value:.4g}" for name, value in said.items())
+    return f"Order({', '.join(texts)})"
 
 
 def _lights(ledger: Ledger, found: Found) -> list[str]:
@@ -109,6 +134,8 @@ def _lights(ledger: Ledger, found: Found) -> list[str]:
         return []
     ledger.take("road.ego_light")
     said, others = ledger.situation.road.ego_light, ledger.situation.others
+    if said is None and any(deed.breaks is Breach.RED_LIGHT for deed in ledger.situation.ego.does):
+        said = EgoLight.RED
     if said is None and not any(deed.breaks is Breach.RED_LIGHT for one in others for deed in one.does):
         ledger.assume("our light is green, which was not said")
     return [f"param signals = 'ego-{said or EgoLight.GREEN}'"]
@@ -116,38 +143,70 @@ def _lights(ledger: Ledger, found: Found) -> list[str]:
 
 def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) -> Iterator[Order]:
     begins = 0.0  # [s], when what was said with times has gone by
+    stops = [k for k, deed in enumerate(deeds) if deed.act is Act.STOP]
     for k, deed in enumerate(deeds):
-        at, then = f"ego.does.{k}", deeds[k + 1].act if k + 1 < len(deeds) else None
+        at = f"ego.does.{k}"
+        if is_own(deed):  # with all that follow it
+            if k == 0 or not is_own(deeds[k - 1]):
+                count = next((n for n, one in enumerate(deeds[k:]) if not is_own(one)), len(deeds) - k)
+                yield from own_orders(ledger, deeds[k : k + count], k, speed)
+            continue
         ledger.take(f"{at}.act", *_in_a_row(deed, at))
+        if deed.breaks is not None:
+            yield from _breaks(ledger, deed, at, stop, speed)
         if (answers := ledger.situation.answered(deed)) is not None:  # it does so by itself, as it has to
             name, reference = answers
             does = f"the {ledger.situation.deed(reference).act} of {reference.partition('.')[0]}"
             ledger.take(f"{at}.when.{name}")
             ledger.assume(f"the ego's {deed.act} {name} {does} is left to whoever drives it")
             continue
-        again = then in (Act.SET_OFF, Act.GO_ALONG, Act.ACCELERATE)
         there = begins * speed if begins else stop  # where it is to be slow, or to stand
-        match deed.act:
-            case Act.STAND:
-                wait = _seconds(ledger, deed, at)
-                yield Order(at_most=0, till=wait if again or deed.time is not None else math.inf)
-            case Act.STOP:
-                till = max(there, 0.0) / speed + speed / 6.0 + _seconds(ledger, deed, at)
-                ends = round(till, 1) if again or deed.time is not None else math.inf
-                yield Order(at_most=0, place=round(there, 1), till=ends, braking=_braking(ledger, deed, at, 3.0))
-            case Act.SLOW_DOWN | Act.BRAKE:
-                yield _slower(ledger, deed, at, there, begins, speed)
-            case Act.GO_ALONG | Act.FOLLOW if deed.manner is Manner.SLOW or deed.speed is not None:
-                ledger.take(f"{at}.speed" if deed.speed is not None else f"{at}.manner")
-                till = _lasts(ledger, deed, at)
-                yield Order(at_most=deed.speed.high if deed.speed is not None else SLOW, till=begins + till)
-                begins += till if till < math.inf else 0.0
-            case Act.GO_ALONG if deed.time is not None and then is not None:
-                begins += _lasts(ledger, deed, at)
-            case Act.GO_ALONG if deed.time is not None and deed.time.low * speed <= stop:
-                ledger.take(f"{at}.time")  # its way leads so far before anything happens
-            case _:
-                yield from _otherwise(ledger, deed, at)
+        if k in stops and len(stops) > 1:  # one after the other
+            there = stop * (stops.index(k) + 1) / len(stops)
+        begins = yield from _pedals(ledger, deed, at, _then(deeds, k), there, begins, speed)
+
+
+def _breaks(ledger: Ledger, deed: Deed, at: str, stop: float, speed: float) -> Iterator[Order]:
+    """An ego that breaks a rule does not slow down for it: no driver sees lights or signs, and all see others."""
+    ledger.take(f"{at}.breaks")
+    if deed.breaks is Breach.RIGHT_OF_WAY:
+        keeps = min(GOES_THROUGH, KEEPS * speed)
+        till = (stop + THROUGH) / keeps
+        ledger.assume(f"the ego goes on at {3.6 * keeps:.0f} km/h at least until it is through")
+        yield Order(at_least=round(keeps, 2), place=round(max(stop - THROUGH, 0.0), 1), till=round(till, 1))
+
+
+def _then(deeds: tuple[Deed, ...], k: int) -> Act | None:
+    return deeds[k + 1].act if k + 1 < len(deeds) else None
+
+
+def _pedals(
+    ledger: Ledger, deed: Deed, at: str, then: Act | None, there: float, begins: float, speed: float
+) -> Generator[Order, None, float]:
+    """Orders for a deed at the pedals; gives when [s] what was said with times has gone by."""
+    again = then in (Act.SET_OFF, Act.GO_ALONG, Act.ACCELERATE)
+    match deed.act:
+        case Act.STAND:
+            wait = _seconds(ledger, deed, at)
+            yield Order(at_most=0, till=wait if again or deed.time is not None else math.inf)
+        case Act.STOP:
+            till = max(there, 0.0) / speed + speed / 6.0 + _seconds(ledger, deed, at)
+            ends = round(till, 1) if again or deed.time is not None else math.inf
+            yield Order(at_most=0, place=round(there, 1), till=ends, braking=_braking(ledger, deed, at, 3.0))
+        case Act.SLOW_DOWN | Act.BRAKE:
+            yield _slower(ledger, deed, at, there, begins, speed)
+        case Act.GO_ALONG | Act.FOLLOW if deed.manner is Manner.SLOW or deed.speed is not None:
+            ledger.take(f"{at}.speed" if deed.speed is not None else f"{at}.manner")
+            till = _lasts(ledger, deed, at)
+            yield Order(at_most=deed.speed.high if deed.speed is not None else SLOW, till=begins + till)
+            return begins + (till if till < math.inf else 0.0)
+        case Act.GO_ALONG if deed.time is not None and then is not None:
+            return begins + _lasts(ledger, deed, at)
+        case Act.GO_ALONG if deed.time is not None and deed.time.low * speed <= there:
+            ledger.take(f"{at}.time")  # its way leads so far before anything happens
+        case _:
+            yield from _otherwise(ledger, deed, at)
+    return begins
 
 
 def _otherwise(ledger: Ledger, deed: Deed, at: str) -> Iterator[Order]:

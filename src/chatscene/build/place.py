@@ -84,9 +84,9 @@ def control_of(situation: Situation) -> RightOfWay | None:
         return situation.road.control
     if situation.road.ego_light is not None:
         return RightOfWay.SIGNAL
-    if only_others_stop(situation):
+    if only_others_stop(situation) and not any(deed.breaks is not None for deed in situation.ego.does):
         return RightOfWay.NONE
-    broken = (deed.breaks for one in situation.others for deed in one.does)
+    broken = (deed.breaks for _, does in situation.everybody() for deed in does)
     return next((RULED_BY[breach] for breach in broken if breach is not None and breach in RULED_BY), None)
 
 

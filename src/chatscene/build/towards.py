@@ -8,8 +8,8 @@ from dataclasses import replace
 
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
-from chatscene.terms.situation import EGO, Deed, Other
-from chatscene.terms.vocabulary import Act, Where
+from chatscene.terms.situation import EGO, Deed, Other, Situation
+from chatscene.terms.vocabulary import Act, Role, Where
 
 FROM_BEHIND = frozenset((Act.FOLLOW, Act.TAILGATE, Act.OVERTAKE))
 """What is done to somebody by who is behind."""
@@ -44,9 +44,14 @@ def in_one_row(one: Other, other: Other) -> bool:
     return where is there or (where is Where.ONCOMING_IN_OUR_LANE and there is Where.ONCOMING)
 
 
-def in_rows(others: Sequence[Other]) -> list[Other]:
-    """All, in such an order that of those who share a place each is behind whom it follows, gets by, or hides."""
-    order = list(others)
+def in_rows(situation: Situation) -> list[Other]:
+    """All, in such an order that of those who share a place each is behind whom it follows, gets by, or hides.
+
+    An ego that waits lets those go by who are not met: they come before who is.
+    """
+    others = situation.others
+    waits = any(deed.act in _WAITS for deed in situation.ego.does)
+    order = sorted(others, key=lambda one: waits and one.role is Role.ADVERSARY and _has_by(others, one))
     for one in others:
         if (hidden := next((other for other in order if screens(one, other)), None)) is not None:
             order.remove(hidden)
@@ -60,6 +65,17 @@ def in_rows(others: Sequence[Other]) -> list[Other]:
             order.remove(then)
             order.insert(order.index(first) + 1, then)
     return order
+
+
+_WAITS = frozenset((Act.STAND, Act.SET_OFF, Act.YIELD))
+_GO_BY = frozenset((Where.ONCOMING, Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
+
+
+def _has_by(others: Sequence[Other], one: Other) -> bool:
+    """Whether others come from where somebody does who only go by."""
+    place = (one.starts.where, one.starts.side)
+    by = (other for other in others if other.role is Role.SUPPORTING and other.does)
+    return one.starts.where in _GO_BY and any((other.starts.where, other.starts.side) == place for other in by)
 
 
 def at_distance(ledger: Ledger, one: Other) -> Other:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import HALTS, stands_first
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, Numbers
+from chatscene.build.own import ASIDE
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.possible import OFF_ROAD
 from chatscene.build.relations import AGAINST
@@ -197,6 +198,8 @@ def _seen(actor: Actor, k: int, name: str, reference: str) -> str:
 def _sign_of(actor: Actor, who: str, deed: Deed) -> Sign | None:
     """What is seen of a deed; None where it cannot be told from what goes before."""
     if who == EGO:
+        if deed.act in ASIDE:  # of its way
+            return Sign("abs(offsetFrom(egoRoute, ego)) > 0.5", "abs(offsetFrom(egoRoute, ego)) > 1")
         return SIGNS[deed.act] if "offset" not in SIGNS.get(deed.act, _IN).begun else None
     where = actor.ledger.situation[who].starts.where
     if deed.act is Act.STOP and stands_first(actor.ledger.situation[who]):

@@ -15,7 +15,7 @@ from functools import partial
 import numpy as np
 
 from chatscene.program.contacts import is_of, is_with, of_contact
-from chatscene.program.deeds import ACTIONS, MOVING, STANDING, Act
+from chatscene.program.deeds import ACTIONS, Act
 from chatscene.program.doing import (
     ACTS,
     MOST_OF,
@@ -31,8 +31,9 @@ from chatscene.program.doing import (
 from chatscene.program.encounter import encounter
 from chatscene.program.finding import Finding, failures, not_judged
 from chatscene.program.lateral import is_aside, of_lateral
-from chatscene.program.meaning import EGO_STATES, TOGETHER, in_between, left_of_ego
+from chatscene.program.meaning import TOGETHER, in_between, left_of_ego
 from chatscene.program.measured import SLACK_LENGTH, SLACK_SPEED, Measure
+from chatscene.program.own import of_ego
 from chatscene.program.roads import of_road
 from chatscene.program.said import ASIDE, due, gently, to_side, untold, waits_for_others
 from chatscene.program.starting import STARTS, faces
@@ -42,9 +43,8 @@ from chatscene.program.watching import Seen, watch
 from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.backing import as_it_backs, backs, drive_as_it_backs, turned_about
-from chatscene.terms.episode import Array, Episode, Track
+from chatscene.terms.episode import Episode, Track
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import EgoState
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation
 from chatscene.terms.vocabulary import COMES_IN, LETS_GO, Breach, EgoRoute, Manner, Side, Where
 from chatscene.terms.vocabulary import Act as Said
@@ -54,8 +54,6 @@ __all__ = ["Finding", "failures", "judge"]
 
 AVOIDS = frozenset((Said.SLOW_DOWN, Said.BRAKE, Said.STOP, Said.SWERVE, Said.LANE_CHANGE))
 """What somebody behind the ego does so as not to run into it."""
-OVER = 5  # [steps] at the end of which an ego that is hit is seen to lose speed
-LOST_AT_ONCE = 0.5  # [m/s] that it has lost then, if it was losing speed when it was hit
 _DRIVES_OUT = frozenset((Where.ARM, Where.ONCOMING))
 NEARER = 2.0  # [m] by which an ego comes nearer to somebody whom it is about to overtake
 
@@ -76,13 +74,6 @@ def judge(situation: Situation, episode: Episode, route: Route, *, through: bool
 
 
 _SIDES = re.compile(r"\b(?:left|right|front|rear)\b(?! its)")
-
-
-_EGO_ACTS = {
-    Said.STOP: EgoState.STOPS,
-    Said.SLOW_DOWN: EgoState.SLOWS_DOWN,
-    Said.BRAKE: EgoState.BRAKES,
-}
 
 
 @dataclass(slots=True)
@@ -115,8 +106,7 @@ class _Judge:
             yield Finding(path="ego.kind", shown=kind == ego.kind.scenic, told=f"said {ego.kind}, it is a {kind}")
         if ego.speed is not None:
             yield self.measure.number("ego.speed", ego.speed, speed, SLACK_SPEED, "drives at", most=True)
-        for k, deed in enumerate(ego.does):
-            yield from self._of_ego(f"ego.does.{k}.act", deed, speed)
+        yield from of_ego(self.situation, self.episode, self.route, self.contact)
         done: dict[str, Act] = {}
         for one in sorted(self.situation.others, key=waits_for_others):  # who is waited for first
             yield from self._of_other(one, done)
@@ -153,31 +143,6 @@ class _Judge:
                 first = min(began, default=0)
                 found = encounter(self.situation, one, tracks, self.episode, self.route, first)
                 yield from () if found is None else (found,)
-
-    # The ego
-
-    def _of_ego(self, path: str, deed: Deed, speed: Array) -> Iterator[Finding]:
-        dt, first = self.episode.dt, self.situation.ego.does[0] is deed
-        stood = bool(speed[: round(1.0 / dt)].max() < STANDING)
-        course = f"it drives at {speed[0]:.1f} m/s at first and {speed.max():.1f} at most"
-        if deed.act is Said.STAND and first:
-            yield Finding(path=path, shown=stood, told=f"said stand, {course}", at=0.0)
-        elif deed.act is Said.SET_OFF:
-            still = np.flatnonzero(speed < STANDING)
-            off = bool(still.size and (speed[still[0] :] > MOVING).any())
-            yield Finding(path=path, shown=off or None, told=f"said set-off, {course}")
-        elif deed.act in _EGO_ACTS:
-            state = _EGO_ACTS[deed.act]
-            if deed.act is Said.BRAKE and (deed.speed is not None or deed.time is not None):
-                state = EgoState.SLOWS_DOWN  # as much as was said, which may be less than half
-            begun = self.contact is not None and speed[-1] < speed[-OVER:].max() - LOST_AT_ONCE  # and is cut short
-            left = self.situation.answered(deed) is not None  # to whoever drives it
-            shown = EGO_STATES[state](speed, dt) or (None if begun or left else False)
-            rolls = deed.act is Said.STOP and self.contact is not None and float(speed[-1]) > MOVING
-            cut = not left and (shown is None or rolls)
-            yield Finding(path=path, shown=shown, told=f"said {deed.act}, {course}", cut=cut)
-        else:
-            yield not_judged(path)
 
     # Somebody else
 

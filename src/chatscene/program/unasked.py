@@ -10,6 +10,7 @@ import numpy as np
 from chatscene.program.contacts import is_of, is_with
 from chatscene.program.deeds import BRAKES, braking, runs
 from chatscene.program.finding import Finding
+from chatscene.program.own import BROKEN
 from chatscene.program.watching import Seen, headings
 from chatscene.simulate.boxes import Boxes, Pair
 from chatscene.terms.episode import Episode, EventKind
@@ -40,7 +41,8 @@ def unasked(situation: Situation, episode: Episode, until: int | None) -> Iterat
             yield Finding(path="unasked.contact", shown=False, told=told, at=crash.step * episode.dt)
     rules = {EventKind.RED_LIGHT: situation.road.ego_light, EventKind.STOP_SIGN: situation.road.control}
     for event in episode.events:
-        chosen = event.kind in rules and rules[event.kind] not in _SAID[event.kind]
+        broken = any(deed.breaks is not None and BROKEN.get(deed.breaks) is event.kind for deed in situation.ego.does)
+        chosen = event.kind in rules and rules[event.kind] not in _SAID[event.kind] and not broken
         if chosen and (until is None or event.step < until):
             told = f"the ego runs a {event.kind}, of which nobody said that it has one"
             yield Finding(path=f"unasked.{event.kind}", shown=False, told=told, at=event.step * episode.dt)

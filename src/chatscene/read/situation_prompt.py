@@ -37,7 +37,7 @@ Rules:
 - role: who meets the ego is an adversary; who brings it about unmet, as a lead that brakes, supporting; hidden_by names
   another, whose role is hides if it does nothing else.
 - does: what somebody does, in order; when.after another's deed that is done, when.during one that goes on. ego.does:
-  only what the ego does before the danger. How it answers to the adversary (it brakes, swerves) is no deed of it.
+  how it steers, too; not that it brakes for the adversary.
 - Sides are the ego's own at its start, of starts and of deeds; of turn-left, turn-right and parts they are each one's
   own. Traffic keeps right: nearside and kerb are right, offside and driver's door left. In a text surely of
   left-hand traffic (Britain, India, Japan) swap each left and right that it says: evidence.mirrored true.

@@ -15,7 +15,7 @@ from chatscene.ego.policy import controls
 from chatscene.errors import ChatSceneError, EgoError, ProgramError, no_such
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.contact import approach_speed, contact_side, touch
-from chatscene.simulate.obedience import obeyed
+from chatscene.simulate.obedience import Obedience
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.terms.actors import LIMITS, has_lamps, kind_of
@@ -58,6 +58,7 @@ class SteppedSession:
         through: As above.
         limit: How many steps it may take.
         orders: What the ego is held to.
+        awaited: For each order that waits for somebody, by its number, who that is.
         others: Everybody but the ego, whether each walks, and from how far it is seen [m].
         observation: What the ego sees now.
         limits: What the ego's kind of vehicle can do.
@@ -94,6 +95,8 @@ class SteppedSession:
             )
         self._ego = body
         self.orders = () if program.as_written else _orders(objects[0], label)
+        self._obedience = Obedience(self.orders)
+        self.awaited = _awaited(self.orders, objects, bodies, label)
         _check_wanted(objects[0], program, label)
         self.limits = LIMITS.get(kind_of(objects[0]), LIMITS["Car"])
         self.simulation = simulation
@@ -162,16 +165,7 @@ class SteppedSession:
         if not self._as_written:
             body.throttle, body.brake, body.steer = pressed
         if self.orders:
-            dt = self.settings.dt
-            body.throttle, body.brake = obeyed(
-                self.orders,
-                pressed[:2],
-                time=self.step_number * dt,
-                along=self._view.along,
-                speed=body.speed,
-                dt=dt,
-                limits=self.limits,
-            )
+            self._obey(pressed)
         if not self._go_on(simulation.advance):
             return
         if simulation.done is not None:  # a behavior ended the scenario, and nothing moved
@@ -179,6 +173,19 @@ class SteppedSession:
             return
         self.step_number += 1
         self._look()
+
+    def _obey(self, pressed: tuple[float, float, float]) -> None:
+        """Press the pedals and turn the wheel as the ego is ordered to."""
+        body, dt, along, held = self._ego, self.settings.dt, self._view.along, self._obedience
+        time = self.step_number * dt
+        for number, other in self.awaited.items():
+            held.meet(number, time, math.hypot(other.x - body.x, other.y - body.y))
+        body.throttle, body.brake = held.pedals(
+            pressed[:2], time=time, along=along, speed=body.speed, dt=dt, limits=self.limits
+        )
+        pose = body.x, body.y, body.heading, body.speed
+        limits = getattr(body, "limits", self.limits)
+        body.steer = held.steer(pressed[2], time=time, line=self.route.line, along=along, pose=pose, limits=limits)
 
     def check_open(self) -> None:
         """Hold that it can be stepped.
@@ -434,6 +441,19 @@ def _orders(ego: Any, label: str) -> tuple[Order, ...]:
     if not isinstance(orders, tuple) or not all(isinstance(order, Order) for order in orders):
         raise ProgramError(f"{label} fails: `with orders` takes orders, as in `(Order(at_most=0),)`, not {orders!r}")
     return orders
+
+
+def _awaited(orders: tuple[Order, ...], objects: list[Any], bodies: list[Body], label: str) -> dict[int, Body]:
+    """For each order that waits for somebody, by its number, who that is.
+
+    Raises:
+        ProgramError: There is nobody of that label.
+    """
+    labels = {getattr(one, "label", ""): body for one, body in reversed(list(zip(objects, bodies, strict=True)))}
+    found = {number: labels.get(order.whom) for number, order in enumerate(orders) if order.whom}
+    if None in found.values():
+        raise ProgramError(f"{label} fails: an order waits for somebody whose label nobody has")
+    return {number: body for number, body in found.items() if body is not None}
 
 
 TOLD_ROLES = (Role.ADVERSARY, Role.BACKGROUND, Role.OCCLUDER)

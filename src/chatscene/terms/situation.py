@@ -168,7 +168,7 @@ class Ego(_Closed):
         kind: What it is, of those that drive or ride; a car where that was not said.
         route: The way it goes.
         speed: How fast it drives where nothing holds it.
-        does: What it does at the pedals before the danger, in order.
+        does: What it does before the danger, in order.
     """
 
     kind: UserKind | None = None

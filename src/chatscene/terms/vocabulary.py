@@ -83,11 +83,11 @@ class EgoRoute(Word):
     MERGE = ("merge", "comes onto a road from a ramp or from a lane that ends")
     EXIT = ("exit", "leaves a road by a ramp")
     ROUNDABOUT = ("roundabout", "enters a roundabout, goes round in it and leaves it")
-    REVERSE = ("reverse", "drives backwards along the road")
+    REVERSE = ("reverse", "drives backwards")
     LEAVE_PARKING = ("leave-parking", "leaves a parking place")
     PARK = ("park", "drives into a parking place")
     ENTER_DRIVEWAY = ("enter-driveway", "turns off the road into a driveway")
-    LEAVE_DRIVEWAY = ("leave-driveway", "comes out of a driveway onto the road")
+    LEAVE_DRIVEWAY = ("leave-driveway", "comes out of a driveway; with reverse, backwards")
 
 
 class RoadKind(Word):
@@ -385,7 +385,7 @@ class Act(RowWord):
     LANE_CHANGE = (
         "lane-change",
         "changes lanes in any other way",
-        _act(_WHEELS, "speed time", sided=True, placed=True),
+        _act(_WHEELS, "speed time", ego=True, sided=True, placed=True),
     )
     CUT_OUT = ("cut-out", "leaves the ego's lane, and so shows what is ahead", _act(_WHEELS, "speed time", sided=True))
     MERGE = ("merge", "comes from a ramp or a lane that ends into the ego's lane", _act(_WHEELS, "speed", placed=True))
@@ -397,9 +397,13 @@ class Act(RowWord):
     DRIFT = (
         "drift",
         "leaves its line gradually, not meaning to",
-        _act(_WHEELS, "speed time distance", sided=True, placed=True),
+        _act(_WHEELS, "speed time distance", ego=True, sided=True, placed=True),
     )
-    SWERVE = ("swerve", "leaves its line abruptly", _act(_WHEELS, "speed time distance", sided=True, placed=True))
+    SWERVE = (
+        "swerve",
+        "leaves its line abruptly",
+        _act(_WHEELS, "speed time distance", ego=True, sided=True, placed=True),
+    )
     WEAVE = ("weave", "swings from side to side", _act(_ALL, "speed time"))
     KEEP_LEVEL = ("keep-level", "stays level with somebody", _act(_WHEELS, "time", whom=True, lasting=True))
     FOLLOW = (
@@ -409,7 +413,7 @@ class Act(RowWord):
     )
     TAILGATE = ("tailgate", "drives close behind somebody", _act(_WHEELS, "distance time", whom=True, lasting=True))
     TURN_BACK = ("turn-back", "goes back to where it came from", _act(_ALL, "speed"))
-    PARK = ("park", "comes to a stand at the edge of the road or in a parking place", _act(_WHEELS, "speed"))
+    PARK = ("park", "comes to a stand at the edge of the road or in a parking place", _act(_WHEELS, "speed", ego=True))
     EXIT = ("exit", "leaves the road by a ramp, or a roundabout", _act(_WHEELS, "speed"))
     YIELD = ("yield", "waits until somebody has gone by", _act(_ALL, "", ego=True, whom=True))
     OPEN_DOOR = (

@@ -87,19 +87,32 @@ class Tracker:
 
     def steer(self, pose: Pose, left: float = 0.0) -> float:
         """Steering in [-1, 1], right positive, toward a point ahead on the line (call `allowed` first)."""
-        x, y, heading, speed = pose
-        ahead = self.along + max(LOOK_AHEAD, LOOK_AHEAD_TIME * abs(speed))
-        px, py = self._line.point_at(ahead)
-        left += self._left
-        if left:
-            direction = self._line.heading_at(ahead)
-            px -= left * math.sin(direction)
-            py += left * math.cos(direction)
-        dx, dy = px - x, py - y
-        bearing = math.atan2(dy, dx) - heading
-        curvature = 2.0 * math.sin(bearing) / max(math.hypot(dx, dy), 1e-3)
-        wheel = math.atan(self._wheelbase * curvature)
-        return max(-1.0, min(1.0, -wheel / self._angle))
+        return wheel_to(self._line, self.along, pose, left + self._left, self._wheelbase, self._angle)
+
+
+def wheel_to(line: Polyline, along: float, pose: Pose, left: float, wheelbase: float, wheel_angle: float) -> float:
+    """Steering in [-1, 1], right positive, toward a point ahead on a line.
+
+    Args:
+        line: What is followed.
+        along: How far along it [m] the vehicle is.
+        pose: Of the vehicle.
+        left: How far [m] to the left of the line it is to be.
+        wheelbase: Of the vehicle [m].
+        wheel_angle: Its largest wheel angle [rad].
+    """
+    x, y, heading, speed = pose
+    ahead = along + max(LOOK_AHEAD, LOOK_AHEAD_TIME * abs(speed))
+    px, py = line.point_at(ahead)
+    if left:
+        direction = line.heading_at(ahead)
+        px -= left * math.sin(direction)
+        py += left * math.cos(direction)
+    dx, dy = px - x, py - y
+    bearing = math.atan2(dy, dx) - heading
+    curvature = 2.0 * math.sin(bearing) / max(math.hypot(dx, dy), 1e-3)
+    wheel = math.atan(wheelbase * curvature)
+    return max(-1.0, min(1.0, -wheel / wheel_angle))
 
 
 def pedals(speed: float, wish: float) -> tuple[float, float]:

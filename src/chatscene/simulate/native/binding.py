@@ -19,6 +19,7 @@ from chatscene.simulate.native.code import Compiler, NotCovered, Surrounding
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.session import ARRIVAL, SteppedSession
 from chatscene.terms.actors import Limits
+from chatscene.terms.order import Order
 from chatscene.terms.plan import PRIMITIVES, After, Kind, Name, Phase, Plan, Until
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import ScenicProgram
@@ -71,7 +72,8 @@ class Bound:
         world = engine.World.from_buffer_copy(self.world)
         rows, offsets = (_until(array, world.step) for array in (self.rows, self.offsets))
         world.kept = [*self.world.kept, rows, offsets]
-        for name, count in (("body", world.bodies), ("agent", world.agents), ("contact", world.contacts)):
+        changing = {"body": world.bodies, "agent": world.agents, "order": world.orders, "contact": world.contacts}
+        for name, count in changing.items():
             pointer = getattr(self.world, name)
             room = CONTACTS if name == "contact" else max(count, 1)
             array = (pointer._type_ * room)()
@@ -124,7 +126,7 @@ class _Binder:
         bodies = [self._body(i) for i in range(len(self._bodies))]
         areas, rings, corners = _areas_of(session.around)
         self._kept += (areas, rings, corners)
-        orders = [engine.Order(o.at_most, o.since, o.till, o.place, o.braking) for o in session.orders]
+        orders = [self._order(number, one) for number, one in enumerate(session.orders)]
         moving = sum(body.moves for body in self._bodies)
         rows = np.zeros((session.limit + 1, moving, 4))
         rows[0] = [(b.x, b.y, b.heading, b.speed) for b in self._bodies if b.moves]
@@ -165,6 +167,13 @@ class _Binder:
         found, columns = _line_of(line)
         self._kept += columns
         return found
+
+    def _order(self, number: int, order: Order) -> engine.Order:
+        of = self._bodies.index(self._session.awaited[number]) if order.whom else -1
+        row = engine.Order(of=of, met=np.inf if order.whom else 0.0)
+        for name in ("at_most", "since", "till", "place", "braking", "at_least", "aside", "over", "within"):
+            setattr(row, name, getattr(order, name))
+        return row
 
     def _body(self, index: int) -> engine.Body:
         body: Any = self._bodies[index]

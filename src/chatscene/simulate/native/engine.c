@@ -103,7 +103,8 @@ typedef struct {
 } Agent;
 
 typedef struct {
-    double at_most, since, till, place, braking;
+    double at_most, since, till, place, braking, at_least, aside, over, within, met; /* met: since when it counts */
+    int64_t of;                               /* index of the body that it waits for, -1 for none */
 } Order;
 
 typedef struct {
@@ -132,7 +133,7 @@ typedef struct {
     const Area *area;
     const Ring *ring;
     const double *corner; /* x, y of the corners of rings */
-    const Order *order;
+    Order *order;
     double *row, *offsets;  /* what is kept of each state: 4 numbers per body that moves; the ego's offset */
     Contact *contact;
     const double *room; /* of each segment of the ego's route, left and right of it; where the ego sees the road */
@@ -866,17 +867,35 @@ static void look(World *w) {
         : w->step >= w->limit ? TIMEOUT : GOES_ON;
 }
 
-/* chatscene.terms.order.Order.allows and chatscene.simulate.obedience.obeyed */
-static void obey(const World *w, Body *ego) {
-    double time = (double)w->step * w->dt + w->dt, along = w->along + ego->speed * w->dt, most = INFINITY;
+/* chatscene.terms.order and chatscene.simulate.obedience.Obedience */
+static void obey(World *w, Body *ego) {
+    double time = (double)w->step * w->dt, along = w->along + ego->speed * w->dt, most = INFINITY, least = 0.0;
+    double left = NAN;
     for (int64_t i = 0; i < w->orders; i++) {
-        const Order *o = &w->order[i];
-        if (time >= o->till) continue;
-        double wait = o->since - time, way = o->place - along;
-        double in_time = o->at_most + o->braking * (0.0 > wait ? 0.0 : wait);
-        double in_place = sqrt(pow(o->at_most, 2.0) + 2.0 * o->braking * (0.0 > way ? 0.0 : way));
-        double allows = in_place > in_time ? in_place : in_time;
-        most = allows < most ? allows : most;
+        Order *o = &w->order[i];
+        if (o->of >= 0 && o->met == INFINITY) {
+            const Body *other = &w->body[o->of];
+            if (hypotenuse(other->x - ego->x, other->y - ego->y) <= o->within) o->met = time;
+        }
+        if (o->met == INFINITY) continue;
+        double for_time = time - o->met, then = for_time + w->dt;
+        if (then < o->till) {
+            double wait = o->since - then, way = o->place - along;
+            double in_time = o->at_most + o->braking * (0.0 > wait ? 0.0 : wait);
+            double in_place = sqrt(pow(o->at_most, 2.0) + 2.0 * o->braking * (0.0 > way ? 0.0 : way));
+            double allows = in_place > in_time ? in_place : in_time;
+            most = allows < most ? allows : most;
+        }
+        if (!(o->since <= for_time && for_time < o->till && w->along >= o->place)) continue;
+        least = o->at_least > least ? o->at_least : least;
+        if (!isnan(o->aside)) {
+            double done = o->over > 0.0 ? (for_time - o->since) / o->over : 1.0;
+            left = o->aside * (done < 1.0 ? done : 1.0);
+        }
+    }
+    if (!isnan(left)) {
+        Agent driver = {.along = w->along};
+        ego->steer = steering(&w->line[0], &driver, ego, left);
     }
     if (most == 0.0 && ego->speed < 0.1) {
         ego->throttle = 0.0;
@@ -884,7 +903,11 @@ static void obey(const World *w, Body *ego) {
         return;
     }
     const Limits *limits = &ego->limits;
-    if (ego->speed + (limits->throttle * ego->throttle - limits->brake * ego->brake) * w->dt <= most) return;
+    double after = ego->speed + (limits->throttle * ego->throttle - limits->brake * ego->brake) * w->dt;
+    if (after <= most) {
+        if (after < least && least <= most) pedals(ego->speed, least, ego);
+        return;
+    }
     double needed = ((ego->speed - most) / w->dt - limits->drag) / limits->brake;
     needed = 0.0 > needed ? 0.0 : needed;
     needed = 1.0 < needed ? 1.0 : needed;

@@ -108,7 +108,13 @@ class Agent(Structure):
 class Order(Structure):
     """An order to the ego."""
 
-    _fields_ = tuple((name, c_double) for name in ("at_most", "since", "till", "place", "braking"))
+    _fields_ = (
+        *(
+            (name, c_double)
+            for name in ("at_most", "since", "till", "place", "braking", "at_least", "aside", "over", "within", "met")
+        ),
+        ("of", c_int64),
+    )
 
 
 class Area(Structure):

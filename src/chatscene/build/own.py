@@ -1,0 +1,178 @@
+"""What the ego does with its wheel, or beyond what it wants by itself: orders that a situation states as its deeds.
+
+They follow each other in time. They begin when the ego is near to whom it does so for, so that all are begun before it
+is there; where nobody is ahead, at a time or a place.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from chatscene.build.asked import stands_first
+from chatscene.build.ledger import Ledger
+from chatscene.build.place import LANE
+from chatscene.terms.amount import Length
+from chatscene.terms.order import Order
+from chatscene.terms.situation import EGO, Deed, Other, When
+from chatscene.terms.vocabulary import Act, Side, Where
+
+ASIDE = {Act.SWERVE: 2.6, Act.DRIFT: 1.7, Act.LANE_CHANGE: LANE, Act.PARK: 2.6}
+"""How far [m] the ego leaves its line by a deed, if that was not said."""
+TAKES = {Act.SWERVE: 1.6, Act.DRIFT: 2.5, Act.LANE_CHANGE: 3.0, Act.PARK: 4.0}
+"""How long [s] a deed lasts, if that was not said: then the ego goes back to its way, unless it changes lanes."""
+_OVER = {Act.SWERVE: 0.0, Act.DRIFT: 2.2, Act.LANE_CHANGE: 1.5, Act.PARK: 1.5}
+_SIDES = {Act.PARK: Side.RIGHT, Act.DRIFT: Side.LEFT}
+KEEPS = 0.95  # of its speed that it keeps while it is steered, as far as nothing slows it
+SOON = {Act.SWERVE: 1.4, Act.DRIFT: 1.6, Act.LANE_CHANGE: 2.6, Act.PARK: 3.4}
+"""How long [s] before they would meet the last of its deeds begins."""
+SPARES = 0.8  # [s] sooner, where they are said not to touch
+BY = 3.0  # [m] of which somebody who is passed at its side is to be left, beside the ego's own way
+GAINS = 2.0  # [m/s²] by which an ego gains speed
+SLOWER = 0.6  # of its speed that an ego has that is to gain speed, if no speed was said
+FIRST = 2.0  # [s] after which it does
+NOT_AHEAD = frozenset((Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Near:
+    """When deeds of the ego begin.
+
+    Attributes:
+        whom: The label of whom the ego is then near to; empty for a time.
+        within: How near [m].
+        since: After how many seconds [s] the next begins.
+        by: After how many seconds [s] the ego has passed somebody who is ahead in its lane; 0 of others.
+    """
+
+    whom: str = ""
+    within: float = 0.0
+    since: float = 0.0
+    by: float = 0.0
+
+    def order(self, **held: float) -> Order:
+        """An order that begins then."""
+        order = replace(Order(), **held)
+        return replace(order, whom=self.whom, within=round(self.within, 1)) if self.whom else order
+
+
+def is_own(deed: Deed) -> bool:
+    """Whether a deed is one of the wheel, or of the throttle."""
+    return deed.act in ASIDE or deed.act is Act.ACCELERATE
+
+
+def own_orders(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) -> Iterator[Order]:
+    """Orders for deeds of the ego that follow each other, of which all are its own.
+
+    Args:
+        ledger: What was said.
+        deeds: The deeds.
+        first: The number of the first.
+        speed: At which it drives [m/s].
+    """
+    begins = _begins(ledger, deeds, first, speed)
+    for k, deed in enumerate(deeds, start=first):
+        at = f"ego.does.{k}"
+        ledger.take(f"{at}.act", f"{at}.to", f"{at}.manner")
+        if deed.when is not None and k > first:
+            ledger.take(*(f"{at}.when.{name}" for name in ("after", "during") if getattr(deed.when, name) is not None))
+        lasts = _lasts(ledger, deed, at, speed)
+        does = deed
+        if begins.by > 0.0 and deed.act is Act.SWERVE and deed.time is None and deed.distance is None:
+            lasts, does = max(lasts, begins.by), replace(deed, distance=Length(BY, BY))
+        yield from (
+            _gains(ledger, deed, at, begins, speed)
+            if deed.act is Act.ACCELERATE
+            else _aside(ledger, does, at, begins, lasts, speed)
+        )
+        begins = replace(begins, since=round(begins.since + lasts, 2))
+
+
+def _aside(ledger: Ledger, deed: Deed, at: str, begins: Near, lasts: float, speed: float) -> Iterator[Order]:
+    far = ASIDE[deed.act]
+    if deed.distance is not None:
+        ledger.take(f"{at}.distance")
+        far = deed.distance.within(0.2, max(far, deed.distance.low))[0]
+    left = far if (deed.to or _SIDES.get(deed.act, Side.LEFT)) is Side.LEFT else -far
+    since, over = round(begins.since, 2), min(_OVER[deed.act], lasts)
+    keeps = 0.0 if deed.act is Act.PARK else round(KEEPS * speed, 2)
+    if deed.speed is not None:
+        ledger.take(f"{at}.speed")
+        keeps = deed.speed.low if deed.speed.low > 0.0 else deed.speed.high
+    stays = deed.act in (Act.PARK, Act.LANE_CHANGE)
+    yield begins.order(aside=left, over=over, since=since, till=math.inf if stays else round(since + lasts, 2))
+    if keeps:
+        yield begins.order(at_least=keeps, since=since, till=round(since + lasts, 2))
+    if deed.act is Act.PARK:
+        braking = round(max(2.0 * speed / lasts, 1.5), 2)  # in the second half of it
+        yield begins.order(at_most=0.0, since=round(since + lasts, 2), braking=braking)
+
+
+def _gains(ledger: Ledger, deed: Deed, at: str, begins: Near, speed: float) -> Iterator[Order]:
+    to, now = speed, SLOWER * speed
+    if deed.speed is not None:
+        ledger.take(f"{at}.speed")
+        to = deed.speed.low if deed.speed.low > 0.0 else deed.speed.high
+        now = min(speed, SLOWER * to) if to <= speed else speed
+    gain = GAINS
+    if deed.acceleration is not None:
+        ledger.take(f"{at}.acceleration")
+        gain = deed.acceleration.within(0.5, max(GAINS, deed.acceleration.low))[0]
+    since = begins.since if begins.whom or begins.since else FIRST
+    lasts = (to - now) / gain + 1.0
+    if now < speed and not begins.whom:
+        yield Order(at_most=round(now, 2), till=since)
+    yield begins.order(at_least=round(KEEPS * to, 2), since=since, till=round(since + lasts, 2))
+
+
+def _lasts(ledger: Ledger, deed: Deed, at: str, speed: float) -> float:
+    if deed.time is not None:
+        ledger.take(f"{at}.time")
+        return deed.time.low if deed.time.low > 0.0 else deed.time.high
+    if deed.act is Act.ACCELERATE:
+        return SLOWER * speed / GAINS
+    return TAKES[deed.act]
+
+
+def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) -> Near:
+    """When the first of them begins: as was said, or so early that the last is begun before the ego meets somebody."""
+    situation, when = ledger.situation, deeds[0].when or When()
+    at = f"ego.does.{first}.when"
+    named = (when.after or when.during or "").partition(".")[0]
+    who = when.of or (named if named not in ("", EGO) else None)
+    others = [one for one in situation.others if one.starts.where not in NOT_AHEAD]
+    whom = next((one for one in others if one.id == who), None) if who else next(iter(_ahead(others)), None)
+    if whom is None or (deeds[0].act is Act.ACCELERATE and when.ego_within is None and not named):
+        return Near(since=0.0 if deeds[0].act is Act.ACCELERATE else FIRST)
+    ledger.take(*(f"{at}.{name}" for name in ("after", "during", "of", "ego_within") if getattr(when, name)))
+    middles = 0.5 * (situation.ego.body.row.limits.length + whom.kind.row.body.row.limits.length)
+    if isinstance(when.ego_within, Length):
+        return Near(whom=whom.id, within=when.ego_within.high + middles)
+    seconds = sum(TAKES.get(deed.act, FIRST) for deed in deeds[:-1]) + SOON.get(deeds[-1].act, FIRST)
+    if situation.contact is not None and not situation.contact.happens:
+        seconds += SPARES
+    if when.ego_within is not None:
+        seconds = when.ego_within.high
+    comes = closing(whom, speed)
+    ahead = whom.starts.where is Where.AHEAD
+    return Near(whom=whom.id, within=comes * seconds + middles, by=seconds + 2 * middles / comes if ahead else 0.0)
+
+
+def _ahead(others: Sequence[Other]) -> list[Other]:
+    """Those whom the ego does so for: first who meets it."""
+    return sorted(others, key=lambda one: one.role.value != "adversary")
+
+
+def closing(whom: Other, speed: float) -> float:
+    """How fast [m/s] the ego and somebody come nearer to each other."""
+    row = whom.kind.row.body.row
+    said = next((one for one in (whom.starts.speed, *(deed.speed for deed in whom.does)) if one is not None), None)
+    own = 0.0 if stands_first(whom) else 0.7 * row.fast if said is None else max(said.low, 0.0) or said.high
+    match whom.starts.where:
+        case Where.ONCOMING | Where.ONCOMING_IN_OUR_LANE:
+            return speed + own
+        case Where.AHEAD | Where.AHEAD_BESIDE:
+            return max(speed - own, 0.3 * speed)
+        case _:
+            return math.hypot(speed, own)

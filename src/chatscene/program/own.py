@@ -1,0 +1,107 @@
+"""What the ego does, as it was said: at its pedals, with its wheel, and against which rules."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from chatscene.program.deeds import MOVING, STANDING
+from chatscene.program.doing import DRIFTED, ON_LINE, accelerates
+from chatscene.program.finding import Finding, not_judged
+from chatscene.program.meaning import EGO_STATES
+from chatscene.program.watching import watch
+from chatscene.terms.episode import Array, Episode, EventKind
+from chatscene.terms.route import Route
+from chatscene.terms.scenario import EgoState
+from chatscene.terms.situation import Deed, Situation
+from chatscene.terms.vocabulary import Act, Breach, Side
+
+OVER = 5  # [steps] at the end of which an ego that is hit is seen to lose speed
+LOST_AT_ONCE = 0.5  # [m/s] that it has lost then, if it was losing speed when it was hit
+CHANGED = 2.2  # [m] from its line: an ego that is farther has changed lanes
+EDGE = 1.0  # [m] from its line at least an ego that stands at the edge
+_STATES = {Act.STOP: EgoState.STOPS, Act.SLOW_DOWN: EgoState.SLOWS_DOWN, Act.BRAKE: EgoState.BRAKES}
+_ASIDE = {Act.SWERVE: DRIFTED, Act.DRIFT: DRIFTED, Act.LANE_CHANGE: CHANGED, Act.PARK: EDGE}
+BROKEN = {Breach.RED_LIGHT: EventKind.RED_LIGHT, Breach.STOP_SIGN: EventKind.STOP_SIGN}
+
+
+def of_ego(situation: Situation, episode: Episode, route: Route, contact: int | None) -> Iterator[Finding]:
+    """What a drive shows of the ego's deeds.
+
+    Args:
+        situation: What was said.
+        episode: What happened.
+        route: The ego's.
+        contact: The step of the first contact, after which nothing is judged; None if there was none.
+    """
+    until = None if contact is None else contact + 1
+    speed = np.abs(episode.ego_track.speed[:until])
+    for k, deed in enumerate(situation.ego.does):
+        path = f"ego.does.{k}"
+        if deed.act in _ASIDE:
+            yield from _aside(path, deed, episode, route, contact)
+        else:
+            left = situation.answered(deed) is not None  # to whoever drives it
+            yield from _pedals(f"{path}.act", deed, speed, episode, route, contact, first=k == 0, left=left)
+        if deed.breaks is not None and (kind := BROKEN.get(deed.breaks)) is not None:
+            broken = any(one.kind is kind for one in episode.events)
+            shown = broken or (None if contact is not None else False)
+            yield Finding(path=f"{path}.breaks", shown=shown, told=f"said {deed.breaks}, it keeps that rule")
+        elif deed.breaks is not None:
+            yield not_judged(f"{path}.breaks")
+
+
+def _pedals(
+    path: str,
+    deed: Deed,
+    speed: Array,
+    episode: Episode,
+    route: Route,
+    contact: int | None,
+    *,
+    first: bool,
+    left: bool,
+) -> Iterator[Finding]:
+    dt = episode.dt
+    stood = bool(speed[: round(1.0 / dt)].max() < STANDING)
+    course = f"it drives at {speed[0]:.1f} m/s at first and {speed.max():.1f} at most"
+    if deed.act is Act.STAND and first:
+        yield Finding(path=path, shown=stood, told=f"said stand, {course}", at=0.0)
+    elif deed.act is Act.SET_OFF:
+        still = np.flatnonzero(speed < STANDING)
+        off = bool(still.size and (speed[still[0] :] > MOVING).any())
+        yield Finding(path=path, shown=off or None, told=f"said set-off, {course}")
+    elif deed.act in _STATES:
+        state = _STATES[deed.act]
+        if deed.act is Act.BRAKE and (deed.speed is not None or deed.time is not None):
+            state = EgoState.SLOWS_DOWN  # as much as was said, which may be less than half
+        begun = contact is not None and speed[-1] < speed[-OVER:].max() - LOST_AT_ONCE  # and is cut short
+        shown = EGO_STATES[state](speed, dt) or (None if begun or left else False)
+        rolls = deed.act is Act.STOP and contact is not None and float(speed[-1]) > MOVING
+        cut = not left and (shown is None or rolls)
+        yield Finding(path=path, shown=shown, told=f"said {deed.act}, {course}", cut=cut)
+    elif deed.act is Act.ACCELERATE:
+        seen = watch(episode, route, episode.ego_track, contact)
+        said = deed.speed.high if deed.speed is not None and not deed.speed.than_ego else math.inf
+        shown = any(True for _ in accelerates(seen, said)) or (None if contact is not None else False)
+        yield Finding(path=path, shown=shown, told=f"said accelerate, {course}")
+    else:
+        yield not_judged(path)
+
+
+def _aside(path: str, deed: Deed, episode: Episode, route: Route, contact: int | None) -> Iterator[Finding]:
+    """Whether the ego leaves its line, and to the side that was said; one that was hit before may yet have done so."""
+    seen = watch(episode, route, episode.ego_track, contact)
+    left = seen.offset if deed.to is not Side.RIGHT else -seen.offset
+    aside = left if deed.to is not None else np.abs(seen.offset)
+    most, least = float(aside.max()), _ASIDE[deed.act]
+    shown = most > least
+    if deed.act is Act.PARK:
+        still = np.abs(episode.ego_track.speed[: len(aside)]) < STANDING
+        shown = bool((still & (aside > least)).any())
+    at = int(np.argmax(aside > min(least, ON_LINE))) * episode.dt
+    told = f"said {deed.act}{'' if deed.to is None else f' to the {deed.to}'}, it leaves its way by {most:.1f} m so"
+    begun = contact is not None and most > ON_LINE
+    yield Finding(path=f"{path}.act", shown=shown or (None if begun else False), told=told, at=at if shown else None)
