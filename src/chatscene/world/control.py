@@ -9,6 +9,7 @@ import math
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from chatscene.terms.polyline import Polyline
 
@@ -19,6 +20,10 @@ LOOK_AHEAD_TIME = 0.6  # [s]
 CURVE_ACCELERATION = 4.0  # [m/s²], lateral, that a driver takes curves with
 CURVE_BRAKING = 3.0  # [m/s²], with which a driver slows for a curve ahead
 HELD_BACK = 0.8  # share of what the road holds that a driver who knows the road uses in and before a curve
+
+
+_EVEN = 2.0  # times the shortest segment of a line, up to which its segments are of one length
+_STEP = 1.0  # [m], in which a line of uneven segments is looked at
 
 
 @lru_cache(maxsize=64)
@@ -35,6 +40,19 @@ def curve_speeds(line: Polyline, grip: float = math.inf) -> tuple[float, ...]:
     step = np.diff(line.points, axis=0)
     length = np.hypot(step[:, 0], step[:, 1])
     heading = np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
+    if len(length) < 4 or length[1:-1].max() <= _EVEN * length[1:-1].min():
+        return tuple(_speeds(length, heading, grip))
+    # A slight bend between a long segment and a short one is no sharp curve: it turns from middle to middle.
+    ends = np.cumsum(length)
+    steps = max(math.ceil(line.length / _STEP), 2)
+    at = (np.arange(steps) + 0.5) * line.length / steps
+    evenly = _speeds(np.full(steps, line.length / steps), np.interp(at, ends - 0.5 * length, heading), grip)
+    first = np.minimum(((ends - length) * steps / line.length).astype(int), steps - 1)
+    return tuple(evenly[i] for i in first.tolist())
+
+
+def _speeds(length: NDArray[np.float64], heading: NDArray[np.float64], grip: float) -> list[float]:
+    """The same, of segments that are about equally long [m], with the heading of each [rad]."""
     # Curvature over a window of segments, so that a kink between two straight pieces is not a hairpin.
     turn = (
         np.abs(np.gradient(np.convolve(np.pad(heading, 2, mode="edge"), np.ones(5) / 5, mode="valid")))
@@ -47,7 +65,7 @@ def curve_speeds(line: Polyline, grip: float = math.inf) -> tuple[float, ...]:
     for i in range(len(speeds) - 2, -1, -1):
         reachable = math.sqrt(speeds[i + 1] ** 2 + 2 * braking * float(length[i]))
         speeds[i] = min(speeds[i], reachable)
-    return tuple(speeds)
+    return speeds
 
 
 class Tracker:
