@@ -151,7 +151,8 @@ def situations(draw: st.DrawFn) -> Situation:
             facing=draw(maybe(st.sampled_from(Facing))),
             lateral=draw(maybe(laterals())),
         )
-        does = [replace(one, to=None) if one.act in COMES_OVER and one.to is start.side else one for one in does]
+        side = start.side or (where.row.sides[0] if len(where.row.sides) == 1 else None)
+        does = [replace(one, to=None) if one.act in COMES_OVER and one.to is side else one for one in does]
         role = Role.ADVERSARY if not others else draw(st.sampled_from(Role))
         hidden = draw(maybe(st.sampled_from([one.id for one in others]))) if others else None
         count = draw(st.sampled_from((1, 1, 1, 2, 0)))

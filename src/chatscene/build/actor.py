@@ -6,12 +6,12 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from chatscene.build.asked import FROM_A_STAND, Asked, Meets, Stand, between, bolts, stands_first
-from chatscene.build.coming import Coming, goes_over
-from chatscene.build.contact import misses
+from chatscene.build.alongside import set_pace
+from chatscene.build.asked import FROM_A_STAND, Asked, Meets, Stand, between, bolts, goes_slowly, stands_first
+from chatscene.build.coming import Coming
 from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
-from chatscene.build.gaps import GOES_ON
+from chatscene.build.gaps import set_room
 from chatscene.build.hiding import place_hiding
 from chatscene.build.lateral import placed
 from chatscene.build.ledger import Ledger
@@ -23,18 +23,18 @@ from chatscene.build.parts import parts_of
 from chatscene.build.phases import Phases
 from chatscene.build.place import (
     AT_CROSSWALKS,
-    GOES_OVER,
     LANE,
     NEXT_LANE,
     Found,
     at_roundabout,
+    between_lanes,
+    filters,
     is_marked,
     lane_beside,
 )
 from chatscene.build.relations import speed_beside
 from chatscene.build.screening import Screen, from_its_lane, screen_of, stands_at
 from chatscene.build.starts import start_of
-from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, PROPS, Limits
 from chatscene.terms.actors import Manner as Moves
@@ -48,6 +48,7 @@ FASTER = (1.2, 1.5)  # of the speed of the traffic: who is fast in it
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"(?:DrivePath|FollowTraffic)\([^,]+, ([^,()]+)")
 _GOES = re.compile(r"^DrivePath\(([^,]+), ([^,()]+)\)( |$)")
+_GOES_ON_IN_OURS = re.compile(rf"^DrivePath\(({re.escape(OWN)}), ([^,()]+)\)($| for )")
 _CLOSE_BEHIND = re.compile(r"(PaceOnPath\([^,]+, )ego, -\(")
 _KEEPS = re.compile(r"(PaceOnPath\([^,]+, ego, )([^,]+)")
 
@@ -107,7 +108,8 @@ class Actor:
         self.stand, chosen = placed(asked, start_of(asked))
         if chosen:
             self.ledger.assume(chosen)
-        self._keep_up()
+        set_pace(self)
+        set_room(self)
         self.named = {}
         at = f"others.{self.one.id}"
         self.ledger.take(f"{at}.kind", f"{at}.count", f"{at}.starts.where", f"{at}.starts.side")
@@ -215,43 +217,6 @@ class Actor:
             if deed.speed is not None and self.one_speed and self.moves_first(k) and deed.act in AT_ONE_SPEED:
                 numbers.bind("SPEED", deed.speed, self.ego_speed, f"{self.path}.does.{k}.speed")
 
-    def _keeps_up_with(self, first: Actor) -> bool:
-        """Whether it goes as fast as who is first in its row, since nothing else was said and it can."""
-        return not self.numbers.is_said("SPEED") and first.numbers.range_of("SPEED")[1] <= self.limits.top_speed
-
-    def _goes_on_beside(self) -> bool:
-        """Whether it only goes on, on the side on which the ego goes over its way."""
-        route, start = self.ledger.situation.ego.route, self.one.starts
-        beside = self.stand.meets is Meets.ALONG and start.where in NEXT_LANE and not stands_first(self.one)
-        only = all(deed.act in GOES_ON | {Act.GO_STRAIGHT} for deed in self.deeds)
-        return beside and only and route is not None and GOES_OVER.get(route) is start.side
-
-    def _keep_up(self) -> None:
-        """Let who only goes on beside the ego be where the ego goes over its way when the ego is there.
-
-        Else it is far off by then, and nothing comes of it. An ego whose speed was not said slows down for who cannot.
-        """
-        situation, numbers = self.ledger.situation, self.numbers
-        if self.one.role is not Role.ADVERSARY or not self._goes_on_beside() or numbers.is_said("SPEED"):
-            return
-        lengths = self.limits.length + self.ego_limits.length
-        there, seconds = goes_over(self.found.route, self.ego_speed)
-        seconds += self.ego.late or 0.0
-        ahead = numbers.middle("Y") * (-1 if self.stand.behind else 1)
-        if misses(situation, self.one):
-            there += 0.75 * lengths  # by before the ego's nose
-        way = there - ahead
-        usual, top = numbers.range_of("SPEED")[1], MOST * self.limits.top_speed
-        if way > usual * seconds and situation.ego.speed is None:
-            self.reaches, self.needs = seconds * self.ego_speed, way / usual
-        needed = min(Body(self.limits, self.walks).wish_for(way / seconds), top)
-        spare = 0.25 * lengths  # so that the two are level with it
-        share = spare / way
-        numbers.narrow("SPEED", (1 - share) * needed, min((1 + share) * needed, top))
-        if not numbers.is_said("Y"):
-            low, high, *_ = numbers.range_of("Y")
-            numbers.narrow("Y", max(low, numbers.middle("Y") - spare), min(high, numbers.middle("Y") + spare))
-
     @property
     def one_speed(self) -> bool:
         """Whether one speed at most was said of it, which then is its speed all the time."""
@@ -275,6 +240,8 @@ class Actor:
             self.begins = tuple(phases.due_after)
             if self.careful:
                 self._texts = tuple(_GOES.sub(r"FollowTraffic(\1, \2)\3", text) for text in self._texts)
+            elif self._comes_behind_another:
+                self._texts = tuple(_GOES_ON_IN_OURS.sub(r"FollowTraffic(\1, \2)\3", text) for text in self._texts)
             if self.first is not None and self.stand.behind and self.first.stand.behind:
                 ahead = rf"\1{name_of(self.first.one.id)}, -("
                 self._texts = tuple(_CLOSE_BEHIND.sub(ahead, text) for text in self._texts)
@@ -288,6 +255,13 @@ class Actor:
         comes_in = ahead > 0 and any(deed.act is Act.CUT_IN for deed in self.deeds)
         follows = self.one.role is Role.SUPPORTING or queues or comes_in
         return self.stand.meets is Meets.ALONG and not self.walks and follows
+
+    @property
+    def _comes_behind_another(self) -> bool:
+        """Whether it comes into the ego's lane behind somebody else who goes or stands in that."""
+        others = (one for one in self.ledger.situation.others if one.id != self.one.id)
+        ahead = any(one.starts.where is Where.AHEAD and one.kind.moves is not Moves.WALKS for one in others)
+        return ahead and self.stand.meets is Meets.ALONG and not self.walks
 
     @property
     def met(self) -> float:
@@ -316,12 +290,18 @@ class Actor:
             text = text.replace(f"{{{mark}}}", f"{mark}{one}")
         row = name_of(self.first.one.id) if self.first is not None else one
         text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first).replace("{row}", row)
-        if self.first is not None and self.stand.rolls and self._keeps_up_with(self.first):
+        if self.first is not None and self._goes_alike(self.first):
             text = re.sub(r"\$SPEED(?![A-Z0-9_])", self.first.numbers.value("SPEED"), text)  # in a row they go alike
         if self.first is not None and "$Y" in text:
             text = text.replace("$Y", f"<{self.first.one.id}>")
             return self.numbers.filled(text).replace(f"<{self.first.one.id}>", self.first.numbers.value("Y"))
         return self.numbers.filled(text)
+
+    def _goes_alike(self, first: Actor) -> bool:
+        """Whether it goes as fast as who is first in its row, since nothing else was said and it can."""
+        passed = any(deed.act is Act.OVERTAKE and deed.whom == self.one.id for deed in first.deeds)
+        can = first.numbers.range_of("SPEED")[1] <= self.limits.top_speed
+        return self.stand.rolls and can and not passed and not self.numbers.is_said("SPEED")
 
     def code(self, hidden: Actor | None) -> list[str]:
         """Its part of the program; of who hides somebody, beside whom it hides."""
@@ -401,15 +381,28 @@ class Actor:
 
     @property
     def _away(self) -> str:
-        """The sign of who is farther from the ego along its way."""
+        """The sign of who is farther from the ego along its way; behind it, of who is beside it and behind others."""
+        if self.one.starts.where is Where.BESIDE and self._is_behind_others:
+            return "-"
         return "+" if self.stand.meets is Meets.ALONG and not self.stand.behind else "-"
+
+    @property
+    def _is_behind_others(self) -> bool:
+        """Whether somebody else is farther on in the lane beside the ego, in which it is."""
+        starts = (one.starts for one in self.ledger.situation.others if one.id != self.one.id)
+        sides = (self.one.starts.side, None)
+        return any(start.where is Where.AHEAD_BESIDE and start.side in sides for start in starts)
 
     def _beside(self) -> str:
         """The line beside the ego's lane: that of a lane of its direction if there is one; else where others come."""
         said = self.named.get("side")
         sides = lanes_beside(self.found.route)
+        others = [one.starts for one in self.ledger.situation.others if one.id != self.one.id]
+        taken = {str(start.side) for start in others if start.where in NEXT_LANE}
         for side in (said,) if said else (str(Side.LEFT), str(Side.RIGHT)):
-            if sides.get(side) is False:
+            if sides.get(side) is False and side in taken and filters(self.one):
+                return f"{lane_beside(side)}.offset({between_lanes(side):g})"
+            if sides.get(side) is False and (side not in taken or said or len(sides) == 1):
                 return lane_beside(side)
         side = said or str(Side.LEFT)
         if side not in sides:
@@ -435,7 +428,7 @@ class Actor:
             return self.filled(", with speed $SPEED")
         if not phases or self.stand.meets is not Meets.ALONG or stands_first(self.one) or self.lies:
             return ""
-        if self.one.starts.speed is not None:
+        if self.one.starts.speed is not None or goes_slowly(self.one):
             self.ledger.take(f"{self.path}.starts.speed")
             return self.filled(", with speed $SPEED")
         if own := _DRIVES.match(phases[0]):

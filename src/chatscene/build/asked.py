@@ -15,7 +15,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Deed, Other, Situation
-from chatscene.terms.vocabulary import NOSE_TO_TAIL, Act, UserKind, Where
+from chatscene.terms.vocabulary import NOSE_TO_TAIL, Act, Manner, UserKind, Where
 
 ANIMALS = frozenset((UserKind.ANIMAL, UserKind.DEER, UserKind.DOG))
 ROOM = 3.0  # [m] between who stand in a row
@@ -164,6 +164,11 @@ class Asked:
         return self.found.query["maneuver"] == Maneuver.BYPASS
 
     @property
+    def ends_straight(self) -> bool:
+        """Whether the ego goes straight on at a junction."""
+        return self.found.query["maneuver"] == Maneuver.STRAIGHT
+
+    @property
     def middles(self) -> float:
         """How far [m] the middles of the ego and of it are apart where they touch, one behind the other."""
         row = self.one.kind.row.body.row
@@ -174,10 +179,16 @@ class Asked:
         """How much nearer [m] the ego's nose and tail are to others than a car's, where middles are apart."""
         return max(0.0, 0.5 * (self.situation.ego.body.row.limits.length - AdversaryKind.CAR.row.limits.length))
 
-    def headway(self, low: float, high: float) -> None:
-        """From where to where [s] before or behind the ego it may be, nose to tail, if no distance was said."""
-        speed = self.ego.speed
-        self.reach(self.middles + max(low * speed, NEAREST), self.middles + max(high * speed, NEAREST + 1.0))
+    def headway(self, low: float, high: float, caught_up: float = 0.0) -> None:
+        """From where to where [s] before or behind the ego it may be, nose to tail, if no distance was said.
+
+        Args:
+            low: The least [s].
+            high: The most [s].
+            caught_up: How far [m] the ego comes up to it until it is as near.
+        """
+        speed, middles = self.ego.speed, self.middles + caught_up
+        self.reach(middles + max(low * speed, NEAREST), middles + max(high * speed, NEAREST + 1.0))
 
     def ahead(self, low: float, high: float) -> None:
         """From where to where [m] ahead it may be, if that was not said: farther where the ego comes faster."""
@@ -231,6 +242,13 @@ def stands_first(one: Other) -> bool:
     first = one.does[0].act if one.does else None
     still = one.starts.speed is not None and one.starts.speed.high <= 0.0
     return still or first in FROM_A_STAND | {Act.PULL_OUT} or one.kind.moves is Moves.LIES
+
+
+def goes_slowly(one: Other) -> bool:
+    """Whether somebody goes along slowly from the first, as was said without a number."""
+    first = one.does[0] if one.does else None
+    along = first is not None and first.act in (Act.GO_ALONG, Act.FOLLOW)
+    return along and first is not None and first.manner is Manner.SLOW and first.speed is None
 
 
 _OVER = {

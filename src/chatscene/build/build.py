@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from chatscene.build.actor import SOME, Actor
+from chatscene.build.anchors import anchor_of
 from chatscene.build.asked import ROOM, Meets, between, stands_first
 from chatscene.build.backing import check_met
 from chatscene.build.coming import wanted_by
@@ -138,7 +139,14 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
     ahead: dict[tuple[str, str, bool], float] = {}
     order: list[tuple[Actor, Actor | None]] = []
     others = [at_distance(ledger, one) for one in in_rows(situation)]
-    for one in sorted(others, key=lambda other: (_hides(situation, other) is not None, _on_arm_unmet(other))):
+    others = [started(one, found.sides) for one in others]
+    anchors = {one.id: anchor_of(one, others) for one in others if _hides(situation, one) is None}
+
+    def late(one: Other) -> tuple[bool, bool, bool]:
+        """Whether somebody is placed after others: by whom it hides, who begins beside it, who is met."""
+        return _hides(situation, one) is not None, bool(anchors.get(one.id)), _on_arm_unmet(one)
+
+    for one in sorted(others, key=late):
         hidden = _hides(situation, one)
         stands = stands_first(one) and one.starts.where not in OFF_ROAD
         in_row = next((other for other in others if passes(one, other) and in_one_row(one, other)), one)
@@ -150,9 +158,12 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         if before := first is not None and _is_by_before(one, first.one, ego):
             ahead[place] = ahead.get(place, 0.0) + (one.count or SOME) * apart
             room = -ahead[place]
-        actor = Actor(ledger, found, started(one, found.sides), ego.coming, room, first)
+        if (anchor := anchors.get(one.id)) is not None and anchor[0].id in built:
+            first, room = built[anchor[0].id], built[anchor[0].id].room + anchor[1]
+            first = first.first or first
+        actor = Actor(ledger, found, one, ego.coming, room, first)
         built[one.id] = actor
-        if hidden is None and not before:
+        if hidden is None and anchors.get(one.id) is None and not before:
             abreast = 1.5 if one.hidden_by is not None else 2.5  # from the same gap
             long = abreast if actor.stand.meets is Meets.ACROSS else actor.count * apart
             rows[place] = (first or actor, room + long)

@@ -22,6 +22,7 @@ from chatscene.build.deeds import (
     Steps,
     gets_by,
     passes_against,
+    pulls_out,
     steps_for,
     turning_off,
     turning_round,
@@ -34,6 +35,7 @@ from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import Pace
 from chatscene.build.place import NEXT_LANE, ROUNDABOUT_PLACES, at_junction, rides_at_edge
 from chatscene.build.rates import at_a_rate
+from chatscene.build.relations import ALONG as ALONG_EGO
 from chatscene.build.sideways import takes_long
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
@@ -43,6 +45,7 @@ from chatscene.terms.vocabulary import Act, Role, Where
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
+CLEAR, OUT = 0.2, 2.8  # [m] between two of whom one has pulled out; that it is aside at most for that
 TURNS_AT = 3.0  # [m/s²], sideways, of who turns round
 _ASIDE = frozenset((Act.WEAVE, Act.DRIFT, Act.SWERVE, Act.LANE_CHANGE, Act.CUT_OUT))
 _COMES_BACK = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE))
@@ -82,7 +85,7 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         yield Act.U_TURN, turning_round(radius, 0.0 if deed.speed is not None else math.sqrt(TURNS_AT * radius))
     follows = actor.stand.behind and not actor.stand.rolls and not touches(actor.ledger.situation, actor.one)
     if where is Where.BEHIND and deed.act in GOES_ON and follows and not _goes_by_itself(actor, deed):
-        yield deed.act, ALONG[Act.TAILGATE]  # or it would run into the ego
+        yield deed.act, BEHIND_ANOTHER  # or it would run into the ego
     if deed.act is Act.OVERTAKE and along:
         yield from _overtaking(actor, deed)
     if meets is Meets.TOWARD and deed.act in _COMES_BACK and is_in_ours(actor, k):
@@ -108,6 +111,9 @@ def _overtaking(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
         others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
         free = all(one.starts.where is not Where.AHEAD for one in others)
         yield Act.OVERTAKE, gets_by(comes_back=free and not at_edge)
+    elif not actor.stand.rolls:  # behind whom it passes, which may be slow by then
+        clear = 0.5 * (actor.ego_limits.width + actor.limits.width) + CLEAR
+        yield Act.OVERTAKE, pulls_out(min(clear, OUT))
     if actor.stand.rolls and done_to(deed) == EGO:  # of which it comes by anyway
         yield Act.OVERTAKE, ALONG[Act.GO_ALONG]
 
@@ -140,7 +146,8 @@ def _to_another(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     elif deed.act is Act.OVERTAKE and actor.stand.meets is Meets.TOWARD:
         yield Act.OVERTAKE, passes_against(comes_back=actor.then(k) not in _COMES_BACK)
     elif deed.act is Act.YIELD and actor.stand.meets is not Meets.ACROSS:
-        yield Act.YIELD, yielding_to(name_of(done_to(deed)))
+        against = actor.stand.meets is Meets.TOWARD and actor.ledger.situation[done_to(deed)].starts.where in ALONG_EGO
+        yield Act.YIELD, yielding_to(name_of(done_to(deed)), against=against)
 
 
 def _by_numbers(actor: Actor, k: int, steps: Steps) -> Steps:
@@ -153,7 +160,8 @@ def _by_numbers(actor: Actor, k: int, steps: Steps) -> Steps:
         return DRIFTS_OVER
     if deed.act is Act.OVERTAKE and then in _COMES_BACK and actor.stand.meets is Meets.ALONG:
         way = "{beside}" if "{beside}" in steps.does[0] else ""
-        does = (steps.does[0], eases(actor, k, way or "{p}"))
+        passes = next(n for n, text in enumerate(steps.does) if "$AHEAD" in text)
+        does = (*steps.does[: passes + 1], eases(actor, k, way or "{p}"))
         return replace(steps, does=does, last=(), way=way)  # what comes then says how it comes back
     if deed.act is Act.BRAKE and across and deed.speed is not None:
         return LOSES_SLOWLY

@@ -192,8 +192,8 @@ ALONG: dict[Act, Steps] = {
     Act.OPEN_DOOR: Steps(does=("Park() for 3 seconds",), last=("Park()",), still=True, pace=Pace.STANDS),
     Act.DROP_LOAD: Steps(does=(GO + " for 2 seconds",), last=(GO,), going=True),
     Act.PARK: Steps(
-        does=("DrivePath({p}, $SLOW, -2.8) for 3 seconds", BRAKES),
-        last=("DrivePath({p}, $SLOW, -2.8) for 3 seconds", BRAKES, "Halt()"),
+        does=("DrivePath({p}, $SLOW, -3) for 3 seconds", BRAKES),
+        last=("DrivePath({p}, $SLOW, -3) for 3 seconds", BRAKES, "Halt()"),
         binds={"speed": "SLOW"},
         still=True,
         going=True,
@@ -253,6 +253,18 @@ def turning_round(radius: float, speed: float) -> Steps:
     )
 
 
+def pulls_out(clear: float) -> Steps:
+    """How somebody behind another overtakes it: it comes up to that while it pulls out, and then gets by.
+
+    Args:
+        clear: How far aside of its lane [m] it is clear of whom it passes.
+    """
+    row = ALONG[Act.OVERTAKE]
+    near = "-(ego.length + self.length) / 2 - 1"
+    out = f"PaceOnPath({{beside}}, ego, {near}, $FAST) until abs(offsetFrom({OWN}, self)) > {clear:.3g}"
+    return replace(row, does=(out, *row.does))
+
+
 def gets_by(*, comes_back: bool) -> Steps:
     """How somebody beside the ego gets by, along its own line; perhaps into the ego's lane then."""
     row = ALONG[Act.OVERTAKE]
@@ -282,8 +294,11 @@ COMES_BACK = Steps(
 """Of somebody who comes against the ego in its lane, and goes back to the lane that it came from."""
 
 
-def yielding_to(name: str) -> Steps:
-    """How somebody lets another by: until that came over its line, and is off it."""
+def yielding_to(name: str, *, against: bool = False) -> Steps:
+    """How somebody lets another by: until that came over its line, and is off it, or came by from against it."""
+    past = f"headway(egoRoute, self, {name}) > (self.length + {name}.length) / 2"
+    if against:
+        return Steps(does=(BRAKES, f"Halt() until {past}"), still=True, going=True, pace=Pace.STANDS)
     by = tuple(f"Halt() until abs(offsetFrom({{p}}, {name})) {sign}" for sign in ("< 2.5", "> 3"))
     return Steps(does=(BRAKES, *by), last=(BRAKES, *by, GO), still=True, going=True, pace=Pace.STANDS)
 

@@ -14,6 +14,7 @@ from chatscene.build.holding import SITES, as_said, lanes_there
 from chatscene.build.ledger import Ledger
 from chatscene.build.over_lanes import lanes_needed
 from chatscene.build.place import (
+    GOES_OVER,
     NEXT_LANE,
     PACKAGED,
     Found,
@@ -375,7 +376,7 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
         several = (road.lanes or 1) > 1 or (bool(lanes) and not against)
         query |= {"lanes": max(2, road.lanes or 2), "opposite": False} if several else {"opposite": True}
     elif lanes:
-        query |= {"beside": lanes[0]} if straight else {"lanes": max(2, road.lanes or 2)}
+        query |= {"beside": lanes[0]} if straight else _lanes_to_change(situation, lanes)
         if against:
             query["opposite"] = True
         if len(set(lanes)) > 1:
@@ -387,6 +388,15 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     yield query
     if wrong_way and Where.ONCOMING not in places and straight:  # who needs no lane of its own
         yield dict(base) if not lanes else base | {"beside": lanes[0]}
+
+
+def _lanes_to_change(situation: Situation, taken: list[str]) -> dict[str, Any]:
+    """How many lanes a road must have on which the ego changes lanes, with others in those next to it."""
+    road, route = situation.road, situation.ego.route
+    to = GOES_OVER.get(route) if route is not None else None
+    if to is None or set(taken) <= {str(to)}:
+        return {"lanes": max(2, road.lanes or 2)}
+    return {"lanes": max(3, road.lanes or 3), "lane": road.ego_lane or 2}  # with a lane on either side
 
 
 def _turns_round(one: Other) -> bool:

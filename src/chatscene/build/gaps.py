@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import Meets
+from chatscene.build.asked import Meets, goes_slowly
 from chatscene.build.contact import misses
 from chatscene.build.deeds import OWN
 from chatscene.build.over_lanes import lane_after
-from chatscene.build.place import NEXT_LANE
+from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.relations import speed_of
 from chatscene.build.towards import done_to, to_whom
 from chatscene.terms.situation import EGO, Deed
@@ -34,12 +34,42 @@ GAP_WITHIN, EASED = 1.0, 1.0  # [m] of a gap that was said; [m/s] faster than wh
 GETS_PAST = 5.0  # [m/s] that somebody is faster than the ego on the average who gets before it
 OVER_THE_LINE = 0.75  # [s] after it sets out for a lane that somebody's middle is over the line
 SAME = 1.0  # [m/s] by which two go as fast
+SLOWER = 1.0  # [m/s] than the ego, from which on the ego comes up to somebody
+OVER_LINE, ALONG_LINE = 1.0, 5.0  # [s], [m] at least from when somebody turns the wheel until it crosses the line
+SEEN_BEFORE = 1.0  # [s] that it is seen to go beside before
 BACKS = 1.5  # [m/s] that somebody backs up at, of whom only the way was said
 
 
 def gap_is_said(deed: Deed) -> bool:
     """Whether the room was said that somebody leaves who cuts in."""
     return deed.act is Act.CUT_IN and (deed.distance is not None or deed.time is not None)
+
+
+def falls_back(actor: Actor, k: int) -> bool:
+    """Whether the ego comes up to somebody who then cuts in: by what was said it is slower, and it is ahead."""
+    deed = actor.deeds[k]
+    ahead = actor.one.starts.where is Where.AHEAD_BESIDE and all(one.act in GOES_ON for one in actor.deeds[:k])
+    said = actor.numbers.is_said("SPEED") or goes_slowly(actor.one)
+    slower = said and actor.numbers.range_of("SPEED")[1] < actor.ego_speed - SLOWER
+    free = deed.act is Act.CUT_IN and done_to(deed) == EGO and deed.speed is None
+    return free and ahead and slower and not gap_is_said(deed)
+
+
+def set_room(actor: Actor) -> None:
+    """Let who falls back toward the ego be so far ahead that it is seen to go beside before it cuts in."""
+    for k in range(len(actor.deeds)):
+        if falls_back(actor, k) and actor.one.starts.distance is None:
+            numbers, middles = actor.numbers, 0.5 * (actor.ego_limits.length + actor.limits.length)
+            _, high, *_ = numbers.range_of(_room(actor, k))
+            closing = actor.ego_speed - numbers.middle("SPEED")
+            least = middles + high + closing * (_over_line(actor) + numbers.range_of("STEADY")[1] + SEEN_BEFORE)
+            _, _, unit, meaning = numbers.range_of("Y")
+            numbers.measure("Y", least, least + closing, unit, meaning)
+
+
+def _over_line(actor: Actor) -> float:
+    """How long [s] somebody takes from when it turns the wheel until it crosses the line, longer where it is slow."""
+    return max(OVER_LINE, ALONG_LINE / actor.numbers.middle("SPEED"))
 
 
 def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
@@ -57,7 +87,10 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
     if deed.act not in _COMES_BEFORE and not (leaves_room(actor) and deed.act in _OVER) and not stops_before(actor, k):
         return
     from_behind = _from_behind(actor, k) or leaves_room(actor)
-    if gap_is_said(deed) and keeps_its_speed(actor, k):
+    if falls_back(actor, k):
+        comes = f"{_MIDDLES}${_room(actor, k)} + max(0, ego.pose[3] - self.pose[3]) * {_over_line(actor):.3g}"
+        yield f"DrivePath({way}, $SPEED) until headway(egoRoute, ego, self) < {comes}"
+    elif gap_is_said(deed) and keeps_its_speed(actor, k):
         ahead = f"{_MIDDLES}${_bound(actor, k)}"
         _start_far_enough(actor, k)
         yield f"DrivePath({way}, $SPEED) until {_has_room(actor, ahead)}"
@@ -182,10 +215,19 @@ def seconds_to_get_by(actor: Actor, k: int) -> float:
         row = numbers.middle("Y")
     faster = numbers.middle(f"FAST_{k}") - speed_of(actor.ledger.situation, whom, actor.ego_speed)
     metres = row + 0.5 * (actor.limits.length + length) + numbers.middle("AHEAD")
+    if passes_where_it_goes_over(actor) and whom == EGO:
+        metres = row
     seconds = metres / max(faster, 0.5) + faster / actor.limits.throttle  # until it is as fast
     if actor.stand.meets is not Meets.TOWARD:
         return seconds
     return seconds + BACK_OVER if _comes_back(actor, k) else HALF_BY * seconds
+
+
+def passes_where_it_goes_over(actor: Actor) -> bool:
+    """Whether somebody ends by passing an ego that turns off, or over: it is level with that then."""
+    last = actor.deeds[-1].act if actor.deeds else None
+    motorised = actor.one.kind.row.body.row.motorised  # who has no motor takes longer than can be told
+    return last is Act.OVERTAKE and motorised and actor.ledger.situation.ego.route in GOES_OVER
 
 
 def eases(actor: Actor, k: int, way: str) -> str:

@@ -13,6 +13,8 @@ from chatscene.build.numbers import FIRM
 from chatscene.build.paces import Pace, Speed
 from chatscene.build.place import LANE, NEXT_LANE
 from chatscene.build.rates import brakes_by, goes_so_far, rate_of, throttles_by
+from chatscene.build.relations import speed_of
+from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import Act, Manner, Side, Where
@@ -24,6 +26,7 @@ WAVE = 20.0  # [m], five times as far as a tracker looks ahead: a shorter wave i
 PIECES = 2  # of three in which somebody drifts: in the last it is nearly there
 SETS_OUT = 0.2  # [s] that it takes to settle
 USUAL_TOP, KEEPS_UP = 25.0, 5.0  # [m/s] of who keeps a distance, at most; faster than an ego that is as fast
+LEVEL_WITH = 1.1  # times the speed of whom it keeps level with, the most that somebody then has
 SWINGS = 0.8  # of a wave, the least that is seen
 SOONEST = 2.0  # [s] in which somebody drifts at least
 BACK, DRIFTS = 1.5, 8.0  # [m] that somebody goes back; that it goes on while it drifts by a third
@@ -54,7 +57,9 @@ def of_deed(phases: Phases, k: int, text: str, steps: Steps) -> str:
         text = renamed(text, "LEVEL", "Y")  # as level as it begins
     if deed.act is Act.KEEP_LEVEL and numbers.is_said("SPEED"):
         text = text.replace(", 25, 2)", ", $SPEED, 0.97 * $SPEED)")  # which it does not give up
-    if (top := actor.ego_speed + KEEPS_UP) > USUAL_TOP:
+    level = LEVEL_WITH * speed_of(actor.ledger.situation, done_to(deed), actor.ego_speed)
+    top = max(actor.ego_speed + KEEPS_UP, level if deed.act is Act.KEEP_LEVEL else 0.0)
+    if top > USUAL_TOP:
         text = text.replace(f", {USUAL_TOP:g})", f", {top:.4g})").replace(f", {USUAL_TOP:g}, 2)", f", {top:.4g}, 2)")
     return _braking(phases, k, text, steps)
 

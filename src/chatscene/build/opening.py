@@ -7,23 +7,26 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from chatscene.build.alongside import goes_on_beside, until_it_comes
 from chatscene.build.aside import avoids, must_avoid
 from chatscene.build.asked import STOPS, Meets, stands_first, stops_ahead
 from chatscene.build.chain import in_terms_of, meeting_of
 from chatscene.build.coming import lost_in_curves
+from chatscene.build.contact import touches
 from chatscene.build.deeds import GO, MOVE
-from chatscene.build.gaps import GOES_ON, LOSES
+from chatscene.build.gaps import GOES_ON, LOSES, passes_where_it_goes_over
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
-from chatscene.build.place import LANE, at_junction, room_against
+from chatscene.build.place import LANE, NEXT_LANE, at_junction, room_against
 from chatscene.build.reacting import ego_slows, goes_until_ego_slows, reacts
 from chatscene.build.relations import AGAINST, ALONG
 from chatscene.build.timing import Course, Meeting, course
+from chatscene.build.towards import done_to
 from chatscene.build.waiting import when_of
 from chatscene.maps.crossings import MEETING
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import EGO, Other
-from chatscene.terms.vocabulary import Act, Facing, Where
+from chatscene.terms.vocabulary import Act, Facing, Role, Where
 
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases
@@ -32,6 +35,9 @@ BEHIND_IT = 3.0  # [m] behind whom it stops somebody stands
 LASTS = 3.0  # [s] in which the last of what somebody does is seen
 SPARE = 30.0  # [m] of road behind who comes against the ego, for those behind it
 _ANYWHERE = (None, Site.MOTORWAY, Site.RURAL)
+SOONER = 0.8  # [s] than the ego somebody comes over from a stand that is not to be struck
+LETS_BY = 2.5  # [s] before somebody comes by that another brakes to let it by
+_COMES_OVER = frozenset((Act.LANE_CHANGE, Act.CUT_IN, Act.MERGE, Act.PULL_OUT, Act.ENTER))
 NEAREST = 4.0  # [m] before a junction: who is nearer is in it
 DRIVES = 1.0  # [s]: who drives so long before it brakes is seen to come driving
 BEGUN = 0.8  # [s]: what is done so long before the ego is there is seen to begin
@@ -83,6 +89,9 @@ class Opening:
             yield from when_of(actor, self.first, when, waits)
             if when.ego_within is not None or when.delay is not None or actor.stand.ego_meets == "egoRoute.eventAt":
                 return
+        if goes_on_beside(actor) and actor.one.role is Role.ADVERSARY and when is None:
+            yield from (text.replace("SPEED", self._speed()) for text in until_it_comes(actor))
+            return
         lasting = all(one.lasting for one in steps)
         if (lasting or self._only_waits()) and (actor.stand.meets is Meets.ALONG or self._goes_along()):
             return
@@ -101,7 +110,10 @@ class Opening:
         """It goes on, or waits, until its first deed is due, if that is not seen by how near it is to the ego."""
         actor = self.phases.actor
         if before := self._stands_before():
-            yield f"{waits} until {self._is_near(before)}"
+            yield f"{waits} until {self._is_near(name_of(before.id))}"
+        elif self._stops_behind_ego():
+            go = f"DrivePath({{p}}, ${self._speed()}, 0)"  # as fast as it is, however careful it else is
+            yield f"{go} until {self._is_near(EGO)}"
         elif reacts(actor, self.first):
             yield f"{waits} until {ego_slows(actor)}"
         elif soon:
@@ -121,11 +133,19 @@ class Opening:
         others = (one for one in self.phases.actor.ledger.situation.others if one.id != self.phases.actor.one.id)
         return next((one for one in others if one.starts.where is Where.AHEAD and stands_first(one)), None)
 
-    def _is_near(self, before: Other) -> str:
+    def _stops_behind_ego(self) -> bool:
+        """Whether it comes up behind an ego that stands, and stops there."""
+        actor = self.phases.actor
+        struck = touches(actor.ledger.situation, actor.one)
+        behind = actor.one.starts.where is Where.BEHIND and not actor.stand.rolls and actor.ego.stands
+        return behind and actor.deeds[self.first].act in STOPS and not (struck and actor.one.role is Role.ADVERSARY)
+
+    def _is_near(self, name: str) -> str:
         """When it is so near to who stands before it that it must brake to stand behind that."""
-        actor, name = self.phases.actor, name_of(before.id)
+        actor = self.phases.actor
         braking = f"self.pose[3] ** 2 / (2 * $BRAKE * {actor.limits.brake:g})"
-        return f"headway(egoRoute, self, {name}) < {braking} + (self.length + {name}.length) / 2 + {BEHIND_IT:g}"
+        line = "{p}" if name == EGO else "egoRoute"  # which begins where the ego does
+        return f"headway({line}, self, {name}) < {braking} + (self.length + {name}.length) / 2 + {BEHIND_IT:g}"
 
     def _soon(self, waits: str) -> str:
         """It goes on for a while, as it began."""
@@ -136,7 +156,11 @@ class Opening:
     def _comes_to_meet(self) -> Iterator[str]:
         """It goes on until it is so near to the ego, or to the junction, that its first deed is due."""
         actor, steps = self.phases.actor, self.phases.steps
-        if actor.stand.meets is Meets.TOWARD and not steps[self.first].lasting:
+        yields_to = done_to(actor.deeds[self.first]) if actor.deeds[self.first].act is Act.YIELD else EGO
+        if actor.stand.meets is Meets.TOWARD and yields_to != EGO:  # until that one is near
+            name = name_of(yields_to)
+            yield f"{self._go()} until gap(self, {name}) < brakingDistance(self) * 2 + {name}.pose[3] * {LETS_BY:g}"
+        elif actor.stand.meets is Meets.TOWARD and not steps[self.first].lasting:
             yield f"{self._go()} until gap(self, ego) < {self._far('(self.pose[3] + ego.pose[3]) * $LEAD_TIME')}"
         yield from self._comes_close()
 
@@ -438,10 +462,21 @@ class Opening:
             case Meets.KERB:  # it is in the lane once it has gone its own length and the width of a lane
                 return self.phases.body.covers(actor.limits.length + LANE, self._wish()) + more
             case Meets.ALONG if stands_first(actor.one) and not stand.behind:
-                return 3.6 + more
+                return self._from_a_stand() + more
             case _:  # of a slow ego, which is long in coming, long before it is there
                 soon = max(0.0, actor.found.route.eventAt / actor.ego_speed - LATEST)
-                return (2.0 if at_junction(actor.ledger.situation) else 1.0) + more + soon
+                before = 2.0 if at_junction(actor.ledger.situation) else 1.0
+                if passes_where_it_goes_over(actor):
+                    before = -(actor.ego.late or 0.0)
+                return before + more + soon
+
+    def _from_a_stand(self) -> float:
+        """How long [s] before the ego somebody sets off that stood in its lane, or comes over into that."""
+        actor = self.phases.actor
+        if actor.one.starts.where not in NEXT_LANE or actor.deeds[self.first].act not in _COMES_OVER:
+            return 3.6
+        over = self.phases.body.covers(0.5 * actor.limits.length + LANE, self._wish())
+        return over + (0.0 if touches(actor.ledger.situation, actor.one) else SOONER)
 
     def _to_meet(self) -> float:
         """How far [m] it has about to where it meets the ego."""

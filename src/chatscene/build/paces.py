@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import Meets, stands_first
+from chatscene.build.asked import Meets, goes_slowly, stands_first
 from chatscene.build.numbers import MOST, PACES, Numbers
 from chatscene.build.relations import GAINS, GAINS_AGAINST, PASSES, speed_of
 from chatscene.build.timing import Body
@@ -201,7 +201,7 @@ def paces_of(actor: Actor, steps: Sequence[Steps], body: Body) -> Paces:
 
 def _first(actor: Actor, *, as_ego: bool) -> Speed:
     """The speed that somebody has before its first deed."""
-    said = actor.numbers.is_said("SPEED")
+    said = actor.numbers.is_said("SPEED") or goes_slowly(actor.one)
     if stands_first(actor.one):
         return Speed("", 0.0, 0.0, said=True)
     if as_ego and not said and keeps_distance(actor):

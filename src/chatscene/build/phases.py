@@ -47,6 +47,9 @@ AS_SAID, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
 STAYS = frozenset((Act.ACCELERATE, Act.DRIFT))  # it goes on so, whatever time that took
 OPENS_BEFORE, OPENS_INTO = (-1.1, -0.5), (-1.4, -1.1)  # [s] later than one could stop for it that a door is opened
+OUT_AGAIN = frozenset((Act.U_TURN, Act.PULL_OUT, Act.SET_OFF, Act.LANE_CHANGE, Act.CUT_IN, Act.ENTER))
+COMES_BY = "headway(egoRoute, self, ego) > -(self.length + ego.length) / 2 - 3 - 0.5 * ego.pose[3] or ego.pose[3] < 0.3"
+"""When the ego is about to pass whoever has parked, or waits behind it."""
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 
 
@@ -212,6 +215,8 @@ class Phases:
             elif k > first and deed.when is not None:
                 changes = steps.pace in (Pace.GAINS, Pace.LOSES)
                 body += when_of(actor, k, deed.when, self._at(k, meanwhile, before=changes))
+            if k > first and deed.when is None and deed.act in OUT_AGAIN and actor.deeds[k - 1].act is Act.PARK:
+                body.append(f"Halt() until {COMES_BY}")
             if steps.comes_in and turned:
                 check_turn(actor, k)
                 body += [f"{MOVE} until abs(offsetFrom(egoRoute, self)) > {OUTSIDE}"]

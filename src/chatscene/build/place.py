@@ -25,7 +25,13 @@ WAYS = {Act.TURN_LEFT: Maneuver.LEFT_TURN, Act.TURN_RIGHT: Maneuver.RIGHT_TURN}
 PACKAGED = ("town", "outskirts")
 _STOPS = frozenset((Act.STAND, Act.STOP, Act.SET_OFF, Act.YIELD))
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
-GOES_OVER = _TO_SIDE | {EgoRoute.LANE_CHANGE_LEFT: Side.LEFT, EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT}
+CHANGES = frozenset((EgoRoute.LANE_CHANGE_LEFT, EgoRoute.LANE_CHANGE_RIGHT))
+GOES_OVER = _TO_SIDE | {
+    EgoRoute.LANE_CHANGE_LEFT: Side.LEFT,
+    EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT,
+    EgoRoute.ENTER_DRIVEWAY: Side.RIGHT,
+    EgoRoute.PARK: Side.RIGHT,
+}
 """The side on which the ego goes over the way of who goes on beside it."""
 
 
@@ -178,6 +184,16 @@ def along_the_road(one: Other) -> Other:
     first = next((deed.act for deed in one.does if deed.act is not Act.STAND), None)
     beside = one.starts.where is Where.ROADSIDE and one.starts.facing is None
     return replace(one, starts=replace(one.starts, facing=Facing.ALONG)) if beside and first is Act.GO_ALONG else one
+
+
+def filters(one: Other) -> bool:
+    """Whether somebody is so narrow that it passes between two lanes of others."""
+    return one.kind.moves is Moves.RIDES and one.kind.row.body.row.motorised
+
+
+def between_lanes(side: str) -> float:
+    """How far [m] to the left of the middle of the lane on a side of the ego's the line between the two is."""
+    return 0.5 * LANE if side == Side.RIGHT else -0.5 * LANE
 
 
 def lane_beside(side: str) -> str:

@@ -7,21 +7,25 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from chatscene.build.arriving import comes_along, comes_back, roundabout, slow_enough, so_far_back, through
-from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, stands_first, stops_ahead
+from chatscene.build.asked import ROOM, STOPS, Asked, Meets, Stand, bolts, stands_first, stops_ahead
 from chatscene.build.backing import comes_by, out_of, parked_beside
 from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
 from chatscene.build.doors import opens_in_lane, stands_in_lane
 from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.parts import into_lane
 from chatscene.build.place import (
+    CHANGES,
     LANE,
+    NEXT_LANE,
     at_junction,
     at_roundabout,
     beside_lane,
+    between_lanes,
+    filters,
     is_marked,
     lane_beside,
 )
-from chatscene.build.relations import slows_on_its_way
+from chatscene.build.relations import slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.errors import NotBuilt
 from chatscene.terms.backing import backs
@@ -35,6 +39,8 @@ HEADWAY = 0.9, 1.7  # [s] behind whom it follows an ego is, from and to
 STOPPING = 3.0  # [m/s²] that an ego loses at least which comes to a stand
 STOOD = 1.0, 3.0  # [s] that it has stood, from and to, when somebody from behind is there
 LEADS_UP = 80.0  # [m] of road at least that lead to where the ego begins
+SHORT_OF = 3.0  # [m] of a junction
+IN_QUEUE = 1.5, 4.0  # [m], nose to tail, between two who stand, from and to
 CAREFUL = 1.5, 2.5  # [s] behind the ego, from and to, is who is careful, and lets it into its lane
 
 
@@ -79,9 +85,20 @@ def _ahead(asked: Asked) -> Stand:
     if asked.swings_out:  # who is passed while it goes: it is there when the ego is
         asked.ahead(22, 30)
         return Stand(meets=Meets.ALONG, way=_within("ownLane(egoRoute)", aside), at=f"$Y{asked.more}")
+    if asked.stands and asked.ego.stands and not asked.swings_out:
+        asked.reach(asked.middles + IN_QUEUE[0], asked.middles + IN_QUEUE[1])
+        return Stand(meets=Meets.ALONG, way=_within(asked.lane, aside), at=f"$Y{asked.more}")
     far = asked.stands and not asked.ego.stands  # so that it has done what it does when the ego is there
-    asked.ahead(38, 56) if far else asked.headway(*HEADWAY)
+    asked.ahead(38, 56) if far else asked.headway(*HEADWAY, caught_up=_caught_up(asked))
     return Stand(meets=Meets.ALONG, way=_within(asked.lane, aside), at=f"$Y{asked.more}", anywhere=far)
+
+
+def _caught_up(asked: Asked) -> float:
+    """How far [m] an ego that changes lanes gains on who goes before it until it does."""
+    if asked.situation.ego.route not in CHANGES or asked.ego.stands:
+        return 0.0
+    slower = asked.ego.speed - speed_of(asked.situation, asked.one.id, asked.ego.speed)
+    return max(0.0, slower) * asked.found.route.eventAt / asked.ego.speed
 
 
 def _within(way: str, aside: float) -> str:
@@ -111,7 +128,11 @@ def _behind(asked: Asked) -> Stand:
     if (room := _keeps_behind(asked)) is not None:
         asked.reach(asked.middles + room[0], asked.middles + room[1], "how far behind the ego it is")
     elif (asked.ego.stands or waits) and not asked.stands:
-        asked.reach(28.0 + asked.longer, 45.0 + asked.longer, "how far behind the ego it is")
+        stops = asked.ego.stands and bool(asked.one.does) and asked.one.does[0].act in STOPS
+        low, high = (asked.middles + 8.0, asked.middles + 13.0) if stops else (28.0 + asked.longer, 45.0 + asked.longer)
+        asked.reach(low, high, "how far behind the ego it is")
+    elif asked.ego.stands:
+        asked.reach(asked.middles + IN_QUEUE[0], asked.middles + IN_QUEUE[1], "how far behind the ego it is")
     elif strikes_from_behind(asked.situation, asked.one) and comes_to_stand(asked.situation):
         stops = 0.5 * asked.ego.speed / STOPPING
         asked.headway(*(stops + after for after in STOOD))  # so that the ego stands when it is there
@@ -162,12 +183,19 @@ def _next_lane(asked: Asked) -> Stand:
     if asked.rides:
         sign = "-" if asked.side == Side.RIGHT else ""
         return Stand(meets=Meets.ALONG, way=f"extended(straightOn(egoRoute), 60).offset({sign}2.3)", at=at, behind=back)
-    return Stand(
-        meets=Meets.ALONG,
-        way=lane_beside(asked.side),
-        at=at,
-        behind=back,
-    )
+    way = lane_beside(asked.side)
+    if _filters(asked):
+        way = _within(way, between_lanes(asked.side))
+    return Stand(meets=Meets.ALONG, way=way, at=at, behind=back)
+
+
+def _filters(asked: Asked) -> bool:
+    """Whether somebody goes between the lanes, since others are in the next one past whom it is to go."""
+    others = (one for one in asked.situation.others if one.id != asked.one.id)
+    lane = [one.starts for one in others if one.starts.where in NEXT_LANE]
+    goes_by = all(deed.act in (Act.OVERTAKE, Act.GO_ALONG, Act.GO_STRAIGHT) for deed in asked.one.does)
+    taken = any((start.side or asked.one.starts.side) is asked.one.starts.side for start in lane)
+    return filters(asked.one) and not asked.stands and goes_by and taken
 
 
 def _level(asked: Asked) -> tuple[float, float]:
@@ -212,7 +240,11 @@ def _oncoming(asked: Asked) -> Stand:
     if asked.stands:
         asked.ahead(38, 56)
         return Stand(meets=Meets.TOWARD, way=way, at=f"levelOn(way{{i}}, egoRoute, $Y{asked.more})")
-    asked.ahead(75, 95)
+    route = asked.found.route
+    if ours and route.route.junction is not None and not asked.ends_straight:
+        asked.reach(0.75 * route.eventAt, route.eventAt - SHORT_OF)  # before the junction at which the ego turns off
+    else:
+        asked.ahead(75, 95)
     stand = Stand(
         meets=Meets.TOWARD,
         way=way,

@@ -108,6 +108,10 @@ def _action_failures(actions: Sequence[Action], seen: Seen, contact: int | None)
 # The ego's route
 
 
+_SWINGS = math.radians(3.0)
+"""How far who leaves its lane turns at least from a line that bends evenly: a road that bends less leads straight."""
+
+
 def maneuver_of(route: Route) -> Maneuver:
     """What a route does, from its shape; at ramps and roundabouts what it was found for, which no shape tells."""
     if route.site in TOLD_BY_SITE:
@@ -116,7 +120,8 @@ def maneuver_of(route: Route) -> Maneuver:
     turned = float(heading[-1] - heading[0])
     if route.junction is not None and abs(turned) > math.radians(45):
         return Maneuver.LEFT_TURN if turned > 0 else Maneuver.RIGHT_TURN
-    if route.junction is None and route.place is not Place.CURVE:
+    even = heading[0] + turned * np.linspace(0.0, 1.0, len(heading))
+    if route.junction is None and route.place is not Place.CURVE and np.abs(heading - even).max() > _SWINGS:
         over = moved_over(route.line)
         if over.max() > 1.5 and abs(over[-1]) < 1.0:
             return Maneuver.BYPASS

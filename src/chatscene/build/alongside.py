@@ -1,0 +1,106 @@
+"""Who goes on beside the ego, over whose way the ego comes: it is there when the ego is, whatever holds that.
+
+An ego that only turns is timed. One that changes lanes, or that others may hold, is kept up with until it comes over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from chatscene.build.asked import Meets, stands_first
+from chatscene.build.coming import goes_over
+from chatscene.build.contact import misses
+from chatscene.build.deeds import GO, OWN
+from chatscene.build.gaps import GOES_ON, LOSES
+from chatscene.build.numbers import MOST
+from chatscene.build.place import CHANGES, GOES_OVER, NEXT_LANE
+from chatscene.build.timing import Body
+from chatscene.terms.vocabulary import Act, Role, Where
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+
+_ANSWERS = LOSES | {Act.FALL, Act.SWERVE, Act.WEAVE, Act.ACCELERATE}
+"""What somebody does then over whose way the ego comes."""
+_HAS_COME = {True: f"abs(offsetFrom({OWN}, ego)) > 0.3", False: "progressOn(egoRoute, ego)[0] > egoRoute.eventAt"}
+"""What is seen of an ego that comes over, by whether it changes lanes."""
+_GAINS, _LEAST = 1.4, 1.0  # of the ego's speed, the most, and [m/s] the least of who keeps up with it
+_BEHIND = 1.5, 5.0  # [m], nose to tail, that somebody is behind who is to lose speed for an ego that comes over
+_AT_ONCE = 0.1, 0.4  # [s] after which it does
+
+
+def goes_on_beside(actor: Actor) -> bool:
+    """Whether somebody goes on, on the side on which the ego goes over its way, and answers to that at most."""
+    route, start = actor.ledger.situation.ego.route, actor.one.starts
+    beside = actor.stand.meets is Meets.ALONG and start.where in NEXT_LANE and not stands_first(actor.one)
+    on, then = actor.deeds[:1], actor.deeds[1:]
+    only = all(deed.act in GOES_ON | {Act.GO_STRAIGHT} for deed in on)
+    only = only and all(deed.act in GOES_ON | {Act.GO_STRAIGHT} | _ANSWERS for deed in then)
+    free = all(deed.when is None and deed.whom is None for deed in on)
+    return beside and only and free and route is not None and GOES_OVER.get(route) is start.side
+
+
+def _must_be_there(actor: Actor) -> bool:
+    return actor.one.role is Role.ADVERSARY and goes_on_beside(actor) and not actor.numbers.is_said("SPEED")
+
+
+def keeps_up(actor: Actor) -> bool:
+    """Whether somebody keeps up with the ego until that comes over, since nobody knows when that is."""
+    situation, near = actor.ledger.situation, actor.one.starts.where is not Where.AHEAD_BESIDE
+    held = situation.ego.route in CHANGES or any(one.starts.where is Where.AHEAD for one in situation.others)
+    motorised = actor.one.kind.row.body.row.motorised
+    return _must_be_there(actor) and near and held and motorised and bool(actor.deeds) and not actor.stand.rolls
+
+
+def set_pace(actor: Actor) -> None:
+    """Let who only goes on beside the ego be where the ego goes over its way when the ego is there.
+
+    Else it is far off by then, and nothing comes of it. An ego whose speed was not said slows down for who cannot.
+    """
+    situation, numbers = actor.ledger.situation, actor.numbers
+    if not _must_be_there(actor):
+        return
+    lengths = actor.limits.length + actor.ego_limits.length
+    there, seconds = goes_over(actor.found.route, actor.ego_speed)
+    seconds += actor.ego.late or 0.0
+    ahead = numbers.middle("Y") * (-1 if actor.stand.behind else 1)
+    if misses(actor.ledger.situation, actor.one):
+        there += 0.75 * lengths  # by before the ego's nose
+    way = there - ahead
+    usual, top = numbers.range_of("SPEED")[1], MOST * actor.limits.top_speed
+    if way > usual * seconds and situation.ego.speed is None:
+        actor.reaches, actor.needs = seconds * actor.ego_speed, way / usual
+    needed = min(Body(actor.limits, actor.walks).wish_for(way / seconds), top)
+    spare = 0.25 * lengths  # so that the two are level with it
+    share = spare / way
+    numbers.narrow("SPEED", (1 - share) * needed, min((1 + share) * needed, top))
+    if not numbers.is_said("Y"):
+        low, high, *_ = numbers.range_of("Y")
+        numbers.narrow("Y", max(low, numbers.middle("Y") - spare), min(high, numbers.middle("Y") + spare))
+
+
+def until_it_comes(actor: Actor) -> Iterator[str]:
+    """What somebody does who goes on beside the ego until that comes over its way, if it then does something else."""
+    situation = actor.ledger.situation
+    comes = _HAS_COME[situation.ego.route in CHANGES]
+    if not keeps_up(actor):
+        if len(actor.deeds) > 1:
+            actor.numbers.narrow("GO_TIME", *_AT_ONCE)
+            yield f"{GO} until {comes}"
+        return
+    lengths = 0.5 * (actor.limits.length + actor.ego_limits.length)
+    ahead = f"$Y + {actor.room:g}"
+    if any(deed.act in LOSES for deed in actor.deeds):
+        low, high = (lengths + gap for gap in _BEHIND)
+        actor.numbers.measure("CLOSE", low, high, "m", "how far behind the ego it comes up to it")
+        ahead = "-$CLOSE"
+    elif misses(actor.ledger.situation, actor.one):
+        ahead = f"{1.5 * lengths:.3g}"
+    elif actor.stand.behind:
+        actor.numbers.measure("CLOSE", 0.0, 0.6 * lengths, "m", "how far behind the ego it comes up to it")
+        ahead = "-$CLOSE"
+    top = min(_GAINS * actor.ego_speed, MOST * actor.limits.top_speed)
+    yield f"PaceOnPath({{p}}, ego, {ahead}, {top:.4g}, {_LEAST:g}) until {comes}"
+    if all(deed.time is None for deed in actor.deeds):
+        actor.numbers.narrow("GO_TIME", *_AT_ONCE)
