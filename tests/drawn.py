@@ -70,7 +70,8 @@ def laterals(draw: st.DrawFn) -> Lateral:
     """Where across the road somebody is."""
     kinds = {"offset": Length, "edge": Length, "clearance": Length, "overlap": Share}
     name = draw(st.sampled_from(LATERALS))
-    return Lateral(side=draw(maybe(st.sampled_from(Side))), **{name: draw(amounts(kinds[name]))})
+    made: dict[str, Any] = {name: draw(amounts(kinds[name]))}
+    return Lateral(side=draw(maybe(st.sampled_from(Side))), **made)
 
 
 @st.composite

@@ -187,6 +187,6 @@ def test_an_animal_is_by_before_the_ego_that_is_to_strike_the_other(seed: int) -
 def test_who_cuts_in_behind_another_that_brakes_does_not_drive_through_it(seed: int) -> None:
     said = others(
         car("A", "ahead-beside", deed("cut-in")),
-        car("B", "ahead", deed("go-along"), deed("brake", when={"after": "A.cut-in"})),
+        car("B", "ahead", deed("go-along"), {"act": "brake", "when": {"after": "A.cut-in"}}),
     )
     driven(said, seed)

@@ -17,11 +17,11 @@ from chatscene.runs.progress import silent
 from chatscene.runs.record import settings_from
 from chatscene.runs.replay import replay
 from chatscene.settings import PHYSICS, SearchSettings, Settings, SimulationSettings
-from chatscene.simulate.embedded.dynamics import AIR_DRAG, VehicleBody, WalkerBody, make_body
+from chatscene.simulate.embedded.dynamics import VehicleBody, WalkerBody, make_body
 from chatscene.simulate.embedded.lagged import DRY, GRAVITY, LAG_SPEED, LaggedVehicle, build_up
 from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.studies.evaluation import evaluate
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import AIR_DRAG, LIMITS
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.testing.simulators import check_simulator

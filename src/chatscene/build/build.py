@@ -22,7 +22,7 @@ from chatscene.build.relations import check_passed_by_ego
 from chatscene.build.roadside import beside_road
 from chatscene.build.screening import from_its_lane
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, screens
-from chatscene.errors import NotBuilt
+from chatscene.errors import MapError, NotBuilt
 from chatscene.situations.faults import dotted
 from chatscene.terms.backing import as_it_backs, backs
 from chatscene.terms.scene import ScenicProgram
@@ -114,7 +114,20 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
 
 
 def _cast(read: Ledger, found: Found, speed: float) -> tuple[Ledger, BuiltEgo, list[tuple[Actor, Actor | None]], str]:
-    """Everybody, with an ego that wants a speed if none was said, and the text of all others; with a ledger of it."""
+    """Everybody, with an ego that wants a speed if none was said, and the text of all others; with a ledger of it.
+
+    Raises:
+        NotBuilt: A fact cannot be built, or its place lacks what somebody needs there.
+    """
+    try:
+        return _cast_there(read, found, speed)
+    except MapError as error:
+        raise NotBuilt(f"no map has such a place: {error}") from error
+
+
+def _cast_there(
+    read: Ledger, found: Found, speed: float
+) -> tuple[Ledger, BuiltEgo, list[tuple[Actor, Actor | None]], str]:
     ledger = replace(read, built=set(read.built), assumed=list(read.assumed))
     ego = ego_of(ledger, found, speed)
     check_passed_by_ego(ledger.situation, ego.coming.speed)

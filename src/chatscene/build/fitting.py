@@ -10,6 +10,7 @@ from chatscene.build.coming import wanted_by
 from chatscene.build.place import NEXT_LANE, Found, arm_of, beside_lane, rides_at_edge, ring_arms, way_of
 from chatscene.build.relations import said_speed
 from chatscene.build.screening import from_its_lane
+from chatscene.errors import MapError
 from chatscene.maps.ring_ways import ring_ways
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import backs
@@ -35,11 +36,18 @@ def lacking_for(situation: Situation, found: Found) -> str | None:
     if missing := {(arm, way_of(situation, one, arm)) for one, arm in unmet}:
         who = ", ".join(f"from the {arm} in a {turn}" for arm, turn in sorted(missing))
         return f"nobody who comes {who} meets the ego's way there"
-    if arms and abreast(situation):
-        opposite = trafficFrom(found.route, "oncoming")
-        if wayOf(opposite, "straight", "inner") is wayOf(opposite, "straight", "outer"):
-            return "nobody comes against the ego there in two lanes"
+    if arms and abreast(situation) and not _comes_in_two_lanes(found):
+        return "nobody comes against the ego there in two lanes"
     return None
+
+
+def _comes_in_two_lanes(found: Found) -> bool:
+    """Whether two can come straight against the ego at its junction, side by side, and meet its way."""
+    try:
+        opposite = trafficFrom(found.route, "oncoming")
+        return wayOf(opposite, "straight", "inner") is not wayOf(opposite, "straight", "outer")
+    except MapError:
+        return False
 
 
 def _no_lane(situation: Situation, found: Found) -> str | None:

@@ -50,6 +50,7 @@ def placed(asked: Asked, stand: Stand) -> tuple[Stand, str]:
     toward = stand.meets is Meets.TOWARD
     if toward:
         low, high = -high, -low
+    low = high = 0.5 * (low + high)  # a line is laid when a program is compiled, before numbers are drawn
     asked.numbers.measure("ASIDE", low, high, "m", _MEANING, f"others.{one.id}.starts.lateral")
     if stand.point == _ON_FOOT:
         return replace(stand, point="pointOn(egoRoute, level{i}, $ASIDE)"), chosen

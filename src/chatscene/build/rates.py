@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.deeds import BRAKES_TO, GO, OWN, Steps
 from chatscene.errors import NotBuilt
-from chatscene.simulate.embedded.dynamics import AIR_DRAG
+from chatscene.terms.actors import AIR_DRAG
 from chatscene.terms.amount import Amount, Duration, Length
 from chatscene.terms.vocabulary import Act
 

@@ -18,6 +18,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
+AIR_DRAG = 0.0008  # [1/m] on top of `Limits.drag`: with both, a car coasts from 15 to 10 m/s in about 15 s
+
 
 class Manner(StrEnum):
     """How a road user moves, as far as verbs are concerned."""

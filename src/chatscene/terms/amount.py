@@ -22,7 +22,7 @@ _NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 _FORM = re.compile(
     rf"""\s*(?P<bound>at\ most|at\ least|up\ to|less\ than|more\ than|under|over|<=|>=|≤|≥|<|>)?\s*
     (?P<low>{_NUMBER})\s*(?:(?:to|\.\.|\u2013|-)\s*(?P<high>{_NUMBER}))?\s*
-    (?P<unit>[^\s\d]*(?:2(?!\S))?)\s*(?P<than>(?:more|less|faster|slower)\ than\ the\ ego)?\s*""",
+    (?P<unit>(?:car|bike|truck)\ lengths?|[^\s\d]*(?:2(?!\S))?)\s*(?P<than>(?:more|less|faster|slower)\ than\ the\ ego)?\s*""",
     re.VERBOSE,
 )
 _BOUNDS: Mapping[str, str] = {
@@ -30,6 +30,7 @@ _BOUNDS: Mapping[str, str] = {
     "at least": ">=", "more than": ">=", "over": ">=", "≥": ">=", ">": ">=",
 }  # fmt: skip
 """What each says; that a bound itself is in or out is no difference that anybody could see."""
+CAR_LENGTH, BIKE_LENGTH, TRUCK_LENGTH = 4.5, 1.8, 10.0  # [m], as people measure by them
 _DIGITS = 6  # significant ones of a number that somebody said
 
 
@@ -172,7 +173,10 @@ class Length(Amount):
     __slots__ = ()
     QUANTITY = "length"
     UNITS: ClassVar[Mapping[str, float]] = {
-        "m": 1.0, "km": 1000.0, "cm": 0.01, "mile": 1609.344, "miles": 1609.344, "ft": 0.3048, "": 1.0,
+        "m": 1.0, "km": 1000.0, "cm": 0.01, "mile": 1609.344, "miles": 1609.344, "ft": 0.3048, "foot": 0.3048,
+        "feet": 0.3048, "in": 0.0254, "inch": 0.0254, "inches": 0.0254, "yd": 0.9144, "yard": 0.9144, "yards": 0.9144,
+        "car length": CAR_LENGTH, "car lengths": CAR_LENGTH, "bike length": BIKE_LENGTH, "bike lengths": BIKE_LENGTH,
+        "truck length": TRUCK_LENGTH, "truck lengths": TRUCK_LENGTH, "": 1.0,
     }  # fmt: skip
     EXAMPLES = ("20 m", "10 to 20 m", "at least 50 ft")
 

@@ -10,13 +10,12 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from chatscene.terms.actors import LIMITS, REVERSE_SPEED, Limits
+from chatscene.terms.actors import AIR_DRAG, LIMITS, REVERSE_SPEED, Limits
 from chatscene.world.bodies import Body, Placement, Vehicle, Walker
 
 TAU = 2.0 * math.pi
 
 
-AIR_DRAG = 0.0008  # [1/m]; with `drag`, a car coasts from 15 to 10 m/s in about 15 s
 THING = Limits(length=0.0, width=0.0)  # stays where it is
 LEAST_REVERSAL = 0.05  # [m/s], below which the gear may change
 

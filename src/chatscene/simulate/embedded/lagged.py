@@ -30,8 +30,8 @@ from __future__ import annotations
 
 import math
 
-from chatscene.simulate.embedded.dynamics import AIR_DRAG, VehicleBody
-from chatscene.terms.actors import REVERSE_SPEED, Limits
+from chatscene.simulate.embedded.dynamics import VehicleBody
+from chatscene.terms.actors import AIR_DRAG, REVERSE_SPEED, Limits
 from chatscene.terms.surroundings import GRAVITY
 
 DRY = 0.9  # friction coefficient of dry asphalt, of which 0.8 to 1.0 are published
