@@ -190,3 +190,22 @@ def test_who_cuts_in_behind_another_that_brakes_does_not_drive_through_it(seed: 
         car("B", "ahead", deed("go-along"), {"act": "brake", "when": {"after": "A.cut-in"}}),
     )
     driven(said, seed)
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+@pytest.mark.parametrize("part", ["front", "rear"])
+def test_who_passes_and_strikes_the_ego_s_side_comes_over_into_that(side: str, part: str) -> None:
+    said = others(
+        car("A", "behind-beside", deed("overtake"), kind="motorcycle", side=side),
+        contact={"ego": f"{side}-{part}", "striker": "other"},
+    )
+    episode = driven(said, 0)
+    assert episode.collision is not None
+    assert (episode.collision.other, episode.collision.side) == ("A", side)
+
+
+def test_who_has_passed_the_ego_before_a_junction_goes_on_beyond_it() -> None:
+    said = others(car("A", "behind-beside", deed("overtake"), side="left"), road={"kind": "junction"})
+    episode = driven(said, 0)
+    turned = np.abs(track(episode, "A").heading - episode.ego_track.heading[0])
+    assert float(np.max(np.minimum(turned, 2 * np.pi - turned))) < 1.0

@@ -118,6 +118,9 @@ class Actor:
             self.ledger.take(f"{at}.starts.facing")
         if self.one.starts.where in AT_CROSSWALKS and not is_marked(self.found):
             self.ledger.assume(f"{self.one.id} crosses where no crosswalk is marked, since the map has none there")
+        if self.one.kind.row.general:
+            built = self.one.kind.row.body.row.scenic.lower()
+            self.ledger.assume(f"{self.one.id} is built as a {built}, since its kind was not said")
         if self.one.count == SEVERAL:
             self.ledger.assume(f"of {self.one.id} there are {SOME}, since their number was not said")
 
@@ -171,10 +174,9 @@ class Actor:
     @property
     def _lane_ends(self) -> bool:
         """Whether the lane in which the ego begins ends on its way straight on, so that it goes on in another."""
-        route = self.found.route
-        on_road = route.route.junction is None and not at_roundabout(self.ledger.situation)
-        straight = self.found.query["maneuver"] == Maneuver.STRAIGHT
-        return on_road and straight and ownLane(route).length < route.line.length - LANE
+        route, straight = self.found.route, self.found.query["maneuver"] == Maneuver.STRAIGHT
+        on_road = straight and not at_roundabout(self.ledger.situation)
+        return on_road and ownLane(route).length < route.line.length - LANE
 
     @property
     def nearest(self) -> float:

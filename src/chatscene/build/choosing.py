@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import FROM_A_STAND, Meets
-from chatscene.build.contact import touches
+from chatscene.build.contact import sideswiped_at, touches
 from chatscene.build.deeds import (
     ALONG,
     BEHIND_ANOTHER,
@@ -23,6 +23,7 @@ from chatscene.build.deeds import (
     gets_by,
     passes_against,
     pulls_out,
+    sideswipes,
     steps_for,
     turning_off,
     turning_round,
@@ -106,6 +107,11 @@ def _changing_lanes(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
 
 def _overtaking(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
     """The rows of who passes somebody that goes the same way."""
+    struck = sideswiped_at(actor.ledger.situation, actor.one) if done_to(deed) == EGO else None
+    if struck is not None and deed is actor.deeds[-1]:
+        actor.ledger.take("contact.ego", "contact.striker", "contact.happens")
+        yield Act.OVERTAKE, sideswipes(struck * actor.ego_limits.length)
+        return
     if actor.one.starts.where in NEXT_LANE:  # in the lane, or at the edge, where it is
         at_edge = rides_at_edge(actor.one, actor.ledger.situation.ego.route)
         others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)

@@ -30,6 +30,27 @@ def misses(situation: Situation, one: Other) -> bool:
     return contact is not None and not contact.happens and contact.whom in (None, one.id)
 
 
+_LEVEL = {
+    Part.LEFT_FRONT: 0.5, Part.LEFT: 0.0, Part.LEFT_REAR: -0.2,
+    Part.RIGHT_FRONT: 0.5, Part.RIGHT: 0.0, Part.RIGHT_REAR: -0.2,
+}  # fmt: skip
+"""How far ahead of the ego's middle that of who strikes a part of its side is, as a share of the ego's length."""
+
+
+def sideswiped_at(situation: Situation, one: Other) -> float | None:
+    """How far ahead of the ego's middle, as a share of its length, somebody strikes its side that it passes.
+
+    None of who does not, or of whose contact nothing of the kind was said.
+    """
+    contact = situation.contact
+    if contact is None or not touches(situation, one) or contact.striker is Striker.EGO or contact.ego not in _LEVEL:
+        return None
+    own_side = one.starts.where in (Where.BEHIND_BESIDE, Where.BESIDE) and str(contact.ego).startswith(
+        str(one.starts.side)
+    )
+    return _LEVEL[contact.ego] if own_side else None
+
+
 def strikes_from_behind(situation: Situation, one: Other) -> bool:
     """Whether it was said that somebody behind the ego, in its lane, touches it, and not that the ego strikes."""
     contact = situation.contact

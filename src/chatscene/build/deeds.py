@@ -265,6 +265,9 @@ def pulls_out(clear: float) -> Steps:
     return replace(row, does=(out, *row.does))
 
 
+COMES_OVER = 1.2  # [s] from when somebody turns the wheel until it is where the ego's side is
+
+
 def gets_by(*, comes_back: bool) -> Steps:
     """How somebody beside the ego gets by, along its own line; perhaps into the ego's lane then."""
     row = ALONG[Act.OVERTAKE]
@@ -273,6 +276,18 @@ def gets_by(*, comes_back: bool) -> Steps:
         return replace(row, does=(passes, *row.does[1:]))
     eases = "BrakeOnPath({p}, $EASE) until self.pose[3] < 1.05 * $SPEED"
     return replace(row, does=(passes,), last=(passes, eases, GO), way="")
+
+
+def sideswipes(level: float) -> Steps:
+    """How somebody who passes the ego comes over into its side: so that it is level with a part of it then.
+
+    Args:
+        level: How far [m] ahead of the ego's middle the part is that it touches.
+    """
+    gains = f"{COMES_OVER:g} * max(0, self.pose[3] - ego.pose[3])"
+    passes = f"DrivePath({{p}}, $FAST) until headway(egoRoute, ego, self) > {level:.3g} - {gains}"
+    over = f"DrivePath({OWN}, $FAST)"
+    return replace(ALONG[Act.OVERTAKE], does=(passes, f"{over} for 3 seconds"), last=(passes, over))
 
 
 def passes_against(*, comes_back: bool) -> Steps:

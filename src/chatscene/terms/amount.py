@@ -22,7 +22,8 @@ _NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 _FORM = re.compile(
     rf"""\s*(?P<bound>at\ most|at\ least|up\ to|less\ than|more\ than|under|over|<=|>=|≤|≥|<|>)?\s*
     (?P<low>{_NUMBER})\s*(?:(?:to|\.\.|\u2013|-)\s*(?P<high>{_NUMBER}))?\s*
-    (?P<unit>(?:car|bike|truck)\ lengths?|[^\s\d]*(?:2(?!\S))?)\s*(?P<than>(?:more|less|faster|slower)\ than\ the\ ego)?\s*""",
+    (?P<unit>(?:car|bike|truck)\ lengths?|[^\s\d]*(?:2(?!\S))?)\s*
+    (?P<than>(?:more|less|faster|slower)\ than\ the\ ego)?\s*""",
     re.VERBOSE,
 )
 _BOUNDS: Mapping[str, str] = {
