@@ -209,3 +209,25 @@ def test_who_has_passed_the_ego_before_a_junction_goes_on_beyond_it() -> None:
     episode = driven(said, 0)
     turned = np.abs(track(episode, "A").heading - episode.ego_track.heading[0])
     assert float(np.max(np.minimum(turned, 2 * np.pi - turned))) < 1.0
+
+
+@pytest.mark.parametrize(("corner", "sign"), [("left-rear", 1), ("right-rear", -1)])
+def test_who_strikes_a_corner_of_the_ego_from_behind_is_as_far_aside_of_it(corner: str, sign: int) -> None:
+    said = others(
+        car("A", "behind", deed("go-along")), ego={"does": [deed("stop")]}, contact={"ego": corner, "striker": "other"}
+    )
+    assert build(said).left_out == ()
+    episode = driven(said, 0)
+    ego, other = episode.ego_track, track(episode, "A")
+    dx, dy = other.x[-1] - ego.x[-1], other.y[-1] - ego.y[-1]
+    aside = -dx * np.sin(ego.heading[-1]) + dy * np.cos(ego.heading[-1])
+    assert 0.4 < sign * float(aside) < 1.3
+
+
+def test_of_who_backs_into_an_ego_that_stops_nothing_is_left_out() -> None:
+    said = others(
+        car("A", "ahead", deed("stand"), deed("reverse")),
+        ego={"does": [deed("stop")]},
+        contact={"ego": "front", "other": "rear", "striker": "other"},
+    )
+    assert build(said).left_out == ()

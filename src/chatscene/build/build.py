@@ -11,7 +11,7 @@ from chatscene.build.anchors import anchor_of
 from chatscene.build.asked import ROOM, Meets, between, stands_first
 from chatscene.build.backing import check_met
 from chatscene.build.coming import wanted_by
-from chatscene.build.contact import parts_in_line
+from chatscene.build.contact import at_a_corner, parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.finding import find, started
 from chatscene.build.ledger import Ledger
@@ -70,7 +70,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
     situation = replace(situation, others=tuple(along_the_road(wrong_way(one)) for one in situation.others))
-    said, situation = situation, as_it_backs(situation)
+    said, situation = situation, at_a_corner(as_it_backs(situation))
     check_met(situation)
     usual = wanted_by(situation)
     read = Ledger(situation, told=said)
@@ -89,6 +89,8 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     if (contact := situation.contact) is not None and contact.whom in {one.id for one in situation.adversaries}:
         ledger.take("contact.whom")
     ledger.take(*parts_in_line(situation))
+    if contact is not None and not contact.happens:  # drives without a contact are those that are kept
+        ledger.take("contact.happens")
     declared = [f"param {one.name} = Range({one.low}, {one.high})" for one in numbers]
     query = ", ".join(f"{key}={value!r}" for key, value in (found.query | ego.query).items())
     about = ", 3.14159" if backs(situation) else ""

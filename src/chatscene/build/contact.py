@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from chatscene.terms.actors import Manner as Moves
-from chatscene.terms.situation import Other, Situation
+from chatscene.terms.amount import Length
+from chatscene.terms.situation import Lateral, Other, Situation
 from chatscene.terms.vocabulary import COMES_IN, Act, EgoRoute, Part, Role, Side, Striker, Where
 
 _LOSES = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP, Act.HESITATE, Act.REVERSE))
@@ -67,18 +69,72 @@ _IN_LINE = {
 _STAYS = frozenset((Act.STAND, Act.GO_ALONG, Act.FOLLOW, Act.TAILGATE, Act.ACCELERATE, Act.SET_OFF)) | _LOSES
 
 
+_CORNERS = {
+    Part.LEFT_REAR: (Part.REAR, Side.LEFT),
+    Part.RIGHT_REAR: (Part.REAR, Side.RIGHT),
+    Part.LEFT_FRONT: (Part.FRONT, Side.LEFT),
+    Part.RIGHT_FRONT: (Part.FRONT, Side.RIGHT),
+}
+_FACES = {
+    Part.LEFT_REAR: Part.RIGHT_FRONT,
+    Part.RIGHT_REAR: Part.LEFT_FRONT,
+    Part.LEFT_FRONT: Part.RIGHT_REAR,
+    Part.RIGHT_FRONT: Part.LEFT_REAR,
+}
+"""The corner of who goes the ego's way that touches a corner of the ego."""
+_CORNER = Length(0.8, 0.8)  # [m] that two in one lane are aside of each other who touch at a corner of the ego
+
+
+def at_a_corner(situation: Situation) -> Situation:
+    """The same; who is in line with the ego and is to touch it at a corner is as far aside of it."""
+    contact, whom = situation.contact, _in_line(situation)
+    if contact is None or whom is None or contact.ego not in _CORNERS or whom.starts.lateral is not None:
+        return situation
+    part, side = _CORNERS[contact.ego]
+    if part is not _IN_LINE[whom.starts.where][0] or Act.REVERSE in _acts(whom):
+        return situation
+    aside = replace(whom, starts=replace(whom.starts, lateral=Lateral(side=side, offset=_CORNER)))
+    others = tuple(aside if one is whom else one for one in situation.others)
+    return replace(situation, others=others)
+
+
 def parts_in_line(situation: Situation) -> Iterator[str]:
     """The paths of what was said of a contact that is so because the two are in line with each other."""
-    contact = situation.contact
-    whom = next((one for one in situation.adversaries if touches(situation, one)), None)
-    if contact is None or whom is None or whom.starts.where not in _IN_LINE or not _STAYS.issuperset(_acts(whom)):
+    contact, whom = situation.contact, _in_line(situation)
+    if contact is None:
         return
-    if whom.kind.moves is Moves.WALKS or situation.ego.route in _PASSES:
+    if contact.other is Part.REAR and any(touches(situation, one) and _backs_first(one) for one in situation.others):
+        yield "contact.other"  # which is what comes first
+    if whom is None:
         return
     ego, other, striker = _IN_LINE[whom.starts.where]
-    yield from (f"contact.{name}" for name, part in (("ego", ego), ("other", other)) if getattr(contact, name) is part)
+    if Act.REVERSE in _acts(whom) or striker is None:  # who comes against an ego that stands strikes it
+        striker = Striker.OTHER if _halts(situation) else None
+    aside = whom.starts.lateral is not None and _CORNERS.get(contact.ego or ego, (None, None))[0] is ego
+    if contact.ego is ego or aside:
+        yield "contact.ego"
+    if contact.other is other or (aside and contact.other is _FACES.get(contact.ego or ego)):
+        yield "contact.other"
     if striker is not None and contact.striker is striker:
         yield "contact.striker"
+
+
+def _in_line(situation: Situation) -> Other | None:
+    """Who is to touch the ego and stays in line with it."""
+    whom = next((one for one in situation.adversaries if touches(situation, one)), None)
+    if whom is None or whom.starts.where not in _IN_LINE or not _STAYS.issuperset(_acts(whom)):
+        return None
+    return None if whom.kind.moves is Moves.WALKS or situation.ego.route in _PASSES else whom
+
+
+def _backs_first(one: Other) -> bool:
+    """Whether somebody backs as it begins to move."""
+    return next((deed.act for deed in one.does if deed.act is not Act.STAND), None) is Act.REVERSE
+
+
+def _halts(situation: Situation) -> bool:
+    """Whether it was said that the ego stands, or comes to stand."""
+    return any(deed.act in (Act.STAND, Act.STOP, Act.YIELD) for deed in situation.ego.does)
 
 
 def parts_of_door(situation: Situation, one: Other) -> Iterator[str]:
