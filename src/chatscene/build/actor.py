@@ -39,12 +39,13 @@ from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, PROPS, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.scenario import Maneuver
-from chatscene.terms.situation import SEVERAL, Deed, Other
+from chatscene.terms.situation import EGO, SEVERAL, Deed, Other
 from chatscene.terms.vocabulary import Act, Breach, Role, Side, UserKind, Where
 from chatscene.world.places import lanes_beside, ownLane
 
 HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast
 FASTER = (1.2, 1.5)  # of the speed of the traffic: who is fast in it
+KEEPS_UP = 0.9  # of the speed of the ego that somebody has who is to pass it
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"(?:DrivePath|FollowTraffic)\([^,]+, ([^,()]+)")
 _GOES = re.compile(r"^DrivePath\(([^,]+), ([^,()]+)\)( |$)")
@@ -213,6 +214,10 @@ class Actor:
         if len(paces) == 1 and any(deed.manner in PACES and deed.act in AT_ONE_SPEED for deed in deeds):
             low, high, *_ = numbers.ranges[PACES[paces.pop()]]
             numbers.narrow("SPEED", low, high)
+        passes = any(deed.act is Act.OVERTAKE and deed.whom in (None, EGO) for deed in deeds)
+        slow = not self.one.kind.row.body.row.motorised
+        if passes and slow and self.one.starts.where in NEXT_LANE:  # who is to pass the ego keeps up with it
+            numbers.narrow("SPEED", KEEPS_UP * self.along_speed, self.along_speed)
         if (start := self.one.starts.speed) is not None and not stands_first(self.one):
             numbers.bind("SPEED", start, self.ego_speed, f"{self.path}.starts.speed")
         for k, deed in enumerate(deeds):
