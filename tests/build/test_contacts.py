@@ -231,3 +231,15 @@ def test_of_who_backs_into_an_ego_that_stops_nothing_is_left_out() -> None:
         contact={"ego": "front", "other": "rear", "striker": "other"},
     )
     assert build(said).left_out == ()
+
+
+def test_an_ego_that_sets_off_at_a_speed_is_no_faster_then() -> None:
+    said = others(
+        car("A", "behind", deed("go-along")),
+        ego={"does": [deed("stop"), {"act": "set-off", "speed": "10 km/h"}]},
+        road={"kind": "junction"},
+    )
+    speed = driven(said, 0).ego_track.speed
+    stands = int(np.flatnonzero(speed < 0.1)[0])
+    assert float(speed[:stands].max()) > 5.0
+    assert 2.0 < float(speed[stands:].max()) < 3.0

@@ -200,6 +200,10 @@ def _pedals(
             till = _lasts(ledger, deed, at)
             yield Order(at_most=deed.speed.high if deed.speed is not None else SLOW, till=begins + till)
             return begins + (till if till < math.inf else 0.0)
+        case Act.SET_OFF if deed.speed is not None:  # from where it stood on
+            ledger.take(f"{at}.speed")
+            stopped = any(one.act is Act.STOP for one in ledger.situation.ego.does)
+            yield Order(at_most=deed.speed.high, place=round(there, 1) if stopped else -math.inf)
         case Act.GO_ALONG if deed.time is not None and then is not None:
             return begins + _lasts(ledger, deed, at)
         case Act.GO_ALONG if deed.time is not None and deed.time.low * speed <= there:
