@@ -45,7 +45,9 @@ def sideswiped_at(situation: Situation, one: Other) -> float | None:
     None of who does not, or of whose contact nothing of the kind was said.
     """
     contact = situation.contact
-    if contact is None or not touches(situation, one) or contact.striker is Striker.EGO or contact.ego not in _LEVEL:
+    if contact is None or not touches(situation, one) or contact.striker is Striker.EGO:
+        return None
+    if contact.ego is None or contact.ego not in _LEVEL:
         return None
     own_side = one.starts.where in (Where.BEHIND_BESIDE, Where.BESIDE) and str(contact.ego).startswith(
         str(one.starts.side)
@@ -88,7 +90,9 @@ _CORNER = Length(0.8, 0.8)  # [m] that two in one lane are aside of each other w
 def at_a_corner(situation: Situation) -> Situation:
     """The same; who is in line with the ego and is to touch it at a corner is as far aside of it."""
     contact, whom = situation.contact, _in_line(situation)
-    if contact is None or whom is None or contact.ego not in _CORNERS or whom.starts.lateral is not None:
+    if contact is None or contact.ego is None or whom is None or whom.starts.lateral is not None:
+        return situation
+    if contact.ego not in _CORNERS:
         return situation
     part, side = _CORNERS[contact.ego]
     if part is not _IN_LINE[whom.starts.where][0] or Act.REVERSE in _acts(whom):
