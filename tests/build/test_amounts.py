@@ -6,30 +6,21 @@ from typing import Any
 
 import numpy as np
 import pytest
-from test_building import drive, simulator
+from test_building import simulator
 from test_meeting import met
+from test_towards import driven, track
 
 from chatscene.build.build import build
 from chatscene.errors import NotBuilt, SituationError
 from chatscene.program.judge import judge
 from chatscene.situations.form import from_plain
-from chatscene.terms.episode import Episode, Track
+from chatscene.terms.episode import Episode
 from chatscene.terms.situation import Situation
 
 
 def of(kind: str, start: dict[str, Any], *does: dict[str, Any] | str, **more: Any) -> Situation:
     deeds = [{"act": deed} if isinstance(deed, str) else deed for deed in does]
     return from_plain({"others": [{"id": "A", "kind": kind, "starts": start, "does": deeds}], **more})
-
-
-def driven(said: Situation, seed: int = 1) -> Episode:
-    episode = drive(build(said), seed=seed)
-    assert isinstance(episode, Episode), episode
-    return episode
-
-
-def track(episode: Episode, name: str = "A") -> Track:
-    return next(one for one in episode.tracks if one.actor == name)
 
 
 def left_of_ego(episode: Episode, name: str = "A") -> np.ndarray[Any, Any]:

@@ -105,6 +105,15 @@ def test_a_leader_that_brakes_is_met_by_an_ego_that_goes_on() -> None:
     assert shown("encounter.adversary", BRAKES, seen) is True
 
 
+def test_an_ego_that_steers_round_a_leader_that_brakes_could_have_met_it() -> None:
+    seen = episode(moving(28.0, 0.0, (20, 0.0, 0.0), (180, 0.0, 0.0), speed=8.0))
+    round_it = moving(0.0, 0.0, (25, 5.0, 0.0), (15, 4.0, 35.0), (15, 5.0, 0.0), (145, 8.0, 0.0), speed=8.0)
+    steers = replace(round_it, actor=seen.ego_track.actor, role=seen.ego_track.role)
+    seen = replace(seen, tracks=(steers, *seen.tracks[1:]))
+    assert np.abs(steers.y).max() > 3.0
+    assert shown("encounter.adversary", BRAKES, seen) is True
+
+
 def test_who_need_not_meet_the_ego_is_not_asked_to() -> None:
     goes = one(other(Where.AHEAD, Deed(act=Act.GO_ALONG)))
     seen = episode(moving(30.0, 0.0, (150, 8.0, 0.0), speed=8.0))

@@ -1,7 +1,8 @@
 """Whether two could meet at all: when each is where their ways share a place, if the ego just goes on.
 
 An ego that reacts does not show by its own track whom it could have met. So it is followed from each moment at which it
-neither brakes nor gains speed, along its way and at the speed that it then has; the other goes as it went.
+neither brakes nor gains speed, along its way and at the speed that it then has; the other goes as it went. If it meets
+nobody where it went, its route counts in place of its way, since it may have steered round whom it could have met.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ LONGEST = 3.0  # [s] at most between the two at a place, or until two who both d
 EVERY = 1.0  # [s] after which an ego that goes on evenly is followed anew
 BEFORE = 1.5  # [s] at most by which somebody is there before the ego and still meets it: the usual bound of a conflict
 NEAR = 1.0  # [m] between two bodies that meet, once somebody has begun with what it does
+ASIDE = 1.0  # [m] beside its route an ego is that steers round somebody
 BACK = 80.0  # [m] behind its start that the ego's way is taken to lead straight
 LETS_BY = frozenset((Act.YIELD, Act.CUT_OUT, Act.EXIT, Act.PARK))
 """What is done so that there is no encounter."""
@@ -75,9 +77,11 @@ def encounter(
     path, crash, ego = f"encounter.{one.id}", episode.collision, episode.ego_track
     if crash is not None and is_with(crash.other, one.id):
         return Finding(path=path, shown=True, told="they touch", at=crash.step * episode.dt)
-    way = _way(ego, route.line)
-    found = [_meeting(ego, way, _goes_on_evenly(track, episode), episode.dt, since) for track in tracks]
-    least = min(found, key=lambda meets: meets.between)
+    way, later = _way(ego, route.line), [_goes_on_evenly(track, episode) for track in tracks]
+    least = min((_meeting(ego, way, track, episode.dt, since) for track in later), key=_between)
+    if math.isinf(least.between) and (kept := _not_steered(ego, route.line)) is not None:
+        way = _way(kept, route.line)
+        least = min((_meeting(kept, way, track, episode.dt, since) for track in later), key=_between)
     if not _must_meet(situation, one, ego, way, tracks[0], least):
         return None
     if least.between <= (TOGETHER if least.ego_first else BEFORE):
@@ -92,6 +96,25 @@ def encounter(
         told = f"it is nowhere within {LONGEST:g} s of the ego"
     told = f"they could not meet: {told}, and never nearer than {gap:.1f} m"
     return Finding(path=path, shown=None if crash is not None else False, told=told)
+
+
+def _between(meets: Meeting) -> float:
+    return meets.between
+
+
+def _not_steered(ego: Track, line: Polyline) -> Track | None:
+    """The ego as if it had kept to its route, as far along it; None if it did, or was not on it at first.
+
+    Who steers round another reacts, as who brakes does.
+    """
+    projected = [line.project(float(x), float(y)) for x, y in zip(ego.x, ego.y, strict=True)]
+    aside = np.abs([off for _, off, _ in projected])
+    if aside[0] > ASIDE or aside.max() <= ASIDE:
+        return None
+    along = [float(there) for there, _, _ in projected]
+    points = np.array([line.point_at(there) for there in along])
+    heading = np.unwrap([line.heading_at(there) for there in along])
+    return replace(ego, x=points[:, 0], y=points[:, 1], heading=heading)
 
 
 def _must_meet(situation: Situation, one: Other, ego: Track, way: Way, track: Track, found: Meeting) -> bool:

@@ -30,15 +30,7 @@ class Shown:
 def not_shown(
     said: Said, episode: Episode, route: Route, *, through: bool = False, met: bool = True
 ) -> tuple[str, ...]:
-    """What a drive does not show, a sentence each; empty if it means what was said.
-
-    Args:
-        said: What was said.
-        episode: What happened.
-        route: The ego's route.
-        through: Judge to the end a drive that went on through a collision.
-        met: Whether encounters count, and what nobody said: a search is still to find drives that are right in both.
-    """
+    """What a drive does not show, a sentence each, as `shown` finds it; empty if it means what was said."""
     return shown(said, episode, route, through=through, met=met).missing
 
 
