@@ -7,10 +7,11 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from chatscene.situations.check import COMES_OVER, JUNCTIONS, LATERALS, TURNS
+from chatscene.situations.check import COMES_OVER, JUNCTIONS, TURNS
 from chatscene.terms.act_amounts import AMOUNTS
 from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Share, Speed
 from chatscene.terms.situation import (
+    LATERALS,
     Around,
     Contact,
     Deed,

@@ -12,7 +12,7 @@ from chatscene.build.place import LANE, NEXT_LANE
 from chatscene.terms.actors import Limits
 from chatscene.terms.amount import Amount
 from chatscene.terms.lateral import aside_of_ego
-from chatscene.terms.situation import Lateral, Other
+from chatscene.terms.situation import LATERALS, Lateral, Other
 from chatscene.terms.vocabulary import Act, Side, Where
 
 if TYPE_CHECKING:
@@ -125,7 +125,7 @@ def _left(lateral: Lateral, side: Side, limits: Limits, own: float, ego: float) 
         ego: How far to the left of that middle the ego's line is [m].
     """
     sign = 1.0 if side is Side.LEFT else -1.0
-    name, said = next((name, one) for name in _NAMES if (one := getattr(lateral, name)) is not None)
+    name, said = next((name, one) for name in LATERALS if (one := getattr(lateral, name)) is not None)
     assert isinstance(said, Amount)
     ends = said.within(_LEAST.get(name, 0.0), max(_MOST.get(name, 0.5 * LANE), said.low))
     if name in ("overlap", "clearance"):
@@ -133,6 +133,3 @@ def _left(lateral: Lateral, side: Side, limits: Limits, own: float, ego: float) 
     else:
         far = [sign * (0.5 * LANE - end if name == "edge" else end) for end in ends]
     return min(far), max(far)
-
-
-_NAMES = ("offset", "edge", "overlap", "clearance")

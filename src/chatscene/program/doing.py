@@ -12,6 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, Act, comes_in
+from chatscene.program.lateral import LANE
 from chatscene.program.watching import Seen
 from chatscene.terms.actors import BY_CLASS, AdversaryKind
 from chatscene.terms.acts import Action
@@ -20,7 +21,6 @@ from chatscene.terms.seeing import gain_of, loss_of
 from chatscene.terms.vocabulary import Act as Said
 
 DRIFTED = 0.8  # [m]
-LANE = 3.5  # [m], a lane's width
 BACK = 0.5  # [m]
 ON_LINE = 0.3  # [m] aside of its line at most, who is still on that
 BACK_ASIDE = 0.1  # [m] toward its line, from which somebody goes back to that

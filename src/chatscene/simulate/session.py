@@ -19,6 +19,7 @@ from chatscene.simulate.obedience import Obedience
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.terms.actors import LIMITS, has_lamps, kind_of
+from chatscene.terms.backing import turned_about
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Reached, Role, Stepped, Track
 from chatscene.terms.order import Order
 from chatscene.terms.pointing import fault
@@ -28,8 +29,6 @@ from chatscene.terms.written_plans import WrittenPlan, written_plans
 from chatscene.world.bodies import Body, Vehicle
 
 ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCompletionTest)
-TURNED_ABOUT = {"front": "rear", "rear": "front", "left": "right", "right": "left"}
-"""The sides of a body, as of one that goes backwards they are by where it goes."""
 SECONDS_PER_METRE = 1.0  # SafeBench's time limit per metre of route
 
 
@@ -227,7 +226,7 @@ class SteppedSession:
         self._phases = {number: phase for number, phase in phases.items() if self._plan_of(number) is not None}
 
     def _contact(self, step: int, other: int, side: str, speed: float) -> Event:
-        side = TURNED_ABOUT[side] if self._ego.backs else side
+        side = turned_about(side) if self._ego.backs else side
         return Event(kind=EventKind.COLLISION, step=step, other=self._names[other][0], side=side, impact_speed=speed)
 
     def close(self) -> None:

@@ -13,7 +13,7 @@ from chatscene.terms.act_amounts import AMOUNTS, amounts_of
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
 from chatscene.terms.pointing import meant
-from chatscene.terms.situation import EGO, Deed, Lateral, Other, Situation
+from chatscene.terms.situation import EGO, LATERALS, Deed, Lateral, Other, Situation
 from chatscene.terms.vocabulary import Act, Breach, EgoRoute, RightOfWay, RoadKind, UserKind
 
 JUNCTIONS = frozenset(
@@ -25,7 +25,6 @@ RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.ST
 """What rules a junction where somebody breaks such a rule."""
 COMES_OVER = frozenset((Act.CROSS, Act.CUT_IN))
 """Acts that lead from where somebody is at first to the other side."""
-LATERALS = ("offset", "edge", "overlap", "clearance")
 """What says where across the road somebody is, one at a time."""
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
 _WAYS = {

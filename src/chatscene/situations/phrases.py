@@ -288,7 +288,7 @@ FACINGS: Mapping[Facing, str] = {
     Facing.ACROSS: "facing {egos} lane",
 }
 
-LATERALS = (
+LATERAL_PHRASES = (
     "{offset} from the middle of its lane< on {egos} {side}>",
     "{edge} inside the edge of its lane< on {egos} {side}>",
     "in line with {overlap} of {egos} width< on {egos} {side}>",

@@ -21,7 +21,7 @@ from chatscene.situations.phrases import (
     FACINGS,
     FEATURES,
     KINDS,
-    LATERALS,
+    LATERAL_PHRASES,
     LIGHTS,
     MANNERS,
     NUMBERS,
@@ -326,7 +326,7 @@ class _Telling:
         }  # fmt: skip
         slots = {name: self._amount(one, f"{at}.{name}") for name, one in amounts.items()}
         slots["side"] = _word(f"{at}.side", lateral.side, SIDES)
-        said = next(phrase for phrase in LATERALS if slots[phrase.partition("{")[2].partition("}")[0]])
+        said = next(phrase for phrase in LATERAL_PHRASES if slots[phrase.partition("{")[2].partition("}")[0]])
         return Words(", ") + self._filled(said, form, slots)
 
     def _when(self, who: str, when: When | None, at: str) -> Words:

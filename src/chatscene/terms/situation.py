@@ -85,6 +85,10 @@ class Lateral(_Closed):
     clearance: Length | None = None
 
 
+LATERALS = ("offset", "edge", "overlap", "clearance")
+"""The fields of `Lateral` of which one is said."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Deed(_Closed):
     """One thing that somebody does.
