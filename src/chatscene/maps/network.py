@@ -109,7 +109,7 @@ def _packaged() -> frozenset[str]:
 
 
 def furnished(path: Path, root: Xml.Element, make: Callable[[], Any]) -> Any:
-    """Scenic's network of a map, with what stands on its roads.
+    """Scenic's network of a map, with what stands on its roads and how fast one may drive there.
 
     Args:
         path: The map.
@@ -123,10 +123,11 @@ def furnished(path: Path, root: Xml.Element, make: Callable[[], Any]) -> Any:
     from scenic.domains.driving.roads import Network
 
     from chatscene.maps.furniture import read_furniture
+    from chatscene.maps.limits import read_limits
 
     try:
         network = make()
-        furniture = read_furniture(path, network)
+        furniture, limits = read_furniture(path, network), read_limits(root)
     except (ChatSceneError, MemoryError):  # such as that the time for it is up
         raise
     except Exception as error:  # whatever a parser and its geometry library raise for a map they were not made for
@@ -141,6 +142,7 @@ def furnished(path: Path, root: Xml.Element, make: Callable[[], Any]) -> Any:
     assert isinstance(network, Network)
     _remember_union(network)
     setattr(network, "furniture", furniture)  # noqa: B010 - a class of somebody else's
+    setattr(network, "speed_limits", limits)  # noqa: B010
     return network
 
 
