@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 from chatscene.build.numbers import MOST
 from chatscene.build.relations import speed_of_traffic
-from chatscene.ego.intelligent_driver import CURVE_ACCELERATION
 from chatscene.terms.backing import backs
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL, usual_speed
 from chatscene.terms.polyline import Polyline
+from chatscene.terms.profile import CURVE_ACCELERATION
 from chatscene.terms.situation import Situation
 from chatscene.world.control import HELD_BACK, curve_speeds
 from chatscene.world.places import EgoRoute as Route

@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from chatscene.ego.observation import AHEAD, OWN, PER_ACTOR, Observation
 from chatscene.terms.actors import LIMITS, Limits
+from chatscene.terms.profile import CURVE_ACCELERATION
 
 DESIRED_SPEED = 8.0  # [m/s]
-CURVE_ACCELERATION = 3.0  # [m/s²], lateral, that curves are taken with
 ACCELERATION, COMFORTABLE = 2.0, 2.5  # [m/s²], the model's a and b
 HEADWAY, GAP = 1.2, 2.5  # [s], [m], the model's T and s0
 MARGIN = 0.5  # [m] kept free beside the car

@@ -18,6 +18,7 @@ from chatscene.ego.observation import AHEAD, BESIDE
 from chatscene.errors import MapError
 from chatscene.maps.junctions import StopLine, junction_control, junction_signals
 from chatscene.maps.lane_map import LaneMap
+from chatscene.maps.limits import limits_along
 from chatscene.terms.episode import Event, EventKind, SignalTrack, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Control
@@ -43,6 +44,7 @@ class RouteSurroundings:
     """
 
     def __init__(self, network: Any, route: Route, lane_map: LaneMap) -> None:
+        self._network = network
         self._route = route
         self._lane_map = lane_map
         self.lanes = [network.elements[uid].polygons for uid in route.lane_ids]
@@ -70,6 +72,11 @@ class RouteSurroundings:
             ends = np.searchsorted(arcs, arcs[:-1] + AHEAD[-1], side="right")
             beside.append(np.array([room[i : max(end, i + 2)].min() for i, end in enumerate(ends)]))
         return np.stack(beside, axis=1)
+
+    @cached_property
+    def limits(self) -> NDArray[np.float64]:
+        """(segments,): the speed [m/s] that the map, or the kind of its roads, allows on each segment of the route."""
+        return limits_along(self._network, self._route.line, self._route.lane_ids)
 
     def _own(self, line: StopLine) -> bool:
         return line.lane in self._route.lane_ids

@@ -1,0 +1,118 @@
+"""How fast a line can be driven, place by place, and how long that takes: the speed profile of a route.
+
+A bend is driven with `CURVE_ACCELERATION`, and slowed for with `COMFORTABLE`. That lies between 1.5 m/s², which
+M. Treiber, A. Kesting, "Traffic Flow Dynamics" (2013), section 11.3, take for comfortable, and the 2.5 m/s² with which
+`idm` brakes where nothing presses, so that it can follow.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.terms.polyline import Polyline
+
+CURVE_ACCELERATION = 3.0  # [m/s²], lateral, that an ego takes curves with
+COMFORTABLE = 2.0  # [m/s²], with which it slows for what is known before
+CUT = (
+    0.2  # [m]; a bend that a driver can round off by less than this is none: lines of maps are drawn with such corners
+)
+WINDOWS = tuple(4.0 * 2.0 ** (i / 3.0) for i in range(11))  # [m], from 4 to 40, over which a line may be seen to bend
+
+Array = NDArray[np.float64]
+
+
+def allowed_speeds(
+    line: Polyline, limits: Array | None = None, lateral: float = CURVE_ACCELERATION, braking: float = COMFORTABLE
+) -> Array:
+    """The speed [m/s] allowed on each segment of a line: by its limits and bends, and by those ahead.
+
+    Args:
+        line: What is driven, N points.
+        limits: The speed allowed on each segment otherwise [m/s]; None where nothing else limits it.
+        lateral: What is taken in a bend [m/s²].
+        braking: With which one slows in time for what is ahead [m/s²].
+
+    Returns:
+        (N - 1,); infinite where nothing limits it.
+    """
+    speeds = bend_speeds(line, lateral)
+    return reachable(line, speeds if limits is None else np.minimum(speeds, limits), braking)
+
+
+def bend_speeds(line: Polyline, lateral: float = CURVE_ACCELERATION) -> Array:
+    """The speed [m/s] of each segment of a line, (N - 1,), that asks for so much lateral acceleration [m/s²]."""
+    curvature = bends(line)
+    return np.sqrt(np.divide(lateral, curvature, out=np.full(len(curvature), np.inf), where=curvature > 0.0))
+
+
+def bends(line: Polyline) -> Array:
+    """The curvature [1/m] of each segment of a line, without sign, (N - 1,).
+
+    It is the turn between the mean headings of a stretch before the segment's middle and one behind it, over the
+    shortest stretches that show more than `CUT`.
+    """
+    _, _, s, hx, hy = line.columns
+    arcs, heading = np.array(s), np.unwrap(np.arctan2(np.array(hy), np.array(hx)))
+    turned = np.concatenate(([0.0], np.cumsum(heading * np.diff(arcs))))  # the integral of the heading up to each point
+    mids, most = 0.5 * (arcs[:-1] + arcs[1:]), np.zeros(len(heading))
+    for window in (one for one in WINDOWS if one <= line.length):
+        half = window / 2.0
+        middle = np.clip(mids, half, line.length - half)  # near its ends, a line bends as it does a little inside
+        before, here, beyond = (np.interp(middle + off, arcs, turned) for off in (-half, 0.0, half))
+        bent = np.abs(beyond - here - (here - before)) / (half * half)
+        most = np.maximum(most, np.where(bent * window * window / 8.0 >= CUT, bent, 0.0))
+    return most
+
+
+def reachable(line: Polyline, speeds: Array, braking: float) -> Array:
+    """Speeds [m/s] of a line's segments, (N - 1,), each no more than from which braking so [m/s²] reaches the next."""
+    found, (_, _, s, *_) = speeds.tolist(), line.columns
+    for i in range(len(found) - 2, -1, -1):
+        found[i] = min(found[i], math.sqrt(found[i + 1] ** 2 + 2.0 * braking * (s[i + 1] - s[i])))
+    return np.array(found)
+
+
+class Timetable:
+    """When somebody is where on a line, who drives as fast as he wants and is allowed.
+
+    Args:
+        line: What is driven, N points.
+        allowed: The speed allowed on each segment [m/s], (N - 1,).
+        wanted: The speed wanted [m/s].
+        gain: With which speed is taken up again behind what held it back [m/s²].
+
+    Attributes:
+        speeds: What is driven at on each segment [m/s], (N - 1,).
+        seconds: When each point is passed after the first [s], (N,).
+    """
+
+    __slots__ = ("_arcs", "seconds", "speeds")
+
+    def __init__(self, line: Polyline, allowed: Array, wanted: float, gain: float = math.inf) -> None:
+        arcs = line.columns[2]
+        speeds = np.minimum(allowed, wanted).tolist()
+        for i in range(1, len(speeds)):
+            speeds[i] = min(speeds[i], math.sqrt(speeds[i - 1] ** 2 + 2.0 * gain * (arcs[i] - arcs[i - 1])))
+        self._arcs = np.array(arcs)
+        self.speeds = np.array(speeds)
+        self.seconds = np.concatenate(([0.0], np.cumsum(np.diff(self._arcs) / self.speeds)))
+
+    def speed_at(self, s: float) -> float:
+        """What is driven at [m/s] at arc length `s` [m]; beyond the ends as there."""
+        i = int(np.searchsorted(self._arcs, s, side="right")) - 1
+        return float(self.speeds[min(max(i, 0), len(self.speeds) - 1)])
+
+    def time_at(self, s: float) -> float:
+        """When arc length `s` [m] is passed [s], after the start of the line; beyond the ends it goes on as there."""
+        if s < 0.0:
+            return s / float(self.speeds[0])
+        if (beyond := s - float(self._arcs[-1])) > 0.0:
+            return float(self.seconds[-1]) + beyond / float(self.speeds[-1])
+        return float(np.interp(s, self._arcs, self.seconds))
+
+    def time_to(self, start: float, end: float) -> float:
+        """How long it takes from one arc length [m] to another [s]; less than nothing to one that lies behind."""
+        return self.time_at(end) - self.time_at(start)
