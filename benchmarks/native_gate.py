@@ -46,7 +46,7 @@ BESIDE = (
     "roadside-right=pedestrian.right.cross",
     "roadside-left=pedestrian.left.cross.stop",
 )
-MAPS = ("town", "outskirts")
+MAPS = ("town", "outskirts", "region")
 
 
 @dataclass

@@ -455,9 +455,9 @@ def run(
         as_written: Whether the program's own ego drives; else `ego` does, on a route that follows from the program.
         edit: What is to be another than the sentence says, in words, edit by edit. A text with edits, and be it none
             of them (``[]``), is read as a sentence that can be edited, also by a language model.
-        map: Packaged ``town`` or ``outskirts``, or an ``.xodr`` file; None for the town, or for the outskirts where
-            the text names what the town has not, such as a motorway. Where a program names a map that is there, that
-            one is taken.
+        map: Packaged ``town``, ``outskirts`` or ``region``, or an ``.xodr`` file; None for the town, or for the
+            outskirts where the text names what the town has not, such as a motorway. Where a program names a map that
+            is there, that one is taken.
         ego: An ego by name, file or ``package.module:factory``.
         scenes: Simulations per scenario and route.
         routes: Routes per scenario.

@@ -98,7 +98,7 @@ def test_oncoming_lanes_of_two_roads_are_each_beside_the_other() -> None:
     assert all(pairs[there] == uid for uid, there in pairs.items())
 
 
-@pytest.mark.parametrize("name", ["town", "outskirts", "Town04"])
+@pytest.mark.parametrize("name", ["town", "outskirts", "region", "Town04"])
 def test_lanes_of_two_roads_that_only_meet_are_not_beside_each_other(name: str) -> None:
     path = SHARED / "data" / "maps" / f"{name}.xodr"
     if name not in PACKAGED and not path.is_file():

@@ -101,7 +101,7 @@ def test_carla_reads_the_packaged_map() -> None:
     assert {mark.type for mark in world_map.get_all_landmarks()} == {"1000001", "206"}
 
 
-@pytest.mark.parametrize("name", ["town", "outskirts"])
+@pytest.mark.parametrize("name", ["town", "outskirts", "region"])
 def test_the_asam_checker_finds_nothing_wrong(caplog: pytest.LogCaptureFixture, name: str) -> None:
     _, checks = assert_nothing_wrong(resolve_map(name), caplog, "opendrive")
     assert checks > 15

@@ -38,14 +38,15 @@ MAP = click.option(
     default="town",
     show_default=True,
     callback=usable_map,
-    help="The packaged 'town' or 'outskirts', or an .xodr file.",
+    help="The packaged 'town', 'outskirts' or 'region', or an .xodr file.",
 )
 MAP_WITH_SITE = click.option(
     "--map",
     "map_name",
     default=None,
     callback=usable_map,
-    help="The packaged 'town' or 'outskirts', or an .xodr file.  [default: town; outskirts for motorways and the like]",
+    help="The packaged 'town', 'outskirts' or 'region', or an .xodr file.  "
+    "[default: town; outskirts for motorways and the like]",
 )
 COMPONENT = click.Choice(["behavior", "geometry", "spawn"])
 EXECUTOR_OPTION = click.option(

@@ -25,7 +25,8 @@ PORTS = click.IntRange(1, 65534)  # streams are on the next
     multiple=True,
     default=("town",),
     show_default=True,
-    help="The packaged 'town' or 'outskirts', or an .xodr file; the first is loaded, clients can load the others.",
+    help="The packaged 'town', 'outskirts' or 'region', or an .xodr file; the first is loaded, clients can load "
+    "the others.",
 )
 @click.option("--port", default=2000, show_default=True, type=PORTS, help="Of calls; streams are on the next.")
 @click.option("--host", default=LOOPBACK, show_default=True, help="Anybody who reaches it has the world in hand.")

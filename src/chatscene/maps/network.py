@@ -42,12 +42,12 @@ _MEASURES = (
     | dict.fromkeys(("a", "b", "c", "d", *(f"{k}{axis}" for k in "abcd" for axis in "UV")), (-1e6, 1e6))
 )
 
-TOWN, OUTSKIRTS = "town", "outskirts"
-PACKAGED = {name: Path(__file__).with_name(f"{name}.xodr") for name in (TOWN, OUTSKIRTS)}
+TOWN, OUTSKIRTS, REGION = "town", "outskirts", "region"
+PACKAGED = {name: Path(__file__).with_name(f"{name}.xodr") for name in (TOWN, OUTSKIRTS, REGION)}
 
 
 def resolve_map(name: str) -> Path:
-    """The file of a map: the packaged ``town`` or ``outskirts``, or a path to an ``.xodr`` file.
+    """The file of a map: the packaged ``town``, ``outskirts`` or ``region``, or a path to an ``.xodr`` file.
 
     Raises:
         MapError: There is no such file; the nearest known name is given.

@@ -51,6 +51,7 @@ class Node:
         y: Centre [m].
         control: How it is controlled.
         setback: From its centre to where its arms end [m].
+        abreast: Whether one turns in as many lanes as both roads have, as in a roundabout; in one if not.
     """
 
     id: int
@@ -58,14 +59,19 @@ class Node:
     y: float
     control: Control
     setback: float = SETBACK
+    abreast: bool = False
 
 
 class Surroundings(Enum):
     """OpenDRIVE's type of a road, and the speed allowed there [km/h]."""
 
     TOWN = ("town", 50)
+    ZONE = ("town", 30)
     RURAL = ("rural", 100)
+    COUNTRY = ("rural", 80)
     MOTORWAY = ("motorway", 120)
+    SLOWER_MOTORWAY = ("motorway", 110)
+    MOTORWAY_END = ("motorway", 80)
     RAMP = ("motorway", 60)
 
 
@@ -127,6 +133,7 @@ class Street:
         begins: From where to where [m] the outermost lanes come into being.
         ceases: From where to where [m] the outermost lanes taper out.
         nose: Over how many metres the shoulder widens from nothing at the start, and narrows to nothing at the end.
+        median: Width of the grass on the left of a carriageway [m], 0 for none.
         surroundings: Which speed is allowed.
         bays: Along it.
         crosswalks: Across it.
@@ -146,6 +153,7 @@ class Street:
     begins: tuple[float, float] | None = None
     ceases: tuple[float, float] | None = None
     nose: tuple[float, float] = (0.0, 0.0)
+    median: float = 0.0
     surroundings: Surroundings = Surroundings.TOWN
     bays: tuple[Bay, ...] = ()
     crosswalks: tuple[Crosswalk, ...] = ()
@@ -225,7 +233,7 @@ def write_opendrive(name: str, streets: Sequence[Street], *, located: bool = Fal
     junctions: list[Xml.Element] = []
     next_id = 1000
     for node_id in sorted(nodes):
-        connections = _connections(arms[node_id])
+        connections = _connections(arms[node_id], abreast=nodes[node_id].abreast)
         junction = Xml.Element("junction", id=str(node_id), name=f"junction{node_id}")
         for number, connection in enumerate(connections):
             _connecting_road(root, nodes[node_id], connection, next_id)
@@ -318,9 +326,12 @@ def _lane_section(
 
     `span` has both arc lengths and that of the whole street [m].
     """
-    sides = [("left", street.lanes_back > 0), ("center", True), ("right", True)]
+    sides = [("left", street.lanes_back > 0 or street.median > 0), ("center", True), ("right", True)]
     left, centre, right = (Xml.SubElement(section, name) if there else None for name, there in sides)
     assert centre is not None
+    if left is not None and not street.lanes_back:
+        _grass(left, street)
+        left = None
     narrow = street.lanes == street.lanes_back == 1
     _mark(Xml.SubElement(centre, "lane", id="0", type="none", level="false"), "broken" if narrow else "solid")
     for side in (left, right):
@@ -337,6 +348,13 @@ def _lane_section(
                 for end, other in zip(("start", "end"), joined, strict=True)
             ]
             _lane_links(element, *ends)
+
+
+def _grass(side: Xml.Element, street: Street) -> None:
+    """The half of a median that belongs to a carriageway."""
+    lane = Xml.SubElement(side, "lane", id="1", type="median", level="false")
+    _width(lane, 0.0, street.median, street.median, 1.0)
+    _mark(lane, "none")
 
 
 def _joined(end: Node | int, plan: dict[int, Street]) -> Street | None:
@@ -441,7 +459,10 @@ def _lane_links(lane: Xml.Element, predecessor: int | None, successor: int | Non
 
 
 def _crosswalk(objects: Xml.Element, object_id: str, street: Street, crosswalk: Crosswalk) -> None:
-    half, along = street.lane * street.lanes + street.shoulder, crosswalk.width / 2
+    left, right = (
+        street.lane * lanes + street.shoulder if lanes else 0.0 for lanes in (street.lanes_back, street.lanes)
+    )
+    half, along = (left + right) / 2, crosswalk.width / 2
     element = Xml.SubElement(
         objects,
         "object",
@@ -449,7 +470,7 @@ def _crosswalk(objects: Xml.Element, object_id: str, street: Street, crosswalk: 
         name="crosswalk",
         type="crosswalk",
         s=_number(crosswalk.at),
-        t="0",
+        t=_number((left - right) / 2),
         zOffset="0",
         hdg="0",
         pitch="0",
@@ -490,7 +511,7 @@ class _Connection:
     kerb: bool  # whether it carries what shoulder and sidewalk both of its streets have
 
 
-def _connections(arms: list[_Arm]) -> list[_Connection]:
+def _connections(arms: list[_Arm], *, abreast: bool) -> list[_Connection]:
     found: list[_Connection] = []
     for source in arms:
         turns = [wrapped(target.pose.heading - source.pose.heading - math.pi) for target in arms]
@@ -509,7 +530,9 @@ def _connections(arms: list[_Arm]) -> list[_Connection]:
                     lane_in == n and (turn < -math.pi / 4 or (straight and not anyone_right and lane_out == m)),
                 )
                 for lane_in, lane_out in (
-                    _straight_pairs(source, target, turn) if straight else _turning_pair(n, m, left=turn > 0)
+                    _straight_pairs(source, target, turn)
+                    if straight
+                    else _turning_pairs(n, m, left=turn > 0, abreast=abreast)
                 )
             ]
     return found
@@ -528,11 +551,10 @@ def _straight_pairs(source: _Arm, target: _Arm, turn: float) -> list[tuple[int, 
     ]
 
 
-def _turning_pair(n: int, m: int, *, left: bool) -> list[tuple[int, int]]:
-    """From the innermost lane into the innermost, or from the outermost into the outermost."""
-    if not (n and m):
-        return []
-    return [(1, 1)] if left else [(n, m)]
+def _turning_pairs(n: int, m: int, *, left: bool, abreast: bool) -> list[tuple[int, int]]:
+    """Innermost lanes into innermost ones to the left, outermost into outermost to the right: one, or all there are."""
+    many = min(n, m) if abreast else min(n, m, 1)
+    return [(1 + i, 1 + i) if left else (n - i, m - i) for i in range(many)]
 
 
 def _connecting_road(root: Xml.Element, node: Node, connection: _Connection, road_id: int) -> None:

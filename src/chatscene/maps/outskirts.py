@@ -15,15 +15,14 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
+from chatscene.maps.designs import RampDesign, RingDesign
 from chatscene.maps.opendrive import LANE, Bay, Crosswalk, Node, Street, Surroundings, Use, write_opendrive
-from chatscene.maps.reference_lines import Corner
 from chatscene.terms.scenario import Control
 
 FILE = Path(__file__).with_name("outskirts.xodr")
 
 ISLAND = 20.0  # [m], radius of the roundabout's central island
-RING = 4.5  # [m], width of its lane
-FLARE = 16.0  # [m], radius by which one drives into it and out of it
+RING = RingDesign(island=ISLAND, lane=4.5, lanes=1, flare=16.0)
 ARM = 34.0  # [m] from its centre to where its arms end
 
 MEDIAN = 2.0  # [m], half of what lies between the carriageways
@@ -40,20 +39,10 @@ LEAVING, JOINING, FOOT = 110.0, 85.0, 50.0  # [m], radii of their bends there, a
 FOOT_AT = 100.0  # [m] from the middle of the motorway to the second bend
 
 
-def _leaves(x: float, side: int) -> tuple[Corner, Corner]:
-    """The bends of a ramp that leaves the motorway at `x`; `side` is +1 for north and westbound."""
-    first = x - side * LEAVING * math.tan(LEAVES / 2)
-    return (first, side * EDGE, LEAVING), (first - side * (FOOT_AT - EDGE) / math.tan(LEAVES), side * FOOT_AT, FOOT)
-
-
-def _joins(x: float, side: int) -> tuple[Corner, Corner]:
-    """The bends of a ramp that has joined the motorway at `x`."""
-    last = x + side * JOINING * math.tan(JOINS / 2)
-    return (last + side * (FOOT_AT - EDGE) / math.tan(JOINS), side * FOOT_AT, FOOT), (last, side * EDGE, JOINING)
-
-
-OFF_EASTBOUND, ON_EASTBOUND = _leaves(410.0, -1), _joins(760.0, -1)
-ON_WESTBOUND, OFF_WESTBOUND = _joins(890.0, 1), _leaves(630.0, 1)
+_OFF = RampDesign(edge=EDGE, turn=LEAVES, radius=LEAVING, foot_at=FOOT_AT, foot=FOOT)
+_ON = RampDesign(edge=EDGE, turn=JOINS, radius=JOINING, foot_at=FOOT_AT, foot=FOOT)
+OFF_EASTBOUND, ON_EASTBOUND = _OFF.leaves(410.0, -1), _ON.joins(760.0, -1)
+ON_WESTBOUND, OFF_WESTBOUND = _ON.joins(890.0, 1), _OFF.leaves(630.0, 1)
 
 
 def _node(number: int, x: float, y: float, control: Control = Control.NONE, setback: float = 20.0) -> Node:
@@ -75,32 +64,8 @@ FORK = _node(15, 0.0, RURAL, Control.STOP_SIGN)
 
 def plan() -> tuple[Street, ...]:
     """The streets of the outskirts."""
-    return (*_roundabout(), *_motorway(), *_ramps(), *_street(), *_rural_road())
-
-
-def _roundabout() -> list[Street]:
-    """Four quarters of a ring, driven counter-clockwise."""
-    flare = math.asin(FLARE / (ISLAND + FLARE))  # from an arm to where the way in meets the island's circle
-    nodes = (RING_EAST, RING_NORTH, RING_WEST, RING_SOUTH, RING_EAST)
-    quarters: list[Street] = []
-    for number in range(4):
-        first, last = number * math.pi / 2 + flare, (number + 1) * math.pi / 2 - flare
-        middle, out = (first + last) / 2, ISLAND / math.cos((last - first) / 2)
-        quarters.append(
-            Street(
-                id=1 + number,
-                start=nodes[number],
-                end=nodes[number + 1],
-                lanes=1,
-                back=0,
-                start_at=(ISLAND * math.cos(first), ISLAND * math.sin(first)),
-                end_at=(ISLAND * math.cos(last), ISLAND * math.sin(last)),
-                via=((out * math.cos(middle), out * math.sin(middle), ISLAND),),
-                lane=RING,
-                sidewalk=0.0,
-            )
-        )
-    return quarters
+    ring = RING.streets(1, (RING_EAST, RING_NORTH, RING_WEST, RING_SOUTH), 0.0, 0.0)
+    return (*ring, *_motorway(), *_ramps(), *_street(), *_rural_road())
 
 
 def _motorway() -> list[Street]:

@@ -1,0 +1,172 @@
+"""The packaged region: what the plan gives, and what readers of OpenDRIVE make of it."""
+
+from __future__ import annotations
+
+import math
+import xml.etree.ElementTree as ET
+from typing import Any
+
+import pytest
+
+from chatscene.maps.furniture import Stand, furniture_of
+from chatscene.maps.lane_runs import lane_runs
+from chatscene.maps.layout import JunctionKind, junction_kinds, motorway_groups, ramp_ways, roundabouts
+from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.opendrive import write_opendrive
+from chatscene.maps.region import plan
+from chatscene.maps.routes import find_routes, place_of
+from chatscene.maps.survey import check_map
+from chatscene.terms.route import RouteQuery
+from chatscene.terms.scenario import Control, Maneuver, Place, Site
+
+REGION = resolve_map("region")
+NETWORK: Any = load_network(REGION)
+ROOT = ET.parse(REGION).getroot()
+
+
+def test_the_packaged_map_is_what_the_plan_gives_byte_for_byte() -> None:
+    assert write_opendrive("region", plan(), located=True).encode() == REGION.read_bytes()
+
+
+def test_it_is_no_larger_than_600_kb() -> None:
+    assert REGION.stat().st_size < 600_000
+
+
+def test_it_has_no_faults() -> None:
+    assert check_map(REGION) == ()
+
+
+def test_every_lane_leads_on_but_those_that_taper_out_beside_one_that_does() -> None:
+    stuck = [lane for lane in NETWORK.lanes if not lane.maneuvers]
+    assert len(stuck) == 6
+    for lane in stuck:
+        assert math.dist(lane.leftEdge.points[-1][:2], lane.rightEdge.points[-1][:2]) < 0.01
+        assert lane.sections[-1]._laneToLeft.lane.maneuvers
+        assert lane.sections[-1]._laneToLeft.isForward == lane.sections[-1].isForward
+
+
+def test_one_can_drive_from_every_lane_to_every_other() -> None:
+    after = {lane.uid: _beyond(lane) for lane in NETWORK.lanes}
+    for start in [lane for lane in NETWORK.lanes if lane.maneuvers][:3]:
+        reached, ahead = {start.uid}, [start.uid]
+        while ahead:
+            fresh = after[ahead.pop()] - reached
+            reached |= fresh
+            ahead += fresh
+        assert reached == {lane.uid for lane in NETWORK.lanes}
+
+
+def _beyond(lane: Any) -> set[str]:
+    """Where one can get from a lane: on from its end, or into a lane of its direction beside it."""
+    ways = {(m.connectingLane or m.endLane).uid for m in lane.maneuvers}
+    if lane._successor is not None:
+        ways.add(lane._successor.uid)
+    sides = [side for part in lane.sections for side in (part._laneToLeft, part._laneToRight) if side is not None]
+    return ways | {side.lane.uid for side in sides if side.isForward == lane.sections[0].isForward}
+
+
+def test_its_roads_say_how_fast_one_may_drive() -> None:
+    said = {
+        (kind.get("type"), speed.get("max"), speed.get("unit"))
+        for kind in ROOT.iterfind("road/type")
+        for speed in kind.iter("speed")
+    }
+    limits = {("town", "50"), ("town", "30"), ("rural", "80"), ("motorway", "110"), ("motorway", "80")}
+    assert said == {(*limit, "km/h") for limit in limits | {("motorway", "60")}}
+    assert all(road.find("type/speed") is not None for road in ROOT.iter("road"))
+
+
+@pytest.mark.parametrize("control", Control)
+@pytest.mark.parametrize("place", [Place.THREE_WAY, Place.FOUR_WAY])
+@pytest.mark.parametrize("lanes", [1, 2])
+def test_300_m_lead_up_to_junctions_of_every_kind(control: Control, place: Place, lanes: int) -> None:
+    for maneuver in (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN):
+        query = RouteQuery(
+            maneuver=maneuver, place=place, control=control, lanes_same_way=lanes, most_lanes=lanes, approach=300.0
+        )
+        assert all(route.event_at >= 200.0 for route in find_routes(NETWORK, "region", query))
+
+
+def test_every_arm_of_a_junction_of_the_town_is_300_m_long() -> None:
+    kinds, runs = junction_kinds(NETWORK), lane_runs(NETWORK)
+    town = [j for j in NETWORK.intersections if kinds[j.uid] is JunctionKind.CROSSING and place_of(j) is Place.FOUR_WAY]
+    assert town
+    short = {lane.uid for j in town for lane in j.incomingLanes if runs[lane.uid].line.length < 300.0}
+    ramps_apart = {
+        lane.uid for lane in NETWORK.elements["intersection155"].incomingLanes
+    }  # the rural road between them
+    assert short <= ramps_apart
+
+
+def test_the_motorway_has_three_lanes_each_way_for_3_km_and_ramps_of_real_length() -> None:
+    groups, runs = motorway_groups(NETWORK), lane_runs(NETWORK)
+    wide = sum(group.centerline.length for group in groups if len(group.lanes) >= 3)
+    assert wide / 2 > 3000.0
+    for kind, end in ((JunctionKind.MERGE, "endLane"), (JunctionKind.DIVERGE, "startLane")):
+        ways = ramp_ways(NETWORK, kind)
+        assert len(ways) == 2
+        for way in ways:
+            assert runs[getattr(way, end).uid].line.length > 250.0
+            ramp = way.startLane if kind is JunctionKind.MERGE else way.endLane
+            assert ramp.centerline.length > 350.0
+
+
+def test_one_roundabout_is_large_and_the_other_compact() -> None:
+    large, compact = sorted(roundabouts(NETWORK), key=lambda ring: -_round(ring))
+    assert _round(large) > 200.0
+    assert _round(compact) < 100.0
+    entries = [m for j in large.junctions for m in NETWORK.elements[j].maneuvers if m.startLane.uid not in large.lanes]
+    assert max(len(m.startLane.group.lanes) for m in entries) == 2
+    for ring in (large, compact):
+        into = {lane.uid: lane for j in ring.junctions for lane in NETWORK.elements[j].incomingLanes}
+        arms = [uid for uid, lane in into.items() if lane.road.backwardLanes is not None or lane.centerline.length > 90]
+        assert all(lane_runs(NETWORK)[uid].line.length > 300.0 for uid in arms)
+
+
+def _round(ring: Any) -> float:
+    return sum(NETWORK.elements[uid].centerline.length for uid in ring.lanes)
+
+
+@pytest.mark.parametrize("radius", [150.0, 250.0, 400.0])
+def test_rural_roads_have_bends_of_stated_radii(radius: float) -> None:
+    rural = [road for road in ROOT.iter("road") if road.find("type[@type='rural']") is not None]
+    bends = [
+        float(piece.get("length", "0"))
+        for road in rural
+        for piece in road.iterfind("planView/geometry")
+        for arc in piece.iter("arc")
+        if math.isclose(abs(float(arc.get("curvature", "1"))), 1 / radius, rel_tol=1e-6)
+    ]
+    assert max(bends) > 170.0
+
+
+def test_rural_roads_have_straights_of_500_m() -> None:
+    query = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD, site=Site.RURAL, approach=250.0)
+    assert len(find_routes(NETWORK, "region", query)) >= 4
+
+
+def test_crosswalks_lie_across_roads_of_every_kind_but_the_motorway() -> None:
+    roads = {road.id: road for road in NETWORK.roads}
+    on = [roads[number] for number, _ in furniture_of(NETWORK).crosswalks]
+    assert len(on) == 6
+    two = [road for road in on if len(road.forwardLanes.lanes) == 2]
+    assert {road.backwardLanes is None for road in two} == {True, False}
+    for road, area in furniture_of(NETWORK).crosswalks:
+        assert all(lane.polygons.intersects(area) for lane in roads[road].lanes)
+
+
+def test_places_to_stand_lie_beside_the_streets() -> None:
+    uses = [place.use for place in furniture_of(NETWORK).standing]
+    assert uses.count(Stand.BUS) == uses.count(Stand.PARKING) == 2
+
+
+def test_carla_can_drive_on_everywhere_and_sees_the_crosswalks(capfd: pytest.CaptureFixture[str]) -> None:
+    carla = pytest.importorskip("carla", reason="the carla client has no wheel for this Python")
+    world_map = carla.Map("region", REGION.read_text())
+    told = capfd.readouterr()
+    assert "WARNING" not in told.out + told.err
+    assert len(world_map.get_crosswalks()) == 6 * 5
+    assert {mark.type for mark in world_map.get_all_landmarks()} == {"1000001", "206", "224"}
+    ends = {(w.road_id, w.lane_id) for w in world_map.generate_waypoints(2.0) if not w.next(3.0)}
+    assert len(ends) == 6  # where lanes taper out
+    assert {road for road, _ in ends} == {street.id for street in plan() if street.ceases}
