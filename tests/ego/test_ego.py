@@ -97,7 +97,7 @@ def seen(ego: EgoPolicy, x: float, y: float, heading: float, speed: float) -> Ob
     view.locate(x, y)
     if observation_of(ego) == "safebench":
         return view.four_numbers(x, y, heading, speed, False)
-    see = {"actors": view.actors, "road": view.road}[observation_of(ego)]
+    see = {"actors": view.actors, "road": view.road, "traffic": view.traffic}[observation_of(ego)]
     return see(VehicleBody(x, y, heading, LIMITS["Car"], speed), [])
 
 

@@ -11,9 +11,9 @@ from chatscene.terms.backing import backs
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL, usual_speed
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.profile import CURVE_ACCELERATION
+from chatscene.terms.profile import CURVE_ACCELERATION, HELD_BACK
 from chatscene.terms.situation import Situation
-from chatscene.world.control import HELD_BACK, curve_speeds
+from chatscene.world.control import curve_speeds
 from chatscene.world.places import EgoRoute as Route
 
 _STEP = 0.1  # [s], in which a drive on an empty road is computed

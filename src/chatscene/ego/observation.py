@@ -1,4 +1,4 @@
-"""What an ego sees: three presets, each a vector of fixed size.
+"""What an ego sees: four presets, each a vector of fixed size.
 
 ``safebench``, four numbers (SafeBench v1, ``carla_env.py``, observation type 0; paper, appendix on egos):
 
@@ -28,6 +28,13 @@ reference, not an oversight.
 | 0 to 79 | ``actors`` | |
 | 80, 81 | room left and right of the route on the driving lanes, the least of the next 30 m, at most 8 | m |
 
+``traffic``, ``road`` for who drives faster than SafeBench's egos, and how fast one may (ours; decision 0121):
+
+| index | meaning | unit |
+|---|---|---|
+| 0 to 81 | ``road``, of which every distance is `scale_of` the speed times as long: the end of the route, the points on it, how near the nearest actors are and how far the room is looked for; up to 8 m/s it is ``road`` itself | |
+| 82 | the speed allowed here by the bends of the route and, where the program keeps them, by its limits, those ahead too (`chatscene.terms.profile`), at most 100 | m/s |
+
 Rows of actors that are not there are zero. Nothing hides anybody but night and fog, in which those are not there who
 are farther than light and weather let them be seen (`chatscene.terms.surroundings`): a preset is eyes, not a sensor
 model. ``safebench`` looks no farther than anybody sees in any of these, so that they change nothing of it.
@@ -36,6 +43,7 @@ model. ``safebench`` looks no farther than anybody sees in any of these, so that
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Sequence
 from typing import Protocol
 
@@ -58,11 +66,14 @@ HORIZON = 100.0  # [m] of route left beyond which it does not matter how much
 
 BESIDE = 8.0  # [m] beside the route beyond which it does not matter how wide the road is
 ROAD = OWN + NEAREST * PER_ACTOR  # where in `road` the room left and right stands
+ALLOWED = ROAD + 2  # where in `traffic` the speed stands that is allowed
+USUAL = 8.0  # [m/s], what SafeBench's egos drive at, up to which `traffic` sees no farther than `road`
+UNHELD = 100.0  # [m/s], allowed where nothing holds anybody
 
-OBSERVATIONS: dict[str, int] = {"safebench": 4, "actors": ROAD, "road": ROAD + 2}
+OBSERVATIONS: dict[str, int] = {"safebench": 4, "actors": ROAD, "road": ROAD + 2, "traffic": ALLOWED + 1}
 """The presets by name, and the size of each vector."""
 
-SPEED_AT: dict[str, int] = {"safebench": 2, "actors": 0, "road": 0}
+SPEED_AT: dict[str, int] = {"safebench": 2, "actors": 0, "road": 0, "traffic": 0}
 """Where in each vector the ego's own speed stands [m/s]."""
 
 IN_WORDS: dict[str, str] = {
@@ -70,8 +81,16 @@ IN_WORDS: dict[str, str] = {
     "actors": f"sees its route and the {NEAREST} nearest road users within {RANGE:g} m, hidden ones too",
     "road": f"sees its route, how wide the road is, and the {NEAREST} nearest road users within {RANGE:g} m, "
     "hidden ones too",
+    "traffic": f"sees its route, how wide the road is, how fast it may drive, and the {NEAREST} nearest road users "
+    f"within {RANGE:g} m, farther from {USUAL:g} m/s on in proportion to its speed, hidden ones too",
 }
 """What each preset shows, to stand beside what came of it."""
+
+
+def scale_of(speed: float) -> float:
+    """How many times as far `traffic` sees at a speed [m/s] as `road` does."""
+    far = speed / USUAL
+    return far if far > 1.0 else 1.0
 
 
 class Posed(Protocol):
@@ -92,18 +111,22 @@ class RouteView:
 
     Args:
         line: The route, points about 1 m apart.
-        room: (segments, 2): the room left and right of each segment [m], as in `road`; None is a road without edges.
+        room: (points, 2): the room left and right of each point [m]; None is a road without edges.
+        allowed: (segments,): the speed allowed on each segment [m/s]; None is any.
 
     Attributes:
         along: Arc length of the ego on the route [m], after `locate`.
         offset: Lateral offset of the ego from the route [m, positive = left], after `locate`.
     """
 
-    __slots__ = ("_line", "_near", "_room", "along", "offset")
+    __slots__ = ("_allowed", "_line", "_near", "_room", "along", "offset")
 
-    def __init__(self, line: Polyline, room: NDArray[np.float64] | None = None) -> None:
+    def __init__(
+        self, line: Polyline, room: NDArray[np.float64] | None = None, allowed: NDArray[np.float64] | None = None
+    ) -> None:
         self._line = line
         self._room = room
+        self._allowed = allowed
         self._near = 0
         self.along = 0.0
         self.offset = 0.0
@@ -129,29 +152,30 @@ class RouteView:
         lateral = hx * (y - wy) - hy * (x - wx)
         return np.array((lateral, _error(hx, hy, heading), abs(speed), 1.0 if vehicle_ahead else 0.0))
 
-    def actors(self, ego: Posed, others: Sequence[tuple[Posed, bool, float]]) -> Observation:
+    def actors(self, ego: Posed, others: Sequence[tuple[Posed, bool, float]], scale: float = 1.0) -> Observation:
         """The preset ``actors`` for an ego that was located at its pose.
 
         Args:
             ego: The ego.
             others: Everybody else, whether each walks, and from how far it is seen [m].
+            scale: How many times as far it sees.
 
         Returns:
             (``OBSERVATIONS["actors"]``,) float64.
         """
         line, x, y, cos, sin = self._line, ego.x, ego.y, ego.cos, ego.sin
         _, _, hx, hy = line.segment(self._near)
-        left = line.length - self.along
-        seen = [ego.speed, self.offset, _error(hx, hy, ego.heading), left if left < HORIZON else HORIZON]
+        left, horizon, reach = line.length - self.along, scale * HORIZON, scale * RANGE
+        seen = [ego.speed, self.offset, _error(hx, hy, ego.heading), left if left < horizon else horizon]
         for ahead in AHEAD:
-            px, py = line.point_at(self.along + ahead)
+            px, py = line.point_at(self.along + scale * ahead)
             dx, dy = px - x, py - y
             seen += (dx * cos + dy * sin, dy * cos - dx * sin)
         near = sorted(
             (
                 (distance, i)
                 for i, (other, _, sight) in enumerate(others)
-                if (distance := math.hypot(other.x - x, other.y - y)) < (sight if sight < RANGE else RANGE)
+                if (distance := math.hypot(other.x - x, other.y - y)) < (sight if sight < reach else reach)
             )
         )
         for _, i in near[:NEAREST]:
@@ -160,14 +184,30 @@ class RouteView:
         seen += [0.0] * (OBSERVATIONS["actors"] - len(seen))
         return np.array(seen)
 
-    def road(self, ego: Posed, others: Sequence[tuple[Posed, bool, float]]) -> Observation:
+    def road(self, ego: Posed, others: Sequence[tuple[Posed, bool, float]], scale: float = 1.0) -> Observation:
         """The preset ``road`` for an ego that was located at its pose; the rest as for `actors`.
 
         Returns:
             (``OBSERVATIONS["road"]``,) float64.
         """
-        room = (BESIDE, BESIDE) if self._room is None else self._room[self._near]
-        return np.concatenate((self.actors(ego, others), room))
+        return np.concatenate((self.actors(ego, others, scale), self._beside(scale)))
+
+    def traffic(self, ego: Posed, others: Sequence[tuple[Posed, bool, float]]) -> Observation:
+        """The preset ``traffic`` for an ego that was located at its pose; the rest as for `actors`.
+
+        Returns:
+            (``OBSERVATIONS["traffic"]``,) float64.
+        """
+        allowed = UNHELD if self._allowed is None else min(float(self._allowed[self._near]), UNHELD)
+        return np.append(self.road(ego, others, scale_of(ego.speed)), allowed)
+
+    def _beside(self, scale: float) -> Observation:
+        """The room left and right [m]: the least of the points from that before the ego on."""
+        if self._room is None:
+            return np.array((BESIDE, BESIDE))
+        arcs, near = self._line.columns[2], self._near
+        end = bisect_right(arcs, arcs[near] + scale * AHEAD[-1], near)
+        return self._room[near : max(end, near + 2)].min(axis=0)
 
     def _row(self, ego: Posed, other: Posed, walks: bool) -> tuple[float, ...]:
         along, beside = self._on_route(other)

@@ -14,12 +14,13 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from chatscene.ego.observation import AHEAD, BESIDE
+from chatscene.ego.observation import BESIDE
 from chatscene.errors import MapError
 from chatscene.maps.junctions import StopLine, junction_control, junction_signals
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.limits import limits_along
 from chatscene.terms.episode import Event, EventKind, SignalTrack, Track
+from chatscene.terms.profile import allowed_speeds
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Control
 from chatscene.world.lights import TrafficLights
@@ -60,23 +61,30 @@ class RouteSurroundings:
 
     @cached_property
     def room(self) -> NDArray[np.float64]:
-        """(segments, 2): the room left and right of each segment of the route [m], as in the preset `road`."""
-        x, y, arcs, hx, hy = (np.array(column) for column in self._route.line.columns)
+        """(points, 2): the room left and right of each point of the route on driving lanes [m], at most `BESIDE`."""
+        x, y, _, hx, hy = (np.array(column) for column in self._route.line.columns)
         hx, hy = np.append(hx, hx[-1]), np.append(hy, hy[-1])
         away = np.arange(_ROOM_STEP, BESIDE + _ROOM_STEP / 2, _ROOM_STEP)
         beside: list[NDArray[np.float64]] = []
         for side in (1.0, -1.0):
             there = np.stack((x[:, None] - side * hy[:, None] * away, y[:, None] + side * hx[:, None] * away), axis=-1)
             off = self._lane_map.off_road(there.reshape(-1, 2)).reshape(len(x), len(away))
-            room = _ROOM_STEP * np.logical_and.accumulate(~off, axis=1).sum(axis=1)
-            ends = np.searchsorted(arcs, arcs[:-1] + AHEAD[-1], side="right")
-            beside.append(np.array([room[i : max(end, i + 2)].min() for i, end in enumerate(ends)]))
+            beside.append(_ROOM_STEP * np.logical_and.accumulate(~off, axis=1).sum(axis=1))
         return np.stack(beside, axis=1)
 
     @cached_property
     def limits(self) -> NDArray[np.float64]:
         """(segments,): the speed [m/s] that the map, or the kind of its roads, allows on each segment of the route."""
         return limits_along(self._network, self._route.line, self._route.lane_ids)
+
+    def allowed(self, *, keeps_limits: bool, grip: float) -> NDArray[np.float64]:
+        """(segments,): the speed [m/s] at which each segment of the route may be driven.
+
+        Args:
+            keeps_limits: Whether its limits count, beside its bends.
+            grip: What the road holds [m/s²].
+        """
+        return allowed_speeds(self._route.line, self.limits if keeps_limits else None, grip)
 
     def _own(self, line: StopLine) -> bool:
         return line.lane in self._route.lane_ids

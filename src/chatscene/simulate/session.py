@@ -67,6 +67,7 @@ class SteppedSession:
         offset: Lateral offset of the ego from its route [m, positive = left].
         along: Arc length of the ego on its route [m].
         draws: How many draws it took to place.
+        allowed: The speed allowed on each segment of its route [m/s]; None where the ego does not see it.
         stepped: Who steps it, where that is another simulator than the one that was asked for.
     """
 
@@ -115,8 +116,13 @@ class SteppedSession:
         self._names: list[tuple[str, Role]] = []
         self.limit = min(settings.max_steps, int(route.length * SECONDS_PER_METRE / settings.dt))
         self.preset = check_preset(observation)
-        self._view = RouteView(route.line, around.room if observation == "road" else None)
-        self._see = {"safebench": self._four_numbers, "actors": self._actors, "road": self._road}[observation]
+        self.allowed, self._view = _view_of(observation, route, around, program, body.grip)
+        self._see = {
+            "safebench": self._four_numbers,
+            "actors": self._actors,
+            "road": self._road,
+            "traffic": self._traffic,
+        }[observation]
         self._moving: list[Body] = []
         self._vehicles: list[Body] = []
         self.others: list[tuple[Body, bool, float]] = []
@@ -307,6 +313,9 @@ class SteppedSession:
     def _road(self) -> Observation:
         return self._view.road(self._ego, self.others)
 
+    def _traffic(self) -> Observation:
+        return self._view.traffic(self._ego, self.others)
+
     def _vehicle_ahead(self) -> bool:
         ego = self._ego
         for other in self._vehicles:
@@ -416,17 +425,32 @@ class SteppedSession:
         return tuple(sorted(tracks, key=lambda track: order.index(track.role)))
 
 
+def _view_of(
+    observation: str, route: Route, around: RouteSurroundings, program: ScenicProgram, grip: float
+) -> tuple[NDArray[np.float64] | None, RouteView]:
+    """The speeds allowed on a route, where a preset shows them, and the ego's view of it; `grip` in m/s²."""
+    room = around.room if observation in ("road", "traffic") else None
+    allowed = around.allowed(keeps_limits=program.keeps_limits, grip=grip) if observation == "traffic" else None
+    return allowed, RouteView(route.line, room, allowed)
+
+
 def _check_wanted(ego: Any, program: ScenicProgram, label: str) -> None:
-    """Hold that the speed that is wanted of the ego is one that is read in the program's text.
+    """Hold that what is wanted of the ego's speed is what is read in the program's text.
 
     Raises:
         ProgramError: It is computed, or no number.
     """
-    wanted = None if program.drawn else getattr(ego, "wantedSpeed", None)
+    own = not program.drawn
+    wanted, keeps = (getattr(ego, "wantedSpeed", None), getattr(ego, "keepsLimits", False)) if own else (None, False)
     if wanted != program.wanted_speed:
         raise ProgramError(
             f"{label} fails: `with wantedSpeed` takes a plain number of metres per second and stands where the ego is "
             f"placed, as in `ego = new Car …, with wantedSpeed 20`, not {wanted!r}"
+        )
+    if keeps is not program.keeps_limits:
+        raise ProgramError(
+            f"{label} fails: `with keepsLimits` takes `True` or `False` and stands where the ego is placed, as in "
+            f"`ego = new Car …, with wantedSpeed 20, with keepsLimits True`, not {keeps!r}"
         )
 
 

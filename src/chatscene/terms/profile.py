@@ -16,28 +16,25 @@ from chatscene.terms.polyline import Polyline
 
 CURVE_ACCELERATION = 3.0  # [m/s²], lateral, that an ego takes curves with
 COMFORTABLE = 2.0  # [m/s²], with which it slows for what is known before
-CUT = (
-    0.2  # [m]; a bend that a driver can round off by less than this is none: lines of maps are drawn with such corners
-)
+HELD_BACK = 0.8  # share of what the road holds that a driver who knows the road uses in and before a bend
+CUT = 0.2  # [m]; a bend that can be rounded off by less is none: maps draw their lines with such corners
 WINDOWS = tuple(4.0 * 2.0 ** (i / 3.0) for i in range(11))  # [m], from 4 to 40, over which a line may be seen to bend
 
 Array = NDArray[np.float64]
 
 
-def allowed_speeds(
-    line: Polyline, limits: Array | None = None, lateral: float = CURVE_ACCELERATION, braking: float = COMFORTABLE
-) -> Array:
+def allowed_speeds(line: Polyline, limits: Array | None = None, grip: float = math.inf) -> Array:
     """The speed [m/s] allowed on each segment of a line: by its limits and bends, and by those ahead.
 
     Args:
         line: What is driven, N points.
         limits: The speed allowed on each segment otherwise [m/s]; None where nothing else limits it.
-        lateral: What is taken in a bend [m/s²].
-        braking: With which one slows in time for what is ahead [m/s²].
+        grip: What the road holds [m/s²].
 
     Returns:
         (N - 1,); infinite where nothing limits it.
     """
+    lateral, braking = (min(most, HELD_BACK * grip) for most in (CURVE_ACCELERATION, COMFORTABLE))
     speeds = bend_speeds(line, lateral)
     return reachable(line, speeds if limits is None else np.minimum(speeds, limits), braking)
 

@@ -14,6 +14,7 @@ from chatscene.terms.actors import LIMITS, AdversaryKind, Limits
 from chatscene.terms.snippet import ParameterRange
 
 _WANTED = re.compile(r"^ego\s*=\s*new\b[^#]*?\bwith\s+wantedSpeed\s+(\d+(?:\.\d+)?)\s*(?:,|$)", re.MULTILINE)
+_KEEPS = re.compile(r"^ego\s*=\s*new\b[^#]*?\bwith\s+keepsLimits\s+(True|False)\s*(?:,|$)", re.MULTILINE)
 _PLACED = re.compile(r"^ego\s*=\s*new\s+(\w+)", re.MULTILINE)
 
 CAR = AdversaryKind.CAR.row.scenic
@@ -35,6 +36,7 @@ class ScenicProgram:
         model: The world model that it is written for, as its `model` line says.
         as_written: Whether its own ego drives, as the program has it, and the ego under test only rides along.
         wanted_speed: What the ego under test is to drive at [m/s], as `with wantedSpeed` says; else None.
+        keeps_limits: Whether the limits of the roads hold for it besides, as `with keepsLimits` says.
         ego_kind: The class of the ego, as the line says that places it; that of a car where none says so.
         own: What a user calls a program of his own, such as its file; empty for one that was made here.
     """
@@ -45,6 +47,7 @@ class ScenicProgram:
     snippet_ids: tuple[str, ...]
     digest: str = field(init=False)
     wanted_speed: float | None = field(init=False, compare=False)
+    keeps_limits: bool = field(init=False, compare=False)
     ego_kind: str = field(init=False, compare=False)
     model: str = OWN_MODEL
     as_written: bool = False
@@ -56,6 +59,8 @@ class ScenicProgram:
         )
         found = None if self.drawn else _WANTED.search(self.source)
         object.__setattr__(self, "wanted_speed", float(found[1]) if found else None)
+        keeps = None if self.drawn else _KEEPS.search(self.source)
+        object.__setattr__(self, "keeps_limits", keeps is not None and keeps[1] == "True")
         placed = None if self.drawn else _PLACED.search(self.source)
         kind = placed[1] if placed else CAR
         object.__setattr__(self, "ego_kind", kind if kind in LIMITS else CAR)

@@ -81,5 +81,5 @@ def _seen(preset: str, ego: _Car, others: list[_Car]) -> Observation:
     view.locate(ego.x, ego.y)
     if preset == "safebench":
         return view.four_numbers(ego.x, ego.y, ego.heading, ego.speed, bool(others))
-    see = {"actors": view.actors, "road": view.road}[preset]
+    see = {"actors": view.actors, "road": view.road, "traffic": view.traffic}[preset]
     return see(ego, [(other, False, math.inf) for other in others])

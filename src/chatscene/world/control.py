@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.terms.polyline import Polyline
+from chatscene.terms.profile import HELD_BACK
 
 Pose = tuple[float, float, float, float]  # x [m], y [m], heading [rad, 0 = +x, counter-clockwise], speed [m/s]
 
@@ -19,7 +20,6 @@ LOOK_AHEAD = 4.0  # [m], least distance of the point aimed at
 LOOK_AHEAD_TIME = 0.6  # [s]
 CURVE_ACCELERATION = 4.0  # [m/s²], lateral, that a driver takes curves with
 CURVE_BRAKING = 3.0  # [m/s²], with which a driver slows for a curve ahead
-HELD_BACK = 0.8  # share of what the road holds that a driver who knows the road uses in and before a curve
 
 
 _EVEN = 2.0  # times the shortest segment of a line, up to which its segments are of one length

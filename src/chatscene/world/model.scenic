@@ -84,6 +84,7 @@ class Car(Driven, Car):
     route: None
     orders: ()
     wantedSpeed: None
+    keepsLimits: False
     backwards: False
 
 class Truck(Car):

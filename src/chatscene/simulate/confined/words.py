@@ -179,7 +179,7 @@ METHODS = frozenset(("offset", "project"))
 """What may be called on a thing: a line beside a line, and where on a line a point lies."""
 
 PROPERTIES = _set(
-    "allowCollisions backwards behavior heading label length orders roadDeviation role route speed velocity"
+    "allowCollisions backwards behavior heading keepsLimits label length orders roadDeviation role route speed velocity"
     " wantedSpeed width"
 )
 """What may follow ``with``."""

@@ -29,7 +29,7 @@ from chatscene.world.control import curve_speeds
 
 THING, VEHICLE, WALKER = 0, 1, 2  # these and the next as engine.c numbers them
 UNTIL, AFTER = 1, 2
-PRESETS = {"safebench": 0, "actors": 1, "road": 2}
+PRESETS = {"safebench": 0, "actors": 1, "road": 2, "traffic": 3}
 ON_FOOT = ("MoveAhead", "Halt")  # what somebody on foot can do
 STANDING = ("Park", "Halt")  # what a thing can do
 ORDER = [
@@ -146,8 +146,10 @@ class _Binder:
             world.wheelbase, world.wheel_angle = own.wheelbase, own.wheel_angle
         world.dt, world.arrival = session.settings.dt, ARRIVAL * session.route.length
         world.along, world.offset = session.along, session.offset
-        if session.preset == "road":
+        if session.preset in ("road", "traffic"):
             world.room = self._doubles(session.around.room)
+        if session.allowed is not None:
+            world.allowed = self._doubles(session.allowed)
         offsets[0] = session.offset
         world.kept = self._kept
         return Bound(world, rows, offsets)

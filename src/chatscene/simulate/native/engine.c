@@ -26,6 +26,9 @@
 #define OWN 14
 #define ACTORS_SIZE (OWN + NEAREST * PER_ACTOR)
 #define ROAD_SIZE (ACTORS_SIZE + 2)
+#define TRAFFIC_SIZE (ROAD_SIZE + 1)
+#define USUAL 8.0
+#define UNHELD 100.0
 #define STACK 64
 #define LOCALS 8
 #define ARGUMENTS 6
@@ -34,7 +37,7 @@
 
 enum { THING, VEHICLE, WALKER };
 enum { GOES_ON, COLLISION, ARRIVED, TIMEOUT };
-enum { SAFEBENCH, ACTORS, ROAD };
+enum { SAFEBENCH, ACTORS, ROAD, TRAFFIC };
 #define STEPS 20 /* that the planner looks ahead */
 #define WAYS 49 /* that it weighs */
 #define EXPECTED (4 * NEAREST)
@@ -136,8 +139,9 @@ typedef struct {
     Order *order;
     double *row, *offsets;  /* what is kept of each state: 4 numbers per body that moves; the ego's offset */
     Contact *contact;
-    const double *room; /* of each segment of the ego's route, left and right of it; where the ego sees the road */
-    double seen[ROAD_SIZE];
+    const double *room;    /* of each point of the ego's route, left and right of it; where the ego sees the road */
+    const double *allowed; /* of each segment of the ego's route, the speed; where the ego sees it */
+    double seen[TRAFFIC_SIZE];
 } World;
 
 typedef struct {
@@ -785,19 +789,19 @@ static void see_actor(const World *w, const Body *ego, const Body *o, double *ou
 
 static const double AHEAD[5] = {5.0, 10.0, 15.0, 20.0, 30.0};
 
-static void see_actors(World *w) {
+static void see_actors(World *w, double scale) {
     const Body *ego = &w->body[0];
     const Line *line = &w->line[0];
     double *seen = w->seen, at[4], distance[NEAREST];
     int64_t found[NEAREST], count = 0;
     segment(line, w->near, at);
-    double left = line->s[line->points - 1] - w->along;
+    double left = line->s[line->points - 1] - w->along, horizon = scale * HORIZON, reach = scale * RANGE;
     seen[0] = ego->speed;
     seen[1] = w->offset;
     seen[2] = heading_error(at[2], at[3], ego->heading);
-    seen[3] = left < HORIZON ? left : HORIZON;
+    seen[3] = left < horizon ? left : horizon;
     for (int i = 0; i < 5; i++) {
-        double s = w->along + AHEAD[i];
+        double s = w->along + scale * AHEAD[i];
         int64_t k = segment_at(line, s);
         double d = s - line->s[k];
         double dx = line->x[k] + d * line->hx[k] - ego->x, dy = line->y[k] + d * line->hy[k] - ego->y;
@@ -807,7 +811,7 @@ static void see_actors(World *w) {
     for (int64_t i = 1; i < w->bodies; i++) { /* the nearest, by distance and then by order */
         const Body *o = &w->body[i];
         double d = hypotenuse(o->x - ego->x, o->y - ego->y);
-        if (!(d < (o->sight < RANGE ? o->sight : RANGE))) continue;
+        if (!(d < (o->sight < reach ? o->sight : reach))) continue;
         int64_t k = count < NEAREST ? count++ : NEAREST;
         while (k > 0 && d < distance[k - 1]) {
             if (k < NEAREST) { distance[k] = distance[k - 1]; found[k] = found[k - 1]; }
@@ -825,12 +829,26 @@ static void see_actors(World *w) {
 /* `SteppedSession._look`: what is kept of a state, what the ego sees of it, whether it is the last. */
 static void locate(World *w) { project(&w->line[0], w->body[0].x, w->body[0].y, &w->near, &w->along, &w->offset); }
 
+/* `RouteView._beside`. */
+static void see_room(World *w, double scale) {
+    const double *s = w->line[0].s;
+    int64_t near = w->near, points = w->line[0].points;
+    double end = s[near] + scale * AHEAD[4], *room = &w->seen[ACTORS_SIZE];
+    room[0] = w->room[2 * near];
+    room[1] = w->room[2 * near + 1];
+    for (int64_t i = near + 1; i < points && (i == near + 1 || s[i] <= end); i++) {
+        if (w->room[2 * i] < room[0]) room[0] = w->room[2 * i];
+        if (w->room[2 * i + 1] < room[1]) room[1] = w->room[2 * i + 1];
+    }
+}
+
 static void see(World *w) {
     if (w->preset == SAFEBENCH) { see_four_numbers(w); return; }
-    see_actors(w);
-    if (w->preset != ROAD) return;
-    w->seen[ACTORS_SIZE] = w->room[2 * w->near];
-    w->seen[ACTORS_SIZE + 1] = w->room[2 * w->near + 1];
+    double far = w->preset == TRAFFIC ? w->body[0].speed / USUAL : 1.0, scale = far > 1.0 ? far : 1.0;
+    see_actors(w, scale);
+    if (w->preset == ACTORS) return;
+    see_room(w, scale);
+    if (w->preset == TRAFFIC) w->seen[ROAD_SIZE] = w->allowed[w->near] < UNHELD ? w->allowed[w->near] : UNHELD;
 }
 
 static void look(World *w) {
@@ -1287,7 +1305,7 @@ static void network(const Policy *policy, const double *seen, double *accelerati
     if (policy->output == BY_WAY) {
         int chosen = 0;
         for (int way = 1; way < WAYS; way++) if (in[way] > in[chosen]) chosen = way;
-        double to = policy->layer[0].inputs == ROAD_SIZE ? shift_of(&policy->car, seen, chosen) : SHIFTS[chosen % 7];
+        double to = policy->layer[0].inputs >= ROAD_SIZE ? shift_of(&policy->car, seen, chosen) : SHIFTS[chosen % 7];
         double wish = smaller(policy->caution.speed, curve_speed(seen));
         carry_out(&policy->car, seen, chosen, to, wish, acceleration, steer);
         return;

@@ -26,7 +26,7 @@ from chatscene.simulate.native.building import NoEngine, compile_engine, source_
 PACKAGED = Path(__file__).with_name("libengine.so")  # by a name that Python takes for no module of ours
 _SEAL = 16  # bytes
 CHECKED = 4000  # numbers on which each function is held against Python's
-ARGUMENTS, LOCALS, SEEN, MOST_BODIES, STACK, STEPS = 6, 8, 82, 32, 64, 20  # as in engine.c
+ARGUMENTS, LOCALS, SEEN, MOST_BODIES, STACK, STEPS = 6, 8, 83, 32, 64, 20  # as in engine.c
 END = 2**63 - 1  # a step that no scene comes to
 
 _Doubles = POINTER(c_double)
@@ -167,6 +167,7 @@ class World(Structure):
         ("offsets", _Doubles),
         ("contact", POINTER(Contact)),
         ("room", _Doubles),
+        ("allowed", _Doubles),
         ("seen", c_double * SEEN),
     )
 
