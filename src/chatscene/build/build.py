@@ -9,10 +9,11 @@ from dataclasses import dataclass, replace
 from chatscene.build.actor import SOME, Actor
 from chatscene.build.anchors import anchor_of
 from chatscene.build.asked import ROOM, Meets, between, stands_first
+from chatscene.build.awaiting import in_phases, met_by
 from chatscene.build.backing import check_met
 from chatscene.build.coming import wanted_by
 from chatscene.build.contact import at_a_corner, parts_in_line
-from chatscene.build.ego import BuiltEgo, ego_of
+from chatscene.build.ego import BuiltEgo, ego_of, ordered
 from chatscene.build.finding import find, started
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
@@ -94,7 +95,10 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     declared = [f"param {one.name} = Range({one.low}, {one.high})" for one in numbers]
     query = ", ".join(f"{key}={value!r}" for key, value in (found.query | ego.query).items())
     about = ", 3.14159" if backs(situation) else ""
-    placed = f"at startOf(egoRoute), facing directionOn(egoRoute, 0{about}), with route egoRoute{ego.properties}"
+    orders = ordered(in_phases(ego.orders, situation, {actor.one.id: actor for actor, _ in everybody}))
+    placed = (
+        f"at startOf(egoRoute), facing directionOn(egoRoute, 0{about}), with route egoRoute{ego.properties}{orders}"
+    )
     cls = situation.ego.body.row.scenic
     source = "\n".join(
         (
@@ -176,7 +180,7 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         if (anchor := anchors.get(one.id)) is not None and anchor[0].id in built:
             first, room = built[anchor[0].id], built[anchor[0].id].room + anchor[1]
             first = first.first or first
-        actor = Actor(ledger, found, one, ego.coming, room, first)
+        actor = Actor(ledger, found, one, met_by(one.id, ego.coming, ego.orders), room, first)
         built[one.id] = actor
         if hidden is None and anchors.get(one.id) is None and not before:
             abreast = 1.5 if one.hidden_by is not None else 2.5  # from the same gap

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from chatscene.build.numbers import MOST
 from chatscene.build.relations import speed_of_traffic
@@ -18,6 +18,7 @@ from chatscene.world.places import EgoRoute as Route
 
 _STEP = 0.1  # [s], in which a drive on an empty road is computed
 _LONGEST = 60.0  # [s] of it
+WAITS = 4.0  # [s] that an ego is taken to wait for what somebody else does
 WALKS = 1.6  # [m/s] that an ego backs at, if no speed was said
 _ASIDE = 1.2  # [m] to the side: an ego that turns so far goes over the way of who is beside it
 
@@ -76,6 +77,7 @@ def coming(
         stands: Whether it stands at first.
         gain: How it gets under way [m/s²].
     """
+    orders = tuple(replace(one, till=WAITS) if one.ends else one for one in orders if one.ends or one.phase < 0)
     at, time, now = 0.0, 0.0, 0.0 if stands else speed
     while at < metres and time < _LONGEST:
         allowed = min([speed, *(order.allows(time, at) for order in orders)])

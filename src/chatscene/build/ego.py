@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Generator, Iterator
+from collections.abc import Generator, Iterator, Sequence
 from dataclasses import dataclass, fields
 
+from chatscene.build.awaiting import awaited, waiting
 from chatscene.build.coming import Coming, coming, wanted_by
 from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import MOST
@@ -43,12 +44,14 @@ class BuiltEgo:
         query: What the map is asked for besides.
         coming: How it gets on.
         properties: What stands behind its place.
+        orders: What it is held to; those that wait for a deed of somebody name it (`chatscene.build.awaiting`).
     """
 
     params: tuple[str, ...]
     query: dict[str, float]
     coming: Coming
     properties: str
+    orders: tuple[Order, ...]
 
 
 def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> BuiltEgo:
@@ -82,7 +85,7 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     if stops_across(ego.does) and (across := _across(found, junction=junction)) is not None:
         stop = across
     orders = tuple(_orders(ledger, ego.does, stop, speed))
-    stands = bool(ego.does) and ego.does[0].act is Act.STAND
+    stands = bool(ego.does) and (ego.does[0].act is Act.STAND or _waits_to_set_off(ego.does[0]))
     back = backs(situation)
     if (ego.route in BEGINS or back) and not stands:  # others are to come meanwhile
         stands, orders = True, (Order(at_most=0, till=BESIDE), *orders)
@@ -92,11 +95,20 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     params = ["param egoStart = 'at-line'"] if at_line else []
     params += _lights(ledger, found)
     moving = ", with backwards True" if back else "" if stands else f", with speed {speed:.4g}"
-    given = f", with orders ({', '.join(map(_written, orders))},)" if orders else ""
     metres = TO_LINE + longer if at_line else found.route.eventAt
     comes = coming(speed, orders, metres, stands=stands, gain=gain_in(body))
     query = {"to_line": round(metres, 2)} if at_line and longer else {}
-    return BuiltEgo(params=tuple(params), query=query, coming=comes, properties=moving + wanted + given)
+    return BuiltEgo(params=tuple(params), query=query, coming=comes, properties=moving + wanted, orders=orders)
+
+
+def ordered(orders: Sequence[Order]) -> str:
+    """The orders of an ego, as they stand behind its place."""
+    return f", with orders ({', '.join(map(_written, orders))},)" if orders else ""
+
+
+def _waits_to_set_off(deed: Deed) -> bool:
+    """Whether an ego sets off once somebody else does something, before which it stands."""
+    return deed.act is Act.SET_OFF and awaited(deed) is not None
 
 
 def _across(found: Found, *, junction: bool) -> float | None:
@@ -146,6 +158,13 @@ def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) 
     stops = [k for k, deed in enumerate(deeds) if deed.act is Act.STOP]
     for k, deed in enumerate(deeds):
         at = f"ego.does.{k}"
+        if (waits := awaited(deed)) is not None and deed.act in (Act.SET_OFF, Act.GO_ALONG):
+            name, reference = waits
+            if k == 0 and deed.act is Act.GO_ALONG:
+                ledger.assume(f"the ego goes along before {reference} as well")
+            else:
+                yield waiting(Order(at_most=0, ends=True), name, reference)
+            ledger.take(f"{at}.when.{name}")
         if is_own(deed):  # with all that follow it
             if k == 0 or not is_own(deeds[k - 1]):
                 count = next((n for n, one in enumerate(deeds[k:]) if not is_own(one)), len(deeds) - k)
@@ -176,17 +195,20 @@ def _breaks(ledger: Ledger, deed: Deed, at: str, stop: float, speed: float) -> I
         yield Order(at_least=round(keeps, 2), place=round(max(stop - THROUGH, 0.0), 1), till=round(till, 1))
 
 
-def _then(deeds: tuple[Deed, ...], k: int) -> Act | None:
-    return deeds[k + 1].act if k + 1 < len(deeds) else None
+def _then(deeds: tuple[Deed, ...], k: int) -> Deed | None:
+    return deeds[k + 1] if k + 1 < len(deeds) else None
 
 
 def _pedals(
-    ledger: Ledger, deed: Deed, at: str, then: Act | None, there: float, begins: float, speed: float
+    ledger: Ledger, deed: Deed, at: str, follows: Deed | None, there: float, begins: float, speed: float
 ) -> Generator[Order, None, float]:
     """Orders for a deed at the pedals; gives when [s] what was said with times has gone by."""
+    then = None if follows is None else follows.act
     again = then in (Act.SET_OFF, Act.GO_ALONG, Act.ACCELERATE)
     match deed.act:
         case Act.STAND:
+            if follows is not None and _waits_to_set_off(follows):
+                return begins
             wait = _seconds(ledger, deed, at)
             yield Order(at_most=0, till=wait if again or deed.time is not None else math.inf)
         case Act.STOP:

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from chatscene.build.asked import stands_first
+from chatscene.build.awaiting import awaited, waiting
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import LANE
 from chatscene.terms.amount import Length
@@ -44,16 +45,20 @@ class Near:
         within: How near [m].
         since: After how many seconds [s] the next begins.
         by: After how many seconds [s] the ego has passed somebody who is ahead in its lane; 0 of others.
+        after: Whether a deed is to be done before, if `whom` is one; None if it is a label.
     """
 
     whom: str = ""
     within: float = 0.0
     since: float = 0.0
     by: float = 0.0
+    after: bool | None = None
 
     def order(self, **held: float) -> Order:
         """An order that begins then."""
         order = replace(Order(), **held)
+        if self.after is not None:
+            return waiting(order, "after" if self.after else "during", self.whom)
         return replace(order, whom=self.whom, within=round(self.within, 1)) if self.whom else order
 
 
@@ -139,6 +144,14 @@ def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) -> 
     """When the first of them begins: as was said, or so early that the last is begun before the ego meets somebody."""
     situation, when = ledger.situation, deeds[0].when or When()
     at = f"ego.does.{first}.when"
+    if when.ego_within is None and (waits := awaited(deeds[0])) is not None:
+        name, reference = waits
+        ledger.take(f"{at}.{name}")
+        delay = 0.0
+        if when.delay is not None:
+            ledger.take(f"{at}.delay")
+            delay = max(when.delay.low, 0.0) or when.delay.high
+        return Near(whom=reference, after=name == "after", since=round(delay, 2))
     named = (when.after or when.during or "").partition(".")[0]
     who = when.of or (named if named not in ("", EGO) else None)
     others = [one for one in situation.others if one.starts.where not in NOT_AHEAD]

@@ -21,19 +21,31 @@ class Obedience:
 
     Attributes:
         orders: What it is held to.
-        met: Since when [s] each counts; inf of one that waits until the ego is near to somebody.
+        met: Since when [s] each counts; inf of one that waits for somebody, and of one that is over since it has met.
+        waits: Which wait for somebody.
     """
 
     orders: Sequence[Order]
     met: list[float] = field(init=False)
+    waits: list[bool] = field(init=False)
 
     def __post_init__(self) -> None:
-        self.met = [math.inf if order.whom else 0.0 for order in self.orders]
+        self.waits = [bool(order.whom) for order in self.orders]
+        self.met = [math.inf if order.whom and not order.ends else 0.0 for order in self.orders]
 
-    def meet(self, number: int, time: float, distance: float) -> None:
-        """See how far [m] the ego is from whom an order waits for."""
-        if self.met[number] == math.inf and distance <= self.orders[number].within:
-            self.met[number] = time
+    def meet(self, number: int, time: float, distance: float, phase: int) -> None:
+        """See whom an order waits for.
+
+        Args:
+            number: Of the order.
+            time: Since the beginning [s].
+            distance: From the ego [m], from middle to middle.
+            phase: The number of the phase in which that one is of its plan.
+        """
+        order = self.orders[number]
+        if self.waits[number] and (distance <= order.within or 0 <= order.phase <= phase):
+            self.waits[number] = False
+            self.met[number] = math.inf if order.ends else time
 
     def counting(self, time: float) -> list[tuple[Order, float]]:
         """The orders that count, and for how long [s]."""

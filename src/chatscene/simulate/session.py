@@ -184,7 +184,9 @@ class SteppedSession:
         body, dt, along, held = self._ego, self.settings.dt, self._view.along, self._obedience
         time = self.step_number * dt
         for number, other in self.awaited.items():
-            held.meet(number, time, math.hypot(other.x - body.x, other.y - body.y))
+            if held.waits[number]:
+                phase = self._phase_of(self.simulation.bodies.index(other)) if self.orders[number].phase >= 0 else 0
+                held.meet(number, time, math.hypot(other.x - body.x, other.y - body.y), phase)
         body.throttle, body.brake = held.pedals(
             pressed[:2], time=time, along=along, speed=body.speed, dt=dt, limits=self.limits
         )
@@ -374,13 +376,17 @@ class SteppedSession:
 
     def _reached(self) -> dict[int, int]:
         """How far everybody is who follows a plan: the phase whose line the behavior stands at."""
-        found: dict[int, int] = {}
-        for number, one in enumerate(self.simulation.objects):
-            plan, running = self._plan_of(number), getattr(one.behavior, "_runningIterator", None)
-            if plan is not None and running is not None:
-                frame = running.gi_frame
-                found[number] = len(plan.lines) if frame is None else plan.phase_at(frame.f_lineno)
-        return found
+        found = {number: self._phase_of(number) for number in range(len(self.simulation.objects))}
+        return {number: phase for number, phase in found.items() if phase >= 0}
+
+    def _phase_of(self, number: int) -> int:
+        """How far an object is in its plan; -1 if it follows none."""
+        plan = self._plan_of(number)
+        running = getattr(self.simulation.objects[number].behavior, "_runningIterator", None)
+        if plan is None or running is None:
+            return -1
+        frame = running.gi_frame
+        return len(plan.lines) if frame is None else plan.phase_at(frame.f_lineno)
 
     def _states(self, steps: int) -> list[NDArray[np.float64]]:
         """The state of each body that moves at each step, (4, steps); of one that came later, as it stood at first."""

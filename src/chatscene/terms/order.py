@@ -23,8 +23,11 @@ class Order:
         at_least: The least it drives [m/s], if no order has it slower: it does not brake, whatever is ahead.
         aside: Where it is steered to, metres to the left of its route; nan leaves the wheel to it.
         over: How long [s] it takes to get there.
-        whom: The label of somebody. The order is none until the ego is near to that one, and its times count from then.
+        whom: The label of somebody. The order is none until the ego is near to that one, or that one is so far in its
+            plan, and its times count from then.
         within: How near [m], from middle to middle.
+        phase: The number of the phase of its plan, from 0, in which that one then is, or a later one; -1 for none.
+        ends: Whether the order ends then, having held from the beginning, and does not begin then.
     """
 
     at_most: float = math.inf
@@ -37,6 +40,8 @@ class Order:
     over: float = 0.0
     whom: str = ""
     within: float = 0.0
+    phase: int = -1
+    ends: bool = False
 
     def allows(self, time: float, along: float) -> float:
         """The most the ego may drive [m/s], so many seconds after it counts and metres along its route."""

@@ -288,6 +288,21 @@ def test_an_ordered_ego_on_ice_at_night_is_held_to_its_orders(native: NativeSimu
     assert _agrees(native, program, _scene(), load_ego("rule-based"))
 
 
+@pytest.mark.parametrize("until", (False, True))
+def test_an_order_that_waits_for_how_far_somebody_is_in_its_plan_holds_from_then_or_until_then(
+    native: NativeSimulator, until: bool
+) -> None:
+    order = f"Order(at_most=0, whom='other', phase=1, ends={until})"
+    other = "new Car at pointOn(egoRoute, 40, 3.5), with label 'other', with behavior Waits()"
+    waits = "behavior Waits():\n    do Halt() for 2 seconds\n    do DrivePath(egoRoute, 7)\n"
+    program = _program(PHASES["Halt"], ego=f", with orders ({order},)", more=waits + other)
+    episode = _agrees(native, program, _scene(), load_ego("idm"))
+    assert episode is not None
+    speed = episode.ego_track.speed
+    before, then = float(speed[:20].max()), float(speed[40:].max())
+    assert (before == 0.0, then == 0.0) == (until, not until)
+
+
 def test_two_act_and_things_stand_and_the_drive_goes_on_through_a_contact(native: NativeSimulator) -> None:
     more = (
         "new Cone at pointOn(egoRoute, 12, 0.5), facing directionOn(egoRoute, 12)\n"

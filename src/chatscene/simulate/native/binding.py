@@ -172,7 +172,11 @@ class _Binder:
 
     def _order(self, number: int, order: Order) -> engine.Order:
         of = self._bodies.index(self._session.awaited[number]) if order.whom else -1
-        row = engine.Order(of=of, met=np.inf if order.whom else 0.0)
+        plans = [i for i, one in enumerate(self._objects) if one.behavior is not None]
+        follows = of >= 0 and type(self._objects[of].behavior).__name__ in self._plans
+        agent = plans.index(of) if follows else -1
+        met = np.inf if order.whom and not order.ends else 0.0
+        row = engine.Order(of=of, agent=agent, phase=order.phase, ends=order.ends, met=met)
         for name in ("at_most", "since", "till", "place", "braking", "at_least", "aside", "over", "within"):
             setattr(row, name, getattr(order, name))
         return row

@@ -107,7 +107,8 @@ typedef struct {
 
 typedef struct {
     double at_most, since, till, place, braking, at_least, aside, over, within, met; /* met: since when it counts */
-    int64_t of;                               /* index of the body that it waits for, -1 for none */
+    int64_t of, agent, phase; /* indices of the body that it waits for and of its plan, and a phase; -1 for none */
+    int64_t ends;             /* whether it ends then */
 } Order;
 
 typedef struct {
@@ -891,9 +892,13 @@ static void obey(World *w, Body *ego) {
     double left = NAN;
     for (int64_t i = 0; i < w->orders; i++) {
         Order *o = &w->order[i];
-        if (o->of >= 0 && o->met == INFINITY) {
+        if (o->of >= 0) {
             const Body *other = &w->body[o->of];
-            if (hypotenuse(other->x - ego->x, other->y - ego->y) <= o->within) o->met = time;
+            int so_far = o->phase >= 0 && o->agent >= 0 && w->agent[o->agent].phase >= o->phase;
+            if (so_far || hypotenuse(other->x - ego->x, other->y - ego->y) <= o->within) {
+                o->of = -1;
+                o->met = o->ends ? INFINITY : time;
+            }
         }
         if (o->met == INFINITY) continue;
         double for_time = time - o->met, then = for_time + w->dt;

@@ -113,7 +113,7 @@ class Order(Structure):
             (name, c_double)
             for name in ("at_most", "since", "till", "place", "braking", "at_least", "aside", "over", "within", "met")
         ),
-        ("of", c_int64),
+        *((name, c_int64) for name in ("of", "agent", "phase", "ends")),
     )
 
 
