@@ -477,7 +477,10 @@ def drive(
 @main.command()
 @click.option("--algorithm", default="sac", show_default=True, help="sac, ppo or td3.")
 @click.option(
-    "--observation", default="safebench", show_default=True, help="What the ego sees: safebench, actors or road."
+    "--observation",
+    default="safebench",
+    show_default=True,
+    help="What the ego sees: safebench, actors, road or traffic.",
 )
 @click.option("--reward", default="progress", show_default=True, help="What it is paid for: progress or safebench.")
 @click.option("--pedals", default="safebench", show_default=True, help="safebench, or full-brake.")

@@ -9,18 +9,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from scenic.core.distributions import RejectionException, distributionFunction
 from scenic.core.vectors import Vector
 
 from chatscene.errors import MapError
 from chatscene.maps.crossings import passing_path
 from chatscene.maps.lane_runs import centre_line, lane_runs
+from chatscene.maps.limits import limits_along
 from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
 from chatscene.maps.onward import route_through
 from chatscene.maps.ring_ways import ring_ways
@@ -28,6 +30,7 @@ from chatscene.maps.routes import TO_LINE, CrossingPath, conflicting_paths, find
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.pace import Pace
 from chatscene.terms.polyline import Polyline
+from chatscene.terms.profile import allowed_speeds
 from chatscene.terms.route import Beside, Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.world.control import Tracker
@@ -70,6 +73,20 @@ class EgoRoute:
 
     def __repr__(self) -> str:
         return f"EgoRoute({self.route.id})"
+
+    @cached_property
+    def limits(self) -> NDArray[np.float64]:
+        """(segments,): the speed [m/s] that the map, or the kind of its roads, allows on each segment of its line."""
+        return limits_along(self.network, self.line, self.route.lane_ids)
+
+    def allowed(self, *, keeps_limits: bool, grip: float = math.inf) -> NDArray[np.float64]:
+        """(segments,): the speed [m/s] at which each segment may be driven, as the preset `traffic` shows it.
+
+        Args:
+            keeps_limits: Whether its limits count, beside its bends.
+            grip: What the road holds [m/s²].
+        """
+        return allowed_speeds(self.line, self.limits if keeps_limits else None, grip)
 
 
 def _exit_of(route: Route, network: Any) -> float:
@@ -197,6 +214,12 @@ def pointOn(path: Any, ahead: float, left: float = 0.0) -> Vector:  # noqa: N802
         direction = line.heading_at(ahead)
         x, y = x - left * math.sin(direction), y + left * math.cos(direction)
     return Vector(x, y)
+
+
+@_deferred
+def speedOn(route: EgoRoute, ahead: float, wanted: float) -> float:  # noqa: N802
+    """What an ego drives at [m/s] that wants a speed [m/s], so far [m] along its route: no more than is allowed."""
+    return min(float(route.allowed(keeps_limits=True)[route.line.segment_at(ahead)]), wanted)
 
 
 @_deferred
