@@ -14,6 +14,7 @@ from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.drive import Ran
 from chatscene.measure.score import columns, measure
+from chatscene.measure.speeds import speeds
 from chatscene.report.viewer import write_report
 from chatscene.runs import (
     Driven,
@@ -202,6 +203,7 @@ def block(
                 measurements=measurements,
                 metrics=columns(measurements),
                 meaning=meaning,
+                speeds=speeds(episode),
                 criticality=criticality(episode),
                 fault=fault(episode),
                 avoidable=None if episode.collision is None else index % 3 > 0,

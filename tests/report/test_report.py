@@ -65,6 +65,7 @@ from chatscene.search.generators.own_program import generator_for
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.terms.criticality import Criticality
 from chatscene.terms.episode import Episode, Role, contact_point
+from chatscene.terms.speeds import Speeds
 from fake_run import (
     DECLARED,
     DT,
@@ -323,10 +324,15 @@ def test_every_preset_has_words() -> None:
 
 def test_every_number_of_a_scene_has_a_name_a_unit_and_a_direction(tmp_path: Path) -> None:
     row = next(row for row in read_scenes(finished(tmp_path / "run", count=1)) if row["status"] == "ran")
-    assert set(metrics_of(row)) | {f.name for f in fields(Criticality)} - {"impact_speed", "severity"} == set(MEASURES)
-    for one in measures_in_words(dict.fromkeys(MEASURES, 0.5)):
-        assert re.search(r"[\d.]+ (s|m|m/s²)$", one["value"]) or "; more is" in one["note"]
-        assert one["note"].endswith(("more is better", "more is worse"))
+    apart = {"impact_speed", "severity", "ego_kind", "other_kind"}
+    kept = {f.name for noun in (Criticality, Speeds) for f in fields(noun)} - apart
+    assert set(metrics_of(row)) | kept == set(MEASURES)
+    told = measures_in_words(dict.fromkeys(MEASURES, 0.5))
+    assert len(told) == len(MEASURES)
+    for one, measure in zip(told, MEASURES.values(), strict=True):
+        assert re.search(r"[\d.]+ (s|m|m/s|m/s²|rad)$", one["value"]) or "; more is" in one["note"]
+        assert one["note"].endswith(f"more is {measure.more}" if measure.more else measure.of)
+        assert measure.more in ("better", "worse", "")
 
 
 @pytest.mark.parametrize(("needed", "said"), [(9.9, True), (88.4, True), (8.0, False)])

@@ -15,7 +15,7 @@ from chatscene.simulate.boxes import NOTHING, Boxes, Pair, least_gap, post_encro
 from chatscene.simulate.contact import side_touched
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.criticality import Criticality, Fault, Severity
-from chatscene.terms.episode import Episode, Event, Role, Track
+from chatscene.terms.episode import Array, Episode, Event, Role, Track
 
 STILL = 0.05  # [m], who moved less than this until contact never moved
 CRAWL = 0.1  # [m/s], below this an ego follows nobody
@@ -67,17 +67,26 @@ def part_struck(track: Track, by: Track, step: int) -> str:
     return side_touched(track, by, step)
 
 
-def _ego_strikes(ego: Track, other: Track, step: int) -> bool:
-    """Whether the ego moved at least as far toward the other as the other toward it, in the step before `step`."""
+def line_of_contact(ego: Track, other: Track, step: int) -> Array:
+    """(2,) The normal, from the ego to the other, of the side at which they met in the step before `step`."""
+    mine, theirs = _moved(ego, step), _moved(other, step)
     before = max(step - 1, 0)
-    mine = np.array((ego.x[step] - ego.x[before], ego.y[step] - ego.y[before]))
-    theirs = np.array((other.x[step] - other.x[before], other.y[step] - other.y[before]))
     pair = Pair.of(Boxes.of(ego).at(before), Boxes.of(other).at(before))
     # The boxes met on the axis on which they were apart for longest.
     enter, _ = pair.overlap(*(theirs - mine))
     axis = int(np.argmax(enter))
-    normal = np.array((pair.axis_x[axis], pair.axis_y[axis])) * math.copysign(1.0, pair.offset[axis])
-    return bool(mine @ normal >= -theirs @ normal - NOTHING)
+    return np.array((pair.axis_x[axis], pair.axis_y[axis])) * math.copysign(1.0, pair.offset[axis])
+
+
+def _ego_strikes(ego: Track, other: Track, step: int) -> bool:
+    """Whether the ego moved at least as far toward the other as the other toward it, in the step before `step`."""
+    normal = line_of_contact(ego, other, step)
+    return bool(_moved(ego, step) @ normal >= -_moved(other, step) @ normal - NOTHING)
+
+
+def _moved(track: Track, step: int) -> Array:
+    before = max(step - 1, 0)
+    return np.array((track.x[step] - track.x[before], track.y[step] - track.y[before]))
 
 
 def _struck(episode: Episode, crash: Event) -> Track:

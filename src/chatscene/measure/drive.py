@@ -9,6 +9,7 @@ from chatscene.measure.avoidability import avoidable
 from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.score import columns, measure
+from chatscene.measure.speeds import speeds
 from chatscene.measure.unplayed import unplayed
 from chatscene.program.shown import shown
 from chatscene.simulate.simulator import Simulator, simulate
@@ -18,6 +19,7 @@ from chatscene.terms.episode import Episode
 from chatscene.terms.metrics import Measurements
 from chatscene.terms.scenario import Said
 from chatscene.terms.scene import CAR, Rejected, Scene, ScenicProgram
+from chatscene.terms.speeds import Speeds
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,6 +35,7 @@ class Ran:
         cut: How many facts a contact cut short that were to be seen to their end.
         touch: Whether it was said that there is a contact; None where nothing was said of one.
         criticality: How close it came.
+        speeds: How fast who was, and how hard they met.
         fault: Who ran into whom; None without a collision.
         avoidable: Whether a careful driver would have avoided the collision; None without one.
         crash_type: Of which kind the collision is; empty without one.
@@ -46,6 +49,7 @@ class Ran:
     metrics: dict[str, float]
     meaning: tuple[str, ...]
     criticality: Criticality
+    speeds: Speeds
     fault: Fault | None
     avoidable: bool | None
     crash_type: str
@@ -84,6 +88,7 @@ def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simula
         cut=found.cut,
         touch=found.touch,
         criticality=criticality(episode),
+        speeds=speeds(episode),
         fault=fault(episode),
         avoidable=avoidable(episode, program, scene, ego, simulator),
         crash_type=crash_type(episode),

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 import pyarrow as pa
@@ -123,7 +124,7 @@ def _read(run: runs.Workspace, record: runs.RunRecord, name: str) -> Mapping[str
     named = {str(one) for one in ranges.column("parameter").to_pylist()} - set(SCENES.names)
     parameters = [one for one in scenes.column_names if one.startswith("OPT_") or one in named]
     return {
-        "runs": _table("runs", [{"run": name, **_run_row(run.path, record)}]),
+        "runs": _table("runs", [{"run": name, **_run_row(run.path, record), **_speeds(scenes)}]),
         "facts": _table("facts", [{"run": name, **row} for row in _facts(run, scenes)]),
         "scenes": _of_run(name, scenes.drop_columns(parameters)),
         "parameters": _table("parameters", [{"run": name, **row} for row in _parameters(scenes, ranges, parameters)]),
@@ -166,6 +167,16 @@ def _run_row(path: Path, record: runs.RunRecord) -> dict[str, Any]:
         "edited_from": record.edited_from or None,
         "seconds": record.timings.get("total"),
         **{name: record.counts.get(name) for name in _COUNTS},
+    }
+
+
+def _speeds(scenes: Table) -> dict[str, float | None]:
+    """How fast its drives were [m/s]."""
+    of = {"ego_speed": "ego_speed_before", "other_speed": "other_speed_before", "impact_speed": "impact_speed"}
+    told = {name: [one for one in scenes.column(column).to_pylist() if one is not None] for name, column in of.items()}
+    return {
+        name: (max(values) if name == "impact_speed" else median(values)) if values else None
+        for name, values in told.items()
     }
 
 

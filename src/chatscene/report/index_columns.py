@@ -105,6 +105,14 @@ _RUNS = (
     Column("waiting", "scenes in which the ego waited behind somebody to the end", type=WHOLE),
     Column("selected", "scenes that were kept", type=WHOLE),
     Column("fill_in", "of these, scenes without a collision", type=WHOLE),
+    Column(
+        "ego_speed",
+        "median over its drives of `ego_speed_before`; null, like the next two, in older folders",
+        "m/s",
+        NUMBER,
+    ),
+    Column("other_speed", "median of `other_speed_before`", "m/s", NUMBER),
+    Column("impact_speed", "highest speed of approach at a collision; null without one", "m/s", NUMBER),
     Column("seconds", "wall time of all calls that worked on it", "s", NUMBER),
 )
 
@@ -136,6 +144,7 @@ _FACTS = (
     Column("spawn", "the snippet that was chosen for the spawn position"),
 )
 
+_RISK = "probability that who {}, by a published curve; 0.5 stands for a half or more, null where none holds"
 _OF_SCENES: dict[str, tuple[str, str]] = {
     "scenario_id": (_SCENARIO.meaning, ""),
     "route_id": ("the route", ""),
@@ -151,6 +160,11 @@ _OF_SCENES: dict[str, tuple[str, str]] = {
     "impact_speed": ("speed of approach at the first collision; null without one", "m/s"),
     "severity": (_one_of("class of ISO 26262 that follows from it; null without a collision", Severity), ""),
     "crash_type": ("which kind of crash it is: who struck whom with what and where; null without a collision", ""),
+    "ego_kind": ("class of the ego", ""),
+    "other_kind": (
+        "class of whom the ego meets: whom it collides with, else the adversary that came nearest; null if nobody",
+        "",
+    ),
     "meaning_ok": ("whether the drive shows all that was read in the sentence", ""),
     "meaning_failures": ("what it does not show", ""),
     "ego": ("who drove", ""),
@@ -165,6 +179,23 @@ _OF_SCENES: dict[str, tuple[str, str]] = {
     "time_headway": ("least time that the ego needed to where an adversary ahead was", "s"),
     "deceleration_required": ("greatest braking that just avoids an adversary ahead", "m/s²"),
     "distance": ("least gap between the ego and an adversary; 0 in a contact", "m"),
+    "encounter_time": ("when the encounter begins: the last moment before either of them brakes for it", "s"),
+    "ego_speed_before": ("the ego's speed then", "m/s"),
+    "other_speed_before": ("the speed of whom it meets then", "m/s"),
+    "ego_speed_most": ("the ego's highest speed up to the nearest moment or the contact", "m/s"),
+    "other_speed_most": ("the highest speed of whom it meets up to then", "m/s"),
+    "ego_braking_most": ("the ego's hardest braking up to then", "m/s²"),
+    "other_braking_most": ("the hardest braking of whom it meets up to then", "m/s²"),
+    "ego_speed_at_impact": ("the ego's speed just before the first collision; null, like the next ten, without", "m/s"),
+    "other_speed_at_impact": ("the speed of whom or what it strikes then", "m/s"),
+    "closing_speed": ("the part of `impact_speed` along the line of contact", "m/s"),
+    "impact_angle": ("heading of whom it strikes less the ego's: 0 is the same way, ±π oncoming", "rad"),
+    "ego_delta_v": ("by how much the impact changes the ego's velocity, by the masses", "m/s"),
+    "other_delta_v": ("the same of whom it strikes; null of a thing that stands", "m/s"),
+    "ego_injury_risk": (_RISK.format("on or in the ego is seriously injured or dies (MAIS 3+)"), ""),
+    "other_injury_risk": (_RISK.format("it strikes is seriously injured or dies (MAIS 3+)"), ""),
+    "ego_death_risk": (_RISK.format("is the ego, on foot, dies"), ""),
+    "other_death_risk": (_RISK.format("it strikes dies"), ""),
     "raw_collided": ("1 if the ego collided", ""),
     "raw_red_lights": ("red lights run", ""),
     "raw_stop_signs": ("stop signs ignored", ""),

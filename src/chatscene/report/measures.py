@@ -19,8 +19,11 @@ GRAVITY = 9.81  # [m/s²]; no tyre on a dry road brakes harder
 TOUCHED = ("time_to_collision", "post_encroachment_time", "distance")  # what a contact makes 0
 
 
+_CURVE = "by a published curve, MAIS 3+ or death; 0.5 stands for a half or more"
+
+
 class Measure(NamedTuple):
-    """A number of a scene: its name, its unit or what it is a share of, and what more of it means for the ego."""
+    """A number of a scene: its name, its unit or what it is a share of, and what more of it means, if for the ego."""
 
     name: str
     more: str
@@ -47,6 +50,23 @@ MEASURES: dict[str, Measure] = {
     "time_headway": Measure("least time headway", "better", "s"),
     "deceleration_required": Measure("deceleration required", "worse", "m/s²"),
     "distance": Measure("least distance", "better", "m"),
+    "encounter_time": Measure("the encounter begins at", "", "s", of="just before either brakes for it"),
+    "ego_speed_before": Measure("the ego's speed then", "", "m/s"),
+    "other_speed_before": Measure("the other's speed then", "", "m/s"),
+    "ego_speed_most": Measure("the ego's highest speed", "", "m/s", of="up to the nearest moment"),
+    "other_speed_most": Measure("the other's highest speed", "", "m/s", of="up to the nearest moment"),
+    "ego_braking_most": Measure("the ego's hardest braking", "worse", "m/s²"),
+    "other_braking_most": Measure("the other's hardest braking", "", "m/s²"),
+    "ego_speed_at_impact": Measure("the ego's speed at the impact", "worse", "m/s"),
+    "other_speed_at_impact": Measure("the other's speed at the impact", "", "m/s"),
+    "closing_speed": Measure("closing speed", "worse", "m/s", of="along the line of contact"),
+    "impact_angle": Measure("angle of the impact", "", "rad", of="0 is the same way, ±π oncoming"),
+    "ego_delta_v": Measure("the ego's change of velocity", "worse", "m/s", of="if the two go on as one"),
+    "other_delta_v": Measure("the other's change of velocity", "worse", "m/s", of="if the two go on as one"),
+    "ego_injury_risk": Measure("risk of serious injury in or on the ego", "worse", of=_CURVE),
+    "other_injury_risk": Measure("risk of serious injury of the other", "worse", of=_CURVE),
+    "ego_death_risk": Measure("risk of death on the ego", "worse", of=_CURVE),
+    "other_death_risk": Measure("risk of death of the other", "worse", of=_CURVE),
 }
 
 
@@ -72,4 +92,4 @@ def _note(column: str, value: float) -> str:
         said = "they touched"
     else:
         said = measure.of
-    return "; ".join(filter(None, (said, f"more is {measure.more}")))
+    return "; ".join(filter(None, (said, measure.more and f"more is {measure.more}")))

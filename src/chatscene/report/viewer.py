@@ -29,6 +29,7 @@ from chatscene.runs import (
     read_ranges,
     read_record,
     read_scenes,
+    speeds_of,
 )
 from chatscene.runs.atomic import write_bytes
 from chatscene.runs.beside import Beside, drive_beside
@@ -181,7 +182,7 @@ def _numbers(rows: Sequence[Mapping[str, Any]]) -> tuple[list[list[tuple[int, st
     measures: dict[tuple[str, str], int] = {}
     numbers = [
         [(measures.setdefault((one["name"], one["note"]), len(measures)), one["value"]) for one in in_words(told)]
-        for told in (metrics_of(row) | criticality_of(row) for row in rows)
+        for told in (metrics_of(row) | criticality_of(row) | speeds_of(row) for row in rows)
     ]
     return numbers, list(measures)
 

@@ -69,7 +69,15 @@ if TYPE_CHECKING:
         settings_from,
         settings_of,
     )
-    from chatscene.runs.tables import criticality_of, measurements_of, metrics_of, route_id, route_index, scene_of
+    from chatscene.runs.tables import (
+        criticality_of,
+        measurements_of,
+        metrics_of,
+        route_id,
+        route_index,
+        scene_of,
+        speeds_of,
+    )
     from chatscene.runs.workspace import (
         Workspace,
         changed_versions,
@@ -152,6 +160,7 @@ __all__ = [
     "scene_of",
     "settings_from",
     "settings_of",
+    "speeds_of",
     "standing",
     "take_up",
     "update",
@@ -176,7 +185,7 @@ _NAMES = {
         "MapRecord ProgramRecord Record ReportRecord ReproductionRecord RunRecord SimulatorRecord "
         "SituationRecord SourceRecord Status TrainingRecord settings_from settings_of"
     ),
-    "tables": "criticality_of measurements_of metrics_of route_id route_index scene_of",
+    "tables": "criticality_of measurements_of metrics_of route_id route_index scene_of speeds_of",
     "workspace": (
         "Workspace changed_versions create free_folder note open_run read_drawing read_programs "
         "read_record require_done run_folders standing take_up update write_drawing "

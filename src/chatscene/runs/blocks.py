@@ -135,6 +135,9 @@ def _ran_row(ran: Ran) -> SceneRow:
         criticality={
             name: value for name, value in asdict(ran.criticality).items() if name not in ("impact_speed", "severity")
         },
+        speeds={name: value for name, value in asdict(ran.speeds).items() if not name.endswith("_kind")},
+        ego_kind=ran.speeds.ego_kind,
+        other_kind=ran.speeds.other_kind,
         severity=ran.criticality.severity,
         fault=ran.fault,
         avoidable=ran.avoidable,

@@ -482,6 +482,9 @@ class SceneRow(_Frozen):
     metrics: dict[str, float] = {}
     measurements: dict[str, float | None] = {}
     criticality: dict[str, float | None] = {}
+    speeds: dict[str, float | None] = {}
+    ego_kind: str | None = None
+    other_kind: str | None = None
     severity: str | None = None
     fault: str | None = None
     avoidable: bool | None = None

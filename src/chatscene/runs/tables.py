@@ -25,6 +25,7 @@ from chatscene.terms.criticality import Criticality
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
 from chatscene.terms.metrics import Measurements
 from chatscene.terms.scene import Scene, ScenicProgram
+from chatscene.terms.speeds import Speeds
 from chatscene.terms.surroundings import Surroundings
 
 Table = Any  # a `pyarrow.Table`; pyarrow ships no types
@@ -109,6 +110,8 @@ _SCENE_OUTCOME = pa.schema(
         ("fault", pa.string()),
         ("avoidable", pa.bool_()),
         ("crash_type", pa.string()),
+        ("ego_kind", pa.string()),
+        ("other_kind", pa.string()),
         ("ego", pa.string()),
         ("ending", pa.string()),
         ("route_completion", pa.float64()),
@@ -128,7 +131,8 @@ _SCENE_TAIL = pa.schema(
 RAW = "raw_"  # what the metrics are computed from, so that any set of scenes can be scored from the table alone
 _MEASUREMENTS = tuple(f"{RAW}{field.name}" for field in fields(Measurements))
 _CRITICALITY = tuple(field.name for field in fields(Criticality) if field.name not in ("impact_speed", "severity"))
-_NUMBERS = pa.schema([(name, pa.float64()) for name in (*_CRITICALITY, *_MEASUREMENTS)])
+_SPEEDS = tuple(field.name for field in fields(Speeds) if field.name not in ("ego_kind", "other_kind"))
+_NUMBERS = pa.schema([(name, pa.float64()) for name in (*_CRITICALITY, *_SPEEDS, *_MEASUREMENTS)])
 SCENES = pa.schema([*_SCENE_HEAD, *_SCENE_OUTCOME, *_NUMBERS, *_SCENE_TAIL])  # and those of parameters and metrics
 _FIXED = frozenset(SCENES.names) - {"overall_score"}
 # What a scene that was driven may lack. The last two are of the ego only.
@@ -140,11 +144,14 @@ _OPTIONAL = frozenset(
         "fault",
         "avoidable",
         "crash_type",
+        "ego_kind",
+        "other_kind",
         f"{RAW}time",
         "distance_to_route",
         "off_road",
     }
     | set(_CRITICALITY)
+    | set(_SPEEDS)
 )
 # What folders lack that were written before there was such a column, and what every scene that was driven had then.
 _LATER: dict[str, str | None] = {
@@ -306,6 +313,11 @@ def criticality_of(row: Mapping[str, Any]) -> dict[str, float]:
     return {name: row[name] for name in _CRITICALITY if row[name] is not None}
 
 
+def speeds_of(row: Mapping[str, Any]) -> dict[str, float]:
+    """The speeds in a row of `scenes.parquet`, by name; those that do not apply, or were not kept, are left out."""
+    return {name: row[name] for name in _SPEEDS if row[name] is not None}
+
+
 def scene_of(row: Mapping[str, Any], program: ScenicProgram) -> Scene:
     """The scene in a row of `scenes.parquet`, ready to be driven again.
 
@@ -346,12 +358,12 @@ def measurements_of(row: Mapping[str, Any]) -> Measurements:
     return Measurements(**numbers | {"collided": bool(numbers["collided"])})
 
 
-_NO_COLUMNS = {"values", "metrics", "measurements", "criticality", "waits", "stepped", "instead", "unplayed"}
+_NO_COLUMNS = {"values", "metrics", "measurements", "criticality", "speeds", "waits", "stepped", "instead", "unplayed"}
 
 
 def _scene_row(part: Part, scene: SceneRow, selected: Mapping[str, bool]) -> dict[str, Any]:
     row = scene.model_dump(exclude=_NO_COLUMNS)
-    row |= scene.values | scene.metrics | scene.criticality
+    row |= scene.values | scene.metrics | scene.criticality | scene.speeds
     row |= {f"{RAW}{name}": value for name, value in scene.measurements.items()}
     driven = scene.reason is None
     if driven:

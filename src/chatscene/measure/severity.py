@@ -1,0 +1,188 @@
+"""How likely somebody is badly hurt in a crash: published injury-risk curves, a row each (decision 0125).
+
+A curve is a logistic regression over crashes of a kind, and says nothing of others: it is asked only where who struck
+whom with what fits, and followed no further than to its middle, above which few of its crashes lie. It is of an average
+person of its sample, and of crashes in which somebody was hurt or a car was towed. It is no verdict on a scene.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+
+from chatscene.terms.actors import AdversaryKind
+
+KMH = 3.6
+HALF = 0.5  # where curves end, and what then stands for "half or more"
+
+
+class Outcome(StrEnum):
+    """What a curve is of, and how it is said of several people."""
+
+    INJURY = "are seriously injured or die"  # MAIS 3+, one of the injuries being serious (AIS 3) or worse
+    DEATH = "die"
+
+    @property
+    def column(self) -> str:
+        """What `Speeds` calls it, after who it is of."""
+        return "death_risk" if self is Outcome.DEATH else "injury_risk"
+
+
+class By(StrEnum):
+    """What speed a curve takes."""
+
+    CLOSING = "closing speed"  # relative speed of the two just before
+    STRIKER = "impact speed"  # of the car that strikes
+    DELTA_V = "change of velocity"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Curve:
+    """A published injury-risk curve: P = 1 / (1 + exp(-(intercept + slope v))).
+
+    Attributes:
+        who: Who is hurt, in words, of several.
+        kinds: What they are in or on, or are.
+        parts: The part of their own vehicle that is struck; empty of who has none around.
+        outcome: What of.
+        by: Which speed it takes.
+        intercept: With the age of the median person of the sample, where it is a variable.
+        slope: Per m/s.
+        least: Below this speed [m/s] it says nothing.
+        source: Whose it is, in a few words; decision 0125 has it in full.
+    """
+
+    who: str
+    kinds: frozenset[AdversaryKind]
+    parts: frozenset[str] = frozenset()
+    outcome: Outcome
+    by: By
+    intercept: float
+    slope: float
+    least: float = 0.0
+    source: str
+
+    @property
+    def middle(self) -> float:
+        """The speed at which it is a half [m/s], up to which it is followed."""
+        return -self.intercept / self.slope
+
+    def at(self, speed: float) -> float | None:
+        """The probability at a speed [m/s]; `HALF` stands for a half or more, None for too slow to say."""
+        if speed < self.least:
+            return None
+        return HALF if speed >= self.middle else 1.0 / (1.0 + math.exp(-self.intercept - self.slope * speed))
+
+
+_CARS = frozenset({AdversaryKind.CAR, AdversaryKind.VAN})
+_ON_FOOT = frozenset({AdversaryKind.PEDESTRIAN})
+_ROSEN, _LUBBE, _GEISSLINGER = "Rosén and Sander 2009", "Lubbe et al. 2022", "Geisslinger et al. 2023"
+OCCUPANT_LEAST = 7 / KMH  # [m/s] of change of velocity, below which SAE J2980 expects no injury (decision 0012)
+
+CURVES = (
+    # Adults hit by the front of a passenger car, GIDAS 1999-2007: P = 1 / (1 + exp(6.9 - 0.090 v)), v in km/h.
+    Curve(
+        who="pedestrians",
+        kinds=_ON_FOOT,
+        outcome=Outcome.DEATH,
+        by=By.STRIKER,
+        intercept=-6.9,
+        slope=0.090 * KMH,
+        source=_ROSEN,
+    ),
+    # Those who meet the front of a passenger car, GIDAS 1999-2020, MAIS 3+F: tables 2 to 4, v in km/h, age in years.
+    Curve(
+        who="pedestrians",
+        kinds=_ON_FOOT,
+        outcome=Outcome.INJURY,
+        by=By.CLOSING,
+        intercept=-6.190 + 0.038 * 46,
+        slope=0.078 * KMH,
+        source=_LUBBE,
+    ),
+    Curve(
+        who="cyclists",
+        kinds=frozenset({AdversaryKind.BICYCLE}),
+        outcome=Outcome.INJURY,
+        by=By.CLOSING,
+        intercept=-7.467 + 0.047 * 39,
+        slope=0.079 * KMH,
+        source=_LUBBE,
+    ),
+    Curve(
+        who="motorcyclists",
+        kinds=frozenset({AdversaryKind.MOTORCYCLE}),
+        outcome=Outcome.INJURY,
+        by=By.CLOSING,
+        intercept=-4.555 + 0.011 * 40,
+        slope=0.040 * KMH,
+        source=_LUBBE,
+    ),
+    # Occupants of cars that met a vehicle, crashes of the NHTSA, MAIS 3+: four areas of impact, both sides alike.
+    *(
+        Curve(
+            who="people in the car",
+            kinds=_CARS,
+            parts=frozenset(parts.split()),
+            outcome=Outcome.INJURY,
+            by=By.DELTA_V,
+            intercept=-4.457 + area,
+            slope=0.177,
+            least=OCCUPANT_LEAST,
+            source=_GEISSLINGER,
+        )
+        for parts, area in (("front", 0.0), ("left right", 0.244), ("rear", -0.431))
+    ),
+)
+VEHICLES = frozenset(
+    {
+        *_CARS,
+        AdversaryKind.EMERGENCY_VEHICLE,
+        AdversaryKind.TRUCK,
+        AdversaryKind.BUS,
+        AdversaryKind.TRACTOR,
+        AdversaryKind.TRAM,
+    }
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Hurt:
+    """Somebody in a crash, as a curve is asked of it.
+
+    Attributes:
+        kind: What it is; None for a thing.
+        part: Where on it the other touches it: ``front``, ``rear``, ``left``, ``right``; empty of a walker.
+        speed: How fast it went just before [m/s].
+        delta_v: By how much its velocity changes [m/s]; None of a thing.
+    """
+
+    kind: AdversaryKind | None
+    part: str
+    speed: float
+    delta_v: float | None
+
+
+def curves_for(one: Hurt, other: Hurt, *, impact_speed: float, closing_speed: float) -> Iterator[tuple[Curve, float]]:
+    """The curves that hold of somebody in a crash, each with its probability.
+
+    Args:
+        one: Who is hurt.
+        other: Whom it meets.
+        impact_speed: Their relative speed just before [m/s].
+        closing_speed: Its part along the line of contact [m/s]. Where that is less than half, one grazes the other, and
+            none of the curves is of that.
+    """
+    if one.kind is None or closing_speed < impact_speed / 2:
+        return
+    for curve in CURVES:
+        if one.kind not in curve.kinds:
+            continue
+        fits = other.part == "front" and other.kind is AdversaryKind.CAR
+        speed = impact_speed if curve.by is By.CLOSING else other.speed
+        if curve.by is By.DELTA_V:
+            fits, speed = one.part in curve.parts and other.kind in VEHICLES, one.delta_v or 0.0
+        if fits and (risk := curve.at(speed)) is not None:
+            yield curve, risk
