@@ -13,9 +13,9 @@ for which poses between two steps are interpolated:
 
 - contact: with the target, by the part that is named
 - VUT speed: in each step of the last 4 s within 1 km/h of the test speed
-- 4 s: the drive lasts 4 s at least until the contact (T0 of the protocols)
-- target speed: at the contact, and over the steady distance before it, within 0.5 km/h; where it brakes, before
-  it does
+- 4 s: the drive lasts 4 s at least until the contact (T0 of the protocols), but where the target brakes before
+- target speed: over the steady distance before the contact within 1 km/h (a car), 0.5 (a bicycle), 0.2 (on foot);
+  where it brakes, before it does
 - steady: the distance that it goes before the contact is no less
 - impact point: the middle of the target (where a car crosses: a quarter of its length behind its nose, on the side that
   faces the VUT; where one goes straight on as the VUT turns: the near corner of its front) on the front of the VUT
@@ -42,7 +42,7 @@ from chatscene.simulate.boxes import Boxes, Pair
 from chatscene.simulate.simulator import simulate
 from chatscene.situations.facts import with_fact
 from chatscene.situations.file import read_file
-from chatscene.terms.actors import LIMITS, Limits
+from chatscene.terms.actors import AIR_DRAG, LIMITS, Limits
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.scene import Rejected, Scene
 from chatscene.terms.situation import Situation
@@ -50,10 +50,14 @@ from chatscene.terms.situation import Situation
 FOLDER = Path(__file__).parent / "protocols"
 KMH = 1 / 3.6  # [m/s]
 BEFORE = 4.0  # [s] before the contact, from which on a test counts
-NEAR_VUT, NEAR_TARGET = 1.0 * KMH, 0.5 * KMH  # [m/s] that a speed may be off
+NEAR_SPEED = 1.0 * KMH  # [m/s] that the speed of a car may be off
+NEAR_TARGET = {"GVT": NEAR_SPEED, "EPT": 0.2 * KMH, "EBT": 0.5 * KMH}  # [m/s]
+ROOM = 2.0  # [m] more than the steady distance
+LEADS = 5.0  # [s] until the contact, where the target goes along the VUT's way from a distance that is said
 NEAR_POINT = 0.05  # of the VUT's width
 NEAR_BRAKING, NEAR_GAP = 0.25, 0.5  # [m/s²], [m]
 PARTS = 100  # into which a step is cut to time a contact
+OFF_ROUTE = 2.0  # [1/s], with which a car comes back to its route
 CAR = LIMITS["Car"]
 
 
@@ -77,12 +81,19 @@ class Unmoved:
         return Unmoved(speed, self._body)
 
     def act(self, observation: Observation) -> tuple[float, float]:
-        """What holds the speed one step later, and the wheel toward the route 10 m ahead."""
-        speed, body = float(observation[0]), self._body
-        wanted = (self._speed - speed) / 0.1 + body.drag
+        """What holds the speed one step later, and the wheel of the route's bend and against what it is off the route.
+
+        The steering is that of G. M. Hoffmann and others, "Autonomous automobile trajectory tracking for off-road
+        driving", ACC 2007.
+        """
+        body, (speed, left, turned) = self._body, observation[:3].tolist()
+        wanted = (self._speed - speed) / 0.1 + body.drag + AIR_DRAG * speed * speed
         press = wanted / (body.throttle * (1.0 - speed / body.top_speed)) if wanted > 0.0 else wanted / body.brake
-        x, y = observation[4:6] if speed < 6.0 else observation[6:8]
-        wheel = math.atan(body.wheelbase * 2.0 * float(y) / max(float(x * x + y * y), 1.0))
+        x, y = observation[4:6].tolist()
+        cos, sin = math.cos(turned), math.sin(turned)
+        along, aside = x * cos - y * sin, x * sin + y * cos + left  # in the frame of the route at the ego
+        bend = 2.0 * aside / max(along * along + aside * aside, 1.0)
+        wheel = math.atan(body.wheelbase * bend) - turned - math.atan2(OFF_ROUTE * left, max(speed, 1.0))
         return max(-1.0, min(1.0, press)), max(-1.0, min(1.0, -wheel / body.wheel_angle / 0.3))
 
 
@@ -101,6 +112,7 @@ class Case:
         point: The point of the target that it is of: how far ahead of its middle, as a share of its half length, and
             whether it is the side that faces the VUT.
         steady: How far the target goes at its speed before the contact [m].
+        closes: Whether the target goes along the VUT's way: 1 the same way, -1 against it, 0 across.
         brakes: With which deceleration the target brakes [m/s²], and the gap before it does [m].
     """
 
@@ -112,7 +124,12 @@ class Case:
     at: float | None = 0.5
     point: tuple[float, bool] = (0.0, False)
     steady: float = 0.0
+    closes: int = 0
     brakes: tuple[float, float] | None = None
+
+    def closing(self, vut: float, target: float) -> float:
+        """How fast the two come nearer [m/s], at speeds [km/h]."""
+        return (vut - self.closes * target) * KMH
 
 
 def _at(target: float, *speeds: float) -> tuple[tuple[float, float], ...]:
@@ -123,20 +140,20 @@ _DRIVES = ("others.GVT.starts.speed", "others.GVT.does.0.speed")
 CASES = (
     Case(name="CCRs", target="GVT", speeds=_at(0, 10, 30, 50)),
     Case(name="CCRs-50", target="GVT", speeds=_at(0, 10, 30, 50), at=0.0),
-    Case(name="CCRm", target="GVT", speeds=_at(20, 30, 50, 80)),
+    Case(name="CCRm", target="GVT", speeds=_at(20, 30, 50, 80), closes=1),
     Case(name="CCRb-12-2", file="CCRb", target="GVT", speeds=_at(50, 50), brakes=(2.0, 12.0)),
     Case(name="CCRb-12-6", file="CCRb", target="GVT", speeds=_at(50, 50), brakes=(6.0, 12.0)),
     Case(name="CCRb-40-6", file="CCRb", target="GVT", speeds=_at(50, 50), brakes=(6.0, 40.0)),
     Case(name="CCCscp", target="GVT", speeds=((20, 20), (40, 40), (60, 60)), point=(0.5, True), facts=_DRIVES),
     Case(name="CCFtap", target="GVT", speeds=((10, 30), (15, 45), (20, 60)), point=(1.0, True), facts=_DRIVES),
-    Case(name="CCFhos", target="GVT", speeds=((30, 50), (50, 50), (70, 70)), facts=_DRIVES),
+    Case(name="CCFhos", target="GVT", speeds=((30, 50), (50, 50), (70, 70)), facts=_DRIVES, closes=-1),
     Case(name="CCFhol", target="GVT", speeds=((50, 50), (70, 70)), at=None, facts=_DRIVES),
     Case(name="CPFA-50", target="EPT", speeds=_at(8, 20, 40, 60), steady=4.5),
     Case(name="CPNA-25", target="EPT", speeds=_at(5, 20, 40, 60), at=0.25, steady=2.5),
     Case(name="CPNA-75", target="EPT", speeds=_at(5, 20, 40, 60), at=0.75, steady=3.0),
     Case(name="CPNCO-50", target="EPT", speeds=_at(5, 20, 40, 60), steady=3.0),
-    Case(name="CPLA-50", target="EPT", speeds=_at(5, 20, 40, 60), steady=5.0),
-    Case(name="CPLA-25", target="EPT", speeds=_at(5, 50, 65, 80), at=0.25, steady=5.0),
+    Case(name="CPLA-50", target="EPT", speeds=_at(5, 20, 40, 60), steady=5.0, closes=1),
+    Case(name="CPLA-25", target="EPT", speeds=_at(5, 50, 65, 80), at=0.25, steady=5.0, closes=1),
     Case(name="CPTAfs-50", target="EPT", speeds=_at(5, 10, 15, 20), steady=4.0),
     Case(name="CPTAfo-50", target="EPT", speeds=_at(5, 10, 15, 20), steady=4.0),
     Case(name="CPTAns-50", target="EPT", speeds=_at(5, 10), steady=4.0),
@@ -144,16 +161,22 @@ CASES = (
     Case(name="CBNA-50", target="EBT", speeds=_at(15, 20, 40, 60), steady=17.0),
     Case(name="CBFA-50", target="EBT", speeds=_at(20, 20, 40, 60), steady=22.0),
     Case(name="CBNAO-50", target="EBT", speeds=_at(10, 20, 40, 60), steady=4.5),
-    Case(name="CBLA-50", target="EBT", speeds=_at(15, 25, 40, 60), steady=28.0),
-    Case(name="CBLA-25", target="EBT", speeds=_at(20, 50, 65, 80), at=0.25, steady=28.0),
+    Case(name="CBLA-50", target="EBT", speeds=_at(15, 25, 40, 60), steady=28.0, closes=1),
+    Case(name="CBLA-25", target="EBT", speeds=_at(20, 50, 65, 80), at=0.25, steady=28.0, closes=1),
 )  # fmt: skip
 
 
 def situation(case: Case, vut: float, target: float) -> Situation:
-    """The situation of a case at the speeds of VUT and target [km/h]."""
+    """The situation of a case at the speeds of VUT and target [km/h].
+
+    Who goes along the VUT's way starts so far from it that the contact comes in time, as the protocols have it.
+    """
     made = with_fact(read_file(FOLDER / f"{case.file or case.name}.yaml"), "ego.speed", f"{vut:g} km/h")
     for path in case.facts:
         made = with_fact(made, path, f"{target:g} km/h")
+    if case.closes:
+        seconds = max(LEADS, (case.steady + ROOM) / (target * KMH) if target else 0.0)
+        made = with_fact(made, f"others.{case.target}.starts.distance", f"{seconds * case.closing(vut, target):.0f} m")
     if case.brakes is not None:
         brakes, gap = case.brakes
         made = with_fact(made, "others.GVT.does.0.acceleration", f"{brakes:g} m/s²")
@@ -216,10 +239,10 @@ def departures(case: Case, vut: float, target: float, episode: Episode) -> Itera
         yield "no contact" if crash is None else f"contact with {crash.other}"
         return
     at, dt = int(touch.step), episode.dt
-    if touch.step * dt < BEFORE:
+    if touch.step * dt < BEFORE and case.brakes is None:
         yield f"4 s: contact after {touch.step * dt:.1f} s"
     last = episode.ego_track.speed[max(at - round(BEFORE / dt), 0) : at + 1]
-    if np.abs(last - vut * KMH).max() > NEAR_VUT:
+    if np.abs(last - vut * KMH).max() > NEAR_SPEED:
         yield f"VUT speed: {last.min() / KMH:.1f} to {last.max() / KMH:.1f} km/h"
     yield from _target(case, target, other, touch, dt)
     if case.at is not None:
@@ -236,7 +259,7 @@ def _target(case: Case, wanted: float, other: Track, touch: Contact, dt: float) 
         if abs(float(touch.other.speed[0])) > 0.0 or wanted:
             gone = np.append(np.cumsum(speed[::-1])[::-1][1:] * dt, 0.0)  # [m] from each row to the contact
             held = speed[gone <= case.steady]
-            if np.abs(held - wanted * KMH).max() > NEAR_TARGET:
+            if np.abs(held - wanted * KMH).max() > NEAR_TARGET[case.target]:
                 yield f"target speed: {held.min() / KMH:.1f} to {held.max() / KMH:.1f} km/h"
             if gone[0] < case.steady:
                 yield f"steady: {gone[0]:.1f} m"
@@ -251,7 +274,7 @@ def _target(case: Case, wanted: float, other: Track, touch: Contact, dt: float) 
     mean = float(loses[begins:][braking[begins:]].mean())
     if abs(mean - brakes) > NEAR_BRAKING:
         yield f"braking: {mean:.1f} m/s²"
-    if abs(speed[begins] - wanted * KMH) > NEAR_TARGET:
+    if abs(speed[begins] - wanted * KMH) > NEAR_SPEED:
         yield f"target speed: {speed[begins] / KMH:.1f} km/h"
 
 

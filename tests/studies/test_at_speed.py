@@ -53,6 +53,11 @@ def test_each_case_of_the_protocols_has_a_situation_and_is_held_against_what_the
     assert "as the protocol has it in each drive: 3 of 3" in told
 
 
+def test_who_crosses_is_met_within_a_twentieth_of_the_width_of_where_the_protocol_has_it(benchmark: Any) -> None:
+    told = printed(benchmark("protocols"), "CPNA-25", "CPFA-50", "CBFA-50", "--drives", "2")
+    assert "as the protocol has it in each drive: 9 of 9" in told
+
+
 def test_forty_plain_sentences_without_a_number_are_searched_with_and_who_is_met_is_counted(benchmark: Any) -> None:
     encounters = benchmark("encounters")
     texts = [text for _, text in encounters.sentences()]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -29,6 +31,7 @@ LETS_BY = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who le
 STOOD = 1.0  # [s] that somebody has stood in the ego's way when the ego comes, so that it is seen to stop
 GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
 NEAR_POINT = 0.1  # of the ego's width: how near to the point that was said somebody is met
+_TICK = 0.1  # [s]; who waits for a moment sets off half of it later, on average
 _SPARE = 0.5  # [s] sooner and later than at right angles that somebody may be there if nothing was said of the contact
 _LOOKS, _STEPS = 3.0, 121  # [s] sooner and later that is looked at, and in how many steps
 _CORNER = 0.3  # of half its length ahead of its middle: from there on it is a corner that is met
@@ -109,19 +112,35 @@ def _at_point(
     width = actor.ego_limits.width
     sign = 1.0 if _from_left(actor) else -1.0
     low, high = contact.at.within(0.0, 1.0)
-    fronts = [one is not None and one.ego == "front" for one in found]
-    shares = [0.5 - sign * one.across / width if one is not None else 0.0 for one in found]
+    shares = [0.5 - sign * one.across / width if one is not None and one.ego == "front" else math.nan for one in found]
     there = [max(low - share, share - high, 0.0) for share in shares]
-    nearest = min((far for far, front in zip(there, fronts, strict=True) if front), default=1.0)
+    nearest = min((far for far in there if not math.isnan(far)), default=1.0)
     if nearest > NEAR_POINT:
         raise NotBuilt(
             f"nothing builds yet: contact.at: {contact.at}, of {actor.one.id}, whom the front meets nowhere there"
         )
-    best = [when for when, far, front in zip(sooner, there, fronts, strict=True) if front and far <= nearest + 1e-9]
+    least, most = _when(sooner, shares, low), _when(sooner, shares, high)
     taken = [path for path in ("contact.happens", "contact.striker") if is_said(actor.ledger.situation, path)]
     if contact.ego is Part.FRONT:
         taken.append("contact.ego")
-    return min(best), max(best), "contact.at", *taken
+    late = 0.0 if actor.stand.rolls else 0.5 * _TICK
+    return min(least, most) + late, max(least, most) + late, "contact.at", *taken
+
+
+def _when(sooner: Sequence[float], shares: Sequence[float], share: float) -> float:
+    """How much sooner [s] somebody is there whom the front meets at a share of its width, or as near to that as can be.
+
+    Args:
+        sooner: Times, in order.
+        shares: Where it is met at each; NaN where the front does not meet it.
+        share: Where it is to be met.
+    """
+    pairs = zip(pairwise(sooner), pairwise(shares), strict=True)
+    for (begins, ends), (first, last) in pairs:
+        if min(first, last) <= share <= max(first, last):  # which NaN never is
+            return begins + (ends - begins) * ((share - first) / (last - first) if last != first else 0.5)
+    met = [(abs(one - share), when) for when, one in zip(sooner, shares, strict=True) if not math.isnan(one)]
+    return min(met)[1]
 
 
 def _from_left(actor: Actor) -> bool:

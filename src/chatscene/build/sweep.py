@@ -12,6 +12,7 @@ from chatscene.terms.vocabulary import NOSE
 
 _AROUND = 6.0  # [s] before and after the ego is where the ways meet
 _STEP = 0.05  # [s]
+_PARTS = 25  # into which the step of a first touch is cut
 
 Array = NDArray[np.float64]
 
@@ -67,11 +68,34 @@ class Touch:
     across: float = 0.0
 
 
-def touches(ego: Moving, other: Moving, sooner: Array) -> list[Touch | None]:
-    """How they first touch, for each of so many seconds by which the other is sooner where the ways meet."""
-    seconds = np.arange(-_AROUND, _AROUND, _STEP)
-    ex, ey, eh = (one[None, :] for one in ego.poses(seconds))
-    ox, oy, oh = other.poses(seconds[None, :] + sooner[:, None])
+@dataclass(frozen=True, slots=True, eq=False)
+class _Lying:
+    """How two bodies lie to each other; arrays of one shape [m].
+
+    Attributes:
+        along: How far ahead of the ego's middle the other's is.
+        across: How far to its left.
+        own_along: How far ahead of the other's middle the ego's is.
+        own_across: How far to its left.
+        deep: How far they overlap along and across the ego, and along and across the other.
+    """
+
+    along: Array
+    across: Array
+    own_along: Array
+    own_across: Array
+    deep: tuple[Array, Array, Array, Array]
+
+    @property
+    def touching(self) -> NDArray[np.bool_]:
+        """Whether they touch."""
+        return np.asarray(np.minimum.reduce(self.deep) >= 0.0)
+
+
+def _lying(ego: Moving, other: Moving, seconds: Array, sooner: Array) -> _Lying:
+    """At moments (N or 1, T) [s], the other being where the ways meet by so many seconds (N) sooner."""
+    ex, ey, eh = ego.poses(seconds)
+    ox, oy, oh = other.poses(seconds + sooner[:, None])
     dx, dy, turned = ox - ex, oy - ey, oh - eh
     c, s = np.abs(np.cos(turned)), np.abs(np.sin(turned))
     along, across = dx * np.cos(eh) + dy * np.sin(eh), dy * np.cos(eh) - dx * np.sin(eh)
@@ -82,7 +106,23 @@ def touches(ego: Moving, other: Moving, sooner: Array) -> list[Touch | None]:
         0.5 * (other.length + ego.length * c + ego.width * s) - np.abs(own_along),
         0.5 * (other.width + ego.length * s + ego.width * c) - np.abs(own_across),
     )
-    inside = np.minimum.reduce(deep) >= 0.0
+    return _Lying(along, across, own_along, own_across, deep)
+
+
+def touches(ego: Moving, other: Moving, sooner: Array) -> list[Touch | None]:
+    """How they first touch, for each of so many seconds by which the other is sooner where the ways meet."""
+    seconds = np.arange(-_AROUND, _AROUND, _STEP)
+    inside = _lying(ego, other, seconds[None, :], sooner).touching
+    begins = seconds[inside.argmax(axis=1)]
+    lying = _lying(ego, other, begins[:, None] + np.linspace(-_STEP, 0.0, _PARTS + 1), sooner)
+    along, across, own_along, own_across, deep = (
+        lying.along,
+        lying.across,
+        lying.own_along,
+        lying.own_across,
+        lying.deep,
+    )
+    inside = lying.touching & inside.any(axis=1)[:, None]
     found: list[Touch | None] = []
     for row, first in zip(range(len(sooner)), inside.argmax(axis=1).tolist(), strict=True):
         if not inside[row, first]:

@@ -12,12 +12,12 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
 from chatscene.build.numbers import Numbers
-from chatscene.terms.actors import Limits
+from chatscene.terms.actors import AIR_DRAG, Limits
 from chatscene.world.control import pedals
 
 _STEP = 0.1  # [s]
 _MOST = 60.0  # [s] that a phase is followed
-HELD = 0.92  # of a speed: who holds no more of it wants more
+HELD = 0.975  # of a speed: who holds no more of it wants more
 PATIENCE = 8.0  # [s] that somebody is waited for to be as fast as it wants
 _NUMBER = r"[^,()]+"
 _TOWARD = re.compile(rf"(?:MoveAhead\(|(?:DrivePath|FollowTraffic|SwerveOnPath|WeaveOnPath)\([^,]+, )({_NUMBER})")
@@ -91,7 +91,7 @@ class Body:
             )
         press, brake = pedals(speed, wish) if throttle is None else (throttle if speed < wish else 0.0, 0.0)
         gain = press * limits.throttle * (1.0 - speed / limits.top_speed) - brake * limits.brake
-        return max(0.0, speed + _STEP * (gain - (limits.drag if speed > 0.0 else 0.0)))
+        return max(0.0, speed + _STEP * (gain - (limits.drag + AIR_DRAG * speed * speed if speed > 0.0 else 0.0)))
 
     def holds(self, wish: float, seconds: float = PATIENCE) -> float:
         """The speed [m/s] that it has some time after it wanted one: what the engine gives and drag leaves."""
@@ -116,16 +116,16 @@ class Body:
         """The speed [m/s] that it has after a distance from a stand."""
         at = speed = 0.0
         while at < metres:
-            speed = self.after(speed, self.limits.top_speed)
-            at += _STEP * max(speed, _STEP)
+            before, speed = speed, self.after(speed, self.limits.top_speed)
+            at += _STEP * max(0.5 * (before + speed), _STEP)
         return speed
 
     def covers(self, metres: float, wish: float) -> float:
         """How long [s] it needs for a distance from a stand, if it wants a speed."""
         at = time = speed = 0.0
         while at < metres and time < _MOST:
-            speed = self.after(speed, wish)
-            at, time = at + _STEP * speed, time + _STEP
+            before, speed = speed, self.after(speed, wish)
+            at, time = at + _STEP * 0.5 * (before + speed), time + _STEP
         return time
 
 
@@ -165,12 +165,13 @@ def _phase(text: str, numbers: Numbers, body: Body, here: Course, meeting: Meeti
     while seconds < end and not (ends is not None and ends(metres, speed)):
         if goes_on and lasts == _MOST and meeting is not None and metres >= meeting.metres:
             break
+        was = speed
         if wish == 0.0 and throttle is None:
             speed = max(0.0, speed - brake * body.limits.brake * _STEP)
         else:
             allowed = wish if meeting is None else min(wish, meeting.allowed(metres))
             speed = body.after(speed, allowed, throttle)
-        before, seconds, metres = metres, seconds + _STEP, metres + way * _STEP * speed
+        before, seconds, metres = metres, seconds + _STEP, metres + way * _STEP * 0.5 * (was + speed)
         if meeting is not None and before < meeting.metres <= metres:
             met = seconds - (metres - meeting.metres) / max(speed, _STEP)
     if seconds >= end and lasts == _MOST:
