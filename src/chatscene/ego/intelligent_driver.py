@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import AHEAD, OWN, PER_ACTOR, Observation
+from chatscene.ego.traffic_driver import TrafficDriver
 from chatscene.terms.actors import LIMITS, Limits
 from chatscene.terms.profile import CURVE_ACCELERATION
 
@@ -26,7 +27,7 @@ CAR = LIMITS["Car"]
 
 
 class IntelligentDriver:
-    """IDM and AEB on the preset ``actors``, with the whole brake pedal.
+    """IDM and AEB on the preset ``actors``, with the whole brake pedal; at a speed that is wanted, `TrafficDriver`.
 
     Args:
         speed: Wanted [m/s].
@@ -44,9 +45,9 @@ class IntelligentDriver:
     def __init__(self, speed: float = DESIRED_SPEED, body: Limits = CAR) -> None:
         self.speed, self.body = speed, body
 
-    def wanting(self, speed: float) -> IntelligentDriver:
-        """The same driver with another wanted speed [m/s]."""
-        return IntelligentDriver(speed, self.body)
+    def wanting(self, speed: float) -> TrafficDriver:
+        """The same driver at the speed of traffic, with a wanted speed [m/s]."""
+        return TrafficDriver(speed, name=self.name, body=self.body)
 
     def driving(self, body: Limits) -> IntelligentDriver:
         """The same driver in another vehicle."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from chatscene.ego.observation import Observation
+from chatscene.ego.traffic_driver import TrafficDriver
 
 TARGET_SPEED = 7.5  # [m/s]; from SafeBench's 8 its hardest brake does not stop it within its sight
 TURN_SPEED = 5.5  # [m/s], while the route ahead bends away
@@ -11,6 +12,10 @@ BEND = 0.15  # [rad] of heading error at the preview point that counts as a bend
 
 class RuleBased:
     """The surrogate ego of a first run. It sees four numbers, so it cannot see pedestrians or crossing traffic.
+
+    Within 15 m it could not stop from more than 7.5 m/s. So one of which a speed is wanted is another driver, which
+    sees ``traffic`` as far as that speed takes and has the whole brake, and still heeds nothing but what is in its own
+    lane and does not walk.
 
     Args:
         speed: Wanted [m/s], where the route does not bend.
@@ -22,9 +27,9 @@ class RuleBased:
     def __init__(self, speed: float = TARGET_SPEED) -> None:
         self.speed = speed
 
-    def wanting(self, speed: float) -> RuleBased:
-        """The same driver with another wanted speed [m/s]."""
-        return RuleBased(speed)
+    def wanting(self, speed: float) -> TrafficDriver:
+        """One like it at the speed of traffic [m/s], as a car with an adaptive cruise control drives."""
+        return TrafficDriver(speed, name=type(self).__name__, all_around=False)
 
     def act(self, observation: Observation) -> tuple[float, float]:
         """Acceleration and steering in [-1, 1] for one step."""

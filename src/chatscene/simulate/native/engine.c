@@ -29,6 +29,7 @@
 #define TRAFFIC_SIZE (ROAD_SIZE + 1)
 #define USUAL 8.0
 #define UNHELD 100.0
+#define ALLOWED ROAD_SIZE
 #define STACK 64
 #define LOCALS 8
 #define ARGUMENTS 6
@@ -42,7 +43,7 @@ enum { SAFEBENCH, ACTORS, ROAD, TRAFFIC };
 #define WAYS 49 /* that it weighs */
 #define EXPECTED (4 * NEAREST)
 
-enum { RULE_BASED, INTELLIGENT_DRIVER, NETWORK, PLANNER };
+enum { RULE_BASED, INTELLIGENT_DRIVER, NETWORK, PLANNER, TRAFFIC_DRIVER };
 enum { RELU, TANH };             /* what comes after each layer of a network but the last */
 enum { BY_TANH, BY_CLIP, BY_SIGMOID, BY_WAY }; /* what comes after the last */
 enum { NO_FAULT, TURNS_IN_PLACE };
@@ -166,7 +167,9 @@ typedef struct {
 /* Who drives: by rule, or a network. */
 typedef struct {
     int32_t kind, hidden, output, every; /* every: at which steps it decides; between, it holds */
-    Limits car; /* what drivers by rule take their own car for */
+    int32_t swift, around; /* whether it sees `traffic`; whether it heeds everybody, not only who is in its lane */
+    double softness;       /* of chatscene.ego.at_speed */
+    Limits car;            /* what drivers by rule take their own car for */
     Caution caution;
     int64_t layers;
     const Layer *layer;
@@ -1042,19 +1045,9 @@ static void intelligent_driver(const Limits *car, double wanted, const double *s
     *steer = within_one(-wheel / car->wheel_angle / 0.3);
 }
 
-/* chatscene.ego.planner. Who can be near none of the ways at a time is passed over there, since he adds nothing. */
-#define STRIDE 0.2
-
-static const double SHIFTS[7] = {0.0, 1.2, -1.2, 2.4, -2.4, 3.6, -3.6};
-static const double ACCELERATIONS[7] = {-8.0, -5.0, -3.0, -1.5, 0.0, 1.5, 3.0};
-
+/* chatscene.ego.at_speed */
 static double larger(double a, double b) { return a > b ? a : b; }
 static double smaller(double a, double b) { return a < b ? a : b; }
-
-/* That of a way, as far as the body can. */
-static double acceleration_of(const Limits *car, int way) {
-    return smaller(larger(ACCELERATIONS[way / 7], -car->brake), car->throttle);
-}
 
 typedef struct {
     double along, beside, ahead, left, speed, half_along, half_beside;
@@ -1062,8 +1055,129 @@ typedef struct {
 } Near; /* somebody, along the route and beside it */
 
 typedef struct {
+    double middle[6], bearing[6];
+} Bends; /* where the route leads */
+
+static double scale(double speed) { return larger(1.0, speed / USUAL); }
+
+static Bends bends_of(const double *seen, double k) {
+    Bends b = {.bearing = {-seen[2]}};
+    double x = seen[1] * sin(b.bearing[0]), y = -seen[1] * cos(b.bearing[0]), before = 0.0;
+    for (int i = 0; i < 5; i++) {
+        double px = seen[4 + 2 * i], py = seen[5 + 2 * i];
+        b.middle[i + 1] = 0.5 * (before + AHEAD[i] * k);
+        b.bearing[i + 1] = b.bearing[i] + remainder(atan2(py - y, px - x) - b.bearing[i], TAU);
+        x = px;
+        y = py;
+        before = AHEAD[i] * k;
+    }
+    return b;
+}
+
+static double bearing_at(const Bends *b, double along) {
+    int i = 0;
+    if (along <= 0.0) return b->bearing[0];
+    while (i < 5 && b->middle[i] <= along) i++;
+    double turning = (b->bearing[i] - b->bearing[i - 1]) / (b->middle[i] - b->middle[i - 1]);
+    return b->bearing[i - 1] + turning * (along - b->middle[i - 1]);
+}
+
+static Near other(const double *row, double k, const Bends *b) {
+    Near o = {.along = row[1], .beside = row[2], .row = row};
+    double sight = AHEAD[4] * k, way = bearing_at(b, smaller(o.along, sight)), c = cos(way), s = sin(way);
+    o.ahead = row[5] * c + row[6] * s;
+    o.left = row[6] * c - row[5] * s;
+    c = fabs(cos(row[7] - way));
+    s = fabs(sin(row[7] - way));
+    if (o.along > sight && c > 0.7) {
+        o.ahead = copysign(hypotenuse(o.ahead, o.left), o.ahead);
+        o.left = s = 0.0;
+        c = 1.0;
+    }
+    if (o.ahead < -2.0 * fabs(o.left)) o.left = copysign(larger(fabs(o.left) + 0.04 * o.ahead, 0.0), o.left);
+    o.speed = hypotenuse(o.ahead, o.left);
+    o.half_along = row[8] * c + row[9] * s;
+    o.half_beside = row[8] * s + row[9] * c;
+    return o;
+}
+
+static double slower(double speed, double wish) { return larger(3.0 * (wish - speed), -4.0); }
+
+static double able_at(const Limits *car, double speed) {
+    return larger(car->throttle * (1.0 - speed / car->top_speed) - car->drag - AIR_DRAG * speed * speed, 0.0);
+}
+
+static double pressed_at(const Limits *car, double acceleration, double speed) {
+    double force = acceleration + car->drag + AIR_DRAG * speed * speed;
+    if (force > 0.0) return smaller(force / larger(car->throttle * (1.0 - speed / car->top_speed), 0.1), 1.0);
+    return larger(force / car->brake, -1.0);
+}
+
+static double steered(const Limits *car, double softness, const double *seen, double aside) {
+    double v = larger(seen[0], 4.0), offset = seen[1], leads = -seen[2], c = cos(leads), s = sin(leads);
+    double x = seen[4] - offset * s, y = seen[5] + offset * c, left = y * c - x * s;
+    double bend = 2.0 * left / larger(x * x + y * y, 1.0), soft = 1.0 + softness * v * v;
+    double most = smaller(1.5, 0.6 * v), able = 5.0 / soft;
+    double sideways = larger(-most, smaller(most, (aside - offset) / (0.5 * (0.5 + 0.5 * soft))));
+    double across = larger(-able, smaller(able, 5.0 * (sideways + v * s)));
+    double wheel = atan(car->wheelbase * (soft * (bend + across / (v * v))));
+    return within_one(-wheel / car->wheel_angle / 0.3);
+}
+
+/* chatscene.ego.traffic_driver */
+static double held_back(const Limits *car, double speed, const Near *o, double unhindered) {
+    if (o->along < 0.0) return unhindered;
+    double room = o->along - o->half_along - car->length / 2, beside = fabs(o->beside);
+    double corridor = car->width / 2 + o->half_beside + 0.5, sideways = fabs(o->left);
+    int comes = o->beside * o->left < 0.0;
+    double enters = beside < corridor ? 0.0 : comes ? (beside - corridor) / sideways : INFINITY;
+    if (enters > 1.0) return unhindered;
+    int crosses = sideways > 0.5 * o->speed;
+    double lead = crosses ? 0.0 : o->ahead, closing = speed - lead;
+    if (closing > 0.0) {
+        double leaves = crosses ? (corridor + (comes ? beside : -beside)) / sideways : INFINITY;
+        if (leaves < larger(room, 0.0) / closing) return unhindered;
+        if ((o->along + o->half_along + car->length / 2) / closing < enters) return unhindered;
+    }
+    double met = closing > 0.0 ? closing * (lead < 0.0 ? speed : closing) : 0.0;
+    double needed = met / (2.0 * larger(room - 1.0, 0.1));
+    if (needed > 5.0) return -car->brake;
+    double wanted = 2.5 + speed * 1.2 + speed * closing / (2.0 * sqrt(2.0 * 2.5));
+    double ratio = larger(wanted, 2.5) / larger(room, 0.5), kept = larger(unhindered - 2.0 * (ratio * ratio), -2.5);
+    return needed > 2.0 ? smaller(kept, -1.2 * needed) : kept;
+}
+
+static void traffic_driver(const Policy *policy, const double *seen, double *acceleration, double *steer) {
+    const Limits *car = &policy->car;
+    double speed = seen[0], k = scale(speed), wish = smaller(policy->caution.speed, seen[ALLOWED]);
+    double ratio = speed / larger(wish, 0.1);
+    double a = ratio < 1.0 ? 2.0 * (1.0 - (ratio * ratio) * (ratio * ratio)) : slower(speed, wish);
+    Bends bends = bends_of(seen, k);
+    for (const double *row = seen + OWN; row < seen + ACTORS_SIZE; row += PER_ACTOR) {
+        if (!(row[0] > 0.0)) continue;
+        Near o = other(row, k, &bends);
+        if (!policy->around && (row[10] > 0.0 || fabs(o.beside) >= 1.75)) continue;
+        a = smaller(a, held_back(car, speed, &o, a));
+    }
+    *acceleration = pressed_at(car, a, speed);
+    *steer = steered(car, policy->softness, seen, 0.0);
+}
+
+/* chatscene.ego.planner. Who can be near none of the ways at a time is passed over there, since he adds nothing. */
+#define STRIDE 0.2
+
+static const double SHIFTS[7] = {0.0, 1.2, -1.2, 2.4, -2.4, 3.6, -3.6};
+static const double ACCELERATIONS[7] = {-8.0, -5.0, -3.0, -1.5, 0.0, 1.5, 3.0};
+
+/* That of a way, as far as the body can. */
+static double acceleration_of(const Limits *car, int way) {
+    return smaller(larger(ACCELERATIONS[way / 7], -car->brake), car->throttle);
+}
+
+typedef struct {
     double speed[STEPS][WAYS], gone[STEPS][WAYS], beside[STEPS][WAYS];
     double furthest[STEPS], rightmost[STEPS], leftmost[STEPS]; /* of all ways */
+    double scale; /* how many times as far is seen as usual */
 } Ways;
 
 static Near along_the_route(const double *seen, const double *row) {
@@ -1101,7 +1215,7 @@ static Pieces pieces_of(const double *seen) {
 }
 
 /* Where somebody is along the route and beside it who keeps straight in the plane; says at which piece. */
-static int straight(const Pieces *p, const double *row, double time, double *along, double *beside) {
+static int straight(const Pieces *p, double k, const double *row, double time, double *along, double *beside) {
     double best = INFINITY, x = row[3] + row[5] * time, y = row[4] + row[6] * time;
     int at = 0;
     for (int i = 0; i < 5; i++) {
@@ -1112,7 +1226,7 @@ static int straight(const Pieces *p, const double *row, double time, double *alo
         if (away >= best) continue;
         best = away;
         at = i;
-        *along = (i ? AHEAD[i - 1] : 0.0) + foot;
+        *along = (i ? AHEAD[i - 1] * k : 0.0) + foot;
         *beside = (left < 0.0 ? -1.0 : 1.0) * sqrt(away);
     }
     return at;
@@ -1133,9 +1247,13 @@ static void expected(const Caution *c, const Near *o, int kind, int t, double *a
     *left = o->left / larger(o->speed, 0.1) * fast;
 }
 
-/* What an expectation of somebody adds to the danger of each way. */
-static void endanger(const Limits *car, const Caution *c, const Ways *ways, const Pieces *pieces, const Near *o,
-                     int kind, double belief, double offset, double *danger) {
+/* What an expectation of somebody adds to the danger of each way, and how much of it is not driven then. */
+static void endanger(const Policy *policy, const Ways *ways, const Pieces *pieces, const Near *o, int kind,
+                     double belief, double offset, double *danger, double *lost) {
+    const Limits *car = &policy->car;
+    const Caution *c = &policy->caution;
+    int swift = policy->swift, crossing = o->speed > 0.5 && fabs(o->left) > 0.5 * o->speed;
+    double k = swift ? ways->scale : 1.0;
     double close[WAYS] = {0}, impact[WAYS] = {0}, gone = 0.0, gone_left = 0.0;
     double begun_along, begun_beside, room = 0.0, side = 0.0;
     int first[WAYS];
@@ -1143,12 +1261,12 @@ static void endanger(const Limits *car, const Caution *c, const Ways *ways, cons
     int moves = o->speed > 0.5;
     double along = car->length / 2 + o->half_along, across = car->width / 2 + o->half_beside;
     double near = c->room + 0.5, beside = c->side + c->berth;
-    if (kind == 4) straight(pieces, o->row, 0.0, &begun_along, &begun_beside);
+    if (kind == 4) straight(pieces, k, o->row, 0.0, &begun_along, &begun_beside);
     for (int t = 0; t < STEPS; t++) {
         double ahead, left, x, y;
         if (kind == 4) {
             const double *row = o->row;
-            int at = straight(pieces, row, (t + 1) * STRIDE, &x, &y);
+            int at = straight(pieces, k, row, (t + 1) * STRIDE, &x, &y);
             double cs = pieces->cos[at], sn = pieces->sin[at], ct = cos(row[7]), st = sin(row[7]);
             double turned_c = fabs(ct * cs + st * sn), turned_s = fabs(st * cs - ct * sn);
             x = o->along + (x - begun_along);
@@ -1171,12 +1289,16 @@ static void endanger(const Limits *car, const Caution *c, const Ways *ways, cons
         }
         double wide = side + c->widening * ((t + 1) * STRIDE) * (moves ? 1.0 : 0.0);
         double widest = larger(wide, beside), longest = larger(room, near);
-        if (x - ways->furthest[t] - along >= longest || 0.0 - x - along >= longest) continue;
+        int stays = swift && t == STEPS - 1 && kind == 0 && !crossing;
+        if (!stays && (x - ways->furthest[t] - along >= longest || 0.0 - x - along >= longest)) continue;
         if (y - ways->leftmost[t] - across >= widest || ways->rightmost[t] - y - across >= widest) continue;
         for (int w = 0; w < WAYS; w++) {
             double gap = fabs(x - ways->gone[t][w]) - along, berth = fabs(y - ways->beside[t][w]) - across;
-            close[w] += (gap < near) & (berth < beside) ? ways->speed[t][w] : 0.0;
-            if ((gap < room) & (berth < wide) & (first[w] < 0)) {
+            double closing = ways->speed[t][w] - ahead, stops = larger(closing, 0.0), passing = ways->speed[t][w];
+            if (swift) passing = fabs(closing) * (1.0 - larger(berth, 0.0) / beside);
+            close[w] += (gap < near) & (berth < beside) ? passing : 0.0;
+            int meets = gap < room || (stays && x - ways->gone[t][w] > 0.0 && gap < room + (stops * stops) / (2.0 * 4.0));
+            if (meets & (berth < wide) & (first[w] < 0)) {
                 double dx = ways->speed[t][w] - ahead;
                 first[w] = t;
                 impact[w] = sqrt(dx * dx + left * left);
@@ -1185,6 +1307,7 @@ static void endanger(const Limits *car, const Caution *c, const Ways *ways, cons
     }
     for (int w = 0; w < WAYS; w++) {
         double crash = first[w] < 0 ? 0.0 : c->crash * c->discount[first[w]] * (c->graze + impact[w]);
+        if (kind == 0 && first[w] >= 0) lost[w] = larger(lost[w], ways->gone[STEPS - 1][w] - ways->gone[first[w]][w]);
         danger[w] += (crash + c->haste * close[w] * STRIDE) * belief;
     }
 }
@@ -1204,9 +1327,16 @@ static double shift_of(const Limits *car, const double *seen, int chosen) {
 }
 
 /* One step of a way to a shift, no faster than is wished. */
-static void carry_out(const Limits *car, const double *seen, int chosen, double to, double wish, double *acceleration,
-                      double *steer) {
+static void carry_out(const Policy *policy, const double *seen, int chosen, double to, double wish,
+                      double *acceleration, double *steer) {
+    const Limits *car = &policy->car;
     double speed = seen[0], offset = seen[1], a = acceleration_of(car, chosen);
+    if (policy->swift) {
+        if (a >= 0.0) a = smaller(a, slower(speed, wish));
+        *acceleration = pressed_at(car, a, speed);
+        *steer = steered(car, policy->softness, seen, to);
+        return;
+    }
     if (a >= 0.0 && speed >= wish - 0.05) a = larger(-3.0, 2.0 * (wish - speed));
     double shift = offset + larger(-1.6, smaller(1.6, to - offset));
     double look = larger(5.0, 0.9 * speed), way = atan2(seen[7] - seen[5], seen[6] - seen[4]);
@@ -1216,24 +1346,34 @@ static void carry_out(const Limits *car, const double *seen, int chosen, double 
     *steer = within_one(-wheel / car->wheel_angle / 0.3);
 }
 
-static void planner(const Limits *car, const Caution *c, const double *seen, double *acceleration, double *steer) {
-    double speed = seen[0], offset = seen[1], wish = smaller(c->speed, curve_speed(seen));
-    double most = larger(wish, speed - 3.0 * STRIDE), cost[WAYS], danger[WAYS] = {0};
+static double wish_of(const Policy *policy, const double *seen) {
+    return smaller(policy->caution.speed, policy->swift ? seen[ALLOWED] : curve_speed(seen));
+}
+
+static void planner(const Policy *policy, const double *seen, double *acceleration, double *steer) {
+    const Limits *car = &policy->car;
+    const Caution *c = &policy->caution;
+    int swift = policy->swift;
+    double speed = seen[0], offset = seen[1], wish = wish_of(policy, seen), k = swift ? scale(speed) : 1.0;
+    double most = larger(wish, speed - 3.0 * STRIDE), cost[WAYS], danger[WAYS] = {0}, lost[WAYS] = {0};
+    double able = swift ? able_at(car, speed) : INFINITY, strays = 80.0 * c->astray * (k - 1.0);
     double gone[WAYS] = {0}, reach[WAYS] = {0}, off[WAYS] = {0}, shift[WAYS];
     for (int w = 0; w < WAYS; w++) shift[w] = shift_of(car, seen, w);
-    Ways ways;
+    Ways ways = {.scale = k};
     for (int t = 0; t < STEPS; t++) {
         ways.furthest[t] = ways.leftmost[t] = -INFINITY;
         ways.rightmost[t] = INFINITY;
         for (int w = 0; w < WAYS; w++) {
-            double v = smaller(larger(speed + (t + 1) * STRIDE * acceleration_of(car, w), 0.0), most);
+            double v = smaller(larger(speed + (t + 1) * STRIDE * smaller(acceleration_of(car, w), able), 0.0), most);
             ways.speed[t][w] = v;
             gone[w] += v;
             reach[w] += smaller(c->drift, c->agility * v);
             double far = reach[w] * STRIDE, y = offset + smaller(larger(shift[w] - offset, -far), far);
             ways.gone[t][w] = gone[w] * STRIDE;
             ways.beside[t][w] = y;
-            off[w] += c->offset * (y * y) + c->astray * larger(fabs(y) - 2.0, 0.0);
+            double beside = c->offset * (y * y) + c->astray * larger(fabs(y) - 2.0, 0.0);
+            if (swift) beside += strays * larger(fabs(y) - 0.8, 0.0);
+            off[w] += beside;
             ways.furthest[t] = larger(ways.furthest[t], ways.gone[t][w]);
             ways.rightmost[t] = smaller(ways.rightmost[t], y);
             ways.leftmost[t] = larger(ways.leftmost[t], y);
@@ -1241,9 +1381,10 @@ static void planner(const Limits *car, const Caution *c, const double *seen, dou
     }
     Near near[NEAREST];
     Pieces pieces = pieces_of(seen);
+    Bends bends = bends_of(seen, k);
     int count = 0;
     for (const double *row = seen + OWN; row < seen + ACTORS_SIZE; row += PER_ACTOR)
-        if (row[0] > 0.0) near[count++] = along_the_route(seen, row);
+        if (row[0] > 0.0) near[count++] = swift ? other(row, k, &bends) : along_the_route(seen, row);
     for (int kind = 0; kind < 5; kind++) {
         for (int i = 0; i < count; i++) {
             const Near *o = &near[i];
@@ -1252,18 +1393,22 @@ static void planner(const Limits *car, const Caution *c, const double *seen, dou
             double across = o->speed > 0.5 && fabs(o->left) > 0.5 * o->speed;
             if (kind) belief = kind == 1 ? c->braked * moves : kind == 2 ? c->started * moves : c->stepped * waits;
             if (kind == 4) belief = c->crossing * across;
-            if (belief > 0.0) endanger(car, c, &ways, &pieces, o, kind, belief, offset, danger);
+            if (swift && kind == 3) belief *= o->row[10];
+            if (swift && o->ahead > 0.0 && o->along < -(o->half_along + car->length / 2)
+                && fabs(o->beside - offset) < o->half_beside + car->width / 2) belief = 0.0; /* he follows */
+            if (belief > 0.0) endanger(policy, &ways, &pieces, o, kind, belief, offset, danger, lost);
         }
     }
     int best = 0;
     for (int w = 0; w < WAYS; w++) {
-        double a = acceleration_of(car, w);
+        double a = smaller(acceleration_of(car, w), able);
         cost[w] = c->jerk * (a * a) - ways.gone[STEPS - 1][w] + c->resolve * fabs(shift[w] - offset);
         cost[w] += off[w] * STRIDE;
         if (count) cost[w] += danger[w];
+        if (count && swift) cost[w] += lost[w];
         if (cost[w] < cost[best]) best = w;
     }
-    carry_out(car, seen, best, shift[best], wish, acceleration, steer);
+    carry_out(policy, seen, best, shift[best], wish, acceleration, steer);
 }
 
 /* chatscene.ego.network: products added one after the other, in the order of the inputs. Those that are zero are left
@@ -1311,8 +1456,7 @@ static void network(const Policy *policy, const double *seen, double *accelerati
         int chosen = 0;
         for (int way = 1; way < WAYS; way++) if (in[way] > in[chosen]) chosen = way;
         double to = policy->layer[0].inputs >= ROAD_SIZE ? shift_of(&policy->car, seen, chosen) : SHIFTS[chosen % 7];
-        double wish = smaller(policy->caution.speed, curve_speed(seen));
-        carry_out(&policy->car, seen, chosen, to, wish, acceleration, steer);
+        carry_out(policy, seen, chosen, to, wish_of(policy, seen), acceleration, steer);
         return;
     }
     *acceleration = squashed(in[0], policy->output);
@@ -1326,7 +1470,8 @@ void ask(const Policy *policy, const double *seen, double *acceleration, double 
     case INTELLIGENT_DRIVER:
         intelligent_driver(&policy->car, policy->caution.speed, seen, acceleration, steer);
         break;
-    case PLANNER: planner(&policy->car, &policy->caution, seen, acceleration, steer); break;
+    case PLANNER: planner(policy, seen, acceleration, steer); break;
+    case TRAFFIC_DRIVER: traffic_driver(policy, seen, acceleration, steer); break;
     default: network(policy, seen, acceleration, steer);
     }
 }

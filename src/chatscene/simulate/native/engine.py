@@ -204,7 +204,8 @@ class Policy(Structure):
     kept: list[Any]
 
     _fields_ = (
-        *((name, c_int32) for name in ("kind", "hidden", "output", "every")),
+        *((name, c_int32) for name in ("kind", "hidden", "output", "every", "swift", "around")),
+        ("softness", c_double),
         ("car", Limits),
         ("caution", Caution),
         ("layers", c_int64),

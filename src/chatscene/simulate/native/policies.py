@@ -10,18 +10,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.ego.at_speed import softness_of
 from chatscene.ego.intelligent_driver import CAR, IntelligentDriver
 from chatscene.ego.network import HIDDEN, OUTPUTS, Network, NetworkEgo
-from chatscene.ego.observation import OBSERVATIONS
+from chatscene.ego.observation import ALLOWED, OBSERVATIONS
 from chatscene.ego.planner import Planner
 from chatscene.ego.policy import EgoPolicy
 from chatscene.ego.rule_based import RuleBased
+from chatscene.ego.traffic_driver import TrafficDriver
 from chatscene.simulate.native.binding import limits_of
 from chatscene.simulate.native.engine import Caution, Engine, Foot, Layer, Policy
 from chatscene.terms.actors import Limits
 from chatscene.terms.braking import STANDING, STANDSTILL, Braking
 
-RULE_BASED, INTELLIGENT_DRIVER, NETWORK, PLANNER = range(4)  # as engine.c numbers them
+RULE_BASED, INTELLIGENT_DRIVER, NETWORK, PLANNER, TRAFFIC_DRIVER = range(5)  # as engine.c numbers them
 _AS_CALLED = (
     *("speed", "crash", "graze", "room", "side", "widening", "berth", "haste", "offset", "astray", "jerk", "resolve"),
     *("agility", "drift", "crossing"),
@@ -31,18 +33,27 @@ ASKED = 16  # observations on which a network's answers are held against numpy's
 
 def policy_of(ego: EgoPolicy, engine: Engine) -> Policy | None:
     """An ego in the engine's terms; None for one that has to be asked at every step."""
-    if type(ego) is RuleBased:
-        return _by_rule(RULE_BASED, Caution(speed=ego.speed), CAR)
-    if type(ego) is IntelligentDriver:
-        return _by_rule(INTELLIGENT_DRIVER, Caution(speed=ego.speed), ego.body)
-    if type(ego) is Planner:
-        return _by_rule(PLANNER, _caution(ego), ego.body)
+    if (driver := _driver(ego)) is not None:
+        return driver
     if type(ego) is NetworkEgo and ego.network.size == OBSERVATIONS.get(ego.observation) and ego.every > 0:
         policy = network_policy(ego.network)
         if not _agree(ego.network, engine):
             return None
         policy.every = ego.every
         return policy
+    return None
+
+
+def _driver(ego: EgoPolicy) -> Policy | None:
+    """A driver by rule; exactly these, since who derives from one may do something else."""
+    if type(ego) is RuleBased:
+        return _by_rule(RULE_BASED, Caution(speed=ego.speed), CAR)
+    if type(ego) is IntelligentDriver:
+        return _by_rule(INTELLIGENT_DRIVER, Caution(speed=ego.speed), ego.body)
+    if type(ego) is Planner:
+        return _by_rule(PLANNER, _caution(ego), ego.body, swift=ego.wants is not None)
+    if type(ego) is TrafficDriver:
+        return _by_rule(TRAFFIC_DRIVER, Caution(speed=ego.speed), ego.body, swift=True, around=ego.all_around)
     return None
 
 
@@ -66,10 +77,12 @@ def foot_of(braking: Braking, own: float, body: Limits) -> Foot:
     )
 
 
-def _by_rule(kind: int, caution: Caution, body: Limits) -> Policy:
+def _by_rule(kind: int, caution: Caution, body: Limits, *, swift: bool = False, around: bool = True) -> Policy:
     """Somebody who decides at every step, and knows what he drives; the wheel is turned as a car's (`controls`)."""
     own = replace(body, wheelbase=CAR.wheelbase, wheel_angle=CAR.wheel_angle)
-    return Policy(kind=kind, every=1, car=limits_of(own), caution=caution)
+    return Policy(
+        kind=kind, every=1, swift=swift, around=around, softness=softness_of(body), car=limits_of(own), caution=caution
+    )
 
 
 def _caution(ego: Planner) -> Caution:
@@ -106,6 +119,8 @@ def network_policy(network: Network) -> Policy:
     widest = max(network.size, *(len(bias) for _, bias in network.layers))
     policy = Policy(
         kind=NETWORK,
+        swift=network.size > ALLOWED,
+        softness=softness_of(CAR),
         hidden=HIDDEN.index(network.hidden),
         output=OUTPUTS.index(network.output),
         every=1,
