@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from chatscene.ego.network import HIDDEN, OUTPUTS, Network, NetworkEgo
-from chatscene.ego.observation import AHEAD, NEAREST, OBSERVATIONS, OWN, PER_ACTOR, ROAD, Observation
+from chatscene.ego.observation import AHEAD, ALLOWED, NEAREST, OBSERVATIONS, OWN, PER_ACTOR, ROAD, Observation, scale_of
 from chatscene.ego.planner import Caution, Planner
 from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, wanting
 from chatscene.errors import MapError, StuckBehavior
@@ -33,6 +33,7 @@ from chatscene.simulate.native.policies import network_policy, policy_of
 from chatscene.simulate.native.simulator import NativeSimulator
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
+from chatscene.terms.actors import LIMITS
 from chatscene.terms.episode import Episode, Stepped
 from chatscene.terms.plan import PRIMITIVES
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
@@ -155,22 +156,24 @@ def _braked(simulator: Simulator, program: ScenicProgram, ego: EgoPolicy, begins
     )
 
 
-def _street(draw: np.random.Generator) -> Observation:
-    """A bent road with up to six others, of any kind, anywhere near, moving or not."""
-    seen = np.zeros(OBSERVATIONS["road"])
-    seen[ROAD:] = draw.choice([0.5, 1.75, 5.25, 8.0], 2)
-    seen[:4] = draw.uniform(0, 12), draw.normal(0, 1.5), draw.normal(0, 0.1), draw.uniform(5, 100)
-    bend = draw.normal(0, 0.02)
-    seen[4:OWN] = [x for ahead in AHEAD for x in (ahead, bend * ahead * ahead / 2 - seen[1])]
+def _street(draw: np.random.Generator, fastest: float = 12.0) -> Observation:
+    """A bent road with up to six others, of any kind, anywhere near, moving or not, as `traffic` shows it."""
+    seen = np.zeros(OBSERVATIONS["traffic"])
+    seen[ROAD:ALLOWED], seen[ALLOWED] = draw.choice([0.5, 1.75, 5.25, 8.0], 2), draw.uniform(0, 40)
+    seen[:4] = draw.uniform(0, fastest), draw.normal(0, 1.5), draw.normal(0, 0.1), draw.uniform(5, 100)
+    k = scale_of(seen[0]) if fastest > 12.0 else 1.0
+    bend = draw.normal(0, 0.02) / k
+    seen[4:OWN] = [x for ahead in AHEAD for x in (k * ahead, bend * k * ahead * k * ahead / 2 - seen[1])]
     for row in seen[OWN:ROAD].reshape(-1, PER_ACTOR)[: draw.integers(0, NEAREST + 1)]:
-        along, beside, moves = draw.uniform(-20, 45), draw.normal(0, 4), draw.random() < 0.6
+        along, beside, moves = draw.uniform(-20 * k, 45 * k), draw.normal(0, 4), draw.random() < 0.6
         row[:5] = 1.0, along, beside, along, beside
-        row[5:8] = moves * draw.normal(0, 6), moves * draw.normal(0, 2), draw.uniform(-np.pi, np.pi)
+        turned = draw.choice((draw.uniform(-np.pi, np.pi), 0.0, np.pi))
+        row[5:8] = moves * draw.normal(0, 6 * k), moves * draw.normal(0, 2), turned
         row[8:] = draw.choice((0.3, 2.4)), draw.choice((0.3, 1.0)), draw.integers(2)
     return seen
 
 
-@pytest.mark.parametrize("speed", (None, 3.0, 20.0))
+@pytest.mark.parametrize("speed", (None, 3.0, 20.0, 35.0))
 @pytest.mark.parametrize("name", ("rule-based", "idm", "planner", "hardened"))
 def test_a_driver_by_rule_answers_the_same_to_the_last_bit(name: str, speed: float | None) -> None:
     ego, draw = wanting(load_ego(name), speed), np.random.default_rng(5)
@@ -178,7 +181,7 @@ def test_a_driver_by_rule_answers_the_same_to_the_last_bit(name: str, speed: flo
     policy = policy_of(ego, loaded)
     assert policy is not None
     for _ in range(300):
-        seen = _street(draw)[: OBSERVATIONS[observation_of(ego)]]
+        seen = _street(draw, 12.0 if speed is None else 40.0)[: OBSERVATIONS[observation_of(ego)]]
         assert loaded.ask(policy, seen.tolist()) == ego.act(seen)
 
 
@@ -189,12 +192,13 @@ def test_the_planner_answers_the_same_however_cautious_it_is() -> None:
         for field in fields(Caution):
             value = np.array(getattr(usual, field.name))
             drawn[field.name] = (value * draw.uniform(0.2, 3.0, value.shape)).tolist()
-        ego = Planner(Caution(**drawn))
-        policy = policy_of(ego, loaded)
-        assert policy is not None
-        for _ in range(3):
-            seen = _street(draw)
-            assert loaded.ask(policy, seen.tolist()) == ego.act(seen)
+        slow = Planner(Caution(**drawn))
+        for ego, fastest in ((slow, 12.0), (slow.wanting(25.0).driving(LIMITS["Bus"]), 40.0)):
+            policy = policy_of(ego, loaded)
+            assert policy is not None
+            for _ in range(3):
+                seen = _street(draw, fastest)[: OBSERVATIONS[ego.observation]]
+                assert loaded.ask(policy, seen.tolist()) == ego.act(seen)
 
 
 @pytest.mark.parametrize("name", ("rule-based", "idm", "planner"))
