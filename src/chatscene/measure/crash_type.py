@@ -32,7 +32,7 @@ def crash_type(episode: Episode) -> str:
     other = next(track for track in episode.tracks if track.actor == crash.other)
     driven = float(np.hypot(np.diff(ego.x[: crash.step + 1]), np.diff(ego.y[: crash.step + 1])).sum())
     turned = float(other.heading[crash.step] - ego.heading[crash.step])
-    struck = f"{other.kind} {part_struck(other, ego, crash.step)}".strip()
+    struck = f"{other.kind} {part_struck(other, ego, crash)}".strip()
     headed = HEADED[round(turned / (math.pi / 2)) % 4]
     severity = severity_of(crash.impact_speed, other)
     return f"{who}, {crash.side} and {struck}, {headed}, {severity}, after {int(driven // PLACE * PLACE)} m"

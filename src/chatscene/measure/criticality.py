@@ -28,12 +28,15 @@ def criticality(episode: Episode) -> Criticality:
     """The measures of a drive; None where one does not apply."""
     ego, others, crash = episode.ego_track, episode.adversaries, episode.collision
     following = [_following(ego, other) for other in others]
+    touched = crash is not None and any(other.actor == crash.other for other in others)  # be it between two steps
     return Criticality(
-        time_to_collision=_least(float(times_to_collision(ego, other).min()) for other in others),
-        post_encroachment_time=_least(post_encroachment(ego, other) * episode.dt for other in others),
+        time_to_collision=0.0 if touched else _least(float(times_to_collision(ego, other).min()) for other in others),
+        post_encroachment_time=0.0
+        if touched
+        else _least(post_encroachment(ego, other) * episode.dt for other in others),
         time_headway=_least(headway for headway, _ in following),
         deceleration_required=max((braking for _, braking in following if braking > 0.0), default=None),
-        distance=_least(least_gap(ego, other) for other in others),
+        distance=0.0 if touched else _least(least_gap(ego, other) for other in others),
         impact_speed=None if crash is None else crash.impact_speed,
         severity=None if crash is None else severity_of(crash.impact_speed, _struck(episode, crash)),
     )
@@ -60,11 +63,11 @@ def fault(episode: Episode) -> Fault | None:
     return Fault.ADVERSARY_INTO_EGO if adversary else Fault.BACKGROUND_INTO_EGO
 
 
-def part_struck(track: Track, by: Track, step: int) -> str:
-    """Where on a vehicle another one touches it at a step: ``front``, ``rear``, ``left`` or ``right``; else empty."""
+def part_struck(track: Track, by: Track, crash: Event) -> str:
+    """Where on a vehicle another one touches it in a crash: ``front``, ``rear``, ``left`` or ``right``; else empty."""
     if track.kind not in LIMITS or not LIMITS[track.kind].wheelbase:
         return ""
-    return side_touched(track, by, step)
+    return side_touched(track, by, crash.step, crash.earlier)
 
 
 def line_of_contact(ego: Track, other: Track, step: int) -> Array:

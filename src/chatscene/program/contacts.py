@@ -45,8 +45,8 @@ def _at_front(episode: Episode) -> bool:
     collision, ego = episode.collision, episode.ego_track
     assert collision is not None
     x, y = contact_point(episode, collision)
-    dx, dy, heading = x - ego.x[collision.step], y - ego.y[collision.step], ego.heading[collision.step]
-    return bool(dx * np.cos(heading) + dy * np.sin(heading) > 0.0)
+    own_x, own_y, heading = ego.pose(collision.step, collision.earlier)
+    return (x - own_x) * math.cos(heading) + (y - own_y) * math.sin(heading) > 0.0
 
 
 def _touches_with_nose(episode: Episode, other: Track) -> bool:
@@ -54,10 +54,8 @@ def _touches_with_nose(episode: Episode, other: Track) -> bool:
     collision = episode.collision
     assert collision is not None
     x, y = contact_point(episode, collision)
-    step = min(collision.step, len(other.x) - 1)
-    heading = float(other.heading[step])
-    dx, dy = x - float(other.x[step]), y - float(other.y[step])
-    ahead = dx * math.cos(heading) + dy * math.sin(heading)
+    other_x, other_y, heading = other.pose(collision.step, collision.earlier)
+    ahead = (x - other_x) * math.cos(heading) + (y - other_y) * math.sin(heading)
     return ahead > other.length / 2 - NOSE
 
 
@@ -89,7 +87,7 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
         yield Finding(path="contact.at", shown=right, told=f"said {said.at}, it is {100 * share:.0f} % of the width")
     if said.other is not None:
         whose = next((t for t in episode.tracks if _is_door_of(other.actor, t.actor)), other)  # it is a part of it
-        side = side_touched(whose, episode.ego_track, collision.step)
+        side = side_touched(whose, episode.ego_track, collision.step, collision.earlier)
         right = side in SIDES_OF[said.other]
         yield Finding(path="contact.other", shown=right, told=f"said {said.other}, it is the {side}")
     if said.striker is not None:

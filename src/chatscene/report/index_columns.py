@@ -241,6 +241,7 @@ _OF_EVENTS: dict[str, tuple[str, str]] = {
     "other": ("with whom, or with what", ""),
     "side": ("side of the ego that was struck, of a collision; else empty", ""),
     "impact_speed": ("speed of approach, of a collision", "m/s"),
+    "earlier": ("of a collision: how long before `step` the two began to touch, as a share of a step", ""),
 }
 _EVENTS = (_RUN, _SCENE, *(Column(name, *_OF_EVENTS[name], EVENTS.field(name).type) for name in _OF_EVENTS))
 

@@ -167,6 +167,7 @@ def _event_rows(episode: Episode) -> list[EventRow]:
             other=event.other,
             side=event.side,
             impact_speed=float(event.impact_speed),
+            earlier=float(event.earlier),
         )
         for event in episode.events
     ]

@@ -508,6 +508,7 @@ class EventRow(_Frozen):
     other: str
     side: str
     impact_speed: float
+    earlier: float = 0.0
 
 
 class SignalRow(_Frozen):

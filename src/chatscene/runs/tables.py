@@ -63,6 +63,7 @@ EVENTS = pa.schema(
         ("other", pa.string()),
         ("side", pa.string()),
         ("impact_speed", pa.float64()),
+        ("earlier", pa.float64()),
     ]
 )
 
@@ -469,6 +470,7 @@ def episode_of(
                 other=e["other"],
                 side=e["side"],
                 impact_speed=e["impact_speed"],
+                earlier=e.get("earlier") or 0.0,  # older tables have none
             )
             for e in events
         ),

@@ -83,7 +83,7 @@ class Contact:
             kind=struck.kind,
             fault=who,
             ego_part=crash.side,
-            other_part=part_struck(struck, episode.ego_track, crash.step),
+            other_part=part_struck(struck, episode.ego_track, crash),
             ego_speed=float(episode.ego_track.speed[max(crash.step - 1, 0)]),
             other_speed=float(struck.speed[max(crash.step - 1, 0)]),
             impact_speed=crash.impact_speed,

@@ -1,4 +1,10 @@
-"""When two bodies touch, where, and how fast they met: for all simulators, so that a collision means one thing."""
+"""When two bodies touch, where, and how fast they met: for all simulators, so that a collision means one thing.
+
+Bodies are held against each other as they stand after a step. At 30 m/s one goes 3 m in that, through a corner of
+another or, at 70 m/s of approach, through a bicycle. So the way between two steps is looked at as well (`met`): always
+in a drive at a speed that was asked for, else only where two come farther than `SWEPT` nearer in one step. Below that
+nothing is looked at that was not always (decision 0126), and numbers on record stay.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +12,12 @@ import math
 
 from chatscene.terms.episode import Track
 from chatscene.world.bodies import Body
+
+SWEPT = 2.0  # [m] of a step: 20 m/s at 0.1 s, and more than any two of the benchmark's come nearer in one
+FINE = 0.1  # [m] that two move past each other between two looks
+
+Was = tuple[float, float, float]
+"""Where a body was before a step: x [m], y [m], heading [rad]."""
 
 
 def touch(a: Body, b: Body) -> bool:
@@ -21,6 +33,46 @@ def touch(a: Body, b: Body) -> bool:
         and abs(dy * a.cos - dx * a.sin) <= a.half_width + b.half_length * s + b.half_width * c
         and abs(dx * b.cos + dy * b.sin) <= b.half_length + a.half_length * c + a.half_width * s
         and abs(dy * b.cos - dx * b.sin) <= b.half_width + a.half_length * s + a.half_width * c
+    )
+
+
+def met(a: Body, b: Body, a_was: Was, b_was: Was, swept: float) -> float | None:
+    """How long before the end of a step two bodies began to touch, as a share of it; None if they do not.
+
+    They did not touch before the step. Between the steps, centres are taken to move evenly and bodies to turn evenly,
+    and are looked at after every `FINE`.
+
+    Args:
+        a: As it is after the step.
+        b: The same.
+        a_was: Where it was before.
+        b_was: The same.
+        swept: How far they must have moved past each other [m] to be looked at between the steps.
+    """
+    dx, dy = b.x - a.x, b.y - a.y
+    mx, my = dx - (b_was[0] - a_was[0]), dy - (b_was[1] - a_was[1])
+    moved = math.sqrt(mx * mx + my * my)
+    if moved > swept:
+        reach = a.radius + b.radius + moved
+        if dx * dx + dy * dy > reach * reach:
+            return None
+        parts = math.ceil(moved / FINE)
+        for part in range(1, parts):
+            share = part / parts
+            if touch(between(a, a_was, share), between(b, b_was, share)):
+                return 1.0 - share
+    return 0.0 if touch(a, b) else None
+
+
+def between(body: Body, was: Was, share: float) -> Body:
+    """A body as it was when a share of the last step was over."""
+    x, y, heading = was
+    return Body(
+        x + (body.x - x) * share,
+        y + (body.y - y) * share,
+        heading + (body.heading - heading) * share,
+        body.length,
+        body.width,
     )
 
 
@@ -59,14 +111,20 @@ def contact_side(ego: Body, other: Body) -> str:
     return "left" if across > 0 else "right"
 
 
-def side_touched(track: Track, by: Track, step: int) -> str:
-    """Where on what a track is of another touches it at a step, or at its last: as `contact_side` says."""
-    return contact_side(_at(track, step), _at(by, step))
+def side_touched(track: Track, by: Track, step: int, earlier: float = 0.0) -> str:
+    """Where on what a track is of another touches it, as `contact_side` says.
+
+    Args:
+        track: Of what is touched.
+        by: Of who touches it.
+        step: At which step; at the last if there are fewer.
+        earlier: How long before, as a share of a step.
+    """
+    return contact_side(_at(track, step, earlier), _at(by, step, earlier))
 
 
-def _at(track: Track, step: int) -> Body:
-    there = min(step, len(track.x) - 1)
-    return Body(float(track.x[there]), float(track.y[there]), float(track.heading[there]), track.length, track.width)
+def _at(track: Track, step: int, earlier: float) -> Body:
+    return Body(*track.pose(step, earlier), track.length, track.width)
 
 
 def approach_speed(a: Body, b: Body) -> float:

@@ -14,7 +14,7 @@ from chatscene.ego.observation import SIGHT, Observation, RouteView, check_prese
 from chatscene.ego.policy import controls
 from chatscene.errors import ChatSceneError, EgoError, ProgramError, no_such
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.contact import approach_speed, contact_side, touch
+from chatscene.simulate.contact import SWEPT, Was, approach_speed, between, contact_side, met, touch
 from chatscene.simulate.obedience import Obedience
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.simulation import SteppedSimulation
@@ -68,8 +68,11 @@ class SteppedSession:
         along: Arc length of the ego on its route [m].
         draws: How many draws it took to place.
         allowed: The speed allowed on each segment of its route [m/s]; None where the ego does not see it.
+        swept: How far two must move past each other in a step [m] to be looked at within it.
         stepped: Who steps it, where that is another simulator than the one that was asked for.
     """
+
+    _was: tuple[Was, ...] = ()  # where everybody was before the last step
 
     def __init__(
         self,
@@ -131,6 +134,7 @@ class SteppedSession:
         self._offsets: list[float] = []
         self._contacts: list[Event] = []
         self._touching: set[int] = set()
+        self.swept = SWEPT if program.wanted_speed is None else 0.0
         self._closed = False
         self.step_number = 0
         self.ending: Ending | None = None
@@ -211,7 +215,7 @@ class SteppedSession:
         *,
         rows: list[float],
         offsets: list[float],
-        contacts: list[tuple[int, int, str, float]],
+        contacts: list[tuple[int, int, str, float, float]],
         step: int,
         along: float,
         ending: Ending | None,
@@ -222,7 +226,8 @@ class SteppedSession:
         Args:
             rows: The state of each body that moves at each step: x, y, heading, speed.
             offsets: Lateral offset of the ego from its route at each step [m, positive = left].
-            contacts: When the ego began to touch whom, on which of its sides, and how fast they met [m/s].
+            contacts: When the ego began to touch whom, on which of its sides, how fast they met [m/s], and how long
+                before the step, as a share of it.
             step: How many steps were made.
             along: Arc length of the ego on its route [m].
             ending: Why it ended, or None while it goes on.
@@ -233,9 +238,15 @@ class SteppedSession:
         self.step_number, self.ending = step, ending
         self._phases = {number: phase for number, phase in phases.items() if self._plan_of(number) is not None}
 
-    def _contact(self, step: int, other: int, side: str, speed: float) -> Event:
-        side = turned_about(side) if self._ego.backs else side
-        return Event(kind=EventKind.COLLISION, step=step, other=self._names[other][0], side=side, impact_speed=speed)
+    def _contact(self, step: int, other: int, side: str, speed: float, earlier: float) -> Event:
+        return Event(
+            kind=EventKind.COLLISION,
+            step=step,
+            other=self._names[other][0],
+            side=turned_about(side) if self._ego.backs else side,
+            impact_speed=speed,
+            earlier=earlier,
+        )
 
     def close(self) -> None:
         """Give the process free for another session; to be called again does nothing."""
@@ -257,6 +268,7 @@ class SteppedSession:
         self.observation = self._see()  # after the last step too: a learner's value of a cut episode rests on it
         if goes_on and (ending := self._ended()) is not None:
             self._end(ending)
+        self._was = tuple((one.x, one.y, one.heading) for one in self.simulation.bodies)
 
     def _meet(self) -> None:
         """Take in who is there and was not before; a program that is composed of others places things as it goes on."""
@@ -328,16 +340,29 @@ class SteppedSession:
         return False
 
     def _collides(self) -> bool:
-        bodies, ego = self.simulation.bodies, self._ego
+        bodies, ego, was, passed = self.simulation.bodies, self._ego, self._was, False
         for i in range(1, len(bodies)):
-            if touch(ego, bodies[i]):
-                if i not in self._touching:
-                    self._touching.add(i)
-                    side, speed = contact_side(ego, bodies[i]), approach_speed(ego, bodies[i])
-                    self._contacts.append(self._contact(self.step_number, i, side, speed))
+            other = bodies[i]
+            if i in self._touching:
+                if not touch(ego, other):
+                    self._touching.discard(i)
+                continue
+            if i < len(was):
+                earlier = met(ego, other, was[0], was[i], self.swept)
+            else:  # it was nowhere before
+                earlier = 0.0 if touch(ego, other) else None
+            if earlier is None:
+                continue
+            mine, theirs = ego, other
+            if earlier:
+                mine, theirs = between(ego, was[0], 1.0 - earlier), between(other, was[i], 1.0 - earlier)
+            side, speed = contact_side(mine, theirs), approach_speed(ego, other)
+            self._contacts.append(self._contact(self.step_number, i, side, speed, earlier))
+            if touch(ego, other):
+                self._touching.add(i)
             else:
-                self._touching.discard(i)
-        return bool(self._touching)
+                passed = True
+        return passed or bool(self._touching)
 
     def episode(self, scene_id: str, ego: str) -> Episode:
         """Everything that happened so far, with the events that follow from the tracks."""

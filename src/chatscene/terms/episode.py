@@ -76,6 +76,16 @@ class Track:
         """(T,) [m/s²] along the heading; 0 in row 0."""
         return np.diff(self.speed, prepend=self.speed[:1]) / dt
 
+    def pose(self, step: int, earlier: float = 0.0) -> tuple[float, float, float]:
+        """X, y [m] and heading [rad] at a step, or at the last; or a share of a step earlier."""
+        now = min(step, len(self.x) - 1)
+        x, y, heading = float(self.x[now]), float(self.y[now]), float(self.heading[now])
+        if earlier and now:
+            x += (float(self.x[now - 1]) - x) * earlier
+            y += (float(self.y[now - 1]) - y) * earlier
+            heading += (float(self.heading[now - 1]) - heading) * earlier
+        return x, y, heading
+
     def yaw_rate(self, dt: float) -> Array:
         """(T,) [rad/s]; 0 in row 0."""
         return np.diff(self.heading, prepend=self.heading[:1]) / dt
@@ -90,7 +100,9 @@ class Event:
         step: At which step it began.
         other: With whom or what: an actor, a signal or a lane marking; empty where nothing.
         side: For a collision, where on the ego: ``front``, ``rear``, ``left`` or ``right``; else empty.
-        impact_speed: For a collision, the speed of approach [m/s]; else 0.
+        impact_speed: For a collision, the speed of approach [m/s] as the step began in which they met; else 0.
+        earlier: For a collision, how long before the step the two began to touch, as a share of a step; 0 where only
+            the state at the step was looked at. They may have parted again before the step.
     """
 
     kind: EventKind
@@ -98,6 +110,7 @@ class Event:
     other: str = ""
     side: str = ""
     impact_speed: float = 0.0
+    earlier: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -215,9 +228,10 @@ def contact_point(episode: Episode, event: Event) -> list[float]:
     """Where the ego was hit [m]: the point of its box nearest to the centre of what it hit."""
     ego = episode.ego_track
     step = min(event.step, len(ego.x) - 1)
-    x, y, heading = float(ego.x[step]), float(ego.y[step]), float(ego.heading[step])
+    x, y, heading = ego.pose(step, event.earlier)
     other = next((track for track in episode.tracks if track.actor == event.other), ego)
-    dx, dy = float(other.x[step]) - x, float(other.y[step]) - y
+    other_x, other_y, _ = other.pose(step, event.earlier)
+    dx, dy = other_x - x, other_y - y
     cos, sin = math.cos(heading), math.sin(heading)
     along = min(max(dx * cos + dy * sin, -ego.length / 2), ego.length / 2)
     across = min(max(dy * cos - dx * sin, -ego.width / 2), ego.width / 2)

@@ -247,13 +247,16 @@ def _event(message: Any, steps: int) -> Event:
     side = message.get("side")
     if side not in ("", "front", "rear", "left", "right"):
         raise nonsense("the side of an event")
-    other = message.get("other")
+    other, earlier = message.get("other"), number(message, "earlier")
+    if not 0.0 <= earlier < 1.0:
+        raise nonsense("the time of an event")
     return Event(
         kind=_choice(EventKind, message, "kind"),
         step=step,
         other="" if other == "" else _matching(other, _ID),
         side=side,
         impact_speed=number(message, "impact_speed"),
+        earlier=earlier,
     )
 
 

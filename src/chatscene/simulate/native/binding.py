@@ -144,6 +144,7 @@ class _Binder:
         own = session.limits
         if (own.wheelbase, own.wheel_angle) != (CAR.wheelbase, CAR.wheel_angle):
             world.wheelbase, world.wheel_angle = own.wheelbase, own.wheel_angle
+        world.swept = session.swept
         world.dt, world.arrival = session.settings.dt, ARRIVAL * session.route.length
         world.along, world.offset = session.along, session.offset
         if session.preset in ("road", "traffic"):

@@ -17,6 +17,7 @@
 #define AIR_DRAG 0.0008
 #define REVERSE_SPEED 6.0
 #define LEAST_REVERSAL 0.05
+#define FINE 0.1
 #define SIGHT 15.0
 #define RANGE 50.0
 #define HORIZON 100.0
@@ -62,6 +63,7 @@ typedef struct {
     double throttle, brake, steer, wheel;  /* of vehicles */
     double course, target_speed, vx, vy;   /* of walkers */
     double sight;                          /* from how far the ego sees it */
+    double was_x, was_y, was_heading;      /* before the last step */
     Limits limits;
     int32_t kind, reverse, walks, seen_as_vehicle;
     int32_t backs, unused;                 /* drives backwards, and is carried as it goes */
@@ -123,13 +125,14 @@ typedef struct {
 
 typedef struct {
     int64_t step, other, side;
-    double speed;
+    double speed, earlier;
 } Contact;
 
 typedef struct {
     int64_t bodies, agents, areas, orders, limit, step, moving, contacts, most_contacts;
     int32_t ending, through, preset, near, fault, unused;
     double dt, arrival, along, offset, hardest, wheelbase, wheel_angle; /* the last two: of an ego that is no car */
+    double swept; /* how far two must move past each other in a step to be looked at within it */
     uint64_t touching;
     Body *body;
     Agent *agent;
@@ -405,6 +408,34 @@ static int touch(const Body *a, const Body *b) {
         && fabs(dy * a->cos - dx * a->sin) <= a->half_width + b->half_length * s + b->half_width * c
         && fabs(dx * b->cos + dy * b->sin) <= b->half_length + a->half_length * c + a->half_width * s
         && fabs(dy * b->cos - dx * b->sin) <= b->half_width + a->half_length * s + a->half_width * c;
+}
+
+/* `between` */
+static Body within_step(const Body *b, double share) {
+    Body then = *b;
+    then.x = b->was_x + (b->x - b->was_x) * share;
+    then.y = b->was_y + (b->y - b->was_y) * share;
+    then.heading = b->was_heading + (b->heading - b->was_heading) * share;
+    then.cos = cos(then.heading);
+    then.sin = sin(then.heading);
+    return then;
+}
+
+/* How long before the end of a step two began to touch, as a share of it; negative if they do not. */
+static double met(const Body *a, const Body *b, double swept) {
+    double dx = b->x - a->x, dy = b->y - a->y;
+    double mx = dx - (b->was_x - a->was_x), my = dy - (b->was_y - a->was_y), moved = sqrt(mx * mx + my * my);
+    if (moved > swept) {
+        double reach = a->radius + b->radius + moved;
+        if (dx * dx + dy * dy > reach * reach) return -1.0;
+        int64_t parts = (int64_t)ceil(moved / FINE);
+        for (int64_t part = 1; part < parts; part++) {
+            double share = (double)part / (double)parts;
+            Body one = within_step(a, share), other = within_step(b, share);
+            if (touch(&one, &other)) return 1.0 - share;
+        }
+    }
+    return touch(a, b) ? 0.0 : -1.0;
 }
 
 enum { FRONT, REAR, LEFT, RIGHT };
@@ -872,20 +903,29 @@ static void look(World *w) {
         w->offsets[w->step] = w->offset;
     }
     see(w);
+    int passed = 0;
     for (int64_t i = 1; i < w->bodies; i++) {
         const Body *o = &w->body[i];
-        if (!touch(ego, o)) { w->touching &= ~(1ULL << i); continue; }
-        if (!(w->touching >> i & 1) && w->contacts < w->most_contacts) {
+        if (w->touching >> i & 1) {
+            if (!touch(ego, o)) w->touching &= ~(1ULL << i);
+            continue;
+        }
+        double earlier = met(ego, o, w->swept);
+        if (earlier < 0.0) continue;
+        if (w->contacts < w->most_contacts) {
             Contact *contact = &w->contact[w->contacts++];
+            Body mine = earlier > 0.0 ? within_step(ego, 1.0 - earlier) : *ego;
+            Body theirs = earlier > 0.0 ? within_step(o, 1.0 - earlier) : *o;
             contact->step = w->step;
             contact->other = i;
-            contact->side = contact_side(ego, o);
+            contact->side = contact_side(&mine, &theirs);
             contact->speed = hypotenuse(ego->before * ego->cos - o->before * o->cos,
                                         ego->before * ego->sin - o->before * o->sin);
+            contact->earlier = earlier;
         }
-        w->touching |= 1ULL << i;
+        if (touch(ego, o)) w->touching |= 1ULL << i; else passed = 1;
     }
-    w->ending = w->touching && !w->through ? COLLISION : w->along >= w->arrival ? ARRIVED
+    w->ending = (w->touching || passed) && !w->through ? COLLISION : w->along >= w->arrival ? ARRIVED
         : w->step >= w->limit ? TIMEOUT : GOES_ON;
 }
 
@@ -951,6 +991,9 @@ void step_world(World *w, double throttle, double brake, double steer) {
     for (int64_t i = 0; i < w->agents; i++) behave(w, &w->agent[i]);
     if (w->fault) return;
     for (int64_t i = 0; i < w->bodies; i++) {
+        w->body[i].was_x = w->body[i].x;
+        w->body[i].was_y = w->body[i].y;
+        w->body[i].was_heading = w->body[i].heading;
         if (w->body[i].kind == VEHICLE) step_vehicle(&w->body[i], w->dt);
         else if (w->body[i].kind == WALKER) step_walker(&w->body[i], w->dt);
     }

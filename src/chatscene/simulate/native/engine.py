@@ -59,6 +59,7 @@ class Body(Structure):
             for name in (
                 *("x", "y", "heading", "speed", "before", "cos", "sin", "half_length", "half_width", "radius", "grip"),
                 *("throttle", "brake", "steer", "wheel", "course", "target_speed", "vx", "vy", "sight"),
+                *("was_x", "was_y", "was_heading"),
             )
         ),
         ("limits", Limits),
@@ -135,7 +136,7 @@ class Ring(Structure):
 class Contact(Structure):
     """When the ego began to touch whom, where, and how fast they met."""
 
-    _fields_ = (("step", c_int64), ("other", c_int64), ("side", c_int64), ("speed", c_double))
+    _fields_ = (("step", c_int64), ("other", c_int64), ("side", c_int64), ("speed", c_double), ("earlier", c_double))
 
 
 class World(Structure):
@@ -154,6 +155,7 @@ class World(Structure):
         ),
         *((name, c_int32) for name in ("ending", "through", "preset", "near", "fault", "unused")),
         *((name, c_double) for name in ("dt", "arrival", "along", "offset", "hardest", "wheelbase", "wheel_angle")),
+        ("swept", c_double),
         ("touching", c_uint64),
         ("body", POINTER(Body)),
         ("agent", POINTER(Agent)),

@@ -123,7 +123,7 @@ class NativeSession:
         self._reference.take_over(
             rows=bound.rows[:states].ravel().tolist(),
             offsets=bound.offsets[:states].tolist(),
-            contacts=[(c.step, c.other, SIDES[c.side], c.speed) for c in world.contact[: world.contacts]],
+            contacts=[(c.step, c.other, SIDES[c.side], c.speed, c.earlier) for c in world.contact[: world.contacts]],
             step=world.step,
             along=world.along,
             ending=self.ending,
