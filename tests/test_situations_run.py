@@ -12,9 +12,9 @@ from click.testing import CliRunner
 import chatscene
 from chatscene import runs
 from chatscene.commands.main import main
-from chatscene.errors import EditRefused, NotBuilt, RunError, SituationError
+from chatscene.errors import EditRefused, NotBuilt, RunError, SettingsError, SituationError
 from chatscene.report.sections import command
-from chatscene.report.stated import Stated
+from chatscene.report.stated import Stated, stated
 from chatscene.runs import read_record
 from chatscene.runs.workspace import Workspace
 from chatscene.situations.file import read_file
@@ -124,6 +124,21 @@ def test_a_run_of_what_nobody_gave_a_name_is_called_by_its_first_sentences(tmp_p
     record = read_record(Workspace(run.folder))
     assert record.title == WORDS.replace("van", "car")
     assert read_file(tmp_path / "run" / "situation.yaml").about == ""
+
+
+def test_a_speed_that_is_given_beside_it_is_the_egos_where_none_was_said(finished: Path, tmp_path: Path) -> None:
+    said = chatscene.read_situation(finished / "van.yaml")
+    assert stated(said, speed=70.0) == said
+    silent = replace(said, ego=replace(said.ego, speed=None))
+    driven = stated(silent, speed=70.0).ego.speed
+    assert driven is not None
+    assert driven.low == driven.high == pytest.approx(70.0 / 3.6)
+    run = chatscene.run("The car ahead of us brakes hard.", tmp_path / "run", scenes=2, ego="idm", speed=70.0)
+    assert read_file(run.folder / "situation.yaml").ego.speed is not None
+    assert "with wantedSpeed 19.44" in run.best.program
+    assert run.best.replay().identical
+    with pytest.raises(SettingsError, match="snippets are chosen"):
+        chatscene.run("The car ahead brakes.", tmp_path / "own", reader="paper", speed=70.0)
 
 
 def test_from_python_it_is_a_value(finished: Path) -> None:

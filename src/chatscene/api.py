@@ -34,6 +34,7 @@ from chatscene.terms.conflict import Conflict
 from chatscene.terms.description import Description
 from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import BaseScenario
+from chatscene.terms.scene import ScenicProgram, at_speed
 from chatscene.terms.situation import Situation
 
 if TYPE_CHECKING:
@@ -426,6 +427,7 @@ def run(
     edit: Names | None = None,
     map: Name | None = None,  # noqa: A002 - the word of the command line
     ego: Name = EGO,
+    speed: float | None = None,
     scenes: int | None = None,
     routes: int | None = None,
     seed: int | None = None,
@@ -459,6 +461,7 @@ def run(
             outskirts where the text names what the town has not, such as a motorway. Where a program names a map that
             is there, that one is taken.
         ego: An ego by name, file or ``package.module:factory``.
+        speed: What it drives at [km/h] if that was not said, whatever the road allows; None for the speed of the road.
         scenes: Simulations per scenario and route.
         routes: Routes per scenario.
         seed: What everything random derives from.
@@ -497,9 +500,10 @@ def run(
     edits, made = _names(edit or ()), None
     on = None if map is None else str(map)
     if isinstance(text, Situation):
-        made = explain_stated(stated(text, set, on), edits=edits)
-    elif is_filled(str(text), chosen):
-        made = explain_text(str(text), replace(settings, retrieval=chosen), facts=set, edits=edits, map_name=on)
+        made = explain_stated(stated(text, set, on, speed), edits=edits)
+    elif is_filled(str(text), chosen) or (speed is not None and program is None):
+        reads = replace(settings, retrieval=chosen)
+        made = explain_text(str(text), reads, facts=set, edits=edits, map_name=on, speed=speed)
         chosen = read_already(chosen)
     else:
         chosen = _reading(chosen, stated=set)
@@ -509,6 +513,8 @@ def run(
     simulation = _changed(settings.simulation, simulator=simulator, physics=physics)
     where = _folder(folder)
     own = None if program is None else _own(_path(program), trusted=trust, as_written=as_written)
+    if own and speed is not None:
+        own = replace(own, program=_at_speed(own.program, speed))
     if own and own.map_path:
         if os.path.isfile(own.map_path):  # noqa: PTH113 - Path.is_file() raises for a path that the system refuses
             map = own.map_path  # noqa: A001
@@ -921,6 +927,7 @@ def evaluate(
     all: bool = False,  # noqa: A002 - the word of the command line
     simulator: str | None = None,
     physics: str | None = None,
+    speed: float | None = None,
     jobs: int = 1,
     executor: str = EXECUTOR,
     generator: Names = (),
@@ -936,6 +943,7 @@ def evaluate(
         all: Whether every scene that ran is driven, not only the kept ones.
         simulator: What they are driven in; that of the runs if None.
         physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``; that of the runs if None.
+        speed: What egos drive at [km/h] in scenes of which it was not said; None for what the runs have.
         jobs: As `run`.
         executor: As `run`.
         generator: Generators of the runs again, if they are none of ours.
@@ -955,6 +963,7 @@ def evaluate(
         every_scene=all,
         simulator=simulator or "",
         physics=physics or "",
+        speed=speed,
         workers=Workers(jobs, executor),
         progress=progress,
         repeated=_again(generator=generator, library=library),
@@ -1156,6 +1165,18 @@ def _generator_of(situation: object | None, own: ForeignProgram | None, *, trust
     if situation is not None:
         return "situation"
     return "chatscene" if own is None else generator_for(trusted=trusted, as_written=as_written)
+
+
+def _at_speed(program: ScenicProgram, speed: float) -> ScenicProgram:
+    """A program whose ego wants a speed [km/h], if it says none.
+
+    Raises:
+        SettingsError: Nothing can be wanted of its ego.
+    """
+    if program.drawn or program.as_written:
+        why = "drives as it is written" if program.as_written else "is written for another world model"
+        raise SettingsError(f"{program.called} {why}, so that its ego is not told a speed")
+    return at_speed(program, speed / 3.6)
 
 
 def _own(path: Path, *, trusted: bool, as_written: bool) -> ForeignProgram:

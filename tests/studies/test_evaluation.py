@@ -100,6 +100,18 @@ def test_one_process_and_two_give_the_same_files(searched: Path, tmp_path: Path)
     assert content(tmp_path / "1") == content(tmp_path / "2")
 
 
+def test_egos_are_told_a_speed_that_the_runs_do_not_say(searched: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "fast"
+    evaluate([searched / "0"], folder, egos=["rule-based"], every_scene=True, speed=50.0, progress=silent)
+    assert runs.read_record(runs.Workspace(folder), runs.EvaluationRecord).speed == 50.0
+    usual = tmp_path / "usual"
+    evaluate([searched / "0"], usual, egos=["rule-based"], every_scene=True, progress=silent)
+    assert content(folder) != content(usual)
+    with pytest.raises(RunError, match=r"speed was 50\.0 and is now None"):
+        evaluate([searched / "0"], folder, egos=["rule-based"], every_scene=True, progress=silent)
+    resume(folder, progress=silent)
+
+
 def test_an_evaluation_that_was_cut_ends_like_one_that_was_not(searched: Path, tmp_path: Path) -> None:
     evaluate([searched], tmp_path / "whole", egos=["rule-based", "idm"], progress=silent)
 

@@ -77,6 +77,29 @@ def _sampler(default: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]
     )
 
 
+def _speed(command: Callable[..., Any]) -> Callable[..., Any]:
+    """The option that says how fast egos drive where nobody has said so."""
+    return click.option(
+        "--speed",
+        type=click.FloatRange(1.0, 300.0),
+        default=None,
+        metavar="KMH",
+        help="What the ego drives at [km/h] if that is not said.  [default: the speed of the road]",
+    )(command)
+
+
+ROAD = "road"
+
+
+def _road_speed(context: click.Context, parameter: click.Parameter, value: str | None) -> float | None:
+    """A speed [m/s], as it is typed; as fast as any road allows where it is that of the road."""
+    from chatscene.maps.limits import KMH, MOTORWAY
+
+    if value is None or value == ROAD:
+        return None if value is None else MOTORWAY
+    return KMH * click.FloatRange(1.0, 300.0)(value, parameter, context)
+
+
 def _simulator(default: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     """The option that says what scenes run in."""
     return click.option(
@@ -164,6 +187,7 @@ goes into looking through what has just been loaded and stays."""
 @click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
 @click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
+@_speed
 @_sampler(SearchSettings().sampler)
 @_simulator(SIMULATOR)
 @PHYSICS_OPTION
@@ -196,6 +220,7 @@ def run(
     routes: int,
     seed: int,
     avoidable: bool,
+    speed: float | None,
     sampler: str,
     simulator: str,
     physics: str,
@@ -214,6 +239,7 @@ def run(
     chatscene run "an oncoming car turns left across our path" --routes 10 --out runs/left
     chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
     chatscene run "a van cuts in" --set side=left --set ego.speed="40 km/h"
+    chatscene run "the car ahead brakes hard" --speed 90
     chatscene run --report claim.txt --out runs/claim
     chatscene run situation.yaml --set others.A.kind=truck
     chatscene run --program mine.scenic --routes 4
@@ -256,6 +282,7 @@ def run(
                 routes=routes,
                 seed=seed,
                 avoidable=avoidable,
+                speed=speed,
                 sampler=sampler,
                 simulator=simulator,
                 physics=physics,
@@ -322,6 +349,7 @@ def resume(
     multiple=True,
     help="By name, file or package.module:factory; repeat.  [default: planner, idm, sac]",
 )
+@_speed
 @click.option("--all", "every_scene", is_flag=True, help="Every scene that ran, not only the kept ones.")
 @click.option("--simulator", default="", help="In what they are driven.  [default: that of the runs]")
 @PHYSICS_THERE
@@ -336,6 +364,7 @@ def evaluate(
     every_scene: bool,
     simulator: str,
     physics: str | None,
+    speed: float | None,
     out: Path | None,
     jobs: int,
     executor: str,
@@ -358,6 +387,7 @@ def evaluate(
         all=every_scene,
         simulator=simulator or None,
         physics=physics,
+        speed=speed,
         jobs=jobs,
         executor=executor,
         generator=generator,
@@ -438,6 +468,13 @@ def benchmark(
 @PHYSICS_OPTION
 @click.option("--scenes", default=5, show_default=True, help="Draws of traffic per course.")
 @click.option("--seed", default=20_000, show_default=True, help="Of the traffic.")
+@click.option(
+    "--speed",
+    callback=_road_speed,
+    metavar="KMH|road",
+    help="What egos want to drive at, and everybody in proportion, within the limits of the roads: km/h, or 'road' for "
+    "these alone.  [default: egos are told nothing]",
+)
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and GIFs.")
 @WORKERS
 def drive(
@@ -447,6 +484,7 @@ def drive(
     physics: str,
     scenes: int,
     seed: int,
+    speed: float | None,
     out: Path | None,
     jobs: int,
     executor: str,
@@ -455,6 +493,7 @@ def drive(
 
     \b
     chatscene drive --ego sac --ego idm
+    chatscene drive --ego idm --ego planner --speed road --map region
     chatscene drive --ego my-policy.zip --out runs/my-policy
     """
     from chatscene.report.tables import as_text
@@ -468,6 +507,7 @@ def drive(
         simulation=SimulationSettings(simulator=simulator, physics=physics),
         scenes=scenes,
         seed=seed,
+        speed=speed,
         workers=Workers(jobs, executor),
         progress=progress(),
     )

@@ -67,7 +67,9 @@ class OrdinaryResult:
         }
 
 
-def drive_ordinary(ego: EgoPolicy, simulator: Simulator, *, scenes: int, seed: int) -> OrdinaryResult:
+def drive_ordinary(
+    ego: EgoPolicy, simulator: Simulator, *, scenes: int, seed: int, speed: float | None = None
+) -> OrdinaryResult:
     """Let an ego drive every ordinary course of a map.
 
     Args:
@@ -75,6 +77,7 @@ def drive_ordinary(ego: EgoPolicy, simulator: Simulator, *, scenes: int, seed: i
         simulator: Where, on which map.
         scenes: Draws of traffic per course.
         seed: Of the traffic.
+        speed: What the ego wants to drive at [m/s] within the limits of the roads; None if it is told nothing.
 
     Raises:
         MapError: The map offers no route.
@@ -82,7 +85,7 @@ def drive_ordinary(ego: EgoPolicy, simulator: Simulator, *, scenes: int, seed: i
     """
     driven: list[OrdinaryDrive] = []
     rejected = 0
-    for course, outcome in ordinary_episodes(ego, simulator, scenes=scenes, seed=seed):
+    for course, outcome in ordinary_episodes(ego, simulator, scenes=scenes, seed=seed, speed=speed):
         if isinstance(outcome, Rejected):
             rejected += 1
             continue
@@ -99,10 +102,10 @@ def drive_ordinary(ego: EgoPolicy, simulator: Simulator, *, scenes: int, seed: i
 
 
 def ordinary_episodes(
-    ego: EgoPolicy, simulator: Simulator, *, scenes: int, seed: int
+    ego: EgoPolicy, simulator: Simulator, *, scenes: int, seed: int, speed: float | None = None
 ) -> Iterator[tuple[int, Episode | Rejected]]:
     """The drives themselves, each with the number of its course."""
-    for number, course in enumerate(ordinary_courses(simulator)):
+    for number, course in enumerate(ordinary_courses(simulator, speed)):
         for index in range(scenes):
             yield number, simulate(simulator, course.program, _scene(course, index, seed), ego)
 

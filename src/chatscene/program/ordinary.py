@@ -5,9 +5,11 @@ What an ego is trained on and judged by before any adversary; never the benchmar
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from chatscene.ego.observation import USUAL
 from chatscene.errors import MapError
 from chatscene.maps.routes import BASE_SCENARIO_QUERIES
 from chatscene.simulate.simulator import Simulator
@@ -54,6 +56,18 @@ for way in waitingTraffic(egoRoute):
         facing directionOn(way, way.entry - globalParameters.OPT_WAITING_Y),
         with label "waiting", with behavior WaitFor(ego, way, globalParameters.OPT_WAITING_SPEED)
 """
+# What is otherwise where the ego drives at the speed of the road: so does everybody, in proportion, and from the first.
+_AT_SPEED = {
+    "globalParameters.OPT_AHEAD_Y": "maximum(globalParameters.OPT_AHEAD_Y, 15 * pace)",
+    "globalParameters.OPT_AHEAD_SPEED": "pace * globalParameters.OPT_AHEAD_SPEED",
+    "globalParameters.OPT_BESIDE_SPEED": "pace * globalParameters.OPT_BESIDE_SPEED",
+    'with label "ahead"': 'with label "ahead", with speed speedOn(egoRoute, maximum(globalParameters.OPT_AHEAD_Y, '
+    "15 * pace), pace * globalParameters.OPT_AHEAD_SPEED)",
+    'with label "oncoming"': 'with label "oncoming", with speed pace * globalParameters.OPT_BESIDE_SPEED',
+    'with label "beside"': 'with label "beside", with speed pace * globalParameters.OPT_BESIDE_SPEED',
+}
+_TOLD = re.compile("|".join(map(re.escape, _AT_SPEED)))
+
 _RANGES = {
     "OPT_AHEAD_Y": (15.0, 80.0, "m", "how far ahead on the ego's route a car starts"),
     "OPT_AHEAD_SPEED": (5.0, 9.0, "m/s", "how fast it goes"),
@@ -86,11 +100,16 @@ def ordinary_queries() -> tuple[RouteQuery, ...]:
     return tuple(dict.fromkeys([*queries, RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.CURVE)]))
 
 
-def ordinary_program(query: RouteQuery) -> ScenicProgram:
+def ordinary_program(query: RouteQuery, speed: float | None = None) -> ScenicProgram:
     """The program of ordinary drives on one geometry: traffic ahead, beside, waiting at the junction, parked cars.
 
     Signals show green to the ego, because no preset of observations shows it signals; nobody is beside it where it
     changes lanes or passes, because the four numbers do not show it who is there.
+
+    Args:
+        query: The geometry.
+        speed: What the ego wants to drive at [m/s] as far as the limits of the roads let it; everybody who drives is
+            then faster in proportion. None for an ego that is told nothing.
     """
     parts = [_AHEAD]
     if query.place in (Place.ROAD, Place.CURVE):
@@ -109,10 +128,16 @@ def ordinary_program(query: RouteQuery) -> ScenicProgram:
         "crossed": query.conflicting_from,
     }
     written = ", ".join(f"{name}={value!r}" for name, value in arguments.items())
+    traffic, wants, pace = "".join(parts), "", ""
+    if speed is not None:
+        traffic = _TOLD.sub(lambda one: _AT_SPEED[one[0]], traffic)
+        pace = f"pace = maximum(1, speedOn(egoRoute, 0, {speed:.4g}) / {USUAL:g})\n"
+        begins = f"with speed speedOn(egoRoute, 0, {speed:.4g})"
+        wants = f", {begins}, with wantedSpeed {speed:.4g}, with keepsLimits True"
     source = (
         "# An ordinary drive.\n\nmodel chatscene.world.model\n\nparam signals = 'ego-green'\n\n"
         f"egoRoute = selectRoute({written})\negoSpawnPt = startOf(egoRoute)\n"
-        "ego = new Car at egoSpawnPt, facing directionOn(egoRoute, 0), with route egoRoute\n" + "".join(parts)
+        f"{pace}ego = new Car at egoSpawnPt, facing directionOn(egoRoute, 0), with route egoRoute{wants}\n{traffic}"
     )
     names = sorted(name for name in _RANGES if name in source)
     return ScenicProgram(
@@ -132,8 +157,12 @@ def ordinary_program(query: RouteQuery) -> ScenicProgram:
     )
 
 
-def ordinary_courses(simulator: Simulator) -> tuple[Course, ...]:
+def ordinary_courses(simulator: Simulator, speed: float | None = None) -> tuple[Course, ...]:
     """Every ordinary drive that a map offers: at most ten routes per geometry.
+
+    Args:
+        simulator: On which map.
+        speed: As of `ordinary_program`.
 
     Raises:
         MapError: The map offers none.
@@ -141,7 +170,7 @@ def ordinary_courses(simulator: Simulator) -> tuple[Course, ...]:
     courses: list[Course] = []
     missing: list[str] = []
     for query in ordinary_queries():
-        program = ordinary_program(query)
+        program = ordinary_program(query, speed)
         try:
             count = simulator.routes(program)
         except MapError as error:

@@ -30,6 +30,7 @@ def filled(
     settings: RetrievalSettings,
     facts: Mapping[str, object] | None = None,
     map_name: str | None = None,
+    speed: float | None = None,
 ) -> Stated:
     """The situation that a text tells, with some facts set, and its program.
 
@@ -38,6 +39,7 @@ def filled(
         settings: Who reads, and which reading is taken.
         facts: Facts that the user states: by their paths, or, where no language model reads, by their names.
         map_name: The map that it is to be built on; None for any.
+        speed: What the ego drives at [km/h], if the text does not say.
 
     Raises:
         SettingsError: The text is empty or too long, there is no such model, reading or fact, or a fact has no place.
@@ -47,7 +49,7 @@ def filled(
         LanguageModelError: The model gave no usable reply.
     """
     named, by_path = _facts(facts or {}, settings)
-    reader = _reader(settings, named, _unbuilt(by_path, map_name))
+    reader = _reader(settings, named, _unbuilt(by_path, map_name, speed))
     read = reader.read(text)
     if read.verdict is not Verdict.SITUATION:
         raise NothingFits(f"{read.reader} says that {read.verdict.said}: “{read.reason}”", reasons=(read.reason,))
@@ -57,7 +59,7 @@ def filled(
     one = read.ranked[max(taken, 1) - 1]
     if one.probability < settings.refuse_below:
         raise _unsure(read, one)
-    made = stated(one.situation, by_path, map_name)
+    made = stated(one.situation, by_path, map_name, speed)
     try:
         built = built_of(made)
     except NotBuilt as error:
@@ -84,6 +86,7 @@ def explain_text(
     facts: Mapping[str, object] | None = None,
     edits: Sequence[str] = (),
     map_name: str | None = None,
+    speed: float | None = None,
 ) -> Understood | Stated:
     """What becomes of a text, and of edits of it, before anything is run.
 
@@ -93,17 +96,22 @@ def explain_text(
         facts: Facts that the user states.
         edits: What is to be another than it says, in words, one after the other.
         map_name: The map that it is to be built on; None for any.
+        speed: What the ego drives at [km/h], if the text does not say.
 
     Raises:
-        SettingsError: The text is empty or too long.
+        SettingsError: The text is empty or too long, or a speed is given where snippets are chosen for it.
         EditRefused: An edit was not understood.
         NothingFits: Nothing serves it.
     """
     settings = settings or Settings()
     if not is_filled(text, settings.retrieval):
+        if speed is not None:
+            raise SettingsError(
+                "the ego's speed is for a text of which a situation is made, and here snippets are chosen"
+            )
         reading = replace(settings.retrieval, stated=in_text(facts)) if facts else settings.retrieval
         return understand(text, replace(settings, retrieval=reading), edits=edits)
-    return with_edits(filled(text, settings.retrieval, facts, map_name), edits)
+    return with_edits(filled(text, settings.retrieval, facts, map_name, speed), edits)
 
 
 def editor_of(language_model: str) -> Editor | None:
@@ -190,12 +198,14 @@ def _offered(read: SituationReading, taken: Ranked | None = None) -> tuple[Offer
     )
 
 
-def _unbuilt(facts: Mapping[str, object] | None, map_name: str | None) -> Callable[[Situation], str]:
+def _unbuilt(
+    facts: Mapping[str, object] | None, map_name: str | None, speed: float | None
+) -> Callable[[Situation], str]:
     """Why a situation, with what the user states, cannot be built; empty if it can."""
 
     def why(situation: Situation) -> str:
         try:
-            build(stated(situation, facts, map_name))
+            build(stated(situation, facts, map_name, speed))
         except NotBuilt as error:
             return str(error)
         except SituationError:  # which whoever states the facts is told

@@ -218,9 +218,18 @@ def difference_told(difference: Sequence[str]) -> tuple[str, ...]:
 
 
 def stated(
-    situation: Situation | Path, facts: Mapping[str, object] | None = None, map_name: str | None = None
+    situation: Situation | Path,
+    facts: Mapping[str, object] | None = None,
+    map_name: str | None = None,
+    speed: float | None = None,
 ) -> Situation:
     """A situation, or that in a file, with some facts set by their paths.
+
+    Args:
+        situation: Which.
+        facts: What is set.
+        map_name: The map that it is to be built on; None for its own.
+        speed: What the ego drives at [km/h], if the situation does not say.
 
     Raises:
         SituationError: It is none, or a fact has no place in it.
@@ -232,7 +241,7 @@ def stated(
         made = replace(made, map=map_name)
     for path, value in (facts or {}).items():
         made = with_fact(made, path, value)
-    return made
+    return made if speed is None or made.ego.speed is not None else with_fact(made, "ego.speed", f"{speed:g} km/h")
 
 
 def explain_stated(

@@ -10,7 +10,8 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
-from chatscene.ego.policy import FILES, load_ego, senses_of
+from chatscene.ego.observation import USUAL
+from chatscene.ego.policy import FILES, load_ego, senses_of, wanting
 from chatscene.interpret.amend import amended
 from chatscene.maps.network import map_with, resolve_map
 from chatscene.runs.digests import digest_of
@@ -74,7 +75,14 @@ def asked_run(
         generator=generator,
         egos=[ego],
         **report,
-        **_on_a_map(map_name or map_with(read.slots.site), [ego], settings, maker, _driven(situation, program)),
+        **_on_a_map(
+            map_name or map_with(read.slots.site),
+            [ego],
+            settings,
+            maker,
+            _driven(situation, program),
+            told_speed=situation is not None or _wants(program),
+        ),
     )
 
 
@@ -82,9 +90,16 @@ def _driven(situation: SituationRecord | None, program: ProgramRecord | None) ->
     """The class of what the ego of a run drives."""
     if situation is not None:
         return read_text(situation.text).ego.body.row.scenic
-    if program is None:
-        return CAR
-    return ScenicProgram(scenario_id="", source=program.source, parameters=(), snippet_ids=()).ego_kind
+    return CAR if program is None else _as_read(program).ego_kind
+
+
+def _wants(program: ProgramRecord | None) -> bool:
+    """Whether a program says what its ego drives at."""
+    return program is not None and _as_read(program).wanted_speed is not None
+
+
+def _as_read(program: ProgramRecord) -> ScenicProgram:
+    return ScenicProgram(scenario_id="", source=program.source, parameters=(), snippet_ids=())
 
 
 def scenario_of(record: RunRecord, generator: Generator) -> Scenario:
@@ -108,15 +123,32 @@ def edited_scenario(scenario: Scenario, edits: Iterable[str], settings: Retrieva
 
 
 def asked_evaluation(
-    sources: Iterable[SourceRecord], *, scenes: Driven, egos: Iterable[str], settings: Settings, map_name: str
+    sources: Iterable[SourceRecord],
+    *,
+    scenes: Driven,
+    egos: Iterable[str],
+    settings: Settings,
+    map_name: str,
+    speed: float | None = None,
+    told_speeds: bool = False,
 ) -> EvaluationRecord:
     """An evaluation of egos on the scenes of runs.
+
+    Args:
+        sources: The runs.
+        scenes: Which of theirs.
+        egos: Who drives.
+        settings: How.
+        map_name: Where.
+        speed: What they drive at [km/h] where none was said; None for what the programs have.
+        told_speeds: Whether a program of theirs says what its ego drives at.
 
     Raises:
         ChatSceneError: Something that is named is not there.
     """
     named = list(egos)
-    return EvaluationRecord(scenes=scenes, sources=list(sources), egos=named, **_on_a_map(map_name, named, settings))
+    common = _on_a_map(map_name, named, settings, told_speed=told_speeds or speed is not None)
+    return EvaluationRecord(scenes=scenes, sources=list(sources), egos=named, speed=speed, **common)
 
 
 def asked_benchmark(
@@ -139,15 +171,24 @@ def asked_benchmark(
 
 
 def _on_a_map(
-    map_name: str, egos: list[str], settings: Settings, generator: Generator | None = None, kind: str = CAR
+    map_name: str,
+    egos: list[str],
+    settings: Settings,
+    generator: Generator | None = None,
+    kind: str = CAR,
+    *,
+    told_speed: bool = False,
 ) -> dict[str, Any]:
-    """What drives and where; in the simulator that the generator has its programs run in, if there is one."""
+    """What drives and where; in the simulator that the generator has its programs run in, if there is one.
+
+    An ego that is told a speed, whichever, may see another preset than by itself.
+    """
     path = resolve_map(map_name)
     simulator = simulator_of(generator, path, settings) if generator else load_simulator(path, settings.simulation)
     return {
         "map_name": map_name,
         "map_digest": digest_of(path),
-        "senses": {ego: senses_of(load_ego(ego), kind) for ego in egos},
+        "senses": {ego: senses_of(wanting(load_ego(ego), USUAL if told_speed else None), kind) for ego in egos},
         "ego_digests": ego_digests(egos),
         "simulator": SimulatorRecord.of(simulator.identity),
         "settings": asdict(settings),

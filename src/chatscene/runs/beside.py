@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from chatscene.ego.policy import in_words, load_ego, senses_of
+from chatscene.ego.policy import fitted, in_words, load_ego, senses_of
 from chatscene.errors import ChatSceneError, RunError
 from chatscene.measure.avoidability import risk_step
 from chatscene.measure.counterfactual import last_moment, latest_braking
@@ -106,7 +106,7 @@ def _beside(made: Remade, drove: str, rows: Sequence[Mapping[str, Any]]) -> Besi
     crashed = [row for row in rows if row["collision"]][:TOLD]
     return Beside(
         ego=name,
-        senses=in_words(senses_of(ego, made.program.ego_kind)),
+        senses=in_words(senses_of(fitted(ego, made.program), made.program.ego_kind)),
         drives={one.scene_id: one for one in driven if not isinstance(one, Rejected)},
         stories={row["scene_id"]: _story(made, row) for row in crashed},
     )

@@ -304,13 +304,21 @@ class EvaluationRecord(MapRecord):
     Attributes:
         scenes: Which of them.
         sources: The runs.
+        speed: What egos drive at [km/h] where none was said; None for what the programs have. Asked for, though older
+            records have none.
         failures: Why an ego was given up, by ego.
     """
 
     kind = Kind.EVALUATION
     scenes: Driven
     sources: list[SourceRecord]
+    speed: float | None = None
     failures: dict[str, str] = {}
+
+    @classmethod
+    def asked(cls) -> frozenset[str]:
+        """The fields that say what was asked for."""
+        return super().asked() | {"speed"}
 
 
 class BenchmarkRecord(MapRecord):

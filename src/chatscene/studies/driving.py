@@ -38,6 +38,7 @@ class _Setup:
     simulation: SimulationSettings
     scenes: int
     seed: int
+    speed: float | None
     pictured: bool
 
 
@@ -49,6 +50,7 @@ def drive(
     simulation: SimulationSettings | None = None,
     scenes: int = 5,
     seed: int = SEED,
+    speed: float | None = None,
     workers: Workers = ONE,
     progress: Progress,
 ) -> ResultTable:
@@ -61,6 +63,7 @@ def drive(
         simulation: In what, and with which step and limits.
         scenes: Draws of traffic per course.
         seed: Of the traffic.
+        speed: What they want to drive at [m/s] within the limits of the roads; None if they are told nothing.
         workers: Who drives; an ego is driven by one.
         progress: Told what is done.
 
@@ -75,7 +78,7 @@ def drive(
     path = resolve_map(map_name)
     load_simulator(path, simulation)  # an unknown one is told here, and once
     carried, pictured = CarriedMap.of(path), folder is not None
-    setup = _Setup(map=carried, simulation=simulation, scenes=scenes, seed=seed, pictured=pictured)
+    setup = _Setup(map=carried, simulation=simulation, scenes=scenes, seed=seed, speed=speed, pictured=pictured)
     results: dict[str, OrdinaryResult] = {}
     for count, (ego, result, picture) in enumerate(spread(_Driver, setup, egos, workers=workers), 1):
         results[ego] = result
@@ -102,11 +105,12 @@ class _Driver:
         policy = load_ego(ego)
         picture = b""
         if setup.pictured:
-            drives = ordinary_episodes(policy, self._simulator, scenes=1, seed=setup.seed)
+            drives = ordinary_episodes(policy, self._simulator, scenes=1, seed=setup.seed, speed=setup.speed)
             shown = [episode for _, episode in zip(range(SHOWN + 1), drives, strict=False)][-1][1]
             if isinstance(shown, Episode):
                 picture = animate(shown, _drawing(shown, self._map), frames=FRAMES, widest=WIDEST)
-        return ego, drive_ordinary(policy, self._simulator, scenes=setup.scenes, seed=setup.seed), picture
+        fared = drive_ordinary(policy, self._simulator, scenes=setup.scenes, seed=setup.seed, speed=setup.speed)
+        return ego, fared, picture
 
 
 def _drawing(episode: Episode, map_path: Path) -> dict[str, object]:

@@ -43,7 +43,7 @@ from chatscene.simulate.simulator import Simulator, check_jobs
 from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario, Said, Scenario
-from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram, at_speed
 
 EGOS = ("sac", "ppo", "td3")  # the paper's
 COMPARED = (EGO, "idm", "sac")  # where nobody is named: who drives in `run`, the simplest who sees, the paper's
@@ -101,6 +101,7 @@ def evaluate(
     first_route: int = 0,
     simulator: str = "",
     physics: str = "",
+    speed: float | None = None,
     workers: Workers = ONE,
     progress: Progress,
     repeated: Repeated | None = None,
@@ -115,6 +116,7 @@ def evaluate(
         first_route: Scenes on earlier routes are left out, as those that an ego was trained on.
         simulator: In what they are driven; empty for that of the runs.
         physics: How bodies answer there; empty for that of the runs.
+        speed: What egos drive at [km/h] where none was said; None for what the programs have.
         workers: Who drives.
         progress: Told what is done.
         repeated: What the runs name and the user as well, besides egos.
@@ -152,7 +154,15 @@ def evaluate(
     check_jobs(settings.simulation, workers.jobs)
     scenes = runs.Driven.EVERY if every_scene else runs.Driven.KEPT
     told = _as_before(folder, told)
-    asked = runs.asked_evaluation(told, scenes=scenes, egos=egos, settings=settings, map_name=records[0].map_name)
+    asked = runs.asked_evaluation(
+        told,
+        scenes=scenes,
+        egos=egos,
+        settings=settings,
+        map_name=records[0].map_name,
+        speed=speed,
+        told_speeds=any(record.situation is not None for record in records),
+    )
     with runs.alone(folder):
         kept = runs.take_up(folder, asked)
         return _carry_on(
@@ -294,7 +304,7 @@ def _given(run: runs.Workspace, tasks: Sequence[_Task], record: runs.EvaluationR
         found.append(
             _Given(
                 task=task,
-                program=program,
+                program=program if record.speed is None else at_speed(program, record.speed / 3.6),
                 said=scenario.said,
                 scenes=tuple(runs.scene_of(row, program) for row in rows),
                 generator=made.generator,

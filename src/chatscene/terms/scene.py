@@ -8,7 +8,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from chatscene.terms.actors import LIMITS, AdversaryKind, Limits
 from chatscene.terms.snippet import ParameterRange
@@ -87,6 +87,31 @@ class ScenicProgram:
     def drawn(self) -> bool:
         """Whether Scenic draws where things stand, so that each scene has a place and a route of its own."""
         return self.model != OWN_MODEL
+
+
+def at_speed(program: ScenicProgram, speed: float) -> ScenicProgram:
+    """A program whose ego is to drive at a speed, if none was said of it.
+
+    One that is the speed of the road gives way, and so does what the ego begins at, if that is the same; what was said
+    stays, and so does a program in which nothing can be wanted of the ego under test.
+
+    Args:
+        program: Which.
+        speed: What is wanted [m/s].
+    """
+    if program.drawn or program.as_written or (program.wanted_speed is not None and not program.keeps_limits):
+        return program
+    source, number = program.source, f"{speed:.4g}"
+    placed, found = _PLACED.search(source), _WANTED.search(source)
+    if placed is None:
+        return program
+    if found is None:
+        follows = source[placed.end() :].partition("\n")[0].partition("#")[0].strip()
+        wanted = f" with wantedSpeed {number}" + ("," if follows else "")
+        return replace(program, source=source[: placed.end()] + wanted + source[placed.end() :])
+    told = re.sub(rf"(\bwith\s+(?:wantedSpeed|speed)\s+){re.escape(found[1])}(?![\d.])", rf"\g<1>{number}", found[0])
+    source = source[: found.start()] + told + source[found.end() :]
+    return replace(program, source=re.sub(r"(\bwith\s+keepsLimits\s+)True\b", r"\1False", source, count=1))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
