@@ -69,7 +69,7 @@ def risks(episode: Episode) -> tuple[Risks, Risks]:
         Hurt(kind=BY_CLASS.get(track.kind), part=part, speed=abs(float(track.speed[before])), delta_v=delta_v)
         for track, part, delta_v in (
             (ego, crash.side, mine),
-            (other, part_struck(other, ego, crash.step), theirs),
+            (other, part_struck(other, ego, crash), theirs),
         )
     )
     told = {"impact_speed": crash.impact_speed, "closing_speed": closing}
