@@ -11,7 +11,8 @@ speed and the ego is only said to drive. Each is built and driven with seeds fro
 - Another: of a speed at the start, the first second; of a speed of a deed, any second before the ego touches somebody.
 
 A speed is reached within 5 %. A text counts if each of its speeds is reached in each drive. Prints the misses with
-their cause, and totals.
+their cause, totals, and in how many drives the ego brakes within its first second, so that it has the speed at first
+only.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import click
@@ -29,7 +30,7 @@ from building import simulator
 from chatscene.build.build import Built, build
 from chatscene.ego.policy import fitted, load_ego
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt
-from chatscene.program.sample import draw
+from chatscene.program.sample import draw, scene_seed
 from chatscene.read.by_model import situation_in
 from chatscene.simulate.simulator import simulate
 from chatscene.situations.faults import Malformed
@@ -45,6 +46,7 @@ FILES = ("fresh-second.jsonl", "fresh-third.jsonl")
 SLOWEST, FASTEST = 10 / 3.6, 130 / 3.6  # [m/s] that are looked at
 NEAR = 0.05  # of a speed
 SECOND = 10  # steps
+TRIES = 20  # draws for a drive, of which the first that can be placed is driven
 BRAKES = -0.5  # [m/s²] from which on somebody brakes
 USUAL = {RoadKind.MOTORWAY: 110 / 3.6, Setting.RURAL: 80 / 3.6}  # [m/s]
 TOWN = 50 / 3.6
@@ -167,32 +169,61 @@ def missed(one: Wanted, episode: Episode) -> str:
 
 
 def driven(made: Built, ego: str, seed: int) -> Episode | str:
-    """One drive with values drawn by a seed; or why there is none."""
-    values = draw(made.program.parameters, seed=seed)
-    scene = Scene(id=f"s/route-00/{seed}", scenario_id="s", route=0, block=0, seed=seed, values=values)
-    try:
-        episode = simulate(simulator(made.map), made.program, scene, fitted(load_ego(ego), made.program))
-    except (MapError, DoesNotCompile) as error:
-        return f"not placed: {error}"
-    return f"not placed: {episode.reason}" if isinstance(episode, Rejected) else episode
+    """One drive with values drawn by a seed, as a search draws until they can be placed; or why there is none."""
+    driver, why = fitted(load_ego(ego), made.program), ""
+    for number in range(TRIES):
+        own = scene_seed(seed, f"draw-{number}")
+        values = draw(made.program.parameters, seed=own)
+        scene = Scene(id=f"s/route-00/{seed}", scenario_id="s", route=0, block=0, seed=own, values=values)
+        try:
+            episode = simulate(simulator(made.map), made.program, scene, driver)
+        except (MapError, DoesNotCompile) as error:
+            return f"not placed: {error}"
+        if not isinstance(episode, Rejected):
+            return episode
+        why = episode.reason
+    return f"not placed: {why}"
 
 
-def outcome(situation: Situation, wanted: tuple[Wanted, ...], ego: str, drives: int) -> tuple[str, ...]:
-    """The speeds that a text's drives miss, each with its cause; none is good."""
+@dataclass(slots=True)
+class Outcome:
+    """What became of a text.
+
+    Attributes:
+        misses: The speeds that its drives miss, each with its cause, or why there is no drive; none is good.
+        drives: How many were driven.
+        early: In how many of them the ego brakes within its first second.
+    """
+
+    misses: dict[str, str] = field(default_factory=dict[str, str])
+    drives: int = 0
+    early: int = 0
+
+    @property
+    def kind(self) -> str:
+        """``reached``, ``missed``, ``not built`` or ``not placed``."""
+        first = next(iter(self.misses.values()), "")
+        return "reached" if not first else first.split(":")[0] if first.startswith("not ") else "missed"
+
+
+def outcome(situation: Situation, wanted: tuple[Wanted, ...], ego: str, drives: int) -> Outcome:
+    """What becomes of a text with the speeds that it is to have."""
+    found = Outcome()
     try:
         made = build(situation)
     except NotBuilt as refusal:
-        return (f"not built: {refusal}",)
-    found: dict[str, str] = {}
+        return Outcome({"": f"not built: {refusal}"})
     for seed in range(drives):
         episode = driven(made, ego, seed)
         if isinstance(episode, str):
-            found.setdefault(episode, episode)
+            found.misses.setdefault("", episode)
             continue
+        found.drives += 1
+        found.early += bool((episode.ego_track.acceleration(episode.dt)[1 : SECOND + 1] < BRAKES).any())
         for one in wanted:
             if why := missed(one, episode):
-                found.setdefault(str(one), f"{one}: {why}, {made.map}")
-    return tuple(found.values())
+                found.misses.setdefault(str(one), f"{one}: {why}, {made.map}")
+    return found
 
 
 @click.command()
@@ -204,21 +235,15 @@ def main(egos: tuple[str, ...], count: int, drives: int) -> None:
     for name, of in (("with a speed", said), ("without", unsaid)):
         chosen = [(text, one, wanted) for text, one in texts() if (wanted := of(one))][:count]
         for ego in egos:
-            became: Counter[str] = Counter()
-            for text, situation, wanted in chosen:
-                missing = outcome(situation, wanted, ego, drives)
-                kind = (
-                    "reached"
-                    if not missing
-                    else missing[0].split(":")[0]
-                    if missing[0].startswith("not ")
-                    else "missed"
-                )
-                became[kind] += 1
-                for why in missing:
+            found = {text: outcome(situation, wanted, ego, drives) for text, situation, wanted in chosen}
+            for text, one in found.items():
+                for why in one.misses.values():
                     click.echo(f"  {ego} {text} {why[:200]}")
+            became = Counter(one.kind for one in found.values())
             told = ", ".join(f"{what} {number}" for what, number in became.items())
+            early, all_drives = sum(one.early for one in found.values()), sum(one.drives for one in found.values())
             click.echo(f"{name}, {ego}: reached {became['reached']} of {len(chosen)} ({told})")
+            click.echo(f"  {ego} brakes within its first second in {early} of {all_drives} drives")
 
 
 if __name__ == "__main__":
