@@ -1,7 +1,7 @@
 """Whether the simulator `native` gives the embedded one's numbers: every number of every drive, and how fast.
 
-    python benchmarks/native_gate.py [--programs 240] [--scenes 3] [--seed 0] [--ego rule-based] [--beside 0]
-        [--budget 480] [--in-turn]
+    python benchmarks/native_gate.py [--programs 240] [--scenes 3] [--seed 0] [--ego rule-based] [--speed 0]
+        [--beside 0] [--budget 480] [--in-turn]
 
 Each program is a behavior of the library with a geometry and a spawn that are drawn among those it can be joined with,
 every behavior in turn; `--beside` says of how many in a hundred another road user acts beside the adversary. Each is
@@ -22,7 +22,7 @@ from dataclasses import dataclass, field
 import click
 import numpy as np
 
-from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of
+from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of, wanting
 from chatscene.errors import ChatSceneError, MapError
 from chatscene.library.beside import placed_again
 from chatscene.library.compatibility import compatibility
@@ -174,16 +174,19 @@ def show(name: str, tally: Tally) -> None:
 @click.option("--scenes", "each", default=3)
 @click.option("--seed", default=0)
 @click.option("--ego", "egos", multiple=True, default=("rule-based",))
+@click.option("--speed", default=0.0, help="What is wanted of each ego [km/h]; 0 leaves each at its own.")
 @click.option("--beside", default=0, help="Of how many programs in a hundred somebody else acts too.")
 @click.option("--in-turn", is_flag=True, help="Each scene by one of the egos, in turn, and not by all.")
 @click.option("--budget", default=480.0, help="Processor seconds after which no further program is begun.")
-def main(count: int, each: int, seed: int, egos: tuple[str, ...], beside: int, in_turn: bool, budget: float) -> None:
+def main(
+    count: int, each: int, seed: int, egos: tuple[str, ...], speed: float, beside: int, in_turn: bool, budget: float
+) -> None:
     """Compare the two simulators, and say how many drives were identical."""
     settings = SimulationSettings()
     pairs = [(NativeSimulator(path, settings), load_simulator(path, settings)) for path in map(resolve_map, MAPS)]
     if pairs[0][0].missing:
         raise SystemExit(f"there is no engine: {pairs[0][0].missing}")
-    drivers = {name: load_ego(name) for name in egos}
+    drivers = {name: wanting(load_ego(name), speed / 3.6 if speed else None) for name in egos}
     tallies: dict[str, Tally] = defaultdict(Tally)
     failed: Counter[str] = Counter()
     tried, driven_scenes, why = 0, 0, ""

@@ -74,7 +74,8 @@ def expected(observation: Observation, caution: Caution, body: Limits, k: float,
         return None
     points = observation[4:OWN].reshape(-1, 2).tolist()
     if at_speed:
-        told = np.array([_at_speed(row, k, *bends(observation, k)) for row in rows.tolist()]).T
+        way = bends(observation, k)
+        told = np.array([_at_speed(row, k, *way) for row in rows.tolist()]).T
     else:
         told = np.array([_along_the_route(points, row) for row in rows.tolist()]).T
     along, beside, ds, db, speed, half_along, half_beside = told
