@@ -19,9 +19,9 @@ import numpy as np
 from chatscene.ego import at_speed
 from chatscene.ego.at_speed import slower, softness_of, steered
 from chatscene.ego.caution import HARDENED, Caution
-from chatscene.ego.expectations import DT, TIMES, Array, Others, expected
+from chatscene.ego.expectations import DT, MOVING, TIMES, Array, Others, expected
 from chatscene.ego.intelligent_driver import CAR, curve_speed, pressed
-from chatscene.ego.observation import AHEAD, ALLOWED, OWN, ROAD, Observation, scale_of
+from chatscene.ego.observation import AHEAD, ALLOWED, OWN, PER_ACTOR, ROAD, Observation, scale_of
 from chatscene.terms.actors import Limits
 
 _ACCELERATIONS = (-8.0, -5.0, -3.0, -1.5, 0.0, 1.5, 3.0)  # [m/s²]
@@ -32,6 +32,7 @@ AT_ONCE = 1.6  # [m] of a shift that is steered for at once
 SHORTEST = 5.0  # [m] ahead that is steered for
 KEPT = 0.8  # [m] beside the route up to which a car is in its lane
 STRAYS = 80.0  # times as much each metre beyond that costs, for each time that it is faster than what is usual
+LANE = 1.75  # [m] from the middle of a lane to its edge
 LEFT = 4.0  # [m/s²] that may be needed, at the end of what is looked at, to stop behind somebody
 
 
@@ -100,7 +101,8 @@ class Planner:
         cost = c.jerk * (acceleration * acceleration) - gone[-1] + c.resolve * np.abs(shift - offset)
         off = c.offset * (beside * beside) + c.astray * np.maximum(np.abs(beside) - 2.0, 0.0)
         if swift:
-            off += (STRAYS * c.astray * (k - 1.0)) * np.maximum(np.abs(beside) - KEPT, 0.0)
+            fast = scale_of(wish) if _led(observation) else k
+            off += (STRAYS * c.astray * (fast - 1.0)) * np.maximum(np.abs(beside) - KEPT, 0.0)
         cost += np.add.reduce(off, axis=0) * DT
         if (others := expected(observation, c, self.body, k, at_speed=swift)) is not None:
             danger, lost = self._danger(others, offset, speeds, gone, beside)
@@ -176,6 +178,12 @@ def _wish(observation: Observation, at_most: float) -> float:
     if len(observation) > ALLOWED:
         return min(at_most, float(observation[ALLOWED]))
     return min(at_most, curve_speed(observation[4:OWN].reshape(-1, 2)))
+
+
+def _led(observation: Observation) -> bool:
+    """Whether somebody drives ahead in our lane: to overtake him takes longer than we see, at the speed we would go."""
+    rows = observation[OWN:ROAD].reshape(-1, PER_ACTOR)
+    return bool(((rows[:, 1] > 0.0) & (np.abs(rows[:, 2]) < LANE) & (rows[:, 5] > MOVING)).any())
 
 
 def _shifts(observation: Observation, body: Limits) -> Array:

@@ -1399,7 +1399,11 @@ static void planner(const Policy *policy, const double *seen, double *accelerati
     int swift = policy->swift;
     double speed = seen[0], offset = seen[1], wish = wish_of(policy, seen), k = swift ? scale(speed) : 1.0;
     double most = larger(wish, speed - 3.0 * STRIDE), cost[WAYS], danger[WAYS] = {0}, lost[WAYS] = {0};
-    double able = swift ? able_at(car, speed) : INFINITY, strays = 80.0 * c->astray * (k - 1.0);
+    double able = swift ? able_at(car, speed) : INFINITY, fast = k;
+    if (swift)
+        for (const double *row = seen + OWN; row < seen + ACTORS_SIZE; row += PER_ACTOR)
+            if (row[1] > 0.0 && fabs(row[2]) < 1.75 && row[5] > 0.5) fast = scale(wish);
+    double strays = 80.0 * c->astray * (fast - 1.0);
     double gone[WAYS] = {0}, reach[WAYS] = {0}, off[WAYS] = {0}, shift[WAYS];
     for (int w = 0; w < WAYS; w++) shift[w] = shift_of(car, seen, w);
     Ways ways = {.scale = k};
