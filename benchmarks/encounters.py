@@ -7,7 +7,8 @@ lines that are in scope, have no number and 25 words at most, and that were serv
 read offline and searched as a run does. Prints, for each ego,
 
 - of the scenes of the first block of ten how many have an encounter: a collision, or a nearest gap to an adversary
-  below 2 m or 1.5 s (`time_headway` behind it or time to collision), and in how many the ego collides;
+  below 2 m or 1.5 s (`time_headway` behind it or time to collision), which who only follows closely has, too; in how
+  many the two are on the way to a collision: one, or a time to collision below 1.5 s; in how many the ego collides;
 - of all scenes, per 1,000 simulations: crashes, those that a careful driver would have avoided, and the distinct of
   these, as `avoidable.py` counts them: each kind of crash once per sentence, route and seed.
 """
@@ -44,6 +45,7 @@ class Found:
         refused: Sentences that are not served, with the reason.
         drives: Scenes of first blocks.
         encounters: Of these, with an encounter.
+        closing_in: Of these, with a collision or one that was less than 1.5 s away.
         collisions: Of these, with a collision.
         unmet: Sentences without an encounter in the first block, and with how many seeds.
         driven: All scenes.
@@ -56,6 +58,7 @@ class Found:
     refused: dict[str, str] = field(default_factory=dict[str, str])
     drives: int = 0
     encounters: int = 0
+    closing_in: int = 0
     collisions: int = 0
     unmet: Counter[str] = field(default_factory=Counter[str])
     driven: int = 0
@@ -76,8 +79,11 @@ def meets(ran: Ran) -> bool:
     """Whether a drive has an encounter: a collision, or a nearest gap below 2 m or 1.5 s."""
     found = ran.criticality
     gaps = (found.distance, NEAR), (found.time_to_collision, SOON), (found.time_headway, SOON)
-    near = any(gap is not None and gap < below for gap, below in gaps)
-    return near or ran.episode.collision is not None
+    return ran.episode.collision is not None or any(_below(gap, bound) for gap, bound in gaps)
+
+
+def _below(gap: float | None, bound: float) -> bool:
+    return gap is not None and gap < bound
 
 
 def search(found: Found, name: str, text: str, ego: str, settings: SearchSettings) -> None:
@@ -110,6 +116,7 @@ def _count(found: Found, ran: tuple[Ran, ...], where: tuple[str, int, int], *, f
         if first:
             found.drives += 1
             found.encounters += meets(one)
+            found.closing_in += crash is not None or _below(one.criticality.time_to_collision, SOON)
             found.collisions += crash is not None
         if one.avoidable:
             found.avoidable += 1
@@ -125,9 +132,11 @@ def told(found: Found, ego: str) -> Iterator[str]:
     per = 1000 / max(found.driven, 1)
     closing = sorted(found.closing)
     middle = f", closing at {closing[len(closing) // 2]:.1f} m/s in the median" if closing else ""
-    met, hit = (number / max(found.drives, 1) for number in (found.encounters, found.collisions))
+    counted = found.encounters, found.closing_in, found.collisions
+    met, near, hit = (number / max(found.drives, 1) for number in counted)
     yield (
         f"{ego}: first blocks: {found.drives} scenes, an encounter in {found.encounters} ({met:.0%}), "
+        f"under 1.5 s from a collision in {found.closing_in} ({near:.0%}), "
         f"a collision in {found.collisions} ({hit:.0%})"
     )
     yield (
