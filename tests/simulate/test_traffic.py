@@ -146,6 +146,38 @@ def test_who_drives_as_fast_as_is_allowed_takes_a_turn_without_leaving_the_road(
     assert (rows[:, 0] - rows[:, ALLOWED]).max() < 1.5
 
 
+FOLLOWS = """model chatscene.world.model
+egoRoute = selectRoute(maneuver="straight", site="motorway")
+ego = new Car at pointOn(egoRoute, 2, 20), facing directionOn(egoRoute, 0), with route egoRoute
+behavior AdvBehavior():
+    do FollowTraffic(egoRoute, {speed})
+other = new Car at pointOn(egoRoute, 5), facing directionOn(egoRoute, 5), with speed {speed}, \
+with behavior AdvBehavior()
+new Car at pointOn(egoRoute, 149), facing directionOn(egoRoute, 149), with label "stands"
+"""
+
+
+@pytest.mark.parametrize("kind", ["embedded", "native"])
+@pytest.mark.parametrize("speed", [8, 16, 24])
+def test_who_follows_traffic_stops_behind_who_stands_from_any_speed(kind: str, speed: int) -> None:
+    if not native_is_there():
+        pytest.skip("there is no engine")
+    source = FOLLOWS.format(speed=speed)
+    one = ScenicProgram(scenario_id="follows", source=source, parameters=(), snippet_ids=())
+    scene = Scene(id="follows/0", scenario_id="follows", route=0, block=0, seed=0, values={})
+    session = simulator(kind, "outskirts").open(one, scene)
+    assert not isinstance(session, Rejected), session.reason
+    while session.ending is None and session.step_number < 290:
+        session.step((-1.0, 0.0))
+    episode = session.episode("follows/0", "ego")
+    session.close()
+    track = next(track for track in episode.tracks if track.actor == "adversary")
+    stands = next(track for track in episode.tracks if track.actor == "stands")
+    gap = np.hypot(track.x - stands.x, track.y - stands.y) - 0.5 * (track.length + stands.length)
+    assert gap.min() > 1.0
+    assert -track.acceleration(episode.dt)[track.speed > 4.0].min() < 4.0  # the last metres are a stop
+
+
 @pytest.mark.parametrize("said", ["1 == 1", "1"])
 def test_whether_limits_are_kept_is_written_out(said: str) -> None:
     with pytest.raises(ProgramError, match="keepsLimits` takes"):

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import EgoPolicy, begin, load_ego, name_of, observation_of, pedals_of
+from chatscene.ego.policy import EgoPolicy, begin, fitted, load_ego, name_of, observation_of, pedals_of
 from chatscene.measure.avoidability import avoidable
 from chatscene.measure.criticality import criticality
 from chatscene.simulate.simulator import Simulator, simulate
@@ -92,7 +92,7 @@ def _proved_by(
     name: str, program: ScenicProgram, empty: ScenicProgram, scene: Scene, simulator: Simulator
 ) -> Solvable | Unfit:
     """Whether it is a test that a driver, by name, survives."""
-    driver = _Recording(load_ego(name))
+    driver = _Recording(fitted(load_ego(name), program))
     alone = _driven(empty, scene, driver, simulator)
     if alone.collision is not None:
         return Unfit(scene=scene, reason=ALONE)
@@ -130,7 +130,7 @@ def _driven(program: ScenicProgram, scene: Scene, ego: EgoPolicy, simulator: Sim
 
 def _survives(name: str, program: ScenicProgram, scene: Scene, simulator: Simulator) -> tuple[str, float] | None:
     """Who survives, the driver of that name or the careful driver in its place, and the time [s] it had to spare."""
-    ego = load_ego(name)
+    ego = fitted(load_ego(name), program)
     episode = _driven(program, scene, ego, simulator)
     if episode.collision is None:
         spare = criticality(episode).time_to_collision

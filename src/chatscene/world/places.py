@@ -36,7 +36,7 @@ from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.world.control import Tracker
 
 QUARTER = math.pi / 2
-FOLLOWING_SIGHT = 40.0  # [m], beyond which a driver in traffic need not care
+FOLLOWING_SIGHT = 40.0  # [m], beyond which a driver in traffic need not care up to 10 m/s
 FOLLOWING_CORRIDOR = 1.3  # [m] beside a path that a driver keeps free
 FOLLOWING_BRAKE = 2.5  # [m/s²], comfortable
 STANDSTILL_GAP = 3.0  # [m], kept to a vehicle that stands
@@ -257,9 +257,10 @@ def followingSpeed(path: Any, agent: Any, others: Sequence[Any], wish: float) ->
     line = line_of(path)
     x, y, _, _ = agent.pose
     along, _, near = line.project(x, y)
+    sight = max(FOLLOWING_SIGHT, wish * wish / (2 * FOLLOWING_BRAKE) + 0.5 * FOLLOWING_SIGHT)  # to stop in, and bodies
     for other in others:
         ox, oy, _, speed = other.pose
-        if math.hypot(ox - x, oy - y) > FOLLOWING_SIGHT:
+        if math.hypot(ox - x, oy - y) > sight:
             continue
         at, beside, _ = line.project(ox, oy, near)
         if at > along and abs(beside) < FOLLOWING_CORRIDOR + 0.5 * other.width:

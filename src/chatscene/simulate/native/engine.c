@@ -624,12 +624,12 @@ static void begin(World *w, Agent *agent, const Phase *phase) {
 /* chatscene.world.places.followingSpeed; lengths and widths as of bodies */
 static double following(const World *w, const Agent *agent, const Line *line, double wish) {
     const Body *b = &w->body[agent->body];
-    double along, at, beside;
+    double along, at, beside, far = wish * wish / (2 * 2.5) + 0.5 * 40.0, sight = far > 40.0 ? far : 40.0;
     int32_t near = -1;
     project(line, b->x, b->y, &near, &along, &beside);
     for (int64_t i = 0; i < w->bodies; i++) {
         const Body *o = &w->body[i];
-        if (i == agent->body || hypotenuse(o->x - b->x, o->y - b->y) > 40.0) continue;
+        if (i == agent->body || hypotenuse(o->x - b->x, o->y - b->y) > sight) continue;
         int32_t from = near;
         project(line, o->x, o->y, &from, &at, &beside);
         if (at > along && fabs(beside) < 1.3 + 0.5 * o->limits.width) {
