@@ -115,7 +115,8 @@ class Run:
         """How many scenes were driven, collided, left the road and were kept, and who drove."""
         from chatscene.report.summary import Summary
 
-        return Summary.of(self._record, runs.read_counts(self._workspace))
+        counts, rows = runs.read_counts(self._workspace), runs.read_scenes(self._workspace)
+        return Summary.of(self._record, counts, rows)
 
     @property
     def scenes(self) -> Table:

@@ -63,7 +63,7 @@ def _carry_on(kept: runs.Workspace, workers: Workers, progress: Progress) -> Sum
         tell("writing the report", 0, 0)
         write_report(kept.path, followed=True)
         write_gif(kept.path)
-    return Summary.of(runs.read_record(kept), runs.read_counts(kept))
+    return Summary.of(runs.read_record(kept), runs.read_counts(kept), runs.read_scenes(kept))
 
 
 def search(kept: runs.Workspace, workers: Workers, progress: Progress) -> None:

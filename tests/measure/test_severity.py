@@ -46,7 +46,7 @@ def test_one_in_ten_is_seriously_injured_at_the_closing_speed_that_lubbe_says(wh
 # Kusano et al., "TARGET" (Traffic Safety Research), 10 % MAIS 3+ of other data, between cars of one mass.
 @pytest.mark.parametrize(("part", "closing"), [("front", 99), ("left", 73), ("rear", 126)])
 def test_the_curve_of_car_occupants_is_near_that_of_other_data(part: str, closing: float) -> None:
-    of = curve("people in the car", "Geisslinger", part)
+    of = curve("people in a car", "Geisslinger", part)
     assert 0.1 / 1.6 < risk(of, closing / 2) < 0.1 * 1.6
 
 
@@ -65,7 +65,8 @@ def pair(kind: AdversaryKind | None, part: str, speed: float = 10.0, delta_v: fl
 
 
 def told(one: Hurt, other: Hurt, impact: float = 10.0, closing: float = 10.0) -> list[tuple[str, str]]:
-    return [(c.who, c.outcome.name) for c, _ in curves_for(one, other, impact_speed=impact, closing_speed=closing)]
+    found = curves_for(one, other, impact_speed=impact, closing_speed=closing)
+    return [(each.curve.who, each.curve.outcome.name) for each in found]
 
 
 def test_who_is_struck_by_the_front_of_a_car_has_curves_and_who_walks_into_its_side_has_none() -> None:
@@ -87,26 +88,42 @@ def test_whom_nobody_has_published_a_curve_of_has_none(kind: str) -> None:
 
 def test_people_in_a_car_have_one_where_it_meets_a_vehicle_and_not_where_it_meets_a_walker_or_a_wall() -> None:
     car = pair(CAR, "front")
-    assert told(car, pair(CAR, "rear")) == [("people in the car", "INJURY")]
-    assert told(car, pair(AdversaryKind.TRUCK, "front")) == [("people in the car", "INJURY")]
+    assert told(car, pair(CAR, "rear")) == [("people in a car", "INJURY")]
+    assert told(car, pair(AdversaryKind.TRUCK, "front")) == [("people in a car", "INJURY")]
     assert told(car, pair(WALKER, "")) == []
     assert told(car, pair(None, "")) == []
     assert told(pair(CAR, "front", delta_v=1.0), pair(CAR, "rear")) == []  # a tap
 
 
 def test_a_side_is_worse_than_a_front_and_a_rear_is_milder() -> None:
-    front, side, rear = (risk(curve("people in the car", "Geiss", part), 40) for part in ("front", "right", "rear"))
+    front, side, rear = (risk(curve("people in a car", "Geiss", part), 40) for part in ("front", "right", "rear"))
     assert rear < front < side
 
 
 def test_a_graze_has_none() -> None:
     assert told(pair(CAR, "left"), pair(CAR, "left"), impact=30.0, closing=14.0) == []
-    assert told(pair(CAR, "left"), pair(CAR, "front"), impact=30.0, closing=16.0) == [("people in the car", "INJURY")]
+    assert told(pair(CAR, "left"), pair(CAR, "front"), impact=30.0, closing=16.0) == [("people in a car", "INJURY")]
 
 
 @given(st.floats(1.0, 60.0), st.floats(0.0, 60.0))
 def test_each_curve_takes_its_own_speed(closing: float, speed: float) -> None:
     found = curves_for(pair(WALKER, ""), pair(CAR, "front", speed=speed), impact_speed=closing, closing_speed=closing)
-    for of, share in found:
-        assert share == of.at(speed if of.by is By.STRIKER else closing)
+    for each in found:
+        of = each.curve
+        assert each.speed == (speed if of.by is By.STRIKER else closing)
+        assert each.risk == of.at(each.speed)
         assert (of.outcome is Outcome.DEATH) == (of.by is By.STRIKER)
+
+
+@pytest.mark.parametrize(
+    ("kmh", "said"),
+    [
+        (34, "2 in 100 pedestrians die at an impact at 34 km/h (Rosén and Sander 2009)"),
+        (10, "fewer than 1 in 100 pedestrians die at an impact at 10 km/h (Rosén and Sander 2009)"),
+        (110, "half or more of pedestrians die at an impact at 110 km/h (Rosén and Sander 2009)"),
+    ],
+)
+def test_what_a_curve_says_is_said_of_a_hundred_people_with_its_source(kmh: float, said: str) -> None:
+    speed = kmh / KMH
+    found = curves_for(pair(WALKER, ""), pair(CAR, "front", speed=speed), impact_speed=speed, closing_speed=speed)
+    assert next(each.in_words() for each in found if each.curve.outcome is Outcome.DEATH) == said

@@ -164,7 +164,7 @@ def test_a_pedestrian_before_the_front_of_a_car_has_both_curves_and_the_car_none
     assert found.other_injury_risk == pytest.approx(0.368, abs=0.001)
     assert found.ego_injury_risk is found.ego_death_risk is None
     assert found.other_delta_v == pytest.approx(50 / 3.6 * 1700 / 1780)
-    assert [curve.source for curve, _ in risks(scene)[1]] == ["Rosén and Sander 2009", "Lubbe et al. 2022"]
+    assert [found.curve.source for found in risks(scene)[1]] == ["Rosén and Sander 2009", "Lubbe et al. 2022"]
 
 
 def test_a_thing_beside_the_road_stands_as_a_wall() -> None:

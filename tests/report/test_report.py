@@ -264,7 +264,7 @@ def test_the_verdict_carries_an_interval() -> None:
 def test_where_nothing_collided_there_is_no_hardest_impact() -> None:
     row = {"status": "ran", "selected": True, "fill_in": True, "meaning_ok": True, "impact_speed": None}
     page = tiles([row | {"collision": False, "avoidable": None}] * 3)
-    assert "m/s</dd>" not in page
+    assert "km/h</dd>" not in page
     assert page.count("nothing collided") == 2
 
 
@@ -713,7 +713,7 @@ document.querySelector("#events button").click();
 press("h"); say(document.getElementById("heading").getAttribute("aria-pressed"));
 const find = document.getElementById("find");
 find.value = "scene 003"; find.dispatchEvent(new Event("input")); say(document.getElementById("found").textContent);
-const impact = document.querySelectorAll(".sort")[2]; impact.click(); impact.click();
+const impact = document.querySelectorAll(".sort")[4]; impact.click(); impact.click();
 say(impact.parentElement.getAttribute("aria-sort"));
 say(document.getElementById("trouble").hidden);
 """

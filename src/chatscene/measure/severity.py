@@ -31,11 +31,11 @@ class Outcome(StrEnum):
 
 
 class By(StrEnum):
-    """What speed a curve takes."""
+    """What speed a curve takes, as it is said."""
 
-    CLOSING = "closing speed"  # relative speed of the two just before
-    STRIKER = "impact speed"  # of the car that strikes
-    DELTA_V = "change of velocity"
+    CLOSING = "a closing speed of"  # the relative speed of the two just before
+    STRIKER = "an impact at"  # the speed of the car that strikes
+    DELTA_V = "a change of velocity of"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -74,6 +74,11 @@ class Curve:
         if speed < self.least:
             return None
         return HALF if speed >= self.middle else 1.0 / (1.0 + math.exp(-self.intercept - self.slope * speed))
+
+
+def in_kmh(speed: float) -> str:
+    """A speed [m/s] as people say it."""
+    return f"{KMH * speed:.0f} km/h"
 
 
 _CARS = frozenset({AdversaryKind.CAR, AdversaryKind.VAN})
@@ -123,7 +128,7 @@ CURVES = (
     # Occupants of cars that met a vehicle, crashes of the NHTSA, MAIS 3+: four areas of impact, both sides alike.
     *(
         Curve(
-            who="people in the car",
+            who="people in a car",
             kinds=_CARS,
             parts=frozenset(parts.split()),
             outcome=Outcome.INJURY,
@@ -165,8 +170,30 @@ class Hurt:
     delta_v: float | None
 
 
-def curves_for(one: Hurt, other: Hurt, *, impact_speed: float, closing_speed: float) -> Iterator[tuple[Curve, float]]:
-    """The curves that hold of somebody in a crash, each with its probability.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Found:
+    """What a curve says of somebody.
+
+    Attributes:
+        curve: Which.
+        risk: The probability, as `Curve.at` gives it.
+        speed: Of what [m/s].
+    """
+
+    curve: Curve
+    risk: float
+    speed: float
+
+    def in_words(self) -> str:
+        """What it says of a hundred people, in a clause with its source."""
+        curve, risk = self.curve, self.risk
+        share = f"{100 * risk:.0f} in 100" if risk >= 0.005 else "fewer than 1 in 100"
+        share = "half or more of" if risk >= HALF else share
+        return f"{share} {curve.who} {curve.outcome} at {curve.by} {in_kmh(self.speed)} ({curve.source})"
+
+
+def curves_for(one: Hurt, other: Hurt, *, impact_speed: float, closing_speed: float) -> Iterator[Found]:
+    """The curves that hold of somebody in a crash, and what each says.
 
     Args:
         one: Who is hurt.
@@ -185,4 +212,4 @@ def curves_for(one: Hurt, other: Hurt, *, impact_speed: float, closing_speed: fl
         if curve.by is By.DELTA_V:
             fits, speed = one.part in curve.parts and other.kind in VEHICLES, one.delta_v or 0.0
         if fits and (risk := curve.at(speed)) is not None:
-            yield curve, risk
+            yield Found(curve=curve, risk=risk, speed=speed)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.measure.criticality import line_of_contact, part_struck
-from chatscene.measure.severity import Curve, Hurt, curves_for
+from chatscene.measure.severity import Found, Hurt, curves_for
 from chatscene.simulate.boxes import gaps
 from chatscene.terms.actors import BY_CLASS, LOOSE
 from chatscene.terms.episode import Array, Episode, Event, Track
@@ -17,8 +17,6 @@ from chatscene.terms.speeds import Speeds
 REACTS = 1.0  # [m/s²] of speed that is lost: more than rolling out
 PAUSE = 2.0  # [s] without, after which a braking is another
 STILL = 0.1  # [m/s]
-
-Risks = list[tuple[Curve, float]]
 
 
 def whom_it_meets(episode: Episode) -> Track | None:
@@ -57,7 +55,7 @@ def speeds(episode: Episode) -> Speeds:
     )
 
 
-def risks(episode: Episode) -> tuple[Risks, Risks]:
+def risks(episode: Episode) -> tuple[list[Found], list[Found]]:
     """The injury-risk curves that hold of the first collision: of the ego, and of whom or what it struck."""
     crash, other = episode.collision, whom_it_meets(episode)
     if crash is None or other is None:
@@ -117,7 +115,7 @@ def _impact(episode: Episode, other: Track, crash: Event) -> dict[str, float | N
         "other_delta_v": theirs,
     }
     for who, of in zip(("ego", "other"), risks(episode), strict=True):
-        told |= {f"{who}_{curve.outcome.column}": risk for curve, risk in of}
+        told |= {f"{who}_{found.curve.outcome.column}": found.risk for found in of}
     return told
 
 

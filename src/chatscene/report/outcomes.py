@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from chatscene.measure.severity import KMH, in_kmh
 from chatscene.report.measures import scene_label
 from chatscene.report.ranges import at, axis
 
@@ -42,7 +43,7 @@ class Outcomes:
         label: What it shows, in words.
         low: Lower end of the declared range.
         high: Upper end.
-        hardest: Impact at the upper edge [m/s].
+        hardest: Impact at the upper edge [km/h].
         start: Left end of what the last block was drawn from [px].
         width: Of that [px].
         points: The scenes; those that collided are last, so that they are on top.
@@ -76,7 +77,7 @@ def plot_outcomes(parameter: str, ranges: Sequence[Row], scenes: Sequence[Row]) 
         label=f"{parameter}: what came of {len(own)} scenes",
         low=f"{low:.4g}",
         high=f"{high:.4g}",
-        hardest=f"{hardest:.1f}",
+        hardest=f"{KMH * hardest:.0f}",
         start=start,
         width=max(round(end - start, 1), 2.0),
         points=tuple(
@@ -89,7 +90,7 @@ def _point(row: Row, parameter: str, low: float, high: float, hardest: float) ->
     if row["collision"]:
         y, said = (
             LINE - (LINE - TOP) * (row["impact_speed"] or 0.0) / hardest,
-            f"impact {row['impact_speed'] or 0:.1f} m/s",
+            f"impact at {in_kmh(row['impact_speed'] or 0.0)}",
         )
     elif (gap := row.get("distance")) is None:
         y, said = BOTTOM, row["ending"]

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, cast
 from urllib.parse import quote
 
 from chatscene.measure.score import wilson
+from chatscene.measure.severity import KMH, in_kmh
 from chatscene.report.accounting import parts_of, told_first
 from chatscene.report.highlight import highlight
 from chatscene.report.measures import scene_label
@@ -102,7 +103,7 @@ def tiles(scenes: Sequence[Row]) -> Markup:
     shown = [
         (f"{hits / len(ran):.0%}", "collision rate", f"95 % interval {low:.0%} to {high:.0%} (Wilson)"),
         (
-            f"{fastest:.1f} m/s" if hits else "none",
+            in_kmh(fastest) if hits else "none",
             "hardest impact",
             "speed of approach at contact" if hits else "nothing collided",
         ),
@@ -168,7 +169,9 @@ def scene_table(scenes: Sequence[Row], units: Mapping[str, str], replayable: Ite
     columns = [
         ("Scene", None, False),
         ("Outcome", None, False),
-        ("Impact", "m/s", True),
+        ("Ego", "km/h before", True),
+        ("Other", "km/h at most", True),
+        ("Impact", "km/h", True),
         ("A careful driver avoids it", None, False),
         ("Who hit", None, False),
         ("Score", "less is worse", True),
@@ -194,13 +197,17 @@ def _scene_line(row: Row, parameters: Sequence[str], replayable: bool) -> Row:
         "fill_in": row["fill_in"],
         "collision": row["collision"],
         "outcome": "collision" if row["collision"] else row["ending"],
-        "impact": _number(row["impact_speed"], 1),
+        "speeds": [_kmh(row.get(name)) for name in ("ego_speed_before", "other_speed_most", "impact_speed")],
         "avoidable": {True: "yes", False: "no", None: ""}[row["avoidable"]],
         "fault": (row["fault"] or "").replace("-", " "),
         "score": _number(row["overall_score"], 3),
         "failures": "; ".join(row["meaning_failures"] or []),
         "parameters": [_number(row.get(name)) for name in parameters],
     }
+
+
+def _kmh(speed: float | None) -> str:
+    return "" if speed is None else f"{KMH * speed:.0f}"
 
 
 def _number(value: float | None, digits: int = 2) -> str:

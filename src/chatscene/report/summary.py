@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from chatscene import runs
 from chatscene.measure.score import wilson
 from chatscene.report.egos import egos_in_words
+from chatscene.report.how_fast import how_fast
 
 SHORTEST = 0.1  # [s] of a phase that is told
 
@@ -22,6 +24,7 @@ class Summary:
         phases: Of these, how many went where, by phase; empty where that was not recorded.
         ego: Who drove, and what it sees: no collision rate means anything without it.
         stepped: Who stepped the drives; empty where that was not recorded.
+        fast: How fast who was, in words; empty where that was not kept.
     """
 
     counts: Mapping[str, int]
@@ -29,20 +32,28 @@ class Summary:
     ego: str
     phases: Mapping[str, float] = field(default_factory=dict[str, float])
     stepped: str = ""
+    fast: str = ""
 
     @classmethod
-    def of(cls, record: runs.RunRecord, counts: Mapping[str, int]) -> Summary:
-        """The summary of a run by its record, and by what its drives came to (`chatscene.runs.read_counts`)."""
+    def of(cls, record: runs.RunRecord, counts: Mapping[str, int], rows: Sequence[Mapping[str, Any]]) -> Summary:
+        """The summary of a run.
+
+        Args:
+            record: Its record.
+            counts: What its drives came to (`chatscene.runs.read_counts`).
+            rows: Its scenes (`chatscene.runs.read_scenes`).
+        """
         return cls(
             counts=counts,
             seconds=record.timings.get("total", 0.0),
             ego=egos_in_words(record)[0],
             phases={name: spent for name, spent in record.timings.items() if name != "total"},
             stepped=stepped_in_words(record),
+            fast=how_fast(rows),
         )
 
     def in_words(self) -> str:
-        """Lines for a person: what came of it, what the ego could see, who stepped it, and where the time went."""
+        """Lines for a person: what came of it, how fast, what the ego sees, who stepped it, where the time went."""
         ran = self.counts["ran"]
         rejected = f", {self.counts['rejected']} draws rejected" if self.counts["rejected"] else ""
         kept, fill_in = self.counts["selected"], self.counts["fill_in"]
@@ -54,6 +65,7 @@ class Summary:
             f"{ran} scene{'s' * (ran != 1)} in {self.seconds:.1f} s{rejected}: "
             f"the ego {outcomes_in_words(self.counts)}; {kept} kept"
             + (f" ({', '.join(but)})" if but else "")
+            + (f"\n{self.fast}" if self.fast else "")
             + f"\n{self.ego}"
             + (f"\n{self.stepped}" if self.stepped else "")
             + (f"\ntime: {phases}" if phases else "")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from chatscene.report import sections
 from chatscene.report.egos import egos_in_words
 from chatscene.report.files import FORMATS, pack_files
+from chatscene.report.how_fast import harm_in_words, how_fast
 from chatscene.report.measures import in_words, scene_label
 from chatscene.report.surroundings import surroundings_in_words
 from chatscene.report.templates import asset, fill, fill_section, policy, scripts
@@ -118,6 +119,7 @@ def _page(run: Workspace, *, followed: bool) -> str:
         content=_json(content),
         heading=sections.heading(record, explanation, _around(run, order)),
         verdict=sections.verdict(scenes, read_counts(run), read=bool(sections.facts_of(explanation))),
+        fast=fill_section("fast", told) if (told := how_fast(scenes)) else "",
         left_out=fill_section("left_out", len(replays), len(order)) if len(replays) < len(order) else "",
         senses=egos_in_words(record)[0],
         beside=sections.beside(beside, kept),
@@ -196,6 +198,7 @@ def _shown(row: Mapping[str, Any], numbers: list[tuple[int, str]], drive: dict[s
         "ending": row["ending"],
         "collision": row["collision"],
         "impact": row["impact_speed"],
+        "harm": harm_in_words(row),
         "avoidable": row["avoidable"],
         "kept": row["selected"],
         "distance": row.get("distance"),

@@ -13,6 +13,7 @@ from typing import Any
 from chatscene import runs
 from chatscene.errors import RunError
 from chatscene.measure.score import wilson
+from chatscene.measure.severity import in_kmh
 from chatscene.report.animation import still as still_of
 from chatscene.report.index import Index, index, name_of
 from chatscene.report.stated import lines_changed
@@ -152,7 +153,7 @@ def _came_to(run: Row, driven: list[Row]) -> dict[str, str]:
     }
     told |= {words: str(run[name]) for name, words in _ENDED.items() if run[name] is not None}
     if hits:
-        told["median impact speed"] = f"{median(row['impact_speed'] for row in hits):.1f} m/s"
+        told["median impact speed"] = in_kmh(median(row["impact_speed"] for row in hits))
     for fault, count in sorted(Counter(row["fault"] for row in hits if row["fault"]).items()):
         told[fault.replace("-", " ")] = str(count)
     return told

@@ -18,7 +18,7 @@ function drawChart() {
   if (ghost()) lines.push([ghost().actors[0].speed.map(Math.abs), colours.ego, [4, 3]]);
   const top = Math.max(1, ...lines.map(([values]) => Math.max(...values)));
   const near = drive.near.gap.length ? Math.min(FAR, Math.max(2, ...drive.near.gap)) : 0;
-  plot(x, 0, height * 0.5, top, "speed, to " + top.toFixed(0) + " m/s", lines);
+  plot(x, 0, height * 0.5, top, "speed, to " + kmh(top), lines);
   plot(x, height * 0.5, height * 0.25, near, "gap, to " + near.toFixed(0) + " m", [[drive.near.gap, colours.ink, []]]);
   plot(x, height * 0.75, height * 0.25, SOON, "time to collision, to " + SOON + " s", [[drive.near.time, colours.ink, []]]);
   chart.strokeStyle = colours.ink; chart.lineWidth = 1;

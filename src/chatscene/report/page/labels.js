@@ -22,7 +22,7 @@ function drawLabels(width, height) {
   if (hit && hit.at && step >= hit.step - 0.5) {
     const [x, y] = onScreen(...hit.at, width, height), r = starRadius() * camera.zoom;
     taken.push([x - r, y - r, x + r, y + r]);
-    labels.push({ x, y, w: r, h: r, text: "impact " + hit.impact.toFixed(1) + " m/s", side: hit, colour: colours.hit });
+    labels.push({ x, y, w: r, h: r, text: "impact at " + kmh(hit.impact), side: hit, colour: colours.hit });
   }
   canvas.textAlign = "center";
   canvas.textBaseline = "middle";

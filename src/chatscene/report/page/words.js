@@ -7,20 +7,25 @@ function element(name, text, className) {
   return made;
 }
 
+/** A speed [m/s] as people say it. */
+function kmh(speed) {
+  return Math.abs(3.6 * speed).toFixed(0) + " km/h";
+}
+
 function tell() {
   const seconds = (step * drive.dt).toFixed(1), total = ((drive.shown - 1) * drive.dt).toFixed(1);
   $("clock").textContent = seconds + " s of " + total + " s";
   $("time").value = Math.round(step);
   $("time").setAttribute("aria-valuetext", seconds + " seconds");
   $("play").textContent = playing ? "Pause" : step >= lastStep() ? "Replay" : "Play";
-  const gauges = [[called(ego()), at(ego().speed, step).toFixed(1) + " m/s"]];
+  const gauges = [[called(ego()), kmh(at(ego().speed, step))]];
   const other = met();
   if (other) {
     const left = at(drive.near.time, Math.round(step));
-    gauges.push([called(other), at(other.speed, step).toFixed(1) + " m/s"], ["gap", at(drive.near.gap, step).toFixed(1) + " m"]);
+    gauges.push([called(other), kmh(at(other.speed, step))], ["gap", at(drive.near.gap, step).toFixed(1) + " m"]);
     gauges.push(["time to collision", left < 0 ? "none" : left.toFixed(1) + " s"]);
   }
-  if (ghost()) gauges.push([content.beside.ego, at(ghost().actors[0].speed, step).toFixed(1) + " m/s"]);
+  if (ghost()) gauges.push([content.beside.ego, kmh(at(ghost().actors[0].speed, step))]);
   $("gauges").replaceChildren(...gauges.map(([name, value]) => {
     const span = element("span", name + " ");
     span.append(element("b", value));
@@ -36,7 +41,7 @@ function namedIn(name) {
 
 function eventWords(event) {
   const what = event.kind.replace("-", " ") + (event.other ? (event.kind === "collision" ? " with " : ": ") + namedIn(event.other) : "");
-  const how = event.kind === "collision" ? ", " + event.side + ", " + event.impact.toFixed(1) + " m/s" : "";
+  const how = event.kind === "collision" ? ", " + event.side + ", " + kmh(event.impact) : "";
   return (event.step * drive.dt).toFixed(1) + " s  " + what + how;
 }
 
@@ -50,6 +55,7 @@ function moments() {
 /** A strip of the story in sentences: who struck whom, until when it could have been avoided, and what another ego does. */
 function tellStory(scene) {
   const said = drive.story ? [...drive.story.said] : [];
+  if (scene.harm) said.push("Of such an impact: " + scene.harm + ".");
   if (drive.ghost) said.push("The same scene driven by " + content.beside.ego + ", which " + content.beside.senses + ": it " + drive.ghost.came + ".");
   if (!said.length && !scene.collision && scene.distance != null) said.push("It missed by " + scene.distance.toFixed(1) + " m.");
   $("story").replaceChildren(...said.map((one) => element("p", one)));
@@ -58,7 +64,7 @@ function tellStory(scene) {
 function introduce(scene) {
   $("scene-name").textContent = scene.label;
   const careful = { true: "; a careful driver avoids it", false: "; a careful driver does not avoid it" }[scene.avoidable] || "";
-  $("scene-outcome").textContent = scene.collision ? "collision, " + scene.impact.toFixed(1) + " m/s" + careful : scene.ending;
+  $("scene-outcome").textContent = scene.collision ? "collision, " + kmh(scene.impact) + careful : scene.ending;
   $("scene-outcome").className = "chip" + (scene.collision ? " hit" : "");
   $("time").max = drive.shown - 1;
   $("events").replaceChildren(...moments().map(([when, said, kind]) => {

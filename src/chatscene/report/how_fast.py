@@ -1,0 +1,95 @@
+"""How fast who was, in a sentence or two: for the head of the page and for the terminal."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from statistics import median
+from typing import Any
+
+from chatscene.measure.severity import CURVES, By, Found, Outcome, in_kmh
+from chatscene.terms.actors import BY_CLASS, noun_of
+
+Row = Mapping[str, Any]
+
+KINDS = 2  # of those whom the ego meets, named at most
+NARROW = 1.05  # how far apart speeds are at most that are told as one
+STILL = 0.1  # [m/s]
+
+
+def how_fast(rows: Sequence[Row]) -> str:
+    """How fast the ego and whom it met were, how near the nearest miss was, and how hard the hardest crash.
+
+    Args:
+        rows: Of `scenes.parquet`.
+
+    Returns:
+        Sentences; empty where nothing was driven, or before speeds were kept.
+    """
+    ran = [row for row in rows if row["status"] == "ran" and row.get("ego_speed_before") is not None]
+    if not ran:
+        return ""
+    drove = [f"The ego drove at {_about(row['ego_speed_before'] for row in ran)}", *_others(ran)]
+    told = [f"{', '.join(drove)}."]
+    if missed := [row for row in ran if not row["collision"] and row["distance"] is not None]:
+        told.append(f"{_nearest(missed)}.")
+    if crashed := [row for row in ran if row["collision"]]:
+        told.append(f"{_hardest(max(crashed, key=lambda row: row['impact_speed'] or 0.0), len(crashed))}.")
+    return " ".join(told)
+
+
+def harm(row: Row) -> tuple[Found, ...]:
+    """What published curves say of the crash in a row of `scenes.parquet`, of whom the ego struck first."""
+    found = [_found(row, *who, outcome) for who in (("other", "ego"), ("ego", "other")) for outcome in Outcome]
+    return tuple(one for one in found if one is not None)
+
+
+def harm_in_words(row: Row) -> str:
+    """What they say, in clauses; empty without a collision, or before risks were kept."""
+    if not row["collision"] or row.get("closing_speed") is None:
+        return ""
+    return "; ".join(one.in_words() for one in harm(row)) or "no published injury-risk curve is of such a crash"
+
+
+def _others(ran: Sequence[Row]) -> Iterator[str]:
+    """How fast whom it met were at their fastest, kind by kind."""
+    met = Counter(row["other_kind"] for row in ran if row["other_kind"] is not None)
+    for kind, count in met.most_common(KINDS):
+        fast = [row["other_speed_most"] for row in ran if row["other_kind"] == kind]
+        where = f" in {count}" if len(met) > 1 else ""
+        yield f"the {noun_of(kind)}{where} " + ("stood" if max(fast) < STILL else f"at up to {_about(fast)}")
+
+
+def _about(speeds: Iterable[float]) -> str:
+    """The middle of some speeds, and from where to where they are if that is more than a little."""
+    values = list(speeds)
+    least, most = min(values), max(values)
+    middle = in_kmh(median(values))
+    if in_kmh(least) == in_kmh(most) or most <= NARROW * least:
+        return middle
+    return f"{middle} ({least * 3.6:.0f} to {most * 3.6:.0f})"
+
+
+def _nearest(missed: Sequence[Row]) -> str:
+    never = float("inf")
+    row = min(missed, key=lambda row: never if row["time_to_collision"] is None else row["time_to_collision"])
+    if (left := row["time_to_collision"]) is None:
+        row = min(missed, key=lambda row: row["distance"])
+        return f"Nobody came on a collision course; the nearest passed at {row['distance']:.1f} m"
+    return f"The nearest miss was {left:.1f} s from a collision, and passed at {row['distance']:.1f} m"
+
+
+def _hardest(row: Row, count: int) -> str:
+    closing = f"{'The crash' if count == 1 else 'The hardest crash'} closed at {in_kmh(row['impact_speed'] or 0.0)}"
+    worst = max(harm(row), key=lambda one: (one.curve.outcome is Outcome.DEATH, one.risk), default=None)
+    return f"{closing}: {worst.in_words() if worst is not None else harm_in_words(row)}"
+
+
+def _found(row: Row, who: str, whom: str, outcome: Outcome) -> Found | None:
+    """What a curve of an outcome says of one of the two."""
+    kind, risk = BY_CLASS.get(row[f"{who}_kind"] or ""), row[f"{who}_{outcome.column}"]
+    curve = next((one for one in CURVES if kind in one.kinds and one.outcome is outcome), None)
+    if risk is None or curve is None:
+        return None
+    takes = {By.STRIKER: f"{whom}_speed_at_impact", By.CLOSING: "impact_speed", By.DELTA_V: f"{who}_delta_v"}
+    return Found(curve=curve, risk=risk, speed=row[takes[curve.by]] or 0.0)

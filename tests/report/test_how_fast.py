@@ -1,0 +1,91 @@
+"""The sentence that says how fast who was."""
+
+from typing import Any
+
+import pytest
+
+from chatscene.report.how_fast import harm, harm_in_words, how_fast
+from chatscene.terms.speeds import Speeds
+
+KMH = 1 / 3.6
+NONE = dict.fromkeys(Speeds.__dataclass_fields__) | {"impact_speed": None}
+
+
+def row(ego: float = 50.0, other: float = 40.0, **besides: Any) -> dict[str, Any]:
+    """A drive behind a car, without a collision; speeds in km/h."""
+    return {
+        **NONE,
+        "status": "ran",
+        "collision": False,
+        "ego_kind": "Car",
+        "other_kind": "Car",
+        "ego_speed_before": ego * KMH,
+        "other_speed_most": other * KMH,
+        "time_to_collision": 1.2,
+        "distance": 3.4,
+        **besides,
+    }
+
+
+def crashed(kind: str, kmh: float, **risks: float) -> dict[str, Any]:
+    """A drive that ended with the ego's front in somebody who stood."""
+    return row(
+        other=0.0,
+        collision=True,
+        other_kind=kind,
+        impact_speed=kmh * KMH,
+        closing_speed=kmh * KMH,
+        ego_speed_at_impact=kmh * KMH,
+        other_speed_at_impact=0.0,
+        ego_delta_v=0.5 * kmh * KMH,
+        other_delta_v=0.5 * kmh * KMH,
+        **risks,
+    )
+
+
+def test_it_says_how_fast_who_drove_and_how_near_they_came() -> None:
+    assert how_fast([row()]) == (
+        "The ego drove at 50 km/h, the car at up to 40 km/h. "
+        "The nearest miss was 1.2 s from a collision, and passed at 3.4 m."
+    )
+
+
+def test_speeds_that_differ_are_told_with_their_range_and_kinds_with_their_count() -> None:
+    rows = [row(48), row(50), row(80, other_kind="Truck", other_speed_most=0.0)]
+    assert how_fast(rows).startswith(
+        "The ego drove at 50 km/h (48 to 80), the car in 2 at up to 40 km/h, the truck in 1 stood."
+    )
+
+
+def test_the_hardest_crash_has_its_speed_and_what_a_curve_says_of_it() -> None:
+    rows = [row(), crashed("Pedestrian", 20, other_death_risk=0.006), crashed("Pedestrian", 34, other_death_risk=0.021)]
+    assert how_fast(rows).endswith(
+        "The hardest crash closed at 34 km/h: 2 in 100 pedestrians die at an impact at 34 km/h (Rosén and Sander 2009)."
+    )
+
+
+def test_a_crash_of_which_no_curve_is_says_so() -> None:
+    assert how_fast([crashed("Dog", 30)]).endswith(
+        "The crash closed at 30 km/h: no published injury-risk curve is of such a crash."
+    )
+    assert harm_in_words(row()) == ""
+
+
+def test_both_who_are_hurt_are_told() -> None:
+    scene = crashed("Car", 80, ego_injury_risk=0.08, other_injury_risk=0.1)
+    assert [(one.risk, round(3.6 * one.speed)) for one in harm(scene)] == [(0.1, 40), (0.08, 40)]
+    assert harm_in_words(scene).count("people in a car are seriously injured or die at a change of velocity") == 2
+
+
+def test_where_they_never_came_on_a_collision_course_it_is_said() -> None:
+    assert "Nobody came on a collision course; the nearest passed at 3.4 m." in how_fast([row(time_to_collision=None)])
+
+
+@pytest.mark.parametrize("rows", [[], [{"status": "rejected"}], [{"status": "ran", "ego_speed_before": None}]])
+def test_of_folders_of_before_and_of_nothing_it_says_nothing(rows: list[dict[str, Any]]) -> None:
+    assert how_fast(rows) == ""
+
+
+def test_an_ego_alone_has_its_own_speed() -> None:
+    alone = row(other_kind=None, other_speed_most=None, time_to_collision=None, distance=None)
+    assert how_fast([alone]) == "The ego drove at 50 km/h."
