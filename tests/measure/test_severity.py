@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from chatscene.measure.severity import CURVES, HALF, KMH, By, Curve, Hurt, Outcome, curves_for
+from chatscene.measure.severity import CURVES, HALF, KMH, By, Curve, Found, Hurt, Outcome, curves_for
+from chatscene.measure.severity import told as in_clauses
 from chatscene.terms.actors import AdversaryKind
 
 CAR, WALKER = AdversaryKind.CAR, AdversaryKind.PEDESTRIAN
@@ -101,8 +102,9 @@ def test_a_side_is_worse_than_a_front_and_a_rear_is_milder() -> None:
 
 
 def test_a_graze_has_none() -> None:
-    assert told(pair(CAR, "left"), pair(CAR, "left"), impact=30.0, closing=14.0) == []
-    assert told(pair(CAR, "left"), pair(CAR, "front"), impact=30.0, closing=16.0) == [("people in a car", "INJURY")]
+    walker, car = pair(WALKER, ""), pair(CAR, "front")
+    assert told(walker, car, impact=30.0, closing=14.0) == []
+    assert told(walker, car, impact=30.0, closing=16.0) == [("pedestrians", "DEATH"), ("pedestrians", "INJURY")]
 
 
 @given(st.floats(1.0, 60.0), st.floats(0.0, 60.0))
@@ -118,12 +120,20 @@ def test_each_curve_takes_its_own_speed(closing: float, speed: float) -> None:
 @pytest.mark.parametrize(
     ("kmh", "said"),
     [
-        (34, "2 in 100 pedestrians die at an impact at 34 km/h (Rosén and Sander 2009)"),
-        (10, "fewer than 1 in 100 pedestrians die at an impact at 10 km/h (Rosén and Sander 2009)"),
-        (110, "half or more of pedestrians die at an impact at 110 km/h (Rosén and Sander 2009)"),
+        (34, "2 in 100 pedestrians die when struck at 34 km/h (Rosén and Sander 2009)"),
+        (10, "fewer than 1 in 100 pedestrians die when struck at 10 km/h (Rosén and Sander 2009)"),
+        (110, "half or more of pedestrians die when struck at 110 km/h (Rosén and Sander 2009)"),
     ],
 )
 def test_what_a_curve_says_is_said_of_a_hundred_people_with_its_source(kmh: float, said: str) -> None:
     speed = kmh / KMH
     found = curves_for(pair(WALKER, ""), pair(CAR, "front", speed=speed), impact_speed=speed, closing_speed=speed)
     assert next(each.in_words() for each in found if each.curve.outcome is Outcome.DEATH) == said
+
+
+def test_what_is_the_same_of_both_is_said_once_and_what_is_not_is_said_of_each() -> None:
+    of = curve("people in a car", "Geisslinger", "front")
+    slow, fast = (Found(curve=of, risk=of.at(v) or 0.0, speed=v) for v in (8.0, 12.0))
+    assert len(in_clauses([slow], [slow])) == 1
+    assert ["the other's" in line for line in in_clauses([slow], [fast])] == [True, False]
+    assert in_clauses([], [slow]) == (slow.in_words(),)

@@ -154,6 +154,7 @@ def test_a_graze_closes_slowly_and_has_no_curve() -> None:
     found = speeds(crash(swerves, track("adversary", 15.0, x=3.0, y=2.25, heading=WEST), side="left"))
     assert found.closing_speed is not None
     assert found.closing_speed < 5.0
+    assert found.ego_delta_v == found.other_delta_v == found.closing_speed / 2
     assert found.ego_injury_risk is found.other_injury_risk is None
 
 

@@ -29,7 +29,8 @@ from chatscene.measure.counterfactual import (
 from chatscene.measure.minimal import minimal
 from chatscene.program.without import placings, without
 from chatscene.runs import read_scenes
-from chatscene.runs.why import MIDDLE, Contact, back_of
+from chatscene.runs.crash import Contact
+from chatscene.runs.why import MIDDLE, back_of
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.criticality import Fault

@@ -46,7 +46,7 @@ def crashed(kind: str, kmh: float, **risks: float) -> dict[str, Any]:
 def test_it_says_how_fast_who_drove_and_how_near_they_came() -> None:
     assert how_fast([row()]) == (
         "The ego drove at 50 km/h, the car at up to 40 km/h. "
-        "The nearest miss was 1.2 s from a collision, and passed at 3.4 m."
+        "The nearest miss was 3.4 m, 1.2 s from a collision at the least."
     )
 
 
@@ -60,7 +60,7 @@ def test_speeds_that_differ_are_told_with_their_range_and_kinds_with_their_count
 def test_the_hardest_crash_has_its_speed_and_what_a_curve_says_of_it() -> None:
     rows = [row(), crashed("Pedestrian", 20, other_death_risk=0.006), crashed("Pedestrian", 34, other_death_risk=0.021)]
     assert how_fast(rows).endswith(
-        "The hardest crash closed at 34 km/h: 2 in 100 pedestrians die at an impact at 34 km/h (Rosén and Sander 2009)."
+        "The hardest crash closed at 34 km/h: 2 in 100 pedestrians die when struck at 34 km/h (Rosén and Sander 2009)."
     )
 
 
@@ -73,12 +73,16 @@ def test_a_crash_of_which_no_curve_is_says_so() -> None:
 
 def test_both_who_are_hurt_are_told() -> None:
     scene = crashed("Car", 80, ego_injury_risk=0.08, other_injury_risk=0.1)
-    assert [(one.risk, round(3.6 * one.speed)) for one in harm(scene)] == [(0.1, 40), (0.08, 40)]
-    assert harm_in_words(scene).count("people in a car are seriously injured or die at a change of velocity") == 2
+    assert [[(one.risk, round(3.6 * one.speed)) for one in of] for of in harm(scene)] == [[(0.08, 40)], [(0.1, 40)]]
+    assert harm_in_words(scene) == (
+        "10 in 100 people in a car are seriously injured or die at the other's change of velocity of 40 km/h "
+        "(Geisslinger et al. 2023); 8 in 100 people in a car are seriously injured or die at the ego's change of "
+        "velocity of 40 km/h (Geisslinger et al. 2023)"
+    )
 
 
-def test_where_they_never_came_on_a_collision_course_it_is_said() -> None:
-    assert "Nobody came on a collision course; the nearest passed at 3.4 m." in how_fast([row(time_to_collision=None)])
+def test_where_they_never_came_on_a_collision_course_no_time_is_said() -> None:
+    assert "The nearest miss was 3.4 m." in how_fast([row(time_to_collision=None)])
 
 
 @pytest.mark.parametrize("rows", [[], [{"status": "rejected"}], [{"status": "ran", "ego_speed_before": None}]])

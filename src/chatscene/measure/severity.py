@@ -8,7 +8,7 @@ person of its sample, and of crashes in which somebody was hurt or a car was tow
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -16,6 +16,7 @@ from chatscene.terms.actors import AdversaryKind
 
 KMH = 3.6
 HALF = 0.5  # where curves end, and what then stands for "half or more"
+NO_CURVE = "no published injury-risk curve is of such a crash"
 
 
 class Outcome(StrEnum):
@@ -33,9 +34,9 @@ class Outcome(StrEnum):
 class By(StrEnum):
     """What speed a curve takes, as it is said."""
 
-    CLOSING = "a closing speed of"  # the relative speed of the two just before
-    STRIKER = "an impact at"  # the speed of the car that strikes
-    DELTA_V = "a change of velocity of"
+    CLOSING = "at a closing speed of"  # the relative speed of the two just before
+    STRIKER = "when struck at"  # the speed of the car that strikes
+    DELTA_V = "at a change of velocity of"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -184,12 +185,17 @@ class Found:
     risk: float
     speed: float
 
-    def in_words(self) -> str:
-        """What it says of a hundred people, in a clause with its source."""
+    def in_words(self, whose: str = "a") -> str:
+        """What it says of a hundred people, in a clause with its source.
+
+        Args:
+            whose: Whose speed it is.
+        """
         curve, risk = self.curve, self.risk
         share = f"{100 * risk:.0f} in 100" if risk >= 0.005 else "fewer than 1 in 100"
         share = "half or more of" if risk >= HALF else share
-        return f"{share} {curve.who} {curve.outcome} at {curve.by} {in_kmh(self.speed)} ({curve.source})"
+        at = curve.by.replace(" a ", f" {whose} ")
+        return f"{share} {curve.who} {curve.outcome} {at} {in_kmh(self.speed)} ({curve.source})"
 
 
 def curves_for(one: Hurt, other: Hurt, *, impact_speed: float, closing_speed: float) -> Iterator[Found]:
@@ -200,16 +206,24 @@ def curves_for(one: Hurt, other: Hurt, *, impact_speed: float, closing_speed: fl
         other: Whom it meets.
         impact_speed: Their relative speed just before [m/s].
         closing_speed: Its part along the line of contact [m/s]. Where that is less than half, one grazes the other, and
-            none of the curves is of that.
+            no curve by the speed is of that.
     """
-    if one.kind is None or closing_speed < impact_speed / 2:
-        return
     for curve in CURVES:
         if one.kind not in curve.kinds:
             continue
-        fits = other.part == "front" and other.kind is AdversaryKind.CAR
-        speed = impact_speed if curve.by is By.CLOSING else other.speed
         if curve.by is By.DELTA_V:
             fits, speed = one.part in curve.parts and other.kind in VEHICLES, one.delta_v or 0.0
+        else:
+            fits = other.part == "front" and other.kind is AdversaryKind.CAR and closing_speed >= impact_speed / 2
+            speed = impact_speed if curve.by is By.CLOSING else other.speed
         if fits and (risk := curve.at(speed)) is not None:
             yield Found(curve=curve, risk=risk, speed=speed)
+
+
+def told(ego: Sequence[Found], other: Sequence[Found]) -> tuple[str, ...]:
+    """What curves say of the two in a crash, in clauses, of the other first; what is the same of both is said once."""
+    whose = {id(found): name for of, name in ((ego, "the ego's"), (other, "the other's")) for found in of}
+    plain = [found.in_words() for found in (*other, *ego)]
+    if len(set(plain)) < len(plain) or not (ego and other):
+        return tuple(dict.fromkeys(plain))
+    return tuple(found.in_words(whose[id(found)]) for found in (*other, *ego))

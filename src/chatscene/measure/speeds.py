@@ -61,8 +61,8 @@ def risks(episode: Episode) -> tuple[list[Found], list[Found]]:
     if crash is None or other is None:
         return [], []
     ego, before = episode.ego_track, max(crash.step - 1, 0)
-    mine, theirs = _delta_v(ego, other, crash.impact_speed)
     closing = _closing_speed(ego, other, crash)
+    mine, theirs = _delta_v(ego, other, closing)
     one, two = (
         Hurt(kind=BY_CLASS.get(track.kind), part=part, speed=abs(float(track.speed[before])), delta_v=delta_v)
         for track, part, delta_v in (
@@ -105,11 +105,12 @@ def _impact(episode: Episode, other: Track, crash: Event) -> dict[str, float | N
     """What `Speeds` has of a collision, by name."""
     ego, before = episode.ego_track, max(crash.step - 1, 0)
     turned = float(other.heading[crash.step] - ego.heading[crash.step])
-    mine, theirs = _delta_v(ego, other, crash.impact_speed)
+    closing = _closing_speed(ego, other, crash)
+    mine, theirs = _delta_v(ego, other, closing)
     told: dict[str, float | None] = {
         "ego_speed_at_impact": abs(float(ego.speed[before])),
         "other_speed_at_impact": abs(float(other.speed[before])),
-        "closing_speed": _closing_speed(ego, other, crash),
+        "closing_speed": closing,
         "impact_angle": math.remainder(turned, 2 * math.pi),
         "ego_delta_v": mine,
         "other_delta_v": theirs,
@@ -129,14 +130,19 @@ def _closing_speed(ego: Track, other: Track, crash: Event) -> float:
     return float(np.clip((ways[0] - ways[1]) @ line_of_contact(ego, other, step), 0.0, crash.impact_speed))
 
 
-def _delta_v(ego: Track, other: Track, impact_speed: float) -> tuple[float | None, float | None]:
-    """By how much an impact after which both go on as one changes the velocity of each [m/s].
+def _delta_v(ego: Track, other: Track, closing: float) -> tuple[float | None, float | None]:
+    """By how much an impact after which neither closes in on the other changes the velocity of each [m/s].
 
     What stands beside the road counts as a wall, whose own change is None; what came off somebody weighs nothing.
+
+    Args:
+        ego: One.
+        other: The other.
+        closing: Their relative speed along the line of contact [m/s].
     """
     if ego.kind not in BY_CLASS:
         return None, None
     if other.kind not in BY_CLASS:
-        return (0.0, impact_speed) if other.kind in LOOSE else (impact_speed, None)
+        return (0.0, closing) if other.kind in LOOSE else (closing, None)
     mine, theirs = (BY_CLASS[track.kind].row.mass for track in (ego, other))
-    return impact_speed * theirs / (mine + theirs), impact_speed * mine / (mine + theirs)
+    return closing * theirs / (mine + theirs), closing * mine / (mine + theirs)

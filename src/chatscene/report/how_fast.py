@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from statistics import median
 from typing import Any
 
-from chatscene.measure.severity import CURVES, By, Found, Outcome, in_kmh
+from chatscene.measure.severity import CURVES, KMH, NO_CURVE, By, Found, Outcome, in_kmh, told
 from chatscene.terms.actors import BY_CLASS, noun_of
 
 Row = Mapping[str, Any]
@@ -30,25 +31,25 @@ def how_fast(rows: Sequence[Row]) -> str:
     if not ran:
         return ""
     drove = [f"The ego drove at {_about(row['ego_speed_before'] for row in ran)}", *_others(ran)]
-    told = [f"{', '.join(drove)}."]
+    lines = [f"{', '.join(drove)}."]
     if missed := [row for row in ran if not row["collision"] and row["distance"] is not None]:
-        told.append(f"{_nearest(missed)}.")
+        lines.append(f"{_nearest(missed)}.")
     if crashed := [row for row in ran if row["collision"]]:
-        told.append(f"{_hardest(max(crashed, key=lambda row: row['impact_speed'] or 0.0), len(crashed))}.")
-    return " ".join(told)
+        lines.append(f"{_hardest(max(crashed, key=hardness), len(crashed))}.")
+    return " ".join(lines)
 
 
-def harm(row: Row) -> tuple[Found, ...]:
-    """What published curves say of the crash in a row of `scenes.parquet`, of whom the ego struck first."""
-    found = [_found(row, *who, outcome) for who in (("other", "ego"), ("ego", "other")) for outcome in Outcome]
-    return tuple(one for one in found if one is not None)
+def harm(row: Row) -> tuple[list[Found], list[Found]]:
+    """What published curves say of the crash in a row of `scenes.parquet`: of the ego, and of whom it struck first."""
+    ego, other = ([_found(row, *who, outcome) for outcome in Outcome] for who in (("ego", "other"), ("other", "ego")))
+    return [one for one in ego if one is not None], [one for one in other if one is not None]
 
 
 def harm_in_words(row: Row) -> str:
     """What they say, in clauses; empty without a collision, or before risks were kept."""
     if not row["collision"] or row.get("closing_speed") is None:
         return ""
-    return "; ".join(one.in_words() for one in harm(row)) or "no published injury-risk curve is of such a crash"
+    return "; ".join(told(*harm(row))) or NO_CURVE
 
 
 def _others(ran: Sequence[Row]) -> Iterator[str]:
@@ -67,22 +68,27 @@ def _about(speeds: Iterable[float]) -> str:
     middle = in_kmh(median(values))
     if in_kmh(least) == in_kmh(most) or most <= NARROW * least:
         return middle
-    return f"{middle} ({least * 3.6:.0f} to {most * 3.6:.0f})"
+    return f"{middle} ({KMH * least:.0f} to {KMH * most:.0f})"
 
 
 def _nearest(missed: Sequence[Row]) -> str:
-    never = float("inf")
-    row = min(missed, key=lambda row: never if row["time_to_collision"] is None else row["time_to_collision"])
-    if (left := row["time_to_collision"]) is None:
-        row = min(missed, key=lambda row: row["distance"])
-        return f"Nobody came on a collision course; the nearest passed at {row['distance']:.1f} m"
-    return f"The nearest miss was {left:.1f} s from a collision, and passed at {row['distance']:.1f} m"
+    row = min(missed, key=lambda row: row["distance"])
+    left = row["time_to_collision"]
+    when = "" if left is None else f", {left:.1f} s from a collision at the least"
+    return f"The nearest miss was {row['distance']:.1f} m{when}"
 
 
 def _hardest(row: Row, count: int) -> str:
-    closing = f"{'The crash' if count == 1 else 'The hardest crash'} closed at {in_kmh(row['impact_speed'] or 0.0)}"
-    worst = max(harm(row), key=lambda one: (one.curve.outcome is Outcome.DEATH, one.risk), default=None)
-    return f"{closing}: {worst.in_words() if worst is not None else harm_in_words(row)}"
+    closing = f"{'The crash' if count == 1 else 'The hardest crash'} closed at {in_kmh(hardness(row))}"
+    worst = max(chain(*harm(row)), key=lambda one: (one.curve.outcome is Outcome.DEATH, one.risk), default=None)
+    said = harm_in_words(row) if worst is None else worst.in_words()
+    return f"{closing}: {said}" if said else closing
+
+
+def hardness(row: Row) -> float:
+    """How hard a crash was [m/s]: how fast they closed along the line of contact; in older folders, the whole speed."""
+    closing = row.get("closing_speed")
+    return (row["impact_speed"] or 0.0) if closing is None else closing
 
 
 def _found(row: Row, who: str, whom: str, outcome: Outcome) -> Found | None:

@@ -15,6 +15,7 @@ from chatscene.measure.score import wilson
 from chatscene.measure.severity import KMH, in_kmh
 from chatscene.report.accounting import parts_of, told_first
 from chatscene.report.highlight import highlight
+from chatscene.report.how_fast import hardness
 from chatscene.report.measures import scene_label
 from chatscene.report.outcomes import Outcomes, plot_outcomes
 from chatscene.report.ranges import Plot, plot_ranges
@@ -99,13 +100,13 @@ def tiles(scenes: Sequence[Row]) -> Markup:
     fill_ins = sum(row["fill_in"] for row in ran)
     avoidable = sum(row["avoidable"] is True for row in ran)
     low, high = wilson(hits, len(ran))
-    fastest = max((row["impact_speed"] or 0.0 for row in ran), default=0.0)
+    fastest = max(map(hardness, ran), default=0.0)
     shown = [
         (f"{hits / len(ran):.0%}", "collision rate", f"95 % interval {low:.0%} to {high:.0%} (Wilson)"),
         (
             in_kmh(fastest) if hits else "none",
             "hardest impact",
-            "speed of approach at contact" if hits else "nothing collided",
+            "closing speed along the line of contact" if hits else "nothing collided",
         ),
         (
             f"{kept}",

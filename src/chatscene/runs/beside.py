@@ -13,11 +13,12 @@ from chatscene.ego.policy import fitted, in_words, load_ego, senses_of
 from chatscene.errors import ChatSceneError, RunError
 from chatscene.measure.avoidability import risk_step
 from chatscene.measure.counterfactual import last_moment, latest_braking
+from chatscene.runs.crash import Contact, Pace, braking_in_words, last_moment_in_words
 from chatscene.runs.rebuild import Remade, remade
 from chatscene.runs.record import RunRecord, settings_of
 from chatscene.runs.tables import scene_of
 from chatscene.runs.trust import Repeated, follow
-from chatscene.runs.why import Contact, braking_in_words, last_moment_in_words, trial_in
+from chatscene.runs.why import trial_in
 from chatscene.runs.workspace import Workspace, read_record
 from chatscene.simulate.simulator import simulate
 from chatscene.terms.episode import Episode
@@ -115,7 +116,7 @@ def _beside(made: Remade, drove: str, rows: Sequence[Mapping[str, Any]]) -> Besi
 def _story(made: Remade, row: Mapping[str, Any]) -> Story:
     trial = trial_in(made, row)
     dt = trial.episode.dt
-    contact, risk = Contact.of(trial), risk_step(trial.episode, trial.route)
+    contact, pace, risk = Contact.of(trial), Pace.of(trial), risk_step(trial.episode, trial.route)
     seen = None if risk is None else risk * dt
     last, braking = last_moment(trial), latest_braking(trial)
     moments = {
@@ -129,8 +130,8 @@ def _story(made: Remade, row: Mapping[str, Any]) -> Story:
     return Story(
         said=(
             f"{how[0].upper()}{how[1:]}.",
-            braking_in_words(braking, contact.time, seen, dt),
-            last_moment_in_words(None if last is None else last * dt, contact.time, seen),
+            braking_in_words(braking, contact.time, seen, pace),
+            last_moment_in_words(None if last is None else last * dt, contact.time, seen, pace),
         ),
         marks=tuple(sorted(marks, key=lambda mark: mark.step)),
     )

@@ -27,82 +27,22 @@ from chatscene.measure.counterfactual import (
     values_needed,
     with_whom,
 )
-from chatscene.measure.criticality import fault, part_struck
+from chatscene.measure.severity import KMH
 from chatscene.program.sample import scene_at
 from chatscene.runs.blocks import read_scenes
+from chatscene.runs.crash import Contact, Pace, braking_in_words, last_moment_in_words
 from chatscene.runs.rebuild import Remade, remade
 from chatscene.runs.record import RunRecord
 from chatscene.runs.tables import scene_of
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.workspace import open_run
 from chatscene.simulate.simulator import simulate
-from chatscene.terms.actors import named, noun_of
-from chatscene.terms.criticality import Fault
+from chatscene.terms.actors import named
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
 
 CANDIDATES = 3  # how many of the nearest scenes without a crash are driven again, until one does not crash
 MIDDLE = "middle"  # of every range
-_PARTS = {"front": "front", "rear": "rear", "left": "left side", "right": "right side", "": ""}
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Contact:
-    """Who struck whom.
-
-    Attributes:
-        time: When [s].
-        other: Whom the ego collided with.
-        kind: What that is.
-        fault: Who struck whom.
-        ego_part: Where on the ego: ``front``, ``rear``, ``left`` or ``right``.
-        other_part: Where on the other; empty of a walker or a thing.
-        ego_speed: Before the step that ended in contact [m/s].
-        other_speed: The same [m/s].
-        impact_speed: Speed of approach [m/s].
-    """
-
-    time: float
-    other: str
-    kind: str
-    fault: Fault
-    ego_part: str
-    other_part: str
-    ego_speed: float
-    other_speed: float
-    impact_speed: float
-
-    @classmethod
-    def of(cls, trial: Trial) -> Contact:
-        """How a scene crashed."""
-        episode, crash, struck, who = trial.episode, trial.crash, trial.struck, fault(trial.episode)
-        assert who is not None
-        return cls(
-            time=round(crash.step * episode.dt, 6),
-            other=struck.actor,
-            kind=struck.kind,
-            fault=who,
-            ego_part=crash.side,
-            other_part=part_struck(struck, episode.ego_track, crash),
-            ego_speed=float(episode.ego_track.speed[max(crash.step - 1, 0)]),
-            other_speed=float(struck.speed[max(crash.step - 1, 0)]),
-            impact_speed=crash.impact_speed,
-        )
-
-    def in_words(self, kinds: Mapping[str, str]) -> str:
-        """One sentence, without its end.
-
-        Args:
-            kinds: The class of everybody else in the scene, by name.
-        """
-        called = named(self.other, self.kind, kinds)
-        mine, theirs = ("the ego", _PARTS[self.ego_part]), (called, _PARTS[self.other_part])
-        (striker, with_its), (struck, on_its) = (mine, theirs) if self.fault.by_ego else (theirs, mine)
-        where = f", {with_its} to {on_its}" if with_its and on_its else f" with its {with_its}" if with_its else ""
-        return (
-            f"at {self.time:.1f} s {striker} ran into {struck}{where}: ego at {self.ego_speed:.1f} m/s, "
-            f"{noun_of(self.kind)} at {self.other_speed:.1f} m/s, closing at {self.impact_speed:.1f} m/s"
-        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -127,6 +67,7 @@ class Why:
     Attributes:
         scene_id: Which.
         contact: Who struck whom.
+        pace: How fast both were, at which moment.
         risk: From when on a careful driver sees the crash coming; None if never.
         careful_brakes: When such a driver would begin to brake; None without a risk.
         avoidable: Whether that avoids it (decision 0013); None where it is not asked.
@@ -146,6 +87,7 @@ class Why:
 
     scene_id: str
     contact: Contact
+    pace: Pace
     risk: float | None
     careful_brakes: float | None
     avoidable: bool | None
@@ -167,6 +109,9 @@ class Why:
         return {
             "scene_id": self.scene_id,
             "contact": {**asdict(self.contact), "fault": self.contact.fault.value},
+            "speeds": asdict(self.pace.speeds),
+            "harm": list(self.pace.harm),
+            "moments": {name: self.pace.moment(time) for name, time in self._moments().items()},
             "risk": self.risk,
             "careful_brakes": self.careful_brakes,
             "avoidable": self.avoidable,
@@ -196,7 +141,7 @@ class Why:
 
     def in_words(self) -> str:
         """A few lines for a person."""
-        lines = [f"{self.scene_id}: {self.contact.in_words(self.kinds)}.", self._careful()]
+        lines = [f"{self.scene_id}: {self.contact.in_words(self.kinds)}.", self.pace.in_words(), self._careful()]
         lines += self._of_things()
         lines += self._of_values()
         lines += self._of_ego()
@@ -208,10 +153,10 @@ class Why:
         if self.risk is None or self.careful_brakes is None:
             seen = "Nobody could see it coming for long enough to judge it."
         else:
-            seen = f"It could be seen coming from {self.risk:.1f} s on. "
+            seen = f"It could be seen coming from {self.risk:.1f} s on ({self.pace.at(self.risk)}). "
             seen += f"A careful driver, that of UN R157, brakes at {self.careful_brakes:.1f} s"
             seen += ", and avoids it." if self.avoidable else ", which does not avoid it."
-        return f"{seen} {last_moment_in_words(self.last_moment, self.contact.time, self.risk)}"
+        return f"{seen} {last_moment_in_words(self.last_moment, self.contact.time, self.risk, self.pace)}"
 
     def _all_named(self, thing: Thing) -> str:
         pairs = zip(thing.actors, thing.kinds, strict=True)
@@ -264,16 +209,29 @@ class Why:
         return [self._of_braking(), self._of_slower()]
 
     def _of_braking(self) -> str:
-        return braking_in_words(self.braking, self.contact.time, self.risk, self.dt)
+        return braking_in_words(self.braking, self.contact.time, self.risk, self.pace)
 
     def _of_slower(self) -> str:
         if self.slower is None:
             return f"The ego does not avoid it by going slower, down to {LEAST_SHARE:g} of its highest speed."
         by = self.slower.highest - self.slower.limit
         return (
-            f"The ego avoids it if it goes at most {self.slower.limit:.1f} m/s, {by:.1f} m/s slower than its highest "
-            "speed before the contact."
+            f"The ego avoids it if it goes at most {KMH * self.slower.limit:.1f} km/h, {KMH * by:.1f} km/h slower than "
+            "its highest speed before the contact."
         )
+
+    def _moments(self) -> dict[str, float]:
+        """The turning points of the scene that there are [s], by name, in no order."""
+        braking = self.braking
+        times = {
+            "encounter": self.pace.speeds.encounter_time,
+            "risk": self.risk,
+            "careful_brakes": self.careful_brakes,
+            "last_moment": self.last_moment,
+            "braking": None if braking is None else self._at(braking.step),
+            "own_braking": None if braking is None or braking.own is None else self._at(braking.own),
+        }
+        return {name: time for name, time in times.items() if time is not None}
 
     def _at(self, step: int) -> float:
         return round(step * self.dt, 6)
@@ -283,40 +241,6 @@ class Why:
 
     def _earlier(self, braking: Braking) -> float:
         return (braking.own or 0) * self.dt - braking.step * self.dt
-
-
-def last_moment_in_words(moment: float | None, contact: float, risk: float | None) -> str:
-    """Until when a careful driver's braking avoids a crash; times in the scene [s]."""
-    if moment is None:
-        return "At no moment does a careful driver's braking avoid it."
-    when = f"{moment:.1f} s, {contact - moment:.1f} s before the contact{_foreseen(moment, risk)}"
-    return f"The last moment at which a careful driver's braking avoids it is {when}."
-
-
-def braking_in_words(braking: Braking | None, contact: float, risk: float | None, dt: float) -> str:
-    """From when on the ego's own braking avoids a crash.
-
-    Args:
-        braking: The latest that does.
-        contact: When it crashed [s].
-        risk: From when on it can be seen coming [s].
-        dt: Length of a step [s].
-    """
-    if braking is None:
-        return "The ego does not avoid it by braking as hard as it can, from whatever moment on."
-    begins, own = braking.step * dt, braking.own
-    if own is None:
-        how = "it did not brake"
-    elif own > braking.step:
-        how = f"{(own - braking.step) * dt:.1f} s earlier than it did"
-    else:
-        how = f"it braked from {own * dt:.1f} s on, but less hard"
-    when = f"{begins:.1f} s on, {contact - begins:.1f} s before the contact{_foreseen(begins, risk)}"
-    return f"The ego avoids it if it brakes as hard as it can ({braking.deceleration:g} m/s²) from {when}; {how}."
-
-
-def _foreseen(time: float, risk: float | None) -> str:
-    return ", before it can be seen coming" if risk is not None and time < risk - 1e-6 else ""
 
 
 def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why:
@@ -353,6 +277,7 @@ def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why
     return Why(
         scene_id=scene_id,
         contact=Contact.of(trial),
+        pace=Pace.of(trial),
         risk=None if risk is None else round(risk * dt, 6),
         careful_brakes=None if careful is None else round(careful * dt, 6),
         avoidable=avoidable,
