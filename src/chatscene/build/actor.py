@@ -291,9 +291,9 @@ class Actor:
         """A text with names and parameters in the place of marks."""
         one = name_of(self.one.id)
         if OWN in text and self._lane_ends:
-            text = text.replace(OWN, "ownWay(egoRoute)")
+            text = text.replace(OWN, "{own}")
         first = one if self.count > 1 else "self"
-        for mark in ("next", "beside", "ours", "home"):
+        for mark in ("next", "beside", "ours", "home", "own"):
             text = text.replace(f"{{{mark}}}", f"{mark}{one}")
         row = name_of(self.first.one.id) if self.first is not None else one
         text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first).replace("{row}", row)
@@ -317,6 +317,8 @@ class Actor:
         phases = self.phases()
         named = self._lines(hidden, screen)
         body = "\n".join(phases)
+        if any(f"own{one}" in text for text in (body, *named)):
+            named.insert(0, f"own{one} = ownWay(egoRoute)")
         if f"beside{one}" in body:
             named.append(f"beside{one} = {self._beside()}")
         if f"next{one}" in body:

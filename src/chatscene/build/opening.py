@@ -143,7 +143,7 @@ class Opening:
     def _is_near(self, name: str) -> str:
         """When it is so near to who stands before it that it must brake to stand behind that."""
         actor = self.phases.actor
-        braking = f"self.pose[3] ** 2 / (2 * $BRAKE * {actor.limits.brake:g})"
+        braking = f"self.pose[3] * self.pose[3] / (2 * $BRAKE * {actor.limits.brake:g})"
         line = "{p}" if name == EGO else "egoRoute"  # which begins where the ego does
         return f"headway({line}, self, {name}) < {braking} + (self.length + {name}.length) / 2 + {BEHIND_IT:g}"
 

@@ -10,7 +10,7 @@ import numpy as np
 from chatscene.measure.criticality import fault, part_struck, severity_of
 from chatscene.simulate.boxes import least_gap
 from chatscene.terms.braking import STANDSTILL
-from chatscene.terms.episode import Episode, Track
+from chatscene.terms.episode import QUIET, Ending, Episode, Track
 
 PLACE = 10.0  # [m] of the ego's way within which two crashes are in one place
 HEADED = ("same way", "to the left", "oncoming", "to the right")  # the other, as the ego sees it, by quarter turns
@@ -45,7 +45,7 @@ def waits(episode: Episode) -> bool:
     """
     if episode.collision is not None:
         return False
-    rows = math.ceil(STANDSTILL / episode.dt) + 1
+    rows = math.ceil((QUIET if episode.ending is Ending.OVER else STANDSTILL) / episode.dt) + 1
     ego, *others = [_last(track, rows) for track in episode.tracks]
     return _stands(ego) and any(_stands(other) and least_gap(ego, other) < BEHIND for other in others)
 

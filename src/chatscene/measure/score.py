@@ -28,7 +28,8 @@ def measure(episode: Episode) -> Measurements:
     """The raw numbers of one episode.
 
     An episode of T rows has T - 1 steps; row 0 is the state before the first. Metres off the road, acceleration and
-    yaw are taken over the steps, the distance to the route over the rows.
+    yaw are taken over the steps, the distance to the route over the rows. Of a drive that was over before the ego
+    arrived, rates are those of what was driven, and how long the rest would have taken is not known.
     """
     ego, duration = episode.ego_track, episode.duration
     kinds = [event.kind for event in episode.events]
@@ -38,7 +39,7 @@ def measure(episode: Episode) -> Measurements:
         stop_signs=kinds.count(EventKind.STOP_SIGN),
         off_road=_metres_off_road(episode),
         distance_to_route=float(episode.distance_to_route.mean()),
-        completion=episode.route_completion,
+        completion=episode.completion,
         time=duration if episode.route_completion >= 1.0 else None,
         acceleration=_mean_acceleration(ego, episode.dt),
         yaw_rate=_turned(_reference_yaw(ego.heading)) / duration if duration else 0.0,
@@ -112,7 +113,8 @@ def score(measurements: Sequence[Measurements], *, mode: Mode = Mode.PAPER) -> M
 
 def _time_spent(measurements: Sequence[Measurements], *, corrected: bool) -> float:
     if corrected:
-        return _mean([MOST_TIME if m.time is None else min(m.time, MOST_TIME) for m in measurements]) / MOST_TIME
+        known = [m for m in measurements if m.time is not None or m.completion < 1.0]
+        return _mean([MOST_TIME if m.time is None else min(m.time, MOST_TIME) for m in known] or [0.0]) / MOST_TIME
     times = [m.time for m in measurements if m.time is not None]
     return _mean(times) / MOST_TIME if times else 0.0
 

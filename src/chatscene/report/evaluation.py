@@ -145,7 +145,7 @@ def _fared(record: EvaluationRecord, ego: str, rows: Sequence[Row], kept_for: Ma
         "kinds": None if None in kinds else len(kinds),  # folders did not always keep them
         "median": median(impacts) if impacts else None,
         "hardest": max(impacts, default=None),
-        "completion": 100 * math.fsum(row["route_completion"] for row in rows) / len(rows),
+        "completion": 100 * math.fsum(measurements_of(row).completion for row in rows) / len(rows),
         "score": score([measurements_of(row) for row in rows], mode=Mode.CORRECTED).overall_score,
     }
 

@@ -24,7 +24,7 @@ from chatscene.terms.profile import allowed_speeds
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Control
 from chatscene.world.lights import TrafficLights
-from chatscene.world.signals import MODES, signal_states
+from chatscene.world.signals import MODES, last_change, signal_states
 
 HALTED = 0.1  # [m/s], slow enough to count as a stop at a stop sign (SafeBench, RunningStopTest)
 STOP_ZONE = 6.0  # [m] before the line within which the ego must have halted
@@ -119,6 +119,10 @@ class RouteSurroundings:
             )
             for line, states in self._states(mode, steps, dt, lights)
         )
+
+    def settled(self, mode: str) -> float:
+        """When the last signal at the route's junction changes [s]: 0 where there is none, inf where they go on."""
+        return last_change(mode) if self._control is Control.SIGNAL and self._lines else 0.0
 
     def lights(self, mode: str, steps: int, dt: float, own: TrafficLights | None = None) -> dict[str, str]:
         """The states of each traffic light at the route's junction, by its id in OpenDRIVE; as a program set them.

@@ -16,12 +16,14 @@ from chatscene.errors import ChatSceneError, EgoError, ProgramError, no_such
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.contact import SWEPT, Was, approach_speed, between, contact_side, met, touch
 from chatscene.simulate.obedience import Obedience
+from chatscene.simulate.over import Over, over_of
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.terms.actors import LIMITS, has_lamps, kind_of
 from chatscene.terms.backing import turned_about
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Reached, Role, Stepped, Track
 from chatscene.terms.order import Order
+from chatscene.terms.pace import NOMINAL
 from chatscene.terms.pointing import fault
 from chatscene.terms.route import Route
 from chatscene.terms.scene import ScenicProgram
@@ -64,6 +66,7 @@ class SteppedSession:
         ending: Why it ended, or None while it goes on.
         rejection: Why the program itself rejects it, or empty.
         step_number: How many steps were made.
+        over: What watches for the end of the drive, where the program asks for it.
         offset: Lateral offset of the ego from its route [m, positive = left].
         along: Arc length of the ego on its route [m].
         draws: How many draws it took to place.
@@ -141,10 +144,16 @@ class SteppedSession:
         if route.junction is not None:
             simulation.axes = {route.junction: around.axis}
         self._meet()
+        self.over = self._watching(program)
         self.rejection = _overlap(objects, bodies, self._names)
         self.observation: Observation
         if not self.rejection:
             self._look()
+
+    @property
+    def held(self) -> Obedience:
+        """What the ego is held to."""
+        return self._obedience
 
     @property
     def along(self) -> float:
@@ -315,6 +324,9 @@ class SteppedSession:
             return Ending.ARRIVED
         if self.simulation.done is not None:
             return Ending.SCENARIO_DONE
+        over = self.over
+        if over is not None and over.look(self.step_number, self._view.along, self._all_phases(over), self._obedience):
+            return Ending.OVER
         return Ending.TIMEOUT if self.step_number >= self.limit else None
 
     def _four_numbers(self) -> Observation:
@@ -412,6 +424,33 @@ class SteppedSession:
             return -1
         frame = running.gi_frame
         return len(plan.lines) if frame is None else plan.phase_at(frame.f_lineno)
+
+    def _all_phases(self, over: Over) -> dict[int, int]:
+        """How far everybody is who acts; of one that does one thing alone, 0, or 1 once that is done."""
+        found: dict[int, int] = {}
+        for one in over.acting:
+            if (phase := self._phase_of(one.number)) < 0:
+                running = getattr(self.simulation.objects[one.number].behavior, "_runningIterator", None)
+                phase = int(running is not None and running.gi_frame is None)
+            found[one.number] = phase
+        return found
+
+    def _watching(self, program: ScenicProgram) -> Over | None:
+        """What watches for the end of the drive, where the program asks for it and nothing else judges its states."""
+        simulation, route = self.simulation, self.route
+        if program.drawn or program.as_written or simulation.watched:
+            return None
+        params = simulation.scene.params
+        return over_of(
+            params,
+            simulation.objects,
+            self._plans,
+            bodies=simulation.bodies,
+            line=route.line,
+            dt=self.settings.dt,
+            settled=self.around.settled(str(params["signals"])),
+            wanted=NOMINAL.speed if program.wanted_speed is None else program.wanted_speed,
+        )
 
     def _states(self, steps: int) -> list[NDArray[np.float64]]:
         """The state of each body that moves at each step, (4, steps); of one that came later, as it stood at first."""

@@ -24,6 +24,8 @@ class Role(StrEnum):
     OCCLUDER = "occluder"
 
 
+AT_REST = 0.1  # [m/s], slower than which somebody stands when a drive is over
+QUIET = 2.0  # [s] for which nothing happens any more before it is
 OTHER = "other"  # the name of whoever acts beside the adversary, as a text says
 
 
@@ -44,6 +46,7 @@ class Ending(StrEnum):
     ARRIVED = "arrived"
     TIMEOUT = "timeout"
     SCENARIO_DONE = "scenario-done"  # the Scenic program ended it
+    OVER = "over"  # nothing is to come any more, and nobody can meet the ego
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -211,6 +214,15 @@ class Episode:
     def collision(self) -> Event | None:
         """The first collision, if there was one."""
         return next((e for e in self.events if e.kind is EventKind.COLLISION), None)
+
+    @property
+    def completion(self) -> float:
+        """Share of the route that counts as driven, in [0, 1]: all of it, where the drive was over with the ego on it.
+
+        Nothing kept that ego from going on. One that stood when all was over has driven what it has.
+        """
+        went_on = self.ending is Ending.OVER and abs(float(self.ego_track.speed[-1])) >= AT_REST
+        return 1.0 if went_on else self.route_completion
 
     @property
     def duration(self) -> float:

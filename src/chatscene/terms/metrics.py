@@ -26,8 +26,8 @@ class Measurements:
         stop_signs: Stop signs ignored.
         off_road: Metres driven off the driving lanes [m].
         distance_to_route: Mean distance to the route [m].
-        completion: Share of the route driven, in [0, 1].
-        time: Duration [s] if the route was completed, else None.
+        completion: Share of the route that counts as driven (`Episode.completion`), in [0, 1].
+        time: Duration [s] if the ego arrived, else None.
         acceleration: Mean magnitude of acceleration [m/s²].
         yaw_rate: Summed change of yaw over duration [rad/s], a full turn for each crossing of ±π.
         yaw_rate_unwrapped: The same without those turns [rad/s].

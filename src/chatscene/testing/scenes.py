@@ -151,7 +151,7 @@ class Driven:
             "impact_speed": round(crash.impact_speed, 3) if crash else 0.0,
             "fault": str(fault(self.episode) or "none"),
             "twin_impact_speed": round(harmless.impact_speed, 3) if harmless else 0.0,
-            "twin_completion": round(float(self.twin.route_completion), 3),
+            "twin_completion": round(self.twin.completion, 3),
             "twin": self.solvable.twin.told,
             "survivor": self.solvable.survivor,
         }
@@ -372,7 +372,7 @@ def _blocks(program: ScenicProgram, route: int, simulator: Simulator, asked: Ask
                         collided=drive.collision is not None,
                         distance=measured.distance,
                         impact_speed=measured.impact_speed or 0.0,
-                        completion=float(drive.route_completion),
+                        completion=drive.completion,
                     )
                 )
             tried.append(outcome)

@@ -112,7 +112,7 @@ def _proved_by(
         survivor=survivor,
         oblivious=struck,
         spare=spare,
-        completion=float(free.route_completion),
+        completion=free.completion,
         standing=standing_in(free),
     )
 
@@ -150,7 +150,7 @@ def _harmless(
         drive = simulate(simulator, twin.program, scene, load_ego(name))
         if isinstance(drive, Rejected) or drive.collision is not None:
             continue
-        if not hindered(drive, least=float(alone.route_completion) - BEHIND, standing=standing_in(alone)):
+        if not hindered(drive, least=alone.completion - BEHIND, standing=standing_in(alone)):
             return twin, drive
     return None
 
@@ -171,8 +171,8 @@ def hindered(episode: Episode, *, least: float, standing: float) -> str:
     stood = standing_in(episode)
     if stood > standing + LONGER:
         return f"it stood for {stood:.1f} s"
-    if episode.route_completion < least:
-        return f"it came {100 * episode.route_completion:.0f} % of its way in {episode.duration:.1f} s"
+    if episode.completion < least:
+        return f"it came {100 * episode.completion:.0f} % of its way in {episode.duration:.1f} s"
     return ""
 
 

@@ -15,7 +15,7 @@ _install_network_memo()  # no parsed copy of the map beside the map itself
 from scenic.domains.driving.model import *
 
 from chatscene.world.actions import DriveAction, WalkAction
-from chatscene.world.actors import Driven, Lying, Placed, Walking
+from chatscene.world.actors import Driven, Lying, Walking
 from chatscene.world.behaviors import *
 from chatscene.world.places import (adjacentPath, against, asideOf, backFrom, besideRoad, brakingDistance, choose_route as _choose_route,
     crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, lastLane, leftAt, levelOn, lineThrough, onward,
@@ -204,7 +204,7 @@ class Load(Car):
 
 ## Things that stand in the way or in the line of sight
 
-class Prop(Placed, DrivingObject):
+class Prop(Lying, DrivingObject):
     regionContainedIn: everywhere
     position: _unplaced()
     isWalker: False

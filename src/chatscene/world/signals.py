@@ -46,6 +46,13 @@ def signal_states(mode: str, own_axis: bool, steps: int, dt: float) -> str:
     return "".join(state_on_clock(step * dt, own_axis) for step in range(steps))
 
 
+def last_change(mode: str) -> float:
+    """When the last signal changes that a program holds so [s]: 0 where none does, inf on the clock."""
+    if mode not in CHANGES:
+        return math.inf
+    return max((until for held in CHANGES[mode] for until, _ in held[:-1]), default=0.0)
+
+
 def state_on_clock(time: float, own_axis: bool) -> str:
     """The state of a signal on the clock, so many seconds after its start."""
     phase = (time + (0.0 if own_axis else _HALF)) % (2 * _HALF)

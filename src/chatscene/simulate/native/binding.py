@@ -151,9 +151,23 @@ class _Binder:
             world.room = self._doubles(session.around.room)
         if session.allowed is not None:
             world.allowed = self._doubles(session.allowed)
+        self._watch(world)
         offsets[0] = session.offset
         world.kept = self._kept
         return Bound(world, rows, offsets)
+
+    def _watch(self, world: engine.World) -> None:
+        """What is known of the end of the drive, where it is watched for, as far as the first state tells."""
+        over = self._session.over
+        if over is None:
+            return
+        world.ends_when_over, world.quiet, world.moved = 1, over.since, over.moved
+        world.beyond, world.settled, world.wanted = over.beyond, over.settled, over.wanted
+        for body, even in zip(world.body[: world.bodies], over.even, strict=False):
+            body.even_speed, body.even_heading, body.even_distance = even
+        doing = {one.number: one for one in over.acting}
+        for agent in world.agent[: world.agents]:
+            agent.last, agent.until = doing[agent.body].last, doing[agent.body].until
 
     def _array(self, kind: Any, items: list[Any], room: int = 1) -> Any:
         """Structures, one after the other, with room for at least so many, that stay as long as the scene."""

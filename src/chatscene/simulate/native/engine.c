@@ -38,7 +38,7 @@
 #define MOST_BODIES 32
 
 enum { THING, VEHICLE, WALKER };
-enum { GOES_ON, COLLISION, ARRIVED, TIMEOUT };
+enum { GOES_ON, COLLISION, ARRIVED, TIMEOUT, OVER };
 enum { SAFEBENCH, ACTORS, ROAD, TRAFFIC };
 #define STEPS 20 /* that the planner looks ahead */
 #define WAYS 49 /* that it weighs */
@@ -64,9 +64,10 @@ typedef struct {
     double course, target_speed, vx, vy;   /* of walkers */
     double sight;                          /* from how far the ego sees it */
     double was_x, was_y, was_heading;      /* before the last step */
+    double even_speed, even_heading, even_distance; /* when it became quiet; the distance from the ego */
     Limits limits;
     int32_t kind, reverse, walks, seen_as_vehicle;
-    int32_t backs, unused;                 /* drives backwards, and is carried as it goes */
+    int32_t backs, together;               /* drives backwards, and is carried as it goes; is with the ego */
 } Body;
 
 /* Conditions and numbers: programs for a stack. */
@@ -101,7 +102,8 @@ typedef struct {
     int32_t body, phase, phases, loop, entered, begun; /* loop: where to go on after the last phase, -1 for nowhere */
     int64_t since;                                     /* step at which the phase began */
     int32_t near, other_near;                          /* segments to search from, -1 for the whole line */
-    int32_t passed, unused;
+    int32_t passed, last;                              /* last: the phase from which on it does nothing new */
+    double until;                                      /* where the ego is when it no longer waits for it */
     double along, seconds, ahead, turned, before, course;
     double argument[ARGUMENTS], local[LOCALS];
     double straight[8];                                /* the two points of a line straight ahead */
@@ -130,9 +132,11 @@ typedef struct {
 
 typedef struct {
     int64_t bodies, agents, areas, orders, limit, step, moving, contacts, most_contacts;
-    int32_t ending, through, preset, near, fault, unused;
+    int64_t quiet;                                      /* the step since which nothing happens, -1 while something does */
+    int32_t ending, through, preset, near, fault, ends_when_over, moved, unused;
     double dt, arrival, along, offset, hardest, wheelbase, wheel_angle; /* the last two: of an ego that is no car */
     double swept; /* how far two must move past each other in a step to be looked at within it */
+    double beyond, settled, wanted; /* where the ego has its manoeuvre behind it; when the last light changes */
     uint64_t touching;
     Body *body;
     Agent *agent;
@@ -886,6 +890,97 @@ static void see(World *w) {
     if (w->preset == TRAFFIC) w->seen[ROAD_SIZE] = w->allowed[w->near] < UNHELD ? w->allowed[w->near] : UNHELD;
 }
 
+/* chatscene.simulate.over */
+#define QUIET 2.0
+#define LONG 5.0
+#define AT_REST 0.1
+#define APART 3.0
+#define FOLLOWED 16
+#define FOLLOW_STRIDE 0.5
+#define EVEN_SPEED 0.5
+#define EVEN_HEADING 0.1
+#define AS_FAR 0.5
+#define IN_THE_WAY 1.0
+
+static int is_to_come(const Order *o, double time, double along, int rests) {
+    if (time < o->since + (isnan(o->aside) ? 0.0 : o->over)) return 1;
+    return (time < o->till && o->till < INFINITY) || (!rests && along < o->place);
+}
+
+static int is_parted(const World *w, const Body *b, int rests) {
+    const Body *ego = &w->body[0];
+    const Line *line = &w->line[0];
+    double dx = b->x - ego->x, dy = b->y - ego->y, vx = b->speed * b->cos, vy = b->speed * b->sin, at, beside;
+    if (dx * (vx - ego->speed * ego->cos) + dy * (vy - ego->speed * ego->sin) <= 0.0) return 0;
+    double fast = fabs(ego->speed), other = fabs(b->speed);
+    double least = APART * (other > fast ? other : fast) + ego->radius + b->radius;
+    if (hypotenuse(dx, dy) <= least) return 0;
+    if (!rests && b->speed <= w->wanted) {
+        int32_t near = -1;
+        project(line, b->x, b->y, &near, &at, &beside);
+        if (at > w->along && fabs(beside) < ego->half_width + b->radius + IN_THE_WAY) return 0;
+    }
+    for (int k = 1; k <= FOLLOWED; k++) {
+        double time = k * FOLLOW_STRIDE, s = w->along + fast * time;
+        int64_t i = segment_at(line, s);
+        double d = s - line->s[i], x = line->x[i] + d * line->hx[i], y = line->y[i] + d * line->hy[i];
+        if (hypotenuse(b->x + vx * time - x, b->y + vy * time - y) <= least) return 0;
+    }
+    return 1;
+}
+
+/* How long it has to remain as it is; 0 where something is to come. Says of each body whether it is with the ego. */
+static double lasts(World *w) {
+    const Body *ego = &w->body[0];
+    double time = (double)w->step * w->dt;
+    int waits = 0, rests = fabs(ego->speed) < AT_REST, stays = 0, together = 0;
+    for (int64_t i = 0; i < w->agents; i++) {
+        const Agent *a = &w->agent[i];
+        if (a->phase >= a->last && w->along >= a->until) continue;
+        if (a->phase < a->last && a->list[a->phase].end != UNTIL) return 0.0;
+        waits = 1;
+    }
+    for (int64_t i = 0; i < w->orders; i++) {
+        const Order *o = &w->order[i];
+        if (is_to_come(o, time - o->met, w->along, rests)) return 0.0;
+        stays |= rests && o->at_most == 0.0;
+    }
+    if ((rests && !(w->moved || stays)) || (waits && !rests)) return 0.0;
+    if (w->along < w->beyond && (!rests || time < w->settled)) return 0.0;
+    for (int64_t i = 1; i < w->bodies; i++) {
+        Body *b = &w->body[i];
+        b->together = 0;
+        if (rests && fabs(b->speed) < AT_REST) continue;
+        if (waits) return 0.0;
+        together |= b->together = !is_parted(w, b, rests);
+    }
+    return waits || together ? LONG : QUIET;
+}
+
+static double apart(const World *w, const Body *b) { return hypotenuse(b->x - w->body[0].x, b->y - w->body[0].y); }
+
+static int is_over(World *w) {
+    w->moved |= fabs(w->body[0].speed) >= AT_REST;
+    double time = lasts(w);
+    if (time == 0.0) { w->quiet = -1; return 0; }
+    int even = w->quiet >= 0;
+    for (int64_t i = 1; i < w->bodies && even; i++) {
+        const Body *b = &w->body[i];
+        even = fabs(b->speed - b->even_speed) <= EVEN_SPEED && fabs(b->heading - b->even_heading) <= EVEN_HEADING
+            && (!b->together || fabs(apart(w, b) - b->even_distance) <= AS_FAR);
+    }
+    if (!even) {
+        w->quiet = w->step;
+        for (int64_t i = 0; i < w->bodies; i++) {
+            Body *b = &w->body[i];
+            b->even_speed = b->speed;
+            b->even_heading = b->heading;
+            b->even_distance = apart(w, b);
+        }
+    }
+    return (double)(w->step - w->quiet) * w->dt >= time;
+}
+
 static void look(World *w) {
     const Body *ego = &w->body[0];
     locate(w);
@@ -926,7 +1021,7 @@ static void look(World *w) {
         if (touch(ego, o)) w->touching |= 1ULL << i; else passed = 1;
     }
     w->ending = (w->touching || passed) && !w->through ? COLLISION : w->along >= w->arrival ? ARRIVED
-        : w->step >= w->limit ? TIMEOUT : GOES_ON;
+        : w->ends_when_over && is_over(w) ? OVER : w->step >= w->limit ? TIMEOUT : GOES_ON;
 }
 
 /* chatscene.terms.order and chatscene.simulate.obedience.Obedience */

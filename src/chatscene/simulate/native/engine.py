@@ -60,10 +60,11 @@ class Body(Structure):
                 *("x", "y", "heading", "speed", "before", "cos", "sin", "half_length", "half_width", "radius", "grip"),
                 *("throttle", "brake", "steer", "wheel", "course", "target_speed", "vx", "vy", "sight"),
                 *("was_x", "was_y", "was_heading"),
+                *("even_speed", "even_heading", "even_distance"),
             )
         ),
         ("limits", Limits),
-        *((name, c_int32) for name in ("kind", "reverse", "walks", "seen_as_vehicle", "backs", "unused")),
+        *((name, c_int32) for name in ("kind", "reverse", "walks", "seen_as_vehicle", "backs", "together")),
     )
 
 
@@ -97,8 +98,8 @@ class Agent(Structure):
     _fields_ = (
         *((name, c_int32) for name in ("body", "phase", "phases", "loop", "entered", "begun")),
         ("since", c_int64),
-        *((name, c_int32) for name in ("near", "other_near", "passed", "unused")),
-        *((name, c_double) for name in ("along", "seconds", "ahead", "turned", "before", "course")),
+        *((name, c_int32) for name in ("near", "other_near", "passed", "last")),
+        *((name, c_double) for name in ("until", "along", "seconds", "ahead", "turned", "before", "course")),
         ("argument", c_double * ARGUMENTS),
         ("local", c_double * LOCALS),
         ("straight", c_double * 8),
@@ -151,11 +152,16 @@ class World(Structure):
     _fields_ = (
         *(
             (name, c_int64)
-            for name in ("bodies", "agents", "areas", "orders", "limit", "step", "moving", "contacts", "most_contacts")
+            for name in (
+                *("bodies", "agents", "areas", "orders", "limit", "step", "moving", "contacts", "most_contacts"),
+                "quiet",
+            )
         ),
-        *((name, c_int32) for name in ("ending", "through", "preset", "near", "fault", "unused")),
+        *((name, c_int32) for name in ("ending", "through", "preset", "near", "fault", "ends_when_over")),
+        *((name, c_int32) for name in ("moved", "unused")),
         *((name, c_double) for name in ("dt", "arrival", "along", "offset", "hardest", "wheelbase", "wheel_angle")),
         ("swept", c_double),
+        *((name, c_double) for name in ("beyond", "settled", "wanted")),
         ("touching", c_uint64),
         ("body", POINTER(Body)),
         ("agent", POINTER(Agent)),

@@ -24,7 +24,7 @@ from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 NAME, REFERENCE = "native", "embedded"
-ENDINGS = {1: Ending.COLLISION, 2: Ending.ARRIVED, 3: Ending.TIMEOUT}  # as engine.c numbers them
+ENDINGS = {1: Ending.COLLISION, 2: Ending.ARRIVED, 3: Ending.TIMEOUT, 4: Ending.OVER}  # as engine.c numbers them
 SIDES = ("front", "rear", "left", "right")
 
 
