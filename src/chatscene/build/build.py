@@ -105,7 +105,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
             *textwrap.wrap(_title(situation), 100, initial_indent="# ", subsequent_indent="# "),
             "",
             "model chatscene.world.model",
-            "param endsWhenOver = True",
+            "param drivesUntil = 'over'",
             *around,
             *declared,
             *ego.params,

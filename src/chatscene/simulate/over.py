@@ -1,6 +1,6 @@
 """When a drive is over: nothing that was said is still to come, and nobody can meet the ego any more.
 
-A program asks for it with `param endsWhenOver = True`; decision 0124 says what each number is for.
+A program asks for it with `param drivesUntil = 'over'`; decision 0124 says what each number is for.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from chatscene.errors import ProgramError
+from chatscene.errors import ProgramError, no_such
 from chatscene.simulate.obedience import Obedience
 from chatscene.terms.episode import AT_REST, QUIET
 from chatscene.terms.order import Order
@@ -19,7 +19,7 @@ from chatscene.terms.polyline import Polyline
 from chatscene.terms.written_plans import WrittenPlan
 from chatscene.world.bodies import Body
 
-PARAMETER = "endsWhenOver"
+UNTIL = ("arrival", "over")  # what a program can say that a drive goes on until
 LONG = 5.0  # [s] for which they only follow each other, or stand and wait for each other
 APART = 3.0  # [s] between two at the speed of the faster
 FOLLOWED, STRIDE = 16, 0.5  # for so many times both are followed, so many seconds apart
@@ -192,14 +192,12 @@ def over_of(
         known: What `Over` knows besides.
 
     Raises:
-        ProgramError: It asks for it in another way than with True.
+        ProgramError: There is no such end.
     """
-    asked = params.get(PARAMETER, False)
-    if asked is not True:
-        if asked is not False:
-            raise ProgramError(f"`param {PARAMETER}` is True or False, not {asked!r}")
-        return None
-    if len(objects) == 1:  # whom nothing is to happen to: it drives to the end of its route
+    until = params.get("drivesUntil", "arrival")
+    if until not in UNTIL:
+        raise ProgramError(no_such("drivesUntil", str(until), UNTIL))
+    if until != "over" or len(objects) == 1:  # whom nothing is to happen to: it drives to the end of its route
         return None
     acting: list[Acting] = []
     for number, one in enumerate(objects):

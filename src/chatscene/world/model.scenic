@@ -33,6 +33,8 @@ if 'signals' not in globalParameters:
     param signals = 'clock'
 if 'egoStart' not in globalParameters:
     param egoStart = 'approach'
+if 'drivesUntil' not in globalParameters:
+    param drivesUntil = 'arrival'
 if 'light' not in globalParameters:
     param light = 'day'
 if 'weather' not in globalParameters:

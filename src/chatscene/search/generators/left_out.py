@@ -12,7 +12,7 @@ from chatscene.terms.scene import OWN_MODEL, ScenicProgram
 
 _LONGEST = 60  # characters of code in a line
 _READ = frozenset(("map", "simulator", "signals", "time_step", "timestep"))  # by our world models, whichever is named
-_OURS = frozenset(("egoStart", "light", "route", "surface", "weather"))  # by our own alone
+_OURS = frozenset(("drivesUntil", "egoStart", "light", "route", "surface", "weather"))  # by our own alone
 _SURROUNDINGS = frozenset(("light", "surface", "weather"))  # read wherever there is a light
 # What Scenic 3.1.1's simulators read of how they are reached, shown and recorded.
 _TO_A_SIMULATOR = frozenset(

@@ -190,6 +190,7 @@ RESERVED = _set("globalParameters network simulation workspace model param new r
 PARAMETERS = {
     "signals": frozenset(MODES),
     "egoStart": frozenset(("approach", "at-line")),
+    "drivesUntil": frozenset(("arrival", "over")),
     "light": frozenset(str(one) for one in Light),
     "weather": frozenset(str(one) for one in Weather),
     "surface": frozenset(str(one) for one in Surface),
