@@ -22,7 +22,7 @@ HEAD = """model chatscene.world.model
 param drivesUntil = {asks!r}
 {params}
 egoRoute = selectRoute({query})
-ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute, with speed 7.8,
+ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute, with speed {speed},
     with wantedSpeed 7.8{ego}
 behavior Does():
 {behavior}
@@ -31,15 +31,18 @@ other = new {kind} at pointOn(egoRoute, {ahead}, {left}), facing directionOn(ego
 """
 SCENE = Scene(id="own/0", scenario_id="own", route=0, block=0, seed=0, values={})
 BRAKES = "do DrivePath(egoRoute, 7.8) for 1 seconds\n    do BrakeOnPath(egoRoute)"
+WAITS = "do BrakeOnPath(egoRoute) until distanceLeft(egoRoute, ego, 30) < 0\n    do DrivePath(egoRoute, 5)"
 CROSSES = "do Halt() until secondsTo(egoRoute, ego, 40) < 3\n    do MoveAhead(1.5)"
 
 
 def program(
     behavior: str = BRAKES, *, kind: str = "Car", ahead: float = 20, left: float = 0, turned: float = 0,
-    asks: str = 'over', ego: str = "", params: str = "", query: str = "maneuver='straight', place='road'",
+    speed: float = 7.8, asks: str = "over", ego: str = "", params: str = "",
+    query: str = "maneuver='straight', place='road'",
 ) -> ScenicProgram:  # fmt: skip
     source = HEAD.format(
         asks=asks,
+        speed=speed,
         params=params,
         query=query,
         ego=ego,
@@ -52,7 +55,8 @@ def program(
     return ScenicProgram(scenario_id="own", source=source, parameters=(), snippet_ids=())
 
 
-CROSSING = {"kind": "Pedestrian", "ahead": 40, "left": -4, "turned": 1.5708}
+def crossing(asks: str = "over") -> ScenicProgram:
+    return program(CROSSES, kind="Pedestrian", ahead=40, left=-4, turned=1.5708, asks=asks)
 
 
 @cache
@@ -75,7 +79,7 @@ def test_two_that_stand_end_it_two_seconds_later_and_the_ego_waits_behind_the_ot
 
 
 def test_who_has_crossed_and_is_left_behind_ends_it_before_the_ego_arrives() -> None:
-    episode, whole = driven(program(CROSSES, **CROSSING)), driven(program(CROSSES, **CROSSING, asks='arrival'))
+    episode, whole = driven(crossing()), driven(crossing("arrival"))
     assert (episode.ending, whole.ending) == (Ending.OVER, Ending.ARRIVED)
     assert episode.duration < whole.duration
     ego, walker = episode.tracks
@@ -85,7 +89,7 @@ def test_who_has_crossed_and_is_left_behind_ends_it_before_the_ego_arrives() -> 
 
 
 def test_a_program_that_does_not_ask_for_it_drives_to_the_end_of_its_time() -> None:
-    assert driven(program(asks='arrival')).ending is Ending.TIMEOUT
+    assert driven(program(asks="arrival")).ending is Ending.TIMEOUT
 
 
 def test_another_end_is_refused() -> None:
@@ -100,34 +104,32 @@ def test_an_ego_that_waits_behind_who_acts_later_waits_for_that() -> None:
 
 
 def test_an_ego_that_is_ordered_to_set_off_later_does_so_before_it_is_over() -> None:
-    waits_first = ", with orders (Order(at_most=0, till=9),)"
-    episode = driven(program("do Park()", ahead=45, left=8, ego=waits_first.replace("7.8", "0")))
-    assert episode.ego_track.speed[:80].max() > 0.0
+    episode = driven(program("do Park()", ahead=45, left=8, ego=", with orders (Order(at_most=0, till=9),)"))
     assert abs(episode.ego_track.speed[60]) < 0.1
     assert episode.ego_track.speed[-1] > 5.0
 
 
 def test_a_light_that_changes_is_awaited_by_an_ego_that_stands() -> None:
-    light = {"params": "param signals = 'ego-turns-red'", "query": "maneuver='straight', control='signal'"}
     changes = 4.5
-    for standing in (2.0, 1.0):
-        behavior = f"do BrakeOnPath(egoRoute, {standing / 2})"
-        assert driven(program(behavior, ahead=12, **light)).duration >= changes
+    for braking in (1.0, 0.5):
+        light = program(
+            f"do BrakeOnPath(egoRoute, {braking})",
+            ahead=12,
+            params="param signals = 'ego-turns-red'",
+            query="maneuver='straight', control='signal'",
+        )
+        assert driven(light).duration >= changes
 
 
 def test_an_ego_that_stands_before_whom_waits_for_it_ends_it_after_five_seconds() -> None:
-    never = "do BrakeOnPath(egoRoute) until distanceLeft(egoRoute, ego, 30) < 0\n    do DrivePath(egoRoute, 5)"
-    episode = driven(program(never))
+    episode = driven(program(WAITS))
     assert episode.ending is Ending.OVER
     stood = [max(abs(track.speed[-k]) for track in episode.tracks) for k in (51, 52)]
     assert stood[0] < 0.1 <= stood[1]
 
 
 def test_an_ego_that_never_set_off_is_not_over() -> None:
-    assert driven(program("do Park()", ahead=6, ego="").__class__(
-        scenario_id="own", source=program("do Park()", ahead=6).source.replace("with speed 7.8", "with speed 0"),
-        parameters=(), snippet_ids=(),
-    )).ending is Ending.TIMEOUT  # fmt: skip
+    assert driven(program("do Park()", ahead=6, speed=0)).ending is Ending.TIMEOUT
 
 
 def test_one_that_follows_at_the_same_speed_for_five_seconds_has_seen_all() -> None:
@@ -137,7 +139,7 @@ def test_one_that_follows_at_the_same_speed_for_five_seconds_has_seen_all() -> N
 
 
 def test_a_drive_that_was_over_did_not_fail() -> None:
-    episode = driven(program(CROSSES, **CROSSING))
+    episode = driven(crossing())
     assert episode.route_completion < 1.0 == episode.completion
     measured = measure(episode)
     assert (measured.completion, measured.time) == (1.0, None)
@@ -148,9 +150,11 @@ def test_a_drive_that_was_over_did_not_fail() -> None:
 
 CASES = {
     "stand": program(),
-    "cross": program(CROSSES, **CROSSING),
+    "cross": crossing(),
     "follow": program("do DrivePath(egoRoute, 3)"),
-    "wait": program("do BrakeOnPath(egoRoute) until distanceLeft(egoRoute, ego, 30) < 0\n    do DrivePath(egoRoute, 5)"),
+    "wait": program(
+        "do BrakeOnPath(egoRoute) until distanceLeft(egoRoute, ego, 30) < 0\n    do DrivePath(egoRoute, 5)"
+    ),
     "junction": program("do WaitFor(ego, egoRoute, 7)", ahead=8, left=9, query="maneuver='left-turn'"),
     "orders": program("do Park()", ahead=45, left=8, ego=", with orders (Order(at_most=0, till=6),)"),
 }

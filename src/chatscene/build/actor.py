@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from chatscene.build.alongside import set_pace
@@ -310,6 +310,18 @@ class Actor:
         can = first.numbers.range_of("SPEED")[1] <= self.limits.top_speed
         return self.stand.rolls and can and not passed and not self.numbers.is_said("SPEED")
 
+    def _named(self, body: str) -> Iterator[str]:
+        """The lines of other ways that the text of what it does speaks of."""
+        one = name_of(self.one.id)
+        if f"beside{one}" in body:
+            yield f"beside{one} = {self._beside()}"
+        if f"next{one}" in body:
+            yield f"next{one} = {self._next()}"
+        if f"ours{one}" in body:
+            yield f"ours{one} = against(ownLane(egoRoute))"
+        if f"home{one}" in body:
+            yield f'home{one} = neighbourPath(egoRoute, "left")'
+
     def code(self, hidden: Actor | None) -> list[str]:
         """Its part of the program; of who hides somebody, beside whom it hides."""
         one = name_of(self.one.id)
@@ -319,14 +331,7 @@ class Actor:
         body = "\n".join(phases)
         if any(f"own{one}" in text for text in (body, *named)):
             named.insert(0, f"own{one} = ownWay(egoRoute)")
-        if f"beside{one}" in body:
-            named.append(f"beside{one} = {self._beside()}")
-        if f"next{one}" in body:
-            named.append(f"next{one} = {self._next()}")
-        if f"ours{one}" in body:
-            named.append(f"ours{one} = against(ownLane(egoRoute))")
-        if f"home{one}" in body:
-            named.append(f'home{one} = neighbourPath(egoRoute, "left")')
+        named += self._named(body)
         if phases:
             named += [f"behavior Does{one}():", *(f"    do {text}" for text in phases)]
         rows = [self._in_row(phases, n) for n in range(self.count)]

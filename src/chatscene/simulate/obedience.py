@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from chatscene.terms.actors import Limits
@@ -46,6 +46,10 @@ class Obedience:
         if self.waits[number] and (distance <= order.within or 0 <= order.phase <= phase):
             self.waits[number] = False
             self.met[number] = math.inf if order.ends else time
+
+    def since(self, time: float) -> Iterator[tuple[Order, float]]:
+        """Every order, and for how long [s] it counts; -inf of one that does not yet."""
+        return ((one, time - met) for one, met in zip(self.orders, self.met, strict=True))
 
     def counting(self, time: float) -> list[tuple[Order, float]]:
         """The orders that count, and for how long [s]."""

@@ -106,32 +106,21 @@ class Over:
                 return False
         return True
 
-    def _lasts(
-        self, step: int, along: float, phases: Mapping[int, int], held: Obedience, together: list[int]
-    ) -> float:
+    def _lasts(self, step: int, along: float, phases: Mapping[int, int], held: Obedience, together: list[int]) -> float:
         """How long [s] it has to remain as it is for the drive to be over; 0 where something is to come.
 
         Those who are neither parted from the ego nor stand as it does are added to `together`.
         """
-        time, ego = step * self.dt, self.bodies[0]
-        waits = False
-        for one in self.acting:
-            phase = phases[one.number]
-            if phase < one.last or along < one.until:
-                if phase < one.last and not one.waits[phase]:
-                    return 0.0
-                waits = True
-        rests = abs(ego.speed) < AT_REST
-        stays = False  # where it stands, by an order that has no end
-        for order, met in zip(held.orders, held.met, strict=True):
-            if is_to_come(order, time - met, along, rests=rests):
-                return 0.0
-            stays = stays or (rests and order.at_most == 0.0)
-        if (rests and not (self.moved or stays)) or (waits and not rests):
+        time, rests = step * self.dt, abs(self.bodies[0].speed) < AT_REST
+        if (waits := self._waits(along, phases)) is None or (waits and not rests):
+            return 0.0
+        if any(is_to_come(*one, along, rests=rests) for one in held.since(time)):
+            return 0.0
+        stays = any(order.at_most == 0.0 for order in held.orders)  # where it stands, by an order that has no end
+        if rests and not (self.moved or stays):
             return 0.0
         if along < self.beyond and (not rests or time < self.settled):
             return 0.0
-        lasts = LONG if waits else QUIET
         for i in range(1, len(self.bodies)):
             body = self.bodies[i]
             if rests and abs(body.speed) < AT_REST:
@@ -139,9 +128,19 @@ class Over:
             if waits:
                 return 0.0
             if not self._is_parted(body, along, rests=rests):
-                lasts = LONG
                 together.append(i)
-        return lasts
+        return LONG if waits or together else QUIET
+
+    def _waits(self, along: float, phases: Mapping[int, int]) -> bool | None:
+        """Whether somebody waits until somebody else is somewhere; None where anything else is still to be done."""
+        waits = False
+        for one in self.acting:
+            phase = phases[one.number]
+            if phase < one.last or along < one.until:
+                if phase < one.last and not one.waits[phase]:
+                    return None
+                waits = True
+        return waits
 
     def _is_parted(self, body: Body, along: float, *, rests: bool) -> bool:
         """Whether somebody draws away from the ego, is far from it, and remains so if both go on."""

@@ -75,6 +75,7 @@ class SteppedSession:
         stepped: Who steps it, where that is another simulator than the one that was asked for.
     """
 
+    step_number = 0
     _was: tuple[Was, ...] = ()  # where everybody was before the last step
 
     def __init__(
@@ -139,7 +140,6 @@ class SteppedSession:
         self._touching: set[int] = set()
         self.swept = SWEPT if program.wanted_speed is None else 0.0
         self._closed = False
-        self.step_number = 0
         self.ending: Ending | None = None
         if route.junction is not None:
             simulation.axes = {route.junction: around.axis}
