@@ -91,6 +91,7 @@ def make_drive(
     ego_observation: str = "safebench",
     pedals: str = "safebench",
     reward: str = "progress",
+    speed: float | None = None,
     render_mode: str | None = None,
 ) -> DrivingEnv:
     """An environment of the ordinary routes of a map, with traffic that means no harm.
@@ -102,6 +103,7 @@ def make_drive(
         ego_observation: What the ego sees, a preset of `chatscene.ego.observation`.
         pedals: Mapping of actions, one of `chatscene.ego.policy.PEDALS`.
         reward: One of `chatscene.learn.reward.REWARDS`.
+        speed: What the ego is to drive at [km/h], within the limits of the roads; None for the drives of before.
         render_mode: ``rgb_array`` or None.
     """
     return DrivingEnv(
@@ -110,6 +112,7 @@ def make_drive(
         ego_observation=ego_observation,
         pedals=pedals,
         reward=reward,
+        speed=speed,
         render_mode=render_mode,
     )
 

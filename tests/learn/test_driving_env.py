@@ -240,3 +240,17 @@ def test_the_intelligent_driver_brakes_for_a_pedestrian_the_four_numbers_do_not_
     walker[0] = 7.0
     walker[14:25] = (1.0, 12.0, 0.0, 12.0, 0.0, 0.0, 0.5, 1.57, 0.3, 0.3, 1.0)
     assert IntelligentDriver().act(walker)[0] < -0.2
+
+
+@pytest.mark.parametrize("reward", sorted(REWARDS))
+def test_at_the_speed_of_the_road_no_reward_charges_for_a_speed_that_is_allowed(reward: str) -> None:
+    env = DrivingEnv(ego_observation="traffic", reward=reward, speed=40.0, settings=SimulationSettings(max_steps=5))
+    assert all(course.program.wanted_speed == pytest.approx(40 / 3.6, abs=0.01) for course in env.courses)
+    observation, _ = env.reset(seed=0, options={"course": 0})
+    assert observation.shape == env.observation_space.shape == (OBSERVATIONS["traffic"],)
+    assert observation[0] == pytest.approx(40 / 3.6, abs=0.01)
+    rested = env.step(np.array((-0.3, 0.0), np.float32))[-1]["reward"]
+    hurried = [env.step(np.array((1.0, 0.0), np.float32))[-1]["reward"] for _ in range(4)]
+    env.close()
+    assert rested["too_fast"] == 0.0
+    assert hurried[-1]["too_fast"] < 0.0

@@ -15,10 +15,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.ego.observation import OBSERVATIONS, check_preset
+from chatscene.ego.observation import ALLOWED, OBSERVATIONS, check_preset
 from chatscene.ego.policy import PEDALS, controls, is_cut_off, tell_cut_off
 from chatscene.errors import EgoError, MissingExtra, SettingsError, no_such
-from chatscene.learn.reward import REWARDS, Moment
+from chatscene.learn.reward import DESIRED_SPEED, REWARDS, Moment
 from chatscene.maps.drawing import map_drawing
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.picture import NEAR, Camera, draw_frame, draw_ground
@@ -58,6 +58,8 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         ego_observation: What the ego sees, a preset of `chatscene.ego.observation`.
         pedals: The mapping of actions.
         reward: The reward.
+        speed: What the ego is to drive at [km/h] on ordinary drives, within the limits of the roads, and everybody in
+            proportion; None for those of before. Courses that are given say it themselves.
         settings: Step and limits.
         simulator: Where programs run; that of the settings on the map if None.
         render_mode: ``rgb_array``, and `render` gives a picture of the ego and what is around it; or None.
@@ -77,6 +79,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         ego_observation: str = "safebench",
         pedals: str = "safebench",
         reward: str = "progress",
+        speed: float | None = None,
         settings: SimulationSettings | None = None,
         simulator: Simulator | None = None,
         render_mode: str | None = None,
@@ -92,7 +95,8 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         self._reward = REWARDS[reward]
         self._map_path = resolve_map(str(map_name))
         self._simulator = simulator or load_simulator(self._map_path, settings or SimulationSettings())
-        self.courses = tuple(courses) if courses is not None else ordinary_courses(self._simulator)
+        wanted = None if speed is None else speed / 3.6
+        self.courses = tuple(courses) if courses is not None else ordinary_courses(self._simulator, wanted)
         if not self.courses:
             raise SettingsError("there is nothing to drive: give at least one course")
         size = OBSERVATIONS[ego_observation]
@@ -101,6 +105,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         self._drive: Session | None = None
         self._last: Array = np.zeros(size, np.float32)
         self._scene_id = ""
+        self._wanted: float | None = None
         self._route: Route
         self._drawing: dict[str, Any] | None = None
 
@@ -134,6 +139,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
             if not isinstance(drive, Rejected):
                 self._drive = drive
                 self._scene_id = scene.id
+                self._wanted = course.program.wanted_speed
                 self._route = self._simulator.route_in(course.program, scene)
                 self._drawing = None
                 self._last = drive.observation.astype(np.float32)
@@ -174,6 +180,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
             lateral=drive.offset,
             steer=controls(action)[2],
             progress=drive.along - before,
+            desired=self._desired(),
         )
         terms = self._reward(moment)
         info: dict[str, Any] = {"reward": terms}
@@ -188,6 +195,12 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
             }
         self._last = drive.observation.astype(np.float32)
         return self._last, float(sum(terms.values())), terminated, truncated, info
+
+    def _desired(self) -> float:
+        """The speed [m/s] that the ego was not to exceed: what its program wants, and no more than it was shown."""
+        if self._wanted is None:
+            return DESIRED_SPEED
+        return min([self._wanted, *(self._last[ALLOWED:].tolist() if self._preset == "traffic" else ())])
 
     def render(self) -> NDArray[np.uint8] | None:  # pyright: ignore[reportIncompatibleMethodOverride]
         """The ego and what is around it, now: (360, 640, 3), red, green, blue; None without a `render_mode`.
@@ -225,7 +238,12 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
 
 
 def vector_env(
-    count: int, *, map_name: str | Path = "town", settings: SimulationSettings | None = None, **arguments: Any
+    count: int,
+    *,
+    map_name: str | Path = "town",
+    speed: float | None = None,
+    settings: SimulationSettings | None = None,
+    **arguments: Any,
 ) -> gymnasium.vector.VectorEnv[Any, Any, Any]:
     """Several environments, each of which is to the bit what it would be alone.
 
@@ -236,14 +254,16 @@ def vector_env(
     Args:
         count: How many.
         map_name: As of `DrivingEnv`.
+        speed: As of `DrivingEnv`.
         settings: As of `DrivingEnv`.
         arguments: What else `DrivingEnv` takes, but a simulator.
     """
     settings = settings or SimulationSettings()
     if settings.simulator != "native":
-        made = partial(DrivingEnv, map_name=map_name, settings=settings, **arguments)
+        made = partial(DrivingEnv, map_name=map_name, speed=speed, settings=settings, **arguments)
         return gymnasium.vector.AsyncVectorEnv([made] * count, context="spawn")
     simulator = load_simulator(resolve_map(str(map_name)), settings)
-    courses = arguments.pop("courses", None) or ordinary_courses(simulator)
+    wanted = None if speed is None else speed / 3.6
+    courses = arguments.pop("courses", None) or ordinary_courses(simulator, wanted)
     made = partial(DrivingEnv, courses, map_name=map_name, simulator=simulator, **arguments)
     return gymnasium.vector.SyncVectorEnv([made] * count)

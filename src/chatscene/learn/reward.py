@@ -23,6 +23,7 @@ class Moment:
         lateral: Lateral offset from the route after it [m].
         steer: The wheel command in it, in [-0.3, 0.3].
         progress: How far along the route it brought the ego [m].
+        desired: The speed not to be exceeded [m/s]: SafeBench's, or what a program wants of its ego and is allowed.
     """
 
     collided: bool
@@ -30,6 +31,7 @@ class Moment:
     lateral: float
     steer: float
     progress: float
+    desired: float = DESIRED_SPEED
 
 
 def safebench(moment: Moment) -> dict[str, float]:
@@ -37,7 +39,7 @@ def safebench(moment: Moment) -> dict[str, float]:
     return {
         "collision": -1.0 if moment.collided else 0.0,
         "speed": moment.speed,
-        "too_fast": -10.0 if moment.speed > DESIRED_SPEED else 0.0,
+        "too_fast": -10.0 if moment.speed > moment.desired else 0.0,
         "out_of_lane": -1.0 if abs(moment.lateral) > OUT_OF_LANE else 0.0,
         "steering": -5.0 * moment.steer**2,
         "lateral_acceleration": -0.2 * abs(moment.steer) * moment.speed**2,
@@ -49,7 +51,7 @@ def progress(moment: Moment) -> dict[str, float]:
     return {
         "progress": moment.progress,
         "collision": CRASH if moment.collided else 0.0,
-        "too_fast": min(0.0, DESIRED_SPEED - moment.speed),
+        "too_fast": min(0.0, moment.desired - moment.speed),
         "offset": -0.2 * abs(moment.lateral),
         "steering": -0.5 * moment.steer**2,
         "time": -0.1,
