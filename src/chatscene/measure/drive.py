@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from chatscene.ego.policy import EgoPolicy, fitted, knows_body, name_of, takes_speed
 from chatscene.measure.avoidability import avoidable
@@ -10,6 +10,7 @@ from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.score import columns, measure
 from chatscene.measure.speeds import speeds
+from chatscene.measure.tyres import beyond_tyres, friction_demand
 from chatscene.measure.unplayed import unplayed
 from chatscene.program.shown import shown
 from chatscene.simulate.simulator import Simulator, simulate
@@ -40,7 +41,8 @@ class Ran:
         avoidable: Whether a careful driver would have avoided the collision; None without one.
         crash_type: Of which kind the collision is; empty without one.
         waits: Whether the ego waits at the end behind somebody who does not move on.
-        unplayed: What of a program of one's own did not take place; empty is good.
+        unplayed: What of a program of one's own did not take place, and what took place as it could not on a road;
+            empty is good.
     """
 
     scene: Scene
@@ -88,12 +90,16 @@ def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simula
         cut=found.cut,
         touch=found.touch,
         criticality=criticality(episode),
-        speeds=speeds(episode),
+        speeds=replace(speeds(episode), friction_demand=friction_demand(episode)),
         fault=fault(episode),
         avoidable=avoidable(episode, program, scene, ego, simulator),
         crash_type=crash_type(episode),
         waits=waits(episode),
-        unplayed=(*_not_kept_to(program, ego), *unplayed(program, episode)),
+        unplayed=(
+            *_not_kept_to(program, ego),
+            *unplayed(program, episode),
+            *(beyond_tyres(episode) if simulator.identity.at_once else ()),
+        ),
     )
 
 

@@ -196,6 +196,11 @@ _OF_SCENES: dict[str, tuple[str, str]] = {
     "other_injury_risk": (_RISK.format("it strikes is seriously injured or dies (MAIS 3+)"), ""),
     "ego_death_risk": (_RISK.format("is the ego, on foot, dies"), ""),
     "other_death_risk": (_RISK.format("it strikes dies"), ""),
+    "friction_demand": (
+        "largest share of the road's friction that anybody on wheels took before a contact, along and across together; "
+        "above 1 it is more than tyres hold",
+        "",
+    ),
     "raw_collided": ("1 if the ego collided", ""),
     "raw_red_lights": ("red lights run", ""),
     "raw_stop_signs": ("stop signs ignored", ""),

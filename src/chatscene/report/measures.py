@@ -67,6 +67,7 @@ MEASURES: dict[str, Measure] = {
     "other_injury_risk": Measure("risk of serious injury of the other", "worse", of=_CURVE),
     "ego_death_risk": Measure("risk of death on the ego", "worse", of=_CURVE),
     "other_death_risk": Measure("risk of death of the other", "worse", of=_CURVE),
+    "friction_demand": Measure("friction demand", "", of="share of what the road holds; above 1 tyres slide"),
 }
 
 

@@ -216,7 +216,8 @@ class MapRecord(Record):
             until there are some. Older records lack some of them.
         stepped: How many drives each simulator stepped; empty in the records of older versions.
         instead: The scenes that another simulator stepped than the one that was asked for, by why.
-        unplayed: The scenes in which a part of a program of one's own did not take place, by what it is.
+        unplayed: The scenes in which a part of a program of one's own did not take place, or somebody did what tyres
+            cannot, by what it is.
     """
 
     map_name: str

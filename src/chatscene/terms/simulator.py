@@ -15,6 +15,7 @@ class SimulatorIdentity:
         physics: How it moves bodies, in a few words.
         exact: Whether the same scene gives the same episode bit for bit, or only within a tolerance.
         confinable: Whether it can run behind the sandbox's walls: in one process, without files and sockets.
+        at_once: Whether bodies answer to pedals and wheel at once, as if there were no tyres.
         brake_lag: How long the brake of a car takes to build up [s], as the time constant of a first-order lag.
     """
 
@@ -23,4 +24,5 @@ class SimulatorIdentity:
     physics: str
     exact: bool
     confinable: bool
+    at_once: bool = False
     brake_lag: float = 0.0

@@ -33,6 +33,8 @@ class Speeds:
         other_injury_risk: The same of the other.
         ego_death_risk: Probability that who is on the ego dies; None where no curve holds.
         other_death_risk: The same of the other.
+        friction_demand: The largest share of the road's friction that anybody on wheels took before a contact, along
+            and across together; above 1 it is more than tyres hold. None where nobody on wheels moved.
     """
 
     ego_kind: str
@@ -54,3 +56,4 @@ class Speeds:
     other_injury_risk: float | None = None
     ego_death_risk: float | None = None
     other_death_risk: float | None = None
+    friction_demand: float | None = None

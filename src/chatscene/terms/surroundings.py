@@ -25,6 +25,7 @@ from typing import Self, TypeVar
 from chatscene.errors import ProgramError, no_such
 
 GRAVITY = 9.81  # [m/s²]
+DRY = 0.9  # friction coefficient of dry asphalt, of which 0.8 to 1.0 are published
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

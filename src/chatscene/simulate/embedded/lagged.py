@@ -32,9 +32,8 @@ import math
 
 from chatscene.simulate.embedded.dynamics import VehicleBody
 from chatscene.terms.actors import AIR_DRAG, REVERSE_SPEED, Limits
-from chatscene.terms.surroundings import GRAVITY
+from chatscene.terms.surroundings import DRY, GRAVITY
 
-DRY = 0.9  # friction coefficient of dry asphalt, of which 0.8 to 1.0 are published
 LAG_SPEED = 20.0  # [m/s], at which `Limits.yaw_lag` holds
 
 

@@ -55,6 +55,7 @@ def make_simulator(map_path: Path, settings: SimulationSettings) -> SteppedSimul
         physics=LAGGED if lagged else KINEMATIC,
         exact=True,
         confinable=True,
+        at_once=not lagged,
         brake_lag=LIMITS["Car"].brake_lag if lagged else 0.0,
     )
     body_of = partial(make_body, vehicle=LaggedVehicle) if lagged else make_body

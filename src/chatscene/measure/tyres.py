@@ -1,0 +1,65 @@
+"""Whether bodies did what tyres cannot do, or did it where bodies that answer at once tell nothing of real ones.
+
+A kinematic body is held to what its kind can brake and turn with, each by itself, and answers within a step. So it may
+brake and turn at once harder than any tyre holds; and the faster it goes, the earlier it is where a car would be later:
+a lag of the yaw rate grows with the speed. Beside CommonRoad's multi-body car (`benchmarks/manoeuvres.py`) a step of
+the wheel is right to 2 m after 4 s up to 50 km/h, whatever it asks, and at any speed where it asks for 2 m/s².
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from chatscene.terms.actors import AIR_DRAG, BY_CLASS, LIMITS
+from chatscene.terms.episode import Array, Episode, Track
+from chatscene.terms.surroundings import DRY, GRAVITY
+
+FAST = 50.0 / 3.6  # [m/s]
+ACROSS = 4.0  # [m/s²], up to which cars answer to the wheel in proportion (ISO 4138 looks for no more)
+ROUNDING = 1e-6
+COMPARE = "which `kinematic` does not know; drive it with `--physics lagged` too"
+
+
+def friction_demand(episode: Episode) -> float | None:
+    """The largest share of the road's friction that anybody on wheels took, along and across together.
+
+    Up to the step before the first contact. Above 1 it is more than tyres hold. None where nobody on wheels moved.
+    """
+    friction, until = _friction(episode), _until(episode)
+    taken = [_taken(track, episode.dt, until) for track in episode.tracks if _on_wheels(track)]
+    most = [float(np.hypot(along, across).max()) for along, across, _ in taken if along.size]
+    return max(most) / (friction * GRAVITY) if most else None
+
+
+def beyond_tyres(episode: Episode) -> tuple[str, ...]:
+    """What somebody did in a drive of bodies that answer at once for which it should not be taken for physics."""
+    told: list[str] = []
+    if (friction_demand(episode) or 0.0) > 1.0 + ROUNDING:
+        told.append(f"somebody brakes, speeds up or turns harder than tyres hold, {COMPARE}")
+    until = _until(episode)
+    taken = [_taken(track, episode.dt, until) for track in episode.tracks if _on_wheels(track)]
+    if any(((np.abs(across) > ACROSS) & (speed > FAST)).any() for _, across, speed in taken):
+        told.append(f"somebody turns with more than {ACROSS:g} m/s² at more than 50 km/h, where tyres lag, {COMPARE}")
+    return tuple(told)
+
+
+def _friction(episode: Episode) -> float:
+    return min(episode.surroundings.surface.row.friction, DRY)
+
+
+def _until(episode: Episode) -> int | None:
+    """How many steps to look at: an impact is no manoeuvre."""
+    return None if episode.collision is None else max(episode.collision.step, 1)
+
+
+def _on_wheels(track: Track) -> bool:
+    return track.kind in BY_CLASS and LIMITS[track.kind].wheelbase > 0.0
+
+
+def _taken(track: Track, dt: float, until: int | None) -> tuple[Array, Array, Array]:
+    """What tyres did along and across [m/s²] over each step, and the speed [m/s] in it."""
+    limits, speed, heading = LIMITS[track.kind], np.abs(track.speed[:until]), track.heading[:until]
+    change, mean = np.diff(speed) / dt, 0.5 * (speed[1:] + speed[:-1])
+    # What air and rolling do is none of the tyres' doing.
+    along = np.where(change < 0.0, np.minimum(change + limits.drag + AIR_DRAG * speed[:-1] ** 2, 0.0), change)
+    return along, mean * np.diff(heading) / dt, mean
