@@ -93,7 +93,8 @@ class Unmoved:
         cos, sin = math.cos(turned), math.sin(turned)
         along, aside = x * cos - y * sin, x * sin + y * cos + left  # in the frame of the route at the ego
         bend = 2.0 * aside / max(along * along + aside * aside, 1.0)
-        wheel = math.atan(body.wheelbase * bend) - turned - math.atan2(OFF_ROUTE * left, max(speed, 1.0))
+        slip = math.atan(0.5 * body.wheelbase * bend)  # of its middle
+        wheel = math.atan(body.wheelbase * bend) - turned - slip - math.atan2(OFF_ROUTE * left, max(speed, 1.0))
         return max(-1.0, min(1.0, press)), max(-1.0, min(1.0, -wheel / body.wheel_angle / 0.3))
 
 
