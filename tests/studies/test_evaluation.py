@@ -318,16 +318,20 @@ def test_an_ego_that_is_driven_leaves_a_table_and_a_picture(tmp_path: Path, monk
 
 def test_ordinary_drives_make_a_table_with_intervals() -> None:
     drives = [
-        OrdinaryDrive(course=k // 2, completion=k / 11, speed=4.0 + k, off_road=0.0, collided=k == 3) for k in range(12)
+        OrdinaryDrive(
+            course=k // 2, completion=k / 11, speed=4.0 + k, off_road=0.0, collided=k == 3, ran_red=k in (4, 5)
+        )
+        for k in range(12)
     ]
     table = ordinary_table([OrdinaryResult(ego="sac", drives=tuple(drives), rejected=0)])
-    ((name, (completion, rate, off_road, speed)),) = table.rows
+    ((name, (completion, rate, off_road, red, speed)),) = table.rows
     assert name == "sac"
     assert completion.value == pytest.approx(0.5)
     assert rate.value == pytest.approx(1 / 12)
+    assert red.value == pytest.approx(2 / 12)
     assert speed.value == pytest.approx(9.5)
     assert off_road.value == 0.0
-    for cell in (completion, rate, speed):
+    for cell in (completion, rate, red, speed):
         assert cell.low is not None
         assert cell.high is not None
         assert cell.low < cell.value < cell.high  # type: ignore[operator] # pyright: ignore[reportOperatorIssue]

@@ -13,7 +13,7 @@ from chatscene.measure.score import wilson
 from chatscene.program.ordinary import Course, ordinary_courses
 from chatscene.program.sample import draw, scene_seed
 from chatscene.simulate.simulator import Simulator, simulate
-from chatscene.terms.episode import Episode
+from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.results import Cell, ResultTable
 from chatscene.terms.scene import Rejected, Scene
 
@@ -28,6 +28,7 @@ class OrdinaryDrive:
         speed: Mean speed [m/s].
         off_road: Share of the time that it was off the driving lanes, in [0, 1].
         collided: Whether it crashed.
+        ran_red: Whether it went over the stop line at red.
     """
 
     course: int
@@ -35,6 +36,7 @@ class OrdinaryDrive:
     speed: float
     off_road: float
     collided: bool
+    ran_red: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,6 +98,7 @@ def drive_ordinary(
                 speed=float(outcome.ego_track.speed.mean()),
                 off_road=float(outcome.off_road.mean()),
                 collided=outcome.collision is not None,
+                ran_red=any(event.kind is EventKind.RED_LIGHT for event in outcome.events),
             )
         )
     return OrdinaryResult(ego=name_of(ego), drives=tuple(driven), rejected=rejected)
@@ -111,23 +114,23 @@ def ordinary_episodes(
 
 
 def ordinary_table(results: Sequence[OrdinaryResult]) -> ResultTable:
-    """Completion, collision rate, share of the time off the road, and mean speed of each ego."""
+    """Completion, collisions, share of the time off the road, red lights that were run, and mean speed of each ego."""
     rows: list[tuple[str, tuple[Cell, ...]]] = []
     for result in results:
-        hits = sum(drive.collided for drive in result.drives)
-        rate = Cell(hits / len(result.drives), *wilson(hits, len(result.drives)))
-        rows.append(
-            (result.ego, (_mean(result, "completion"), rate, _mean(result, "off_road"), _mean(result, "speed")))
-        )
+        hits, reds = (sum(getattr(drive, name) for drive in result.drives) for name in ("collided", "ran_red"))
+        rate, red = (Cell(many / len(result.drives), *wilson(many, len(result.drives))) for many in (hits, reds))
+        completion, off_road, speed = (_mean(result, name) for name in ("completion", "off_road", "speed"))
+        rows.append((result.ego, (completion, rate, off_road, red, speed)))
     counts = sorted({len(result.drives) for result in results})
     courses = len({drive.course for result in results for drive in result.drives})
     return ResultTable(
         title="Ordinary drives",
-        columns=("Completion", "Collision rate", "Off road", "Mean speed [m/s]"),
+        columns=("Completion", "Collision rate", "Off road", "Red lights", "Mean speed [m/s]"),
         rows=tuple(rows),
         notes=(
             f"{', '.join(map(str, counts))} drives per ego on {courses} courses.",
-            "Collision rate: 95 % Wilson interval. The others: 95 % cluster bootstrap over the courses.",
+            "Collision rate, and the share of drives with a red light run: 95 % Wilson interval. The others: 95 % "
+            "cluster bootstrap over the courses.",
         ),
     )
 
