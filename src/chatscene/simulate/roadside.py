@@ -46,6 +46,7 @@ class RouteSurroundings:
 
     def __init__(self, network: Any, route: Route, lane_map: LaneMap) -> None:
         self._network = network
+        self._allowed: dict[tuple[bool, float], NDArray[np.float64]] = {}
         self._route = route
         self._lane_map = lane_map
         self.lanes = [network.elements[uid].polygons for uid in route.lane_ids]
@@ -84,7 +85,10 @@ class RouteSurroundings:
             keeps_limits: Whether its limits count, beside its bends.
             grip: What the road holds [m/s²].
         """
-        return allowed_speeds(self._route.line, self.limits if keeps_limits else None, grip)
+        if (asked := (keeps_limits, grip)) not in self._allowed:
+            limits = self.limits if keeps_limits else None
+            self._allowed[asked] = allowed_speeds(self._route.line, limits, grip)
+        return self._allowed[asked]
 
     def _own(self, line: StopLine) -> bool:
         return line.lane in self._route.lane_ids

@@ -70,6 +70,7 @@ class EgoRoute:
         self.eventAt = route.event_at
         self.exitAt = _exit_of(route, network)
         self.maneuver = route.maneuver
+        self._allowed: dict[tuple[bool, float], NDArray[np.float64]] = {}
 
     def __repr__(self) -> str:
         return f"EgoRoute({self.route.id})"
@@ -86,7 +87,9 @@ class EgoRoute:
             keeps_limits: Whether its limits count, beside its bends.
             grip: What the road holds [m/s²].
         """
-        return allowed_speeds(self.line, self.limits if keeps_limits else None, grip)
+        if (asked := (keeps_limits, grip)) not in self._allowed:
+            self._allowed[asked] = allowed_speeds(self.line, self.limits if keeps_limits else None, grip)
+        return self._allowed[asked]
 
 
 def _exit_of(route: Route, network: Any) -> float:
