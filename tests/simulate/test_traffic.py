@@ -9,14 +9,15 @@ import pytest
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import ALLOWED, OBSERVATIONS, OWN, PER_ACTOR, ROAD, UNHELD, Observation, scale_of
-from chatscene.ego.policy import EgoPolicy
+from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import ProgramError
-from chatscene.maps.limits import MOTORWAY, TOWN
-from chatscene.maps.network import resolve_map
+from chatscene.maps.limits import MOTORWAY, TOWN, limits_along
+from chatscene.maps.network import load_network, resolve_map
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.native.simulator import NativeSession, NativeSimulator
 from chatscene.simulate.session import SteppedSession
-from chatscene.simulate.simulator import Simulator, load_simulator
+from chatscene.simulate.simulator import Simulator, load_simulator, simulate
+from chatscene.terms.profile import Timetable, allowed_speeds
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 SETTINGS = SimulationSettings()
@@ -182,3 +183,32 @@ def test_who_follows_traffic_stops_behind_who_stands_from_any_speed(kind: str, s
 def test_whether_limits_are_kept_is_written_out(said: str) -> None:
     with pytest.raises(ProgramError, match="keepsLimits` takes"):
         drive("embedded", "town", 8.0, AtSpeed(8.0), f", with wantedSpeed 8, with keepsLimits {said}")
+
+
+ALONE = """model chatscene.world.model
+egoRoute = selectRoute({way})
+ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute, \
+with speed speedOn(egoRoute, 0, {speed}), with wantedSpeed {speed}, with keepsLimits True
+behavior AdvBehavior():
+    do Park()
+other = new Car at pointOn(egoRoute, 2, 30), facing directionOn(egoRoute, 0), with behavior AdvBehavior()
+"""
+
+
+@pytest.mark.parametrize("name", ["idm", "planner", "rule-based"])
+@pytest.mark.parametrize(("where", "speed"), [("town", 13.9), ("outskirts", 30.5)])
+def test_a_timetable_says_when_an_ego_by_rule_is_where(name: str, where: str, speed: float) -> None:
+    source = ALONE.format(way=WAYS[where], speed=speed)
+    one = ScenicProgram(scenario_id="alone", source=source, parameters=(), snippet_ids=())
+    scene = Scene(id="alone/0", scenario_id="alone", route=0, block=0, seed=0, values={})
+    road = simulator("embedded", where)
+    line = road.route(one, 0).line
+    network = load_network(resolve_map(where))
+    allowed = allowed_speeds(line, limits_along(network, line, road.route(one, 0).lane_ids))
+    table = Timetable(line, allowed, speed, gain=2.0)
+    episode = simulate(road, one, scene, load_ego(name))
+    assert not isinstance(episode, Rejected)
+    along = line.along(episode.ego_track.x, episode.ego_track.y)
+    for share in (0.25, 0.5, 0.75, 0.95):
+        passed = float(np.interp(share * line.length, along, episode.dt * np.arange(len(along))))
+        assert passed == pytest.approx(table.time_at(share * line.length), abs=0.4)
