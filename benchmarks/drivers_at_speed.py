@@ -13,15 +13,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import click
 import numpy as np
 
-from chatscene.ego.policy import EgoPolicy, load_ego, wanting
+from chatscene.ego.policy import load_ego, wanting
+from chatscene.simulate.embedded.dynamics import make_body
+from chatscene.simulate.embedded.lagged import LaggedVehicle
+from chatscene.simulate.embedded.physics import EmbeddedPhysics
+from chatscene.simulate.physics import PhysicsOf
 from chatscene.terms.polyline import Polyline
 from chatscene.testing.proving_ground import (
     CAR,
-    VEHICLES,
     Driven,
     Told,
     ahead,
@@ -33,6 +37,10 @@ from chatscene.testing.proving_ground import (
 )
 
 KMH = 1.0 / 3.6
+PHYSICS: dict[str, PhysicsOf] = {
+    "kinematic": EmbeddedPhysics,
+    "lagged": partial(EmbeddedPhysics, partial(make_body, vehicle=LaggedVehicle)),
+}
 STRAIGHT = line_of((3000.0, 0.0))
 EGOS = ("rule-based", "idm", "planner", "hardened")
 BENDS: dict[str, tuple[float, Polyline]] = {
@@ -90,7 +98,9 @@ def keeps(name: str, physics: str) -> None:
     print(f"\n| {name}, {physics} | slowest beside what is allowed | beside the line | across | steering, per step |")
     print("|---|---:|---:|---:|---:|")
     for what, (speed, line) in BENDS.items():
-        driven = drive(wanting(load_ego(name), speed * KMH), line, speed * KMH, physics=physics, seconds=60.0)
+        driven = drive(
+            wanting(load_ego(name), speed * KMH), line, speed * KMH, physics=PHYSICS[physics](), seconds=60.0
+        )
         least = (driven.speed / np.minimum(driven.allowed, speed * KMH)).min()
         print(
             f"| {what} | {least:.1%} | {np.abs(driven.offset).max():.2f} m | {np.abs(driven.across).max():.1f} m/s² "
@@ -99,8 +109,8 @@ def keeps(name: str, physics: str) -> None:
     for speed, radius in ((50.0, 60.0), (80.0, 150.0), (110.0, 400.0)):
         line = line_of((150.0, 0.0), (250.0, 1.0 / radius), (150.0, 0.0))
         met = [Told(towards(line, at, speed * KMH)) for at in (120.0, 170.0, 220.0, 270.0, 330.0, 400.0)]
-        ego: EgoPolicy = wanting(load_ego(name), speed * KMH)
-        alone, among = (drive(ego, line, speed * KMH, others, physics=physics) for others in ((), met))
+        ego = wanting(load_ego(name), speed * KMH)
+        alone, among = (drive(ego, line, speed * KMH, others, physics=PHYSICS[physics]()) for others in ((), met))
         worst = np.abs(among.speed - alone.speed[: len(among.speed)]).max()
         print(f"| {speed:.0f} km/h in a bend of {radius:.0f} m against oncoming traffic | {worst / KMH:.1f} km/h off |")
 
@@ -116,7 +126,7 @@ def table(egos: Sequence[str], physics: str) -> None:
         print(f"|---|{'---:|' * (len(speeds) + 1)}")
         for name in egos:
             runs = [
-                drive(wanting(load_ego(name), v * KMH), STRAIGHT, v * KMH, case(v * KMH), physics=physics)
+                drive(wanting(load_ego(name), v * KMH), STRAIGHT, v * KMH, case(v * KMH), physics=PHYSICS[physics]())
                 for v in speeds
             ]
             hardest = max(-run.acceleration.min() for run in runs)
@@ -125,7 +135,7 @@ def table(egos: Sequence[str], physics: str) -> None:
 
 @click.command()
 @click.option("--ego", "egos", multiple=True, default=EGOS)
-@click.option("--physics", type=click.Choice(list(VEHICLES)), default="kinematic")
+@click.option("--physics", type=click.Choice(list(PHYSICS)), default="kinematic")
 def main(egos: tuple[str, ...], physics: str) -> None:
     """Print the tables."""
     print(f"A car of {CAR.length} m by {CAR.width} m that brakes with {CAR.brake} m/s² at most.")

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 import pytest
 
 from chatscene.ego.at_speed import bearing_at, bends
 from chatscene.ego.observation import ALLOWED, RouteView, scale_of
 from chatscene.ego.policy import EgoPolicy, load_ego, name_of, observation_of, pedals_of, wanting
+from chatscene.simulate.embedded.dynamics import make_body
+from chatscene.simulate.embedded.lagged import LaggedVehicle
+from chatscene.simulate.embedded.physics import EmbeddedPhysics
+from chatscene.simulate.physics import PhysicsOf
 from chatscene.testing import check_ego
 from chatscene.testing.proving_ground import (
-    VEHICLES,
     Driven,
     Told,
     ahead,
@@ -22,6 +27,10 @@ from chatscene.testing.proving_ground import (
 )
 
 KMH = 1.0 / 3.6
+PHYSICS: dict[str, PhysicsOf] = {
+    "kinematic": EmbeddedPhysics,
+    "lagged": partial(EmbeddedPhysics, partial(make_body, vehicle=LaggedVehicle)),
+}
 DRIVERS = ("rule-based", "idm", "planner", "hardened")
 ALL_AROUND = DRIVERS[1:]
 ROAD = line_of((1000.0, 0.0))
@@ -32,7 +41,7 @@ def told(name: str, speed: float) -> EgoPolicy:
 
 
 def driven(name: str, speed: float, *others: Told, physics: str = "kinematic", seconds: float = 20.0) -> Driven:
-    return drive(told(name, speed), ROAD, speed * KMH, others, physics=physics, seconds=seconds)
+    return drive(told(name, speed), ROAD, speed * KMH, others, physics=PHYSICS[physics](), seconds=seconds)
 
 
 @pytest.mark.parametrize("name", DRIVERS)
@@ -43,22 +52,22 @@ def test_a_driver_of_which_a_speed_is_wanted_sees_traffic_and_has_the_whole_brak
     check_ego(at_speed)
 
 
-@pytest.mark.parametrize("physics", VEHICLES)
+@pytest.mark.parametrize("physics", PHYSICS)
 @pytest.mark.parametrize("name", DRIVERS)
 def test_it_keeps_its_speed_up_to_130_kmh_and_its_lane_when_it_begins_beside_it(name: str, physics: str) -> None:
     for speed in (10.0, 130.0):
-        kept = drive(told(name, speed), ROAD, speed * KMH, physics=physics, seconds=12.0, offset=1.0)
+        kept = drive(told(name, speed), ROAD, speed * KMH, physics=PHYSICS[physics](), seconds=12.0, offset=1.0)
         assert np.abs(kept.speed / (speed * KMH) - 1.0).max() < 0.02
         assert kept.offset.min() > -0.05  # it does not swing
         assert abs(kept.offset[-1]) < 0.05
         assert np.abs(kept.across).max() < 5.5
 
 
-@pytest.mark.parametrize("physics", VEHICLES)
+@pytest.mark.parametrize("physics", PHYSICS)
 @pytest.mark.parametrize("name", ("idm", "planner"))
 def test_it_takes_bends_at_the_speed_that_is_allowed(name: str, physics: str) -> None:
     line = line_of((200.0, 0.0), (150.0, 1 / 150), (150.0, -1 / 150), (100.0, 0.0))
-    bent = drive(told(name, 80.0), line, 80.0 * KMH, physics=physics, seconds=60.0)
+    bent = drive(told(name, 80.0), line, 80.0 * KMH, physics=PHYSICS[physics](), seconds=60.0)
     assert (bent.speed - bent.allowed).max() < 1.0
     assert np.abs(bent.offset).max() < 0.3
     assert np.abs(bent.across).max() < 4.0
@@ -125,7 +134,7 @@ def test_an_emergency_brake_does_not_know_that_somebody_will_cross() -> None:
 def test_it_does_not_brake_for_traffic_in_other_lanes(name: str) -> None:
     line = line_of((150.0, 0.0), (250.0, 1 / 150), (100.0, 0.0))
     met = [Told(towards(line, at, 22.0)) for at in (120.0, 220.0, 330.0)]
-    alone, among = (drive(told(name, 80.0), line, 22.0, others) for others in ((), met))
+    alone, among = (drive(told(name, 80.0), line, 22.0, others, physics=EmbeddedPhysics()) for others in ((), met))
     assert len(alone.speed) == len(among.speed)
     assert np.abs(alone.speed - among.speed).max() < 0.3
 
@@ -133,7 +142,7 @@ def test_it_does_not_brake_for_traffic_in_other_lanes(name: str) -> None:
 @pytest.mark.parametrize("name", ("planner", "hardened"))
 def test_it_does_not_overtake_into_a_lane_that_it_cannot_see_the_end_of(name: str) -> None:
     others = [Told(ahead(60.0, 60.0 * KMH)), Told(towards(ROAD, 650.0, 22.0))]
-    stayed = drive(told(name, 80.0), ROAD, 22.0, others, room=(5.25, 1.75))
+    stayed = drive(told(name, 80.0), ROAD, 22.0, others, physics=EmbeddedPhysics(), room=(5.25, 1.75))
     assert stayed.impact is None
     assert np.abs(stayed.offset).max() < 0.9
 

@@ -1,7 +1,7 @@
 """A proving ground: a line to drive along, others who do as they are told, and what becomes of it.
 
 Nothing is placed and nothing is searched for, so that a driver can be held to a protocol's numbers: so far away, so
-fast, braking so hard. What the driver sees is `RouteView`'s, what its vehicle does one of `PHYSICS`.
+fast, braking so hard. What the driver sees is `RouteView`'s, how its car answers is up to a `Physics`.
 """
 
 from __future__ import annotations
@@ -16,17 +16,15 @@ from numpy.typing import NDArray
 from chatscene.ego.observation import RouteView
 from chatscene.ego.policy import EgoPolicy, begin, controls, observation_of, pedals_of
 from chatscene.simulate.contact import touch
-from chatscene.simulate.embedded.dynamics import VehicleBody
-from chatscene.simulate.embedded.lagged import LaggedVehicle
+from chatscene.simulate.physics import Physics
 from chatscene.terms.actors import LIMITS, Limits
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.profile import allowed_speeds
-from chatscene.world.bodies import Body
+from chatscene.world.bodies import Body, Placement, Vehicle
 
 DT = 0.1  # [s]
 LANE = 3.5  # [m]
 CAR = LIMITS["Car"]
-VEHICLES: dict[str, type[VehicleBody]] = {"kinematic": VehicleBody, "lagged": LaggedVehicle}
 
 Array = NDArray[np.float64]
 Path = Callable[[float], tuple[float, float, float, float]]
@@ -104,7 +102,7 @@ def drive(
     speed: float,
     others: Sequence[Told] = (),
     *,
-    physics: str = "kinematic",
+    physics: Physics,
     seconds: float = 30.0,
     offset: float = 0.0,
     room: tuple[float, float] = (LANE / 2, LANE / 2),
@@ -116,13 +114,25 @@ def drive(
         line: Its route.
         speed: At which it begins [m/s].
         others: Who else is there.
-        physics: How its car answers, one of `VEHICLES`.
+        physics: How its car answers; without a body yet.
         seconds: How long [s].
         offset: How far to the left of the route it begins [m].
         room: How far the driving lanes go on to the left and to the right of the route [m].
     """
     (x, y), heading = line.point_at(0.0), line.heading_at(0.0)
-    car = VEHICLES[physics](x - offset * math.sin(heading), y + offset * math.cos(heading), heading, CAR, speed)
+    starts = Placement(
+        kind="Car",
+        x=x - offset * math.sin(heading),
+        y=y + offset * math.cos(heading),
+        heading=heading,
+        speed=speed,
+        length=CAR.length,
+        width=CAR.width,
+        wheelbase=CAR.wheelbase,
+        wheel_angle=CAR.wheel_angle,
+    )
+    car = physics.add(starts)
+    assert isinstance(car, Vehicle)
     allowed = allowed_speeds(line)
     view = RouteView(line, np.tile(room, (len(line), 1)), allowed)
     see = {"actors": view.actors, "road": view.road, "traffic": view.traffic}[observation_of(ego)]
@@ -140,7 +150,7 @@ def drive(
         for other in others:
             other.go(step * DT)
         was, turned = car.speed, car.heading
-        car.step(DT)
+        physics.step(DT)
         across = (car.heading - turned) / DT * 0.5 * (was + car.speed)
         here = min(line.segment_at(view.along), len(allowed) - 1)
         rows.append((step * DT, view.along, view.offset, was, allowed[here], (car.speed - was) / DT, across, action[1]))
