@@ -102,13 +102,15 @@ def test_one_process_and_two_give_the_same_files(searched: Path, tmp_path: Path)
 
 def test_egos_are_told_a_speed_that_the_runs_do_not_say(searched: Path, tmp_path: Path) -> None:
     folder = tmp_path / "fast"
-    evaluate([searched / "0"], folder, egos=["rule-based"], every_scene=True, speed=50.0, progress=silent)
+    fast = evaluate([searched / "0"], folder, egos=["rule-based"], every_scene=True, speed=50.0, progress=silent)
+    notes = fast.tables["fault"].notes
+    assert notes[-1] == "Where no speed was said, egos were to drive at 50 km/h."
     assert runs.read_record(runs.Workspace(folder), runs.EvaluationRecord).speed == 50.0
     usual = tmp_path / "usual"
     evaluate([searched / "0"], usual, egos=["rule-based"], every_scene=True, progress=silent)
     assert content(folder) != content(usual)
-    with pytest.raises(RunError, match=r"speed was 50\.0 and is now None"):
-        evaluate([searched / "0"], folder, egos=["rule-based"], every_scene=True, progress=silent)
+    with pytest.raises(RunError, match=r"speed was 50\.0 and is now 60\.0"):
+        evaluate([searched / "0"], folder, egos=["rule-based"], every_scene=True, speed=60.0, progress=silent)
     resume(folder, progress=silent)
 
 

@@ -38,6 +38,8 @@ def test_the_speed_of_the_road_gives_way_with_what_the_ego_begins_at() -> None:
         told(road) == "ego = new Car at startOf(egoRoute), with speed 20, with wantedSpeed 20, with keepsLimits False"
     )
     assert not at_speed(program(road), 20.0).keeps_limits
+    begun = road.replace("with speed 14", "with speed speedOn(egoRoute, 0, 14)")
+    assert told(begun) == told(road)
     slower = "ego = new Car at startOf(egoRoute), with speed 9, with wantedSpeed 14, with keepsLimits True"
     assert "with speed 9, with wantedSpeed 20" in told(slower)
 

@@ -387,8 +387,11 @@ def tabulate(run: runs.Workspace) -> dict[str, ResultTable]:
     tables["collision-rate-by-ego"] = ego_table(drives, Mode.PAPER, which="collision_rate")
     tables["avoidability"] = avoidability_table(drives)
     tables["fault"] = fault_table(drives)
-    egos = [f"{ego}." for ego in egos_in_words(runs.read_record(run, runs.EvaluationRecord))]
-    return {name: replace(table, notes=(*table.notes, *egos)) for name, table in tables.items()}
+    record = runs.read_record(run, runs.EvaluationRecord)
+    told = [f"{ego}." for ego in egos_in_words(record)]
+    if record.speed is not None:
+        told.append(f"Where no speed was said, egos were to drive at {record.speed:g} km/h.")
+    return {name: replace(table, notes=(*table.notes, *told)) for name, table in tables.items()}
 
 
 def read_drives(run: runs.Workspace) -> list[Drive]:

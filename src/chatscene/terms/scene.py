@@ -109,7 +109,8 @@ def at_speed(program: ScenicProgram, speed: float) -> ScenicProgram:
         follows = source[placed.end() :].partition("\n")[0].partition("#")[0].strip()
         wanted = f" with wantedSpeed {number}" + ("," if follows else "")
         return replace(program, source=source[: placed.end()] + wanted + source[placed.end() :])
-    told = re.sub(rf"(\bwith\s+(?:wantedSpeed|speed)\s+){re.escape(found[1])}(?![\d.])", rf"\g<1>{number}", found[0])
+    begins = rf"(?:{re.escape(found[1])}(?![\d.])|speedOn\([^()]*\))"  # at what it wants, as far as it may
+    told = re.sub(rf"(\bwith\s+(?:wantedSpeed|speed)\s+){begins}", rf"\g<1>{number}", found[0])
     source = source[: found.start()] + told + source[found.end() :]
     return replace(program, source=re.sub(r"(\bwith\s+keepsLimits\s+)True\b", r"\1False", source, count=1))
 
