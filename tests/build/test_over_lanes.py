@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -94,5 +95,19 @@ def test_where_only_others_have_a_stop_sign_the_ego_has_none() -> None:
 
 
 def test_two_beside_each_other_in_a_roundabout_are_refused_by_its_one_lane() -> None:
-    with pytest.raises(NotBuilt, match="the roundabout has one lane"):
-        build(from_plain(said("beside", {"act": "go-along"}, side="left", ego={"route": "roundabout"})))
+    told = said("beside", {"act": "go-along"}, side="left", ego={"route": "roundabout"})
+    with pytest.raises(NotBuilt, match=r"no place for .* a lane of the ego's direction to its left, the roundabout"):
+        build(from_plain(told | {"map": "outskirts"}))
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_where_it_has_two_they_go_round_beside_each_other(side: str) -> None:
+    built = build(from_plain(said("beside", {"act": "go-along"}, side=side, ego={"route": "roundabout"})))
+    assert Path(built.map).stem == "region"
+
+
+def test_past_an_on_ramp_the_lane_that_comes_from_it_is_not_counted() -> None:
+    road = {"kind": "motorway", "ego_lane": 1, "has": ["on-ramp"]}
+    built = build(from_plain(said("on-ramp", {"act": "merge"}, road=road)))
+    assert "lane=2" in built.program.source
+    assert not built.left_out

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 from typing import Any
 
 import pytest
+import shapely
 
 from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.lane_runs import lane_runs
@@ -14,7 +16,9 @@ from chatscene.maps.layout import JunctionKind, junction_kinds, motorway_groups,
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.opendrive import write_opendrive
 from chatscene.maps.region import plan
+from chatscene.maps.ring_ways import line_beside, ring_ways
 from chatscene.maps.routes import find_routes, place_of
+from chatscene.maps.sites import APPROACHED
 from chatscene.maps.survey import check_map
 from chatscene.terms.route import RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
@@ -170,3 +174,44 @@ def test_carla_can_drive_on_everywhere_and_sees_the_crosswalks(capfd: pytest.Cap
     ends = {(w.road_id, w.lane_id) for w in world_map.generate_waypoints(2.0) if not w.next(3.0)}
     assert len(ends) == 6  # where lanes taper out
     assert {road for road, _ in ends} == {street.id for street in plan() if street.ceases}
+
+
+@pytest.mark.parametrize(("side", "track"), [("left", 1), ("right", 0)])
+def test_in_the_large_roundabout_somebody_goes_round_beside_the_ego(side: str, track: int) -> None:
+    large = max(roundabouts(NETWORK), key=_round)
+    query = RouteQuery(maneuver=Maneuver.STRAIGHT, site=Site.ROUNDABOUT, lanes_same_way=2, lane_beside=side)
+    drivable = NETWORK.drivableRegion.polygons.buffer(0.1)
+    for route in find_routes(NETWORK, "region", query):
+        assert set(route.lane_ids) & set(large.tracks[track])
+        assert not set(route.lane_ids) & set(large.tracks[1 - track])
+        line = line_beside(NETWORK, route, side)
+        assert drivable.contains(shapely.LineString(line.points))
+        assert any(abs(line.project(*point)[1]) < 6.0 for point in route.line.between(150.0, 160.0).points) or (
+            side == "right"
+        )
+
+
+def test_who_enters_the_inner_lane_meets_who_goes_round_in_either() -> None:
+    query = RouteQuery(maneuver=Maneuver.STRAIGHT, site=Site.ROUNDABOUT, lanes_same_way=2, lane=2)
+    for route in find_routes(NETWORK, "region", query):
+        assert [way.from_side for way in ring_ways(NETWORK, route)].count("round") == 2
+
+
+@pytest.mark.parametrize(
+    ("maneuver", "site"),
+    [
+        (Maneuver.LANE_CHANGE_LEFT, Site.ON_RAMP),
+        (Maneuver.LANE_CHANGE_RIGHT, Site.OFF_RAMP),
+        (Maneuver.STRAIGHT, Site.PAST_ON_RAMP),
+        (Maneuver.STRAIGHT, Site.PAST_OFF_RAMP),
+        (Maneuver.LANE_CHANGE_LEFT, Site.LANE_DROP),
+    ],
+)
+def test_past_ramps_one_can_drive_at_120_km_per_h_which_needs_four_times_the_road(
+    maneuver: Maneuver, site: Site
+) -> None:
+    slow = RouteQuery(maneuver=maneuver, site=site)
+    fast = replace(slow, approach=4 * APPROACHED[site])
+    usual, far = (find_routes(NETWORK, "region", query)[0] for query in (slow, fast))
+    assert far.event_at >= 3 * usual.event_at
+    assert far.length >= 3 * usual.length

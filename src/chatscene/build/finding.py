@@ -22,6 +22,7 @@ from chatscene.build.place import (
     at_junction,
     at_roundabout,
     beside_lane,
+    beside_ramp,
     control_of,
     from_left,
     only_others_stop,
@@ -33,7 +34,7 @@ from chatscene.build.screening import side_hidden
 from chatscene.errors import MapError, NotBuilt
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
-from chatscene.maps.sites import AT_JUNCTIONS, ENTRIES, PAST
+from chatscene.maps.sites import APPROACHED, PAST
 from chatscene.situations.check import COMES_OVER, TURNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import BACKWARDS, backs, turned_about
@@ -71,6 +72,7 @@ def find(ledger: Ledger, road: float = 0.0) -> Found:
     lacking: list[str] = []
     rooms: dict[str, float] = {}
     for more in _lengths(situation, road):
+        lacking.clear()  # what is told is what the shortest road lacks
         for sides in _open_sides(situation):
             for name, query in _asked(situation, sides):
                 if found := _answered(situation, name, _longer(query, more), sides, lacking, rooms):
@@ -104,9 +106,9 @@ _BEFORE = frozenset(
 
 def _usual(query: Mapping[str, Any]) -> float:
     """How far [m] a route usually leads up to what happens."""
-    site = query.get("site")
-    if site == Site.ROUNDABOUT:
-        return ENTRIES[0]
+    site = Site(query["site"]) if "site" in query else None
+    if site is not None and site in APPROACHED:
+        return APPROACHED[site]
     if site in (Site.CROSSWALK, Site.PARKING, Site.BUS_BAY):
         return PAST[0]
     if _through(query):
@@ -123,11 +125,7 @@ def _through(query: Mapping[str, Any]) -> bool:
 
 def _longer(query: dict[str, Any], more: float) -> dict[str, Any]:
     """The same query, with so many times as much road as usual."""
-    if (
-        more == 1.0
-        or (more < 1.0 and not _through(query))
-        or (query.get("site") in AT_JUNCTIONS and query["site"] != Site.ROUNDABOUT)
-    ):
+    if more == 1.0 or (more < 1.0 and not _through(query)):
         return query
     return query | {"approach": round(more * _usual(query), 1)}
 
@@ -227,10 +225,16 @@ def _asked(situation: Situation, sides: dict[str, Side]) -> Iterator[tuple[str, 
     """Each map with what it is asked for: all of them for a site that was said, before any for a place without it."""
     maps = (situation.map,) if situation.map else PACKAGED
     if situation.road.setting is Setting.RURAL:
-        maps = maps[::-1]
-    queries = tuple(_queries(situation, sides))
+        maps = (*maps[1:], *maps[:1])  # the town last, which has no such road
+    queries = tuple(_counting_the_ramps(query) for query in _queries(situation, sides))
     yield from ((name, query) for query in queries if "site" in query for name in maps)
     yield from ((name, query) for name in maps for query in queries if "site" not in query)
+
+
+def _counting_the_ramps(query: dict[str, Any]) -> dict[str, Any]:
+    """The same query; past a ramp the map counts the ramp's lane, too, which nobody does who tells of the road."""
+    more = beside_ramp(query)
+    return query | {name: query[name] + more for name in ("lanes", "most", "lane") if name in query}
 
 
 def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str, Any]]:
@@ -306,7 +310,7 @@ def _on_road(
     if at_junction(situation):
         yield from _at_junction(situation, sides, base, lanes)
     elif at_roundabout(situation):
-        yield from _round(situation, base)
+        yield from _round(situation, base | ({"beside": lanes[0]} if lanes else {}))
     elif any(one.starts.where is Where.ON_RAMP for one in others):
         yield base | {"site": Site.PAST_ON_RAMP.value, "beside": "right"}
     elif route is EgoRoute.EXIT:

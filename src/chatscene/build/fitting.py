@@ -28,8 +28,7 @@ def lacking_for(situation: Situation, found: Found) -> str | None:
             if (arms := ring_arms(one, found.sides)) and not there & set(arms):
                 return f"nobody from the {' or '.join(arms)} meets the ego's way in the roundabout"
     if (side := _no_lane(situation, found)) is not None:
-        ring = " the roundabout has one lane, and" if found.query.get("site") == Site.ROUNDABOUT else ""
-        return f"{ring.strip()} no lane of the ego's direction lies to its {side}".strip()
+        return f"no lane of the ego's direction lies to its {side}"
     arms = [(one, arm) for one in situation.others if (arm := arm_of(situation, one, found.sides))]
     ways = [(one, way_through(situation, found, one)) for one, _ in arms]
     unmet = [pair for pair, (_, way) in zip(arms, ways, strict=True) if way is None]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from chatscene.build.place import PACKAGED, Found
+from chatscene.build.place import PACKAGED, Found, beside_ramp
 from chatscene.maps.lane_runs import lane_runs
 from chatscene.maps.sites import AT_JUNCTIONS, along
 from chatscene.terms.routing import CONTROLS, PLACES
@@ -48,7 +48,7 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
     holds = {
         "ego.route": situation.ego.route not in _SITE_OF or site == _SITE_OF[situation.ego.route],
         "road.lanes": road.lanes == lanes_there(found),
-        "road.ego_lane": query.get("lane") == road.ego_lane,
+        "road.ego_lane": query.get("lane", 0) - beside_ramp(query) == road.ego_lane,
         "road.kind": _is_kind(road.kind, found),
         "road.control": (road.control in CONTROLS and "control" in query)
         or (road.control is RightOfWay.YIELD_SIGN and (site == Site.ROUNDABOUT or "control" in query))
@@ -70,7 +70,8 @@ def _is_rural(found: Found) -> bool:
 def lanes_there(found: Found) -> int:
     """How many lanes go the ego's way where its route begins; of a ramp, on the road that it joins."""
     joins = found.query.get("site") == Site.ON_RAMP
-    return len(found.route.network.elements[found.route.route.lane_ids[-1 if joins else 0]].group.lanes)
+    group = found.route.network.elements[found.route.route.lane_ids[-1 if joins else 0]].group
+    return len(group.lanes) - beside_ramp(found.query)
 
 
 def _is_kind(kind: RoadKind | None, found: Found) -> bool:

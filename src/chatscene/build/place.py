@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -22,7 +23,7 @@ NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
 AT_CROSSWALKS = frozenset((Where.CROSSING, Where.EXIT_CROSSING))
 ROUNDABOUT_PLACES = frozenset((Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
 WAYS = {Act.TURN_LEFT: Maneuver.LEFT_TURN, Act.TURN_RIGHT: Maneuver.RIGHT_TURN}
-PACKAGED = ("town", "outskirts")
+PACKAGED = ("town", "outskirts", "region")
 _STOPS = frozenset((Act.STAND, Act.STOP, Act.SET_OFF, Act.YIELD))
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
 CHANGES = frozenset((EgoRoute.LANE_CHANGE_LEFT, EgoRoute.LANE_CHANGE_RIGHT))
@@ -69,6 +70,11 @@ def at_junction(situation: Situation) -> bool:
 def is_marked(found: Found) -> bool:
     """Whether the ego's way leads over a crosswalk."""
     return found.query.get("site") == Site.CROSSWALK
+
+
+def beside_ramp(query: Mapping[str, Any]) -> int:
+    """How many lanes of a ramp lie beside the road where a route is asked for."""
+    return int(query.get("site") in (Site.PAST_ON_RAMP, Site.PAST_OFF_RAMP))
 
 
 def at_free_crosswalk(situation: Situation) -> bool:

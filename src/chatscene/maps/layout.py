@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import lru_cache
+from functools import lru_cache, partial
 from operator import attrgetter
 from typing import Any
 
@@ -43,12 +43,24 @@ class Ring:
     """A roundabout.
 
     Attributes:
-        lanes: Scenic's ids of the lanes that go round, in driving order, those inside junctions among them.
+        tracks: Scenic's ids of the lanes that go round, in driving order, those inside junctions among them: of each
+            lane that drivers see, the innermost first.
         junctions: Scenic's ids of the junctions at which it is entered and left.
     """
 
-    lanes: tuple[str, ...]
+    tracks: tuple[tuple[str, ...], ...]
     junctions: frozenset[str]
+
+    @property
+    def lanes(self) -> tuple[str, ...]:
+        """The lanes of all tracks."""
+        return tuple(lane for track in self.tracks for lane in track)
+
+    def track(self, lane: str) -> tuple[str, ...]:
+        """The track that a lane belongs to, from that lane on."""
+        found = next(track for track in self.tracks if lane in track)
+        at = found.index(lane)
+        return (*found[at:], *found[:at])
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,24 +168,30 @@ def _streams(junction: Any) -> Iterator[tuple[set[str], set[str]]]:
 def roundabouts(network: Any) -> tuple[Ring, ...]:
     """The roundabouts of a network: short round rings of one-way roads that are entered and left at junctions."""
     beyond = _one_way_steps(network)
-    found: dict[frozenset[str], Ring] = {}
+    found: dict[frozenset[str], list[tuple[str, ...]]] = {}
     for uid in sorted(beyond):
+        if any(uid in track for tracks in found.values() for track in tracks):
+            continue
         lanes = _shortest_ring(beyond, uid)
         if lanes is None or not _is_round([network.elements[lane] for lane in lanes]):
             continue
-        elements = [network.elements[lane] for lane in lanes]
-        ring = Ring(
-            lanes=lanes,
-            junctions=frozenset(
-                m.intersection.uid
-                for lane in elements
-                for m in lane.maneuvers
-                if m.intersection is not None and len(_approaches(m.intersection)) > 2
-            ),
+        junctions = frozenset(
+            m.intersection.uid
+            for lane in lanes
+            for m in network.elements[lane].maneuvers
+            if m.intersection is not None and len(_approaches(m.intersection)) > 2
         )
-        if ring.junctions and not any(ring.junctions & other for other in found):
-            found[ring.junctions] = ring
-    return tuple(found.values())
+        tracks = found.get(junctions, [])
+        apart = not any(junctions & other for other in found) or (
+            junctions in found and not any(set(lanes) & set(track) for track in tracks)
+        )
+        if junctions and apart:
+            found[junctions] = [*tracks, lanes]
+    return tuple(Ring(tuple(sorted(tracks, key=partial(_length, network))), at) for at, tracks in found.items())
+
+
+def _length(network: Any, lanes: tuple[str, ...]) -> float:
+    return sum(network.elements[lane].centerline.length for lane in lanes)
 
 
 def _one_way_steps(network: Any) -> dict[str, list[tuple[float, str]]]:

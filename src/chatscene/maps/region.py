@@ -67,7 +67,7 @@ LARGE_NODES = _ring_nodes(1, 0.0, 0.0, LARGE.island)
 COMPACT_NODES = _ring_nodes(5, FIRST, NORTH_ROW, COMPACT.island)
 DIVERGE_EAST, MERGE_EAST = _node(11, 1275.0, -MEDIAN), _node(12, 1995.0, -MEDIAN)
 DIVERGE_WEST, MERGE_WEST = _node(13, 2285.0, MEDIAN), _node(14, 1655.0, MEDIAN)
-MOTORWAY_END = _node(15, EAST, 0.0, _SIGNAL, setback=26.0)
+MOTORWAY_END = _node(15, EAST, 0.0, _SIGNAL, setback=26.0, abreast=True)  # two lanes turn each way
 # Along the arterial: four arms with lights, stop signs and nothing, then three, then four with a median, then three.
 ARTERIAL_NODES = (
     _node(21, FIRST, ARTERIAL, _SIGNAL),

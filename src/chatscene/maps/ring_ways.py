@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 from typing import Any
 
@@ -9,7 +10,8 @@ import numpy as np
 
 from chatscene.maps.crossings import MEETING, CrossingPath, from_side_of
 from chatscene.maps.lane_runs import centre_line, lane_runs
-from chatscene.maps.layout import roundabouts
+from chatscene.maps.layout import Ring, roundabouts
+from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Maneuver
@@ -32,11 +34,10 @@ def ring_ways(network: Any, route: Route) -> tuple[CrossingPath, ...]:
         By where they come from: ``round``, who is in the ring when it begins and comes to the ego's entry; then who
         enters from the arms to the ``left``, ``right`` and ``oncoming``, as the ego sees them from its entry.
     """
-    ring = next((one for one in roundabouts(network) if route.junction in one.junctions), None)
+    ring, into = _entered(network, route)
     if ring is None:
         return ()
     on = set(ring.lanes)
-    into = next(m for m in network.elements[route.junction].maneuvers if m.connectingLane.uid in route.lane_ids)
     entries = [
         maneuver
         for junction in sorted(ring.junctions)
@@ -44,13 +45,16 @@ def ring_ways(network: Any, route: Route) -> tuple[CrossingPath, ...]:
         if maneuver.startLane.uid not in on and maneuver.endLane.uid in on
     ]
     inside = route.line.project(*centre_line(into.endLane).point_at(0.0))[0]
-    lap = _lap(network, ring.lanes, into.endLane.uid)
-    found = [_met(Polyline.join(lap, lap), 0.0, ROUND, route, inside, lap.length * _LAP)]
+    own = ring.track(into.endLane.uid)
+    tracks = sorted((ring.track(_level(network, track, into)) for track in ring.tracks), key=lambda one: one != own)
+    laps = [_line(network, track) for track in tracks]
+    found = [_met(Polyline.join(lap, lap), 0.0, ROUND, route, inside, lap.length * _LAP) for lap in laps]
+    entries.sort(key=lambda entry: entry.endLane.uid not in own)
     for entry in entries:
         if entry.startLane.group is into.startLane.group:
             continue
         before = lane_runs(network)[entry.startLane.uid].line
-        line = Polyline.join(before, centre_line(entry.connectingLane), _lap(network, ring.lanes, entry.endLane.uid))
+        line = Polyline.join(before, centre_line(entry.connectingLane), _line(network, ring.track(entry.endLane.uid)))
         side = from_side_of(before.heading_at(before.length - 1.0) - route.line.heading_at(route.event_at - 1.0))
         if side is not None:
             found.append(_met(line, before.length, side, route, inside, before.length))
@@ -58,10 +62,57 @@ def ring_ways(network: Any, route: Route) -> tuple[CrossingPath, ...]:
     return tuple(sorted((one for one in found if one is not None), key=lambda one: order.index(one.from_side)))
 
 
-def _lap(network: Any, lanes: tuple[str, ...], first: str) -> Polyline:
-    """Once round a ring from the beginning of one of its lanes on."""
-    at = lanes.index(first)
-    return Polyline.join(*(centre_line(network.elements[uid]) for uid in (*lanes[at:], *lanes[:at])))
+def line_beside(network: Any, route: Route, side: str) -> Polyline:
+    """The way of somebody in the lane beside the ego's, as `neighbour_line` gives it, but round in a roundabout.
+
+    There who is to the left leaves by the ego's exit, if one can, and who is to the right goes on round: the ego, in
+    the inner lane, crosses its way.
+
+    Args:
+        network: Scenic's road network.
+        route: The ego's.
+        side: ``left`` or ``right``, seen from the ego.
+
+    Raises:
+        MapError: No lane of cars lies directly on that side.
+    """
+    line = neighbour_line(network, route, side)
+    ring, into = _entered(network, route)
+    there = None if ring is None else section_beside(into.startLane.sections[-1], 1 if side == "left" else -1)
+    if ring is None or there is None or opposes(into.startLane, there.lane):
+        return line
+    entry = next((m for m in there.lane.maneuvers if m.endLane.uid in ring.lanes), None)
+    if entry is None:
+        return line
+    exits = {network.elements[uid].group.uid for uid in route.lane_ids[-1:]} if side == "left" else set[str]()
+    parts = [line, centre_line(entry.connectingLane)]
+    for lane in (network.elements[uid] for uid in ring.track(entry.endLane.uid)):
+        parts.append(centre_line(lane))
+        out = next((m for m in lane.maneuvers if m.endLane.group.uid in exits), None)
+        if out is not None:
+            return Polyline.join(*parts, centre_line(out.connectingLane), lane_runs(network)[out.endLane.uid].line)
+    return Polyline.join(*parts)
+
+
+def _entered(network: Any, route: Route) -> tuple[Ring | None, Any]:
+    """The roundabout that a route leads through, and the manoeuvre by which it enters it."""
+    ring = next((one for one in roundabouts(network) if route.junction in one.junctions), None)
+    if ring is None:
+        return None, None
+    maneuvers = network.elements[route.junction].maneuvers
+    on = set(ring.lanes)
+    return ring, next(m for m in maneuvers if m.connectingLane.uid in route.lane_ids and m.endLane.uid in on)
+
+
+def _level(network: Any, track: tuple[str, ...], into: Any) -> str:
+    """The lane of a track that begins next to where the ego gets into the ring."""
+    x, y, *_ = into.endLane.centerline.points[0]
+    return min(track, key=lambda uid: math.dist(network.elements[uid].centerline.points[0][:2], (x, y)))
+
+
+def _line(network: Any, lanes: tuple[str, ...]) -> Polyline:
+    """The line of lanes that follow one another."""
+    return Polyline.join(*(centre_line(network.elements[uid]) for uid in lanes))
 
 
 def _met(line: Polyline, entry: float, side: str, route: Route, inside: float, after: float) -> CrossingPath | None:

@@ -47,12 +47,6 @@ CHANGE_AT, CHANGE_OVER = 30.0, 25.0  # [m], where a lane change begins and how l
 BLOCKER_AT, SWING, PASSING = 50.0, 22.0, 10.0
 FROM_BEHIND = 70.0  # [m] of road behind where a route comes into its lane from beside it, for traffic there
 BEHIND_BACK, BEYOND_BACK = 130.0, 20.0  # [m] of road behind, and beyond, where one that is driven backwards begins
-# [m] of road beyond where a manoeuvre on open road begins; as much as before it, where that is not here
-BEYOND = {
-    Maneuver.BYPASS: OPEN_ROAD - BLOCKER_AT,
-    Maneuver.LANE_CHANGE_LEFT: OPEN_ROAD - CHANGE_AT,
-    Maneuver.LANE_CHANGE_RIGHT: OPEN_ROAD - CHANGE_AT,
-}
 
 _LATERAL = 1.2  # [m] a straight road may move aside: where a lane shifts by more, the ego seems to change lanes
 _SEAM = 0.1  # [m]
@@ -370,10 +364,18 @@ def _lengths(query: RouteQuery) -> tuple[float, float]:
     """How much of a run a route takes [m], and how much it may take where nothing longer fits."""
     long, short = MOTORWAYS if query.site is Site.MOTORWAY else (OPEN_ROAD, SHORT_ROAD)
     if query.approach is not None:
-        long = short = max(query.approach + BEYOND.get(query.maneuver, query.approach), SHORT_ROAD)
+        long = short = max(query.approach + _beyond(query.maneuver, query.approach), SHORT_ROAD)
     if query.begins in LEFT_BACKWARDS:
         return BEHIND_BACK + BEYOND_BACK, FROM_BEHIND + BEYOND_BACK
     return (long, short) if query.begins is None else (long + FROM_BEHIND, short + FROM_BEHIND)
+
+
+def _beyond(maneuver: Maneuver, approach: float) -> float:
+    """How much road [m] lies beyond where a manoeuvre on open road begins: as much as before it, or in proportion."""
+    if maneuver is Maneuver.STRAIGHT:
+        return approach
+    usual = BLOCKER_AT if maneuver is Maneuver.BYPASS else CHANGE_AT
+    return (OPEN_ROAD - usual) * max(1.0, approach / usual)
 
 
 def _shape(line: Polyline, start: float, end: float) -> Place | None:
@@ -407,17 +409,20 @@ def _on_road(
     bypass = query.maneuver is Maneuver.BYPASS
     into = query.maneuver is Maneuver.LANE_CHANGE_LEFT and query.opposite_lane is True  # the lane of oncoming traffic
     against = into or (bypass and query.opposite_lane is not False)
-    event = query.approach or (BLOCKER_AT if bypass else CHANGE_AT)
-    leaves, returns = (event - PASSING - SWING, event + PASSING) if bypass else (event, None)
+    usual = BLOCKER_AT if bypass else CHANGE_AT
+    event = query.approach or usual
+    more = max(1.0, event / usual)  # as fast as an ego is that needs so much road
+    swing, passing = SWING * more, PASSING * more
+    leaves, returns = (event - passing - swing, event + passing) if bypass else (event, None)
     side = -1 if query.maneuver is Maneuver.LANE_CHANGE_RIGHT else 1
-    used = np.linspace(onset + leaves, onset + returns + SWING if returns else end, 5).tolist()
+    used = np.linspace(onset + leaves, onset + returns + swing if returns else end, 5).tolist()
     beside = [neighbour(run, s, side) for s in used]
     if any(lane is None or opposes(run.lane_at(s), lane) != against for s, lane in zip(used, beside, strict=True)):
         return None
     if against and len(run.lane_at(onset).group.lanes) > 1:
         return None  # with a second lane of its own a driver need not use the opposite one
     shift = side * abs(centre_line(beside[0]).project(*own.point_at(leaves))[1])
-    over = SWING if bypass else MOTORWAY_CHANGE if query.site is Site.MOTORWAY else CHANGE_OVER
+    over = swing if bypass else max(MOTORWAY_CHANGE * (query.site is Site.MOTORWAY), CHANGE_OVER * more)
     lanes = (*run.ids_between(onset, used[0] + over), *dict.fromkeys(lane.uid for lane in beside))
     return shifted(own, shift, leaves, returns, over), lanes, event
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from chatscene.maps.furniture import Stand, furniture_of
@@ -38,6 +38,16 @@ BEYOND = (5.0, 20.0, 35.0, 50.0)  # [m] from the nose of an on-ramp to where a r
 AHEAD = (75.0, 65.0, 85.0, 55.0)  # [m] from where a route past an off-ramp begins to its nose
 PAST = (55.0, 45.0, 65.0, 35.0)  # [m] from a route's start to what it leads past
 ROAD = 100.0  # [m] of such a route
+APPROACHED: Mapping[Site, float] = {
+    Site.ROUNDABOUT: ENTRIES[0],
+    Site.ON_RAMP: RAMP,
+    Site.OFF_RAMP: MAIN,
+    Site.WEAVING: RAMP,
+    Site.PAST_ON_RAMP: (MAIN + OVER) / 2,
+    Site.PAST_OFF_RAMP: AHEAD[0],
+    Site.LANE_DROP: BEFORE,
+}
+"""How far [m] a route usually leads up to what it leads to. If it is to be longer, all of it is, in proportion."""
 _TURN = math.radians(45)
 _NO_TURN = math.radians(135)  # and beyond: one turns round
 
@@ -46,15 +56,16 @@ Found = tuple[str, Route]  # what to spread over, and the route, without an id
 
 def routes_at(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[Found]:
     """The routes of a map at a site that is one of `AT_JUNCTIONS`; later variants begin elsewhere."""
-    if query.site is Site.ROUNDABOUT:
-        further = 1.0 if query.approach is None else query.approach / ENTRIES[0]
+    site = query.site
+    further = 1.0 if query.approach is None or site is None else query.approach / APPROACHED[site]
+    if site is Site.ROUNDABOUT:
         ways = _round(network, ENTRIES[variant] * further)
-    elif query.site is Site.LANE_DROP:
-        ways = _out_of_ending_lanes(network, query.maneuver, variant)
-    elif query.site is Site.PAST_ON_RAMP or query.site is Site.PAST_OFF_RAMP:
-        ways = _past_ramps(network, query.site, variant)
+    elif site is Site.LANE_DROP:
+        ways = _out_of_ending_lanes(network, query.maneuver, variant, further)
+    elif site is Site.PAST_ON_RAMP or site is Site.PAST_OFF_RAMP:
+        ways = _past_ramps(network, site, variant, further)
     else:
-        ways = _at_ramps(network, query, variant)
+        ways = _at_ramps(network, query, variant, further)
     for group, maneuver, line, lanes, event_at, junction in ways:
         if maneuver is query.maneuver:
             control = Control.NONE if junction is None else junction_control(junction)
@@ -128,7 +139,7 @@ def _turn_of(line: Polyline) -> Maneuver | None:
     return Maneuver.STRAIGHT if abs(turned) < _TURN else Maneuver.LEFT_TURN if turned > 0 else Maneuver.RIGHT_TURN
 
 
-def _at_ramps(network: Any, query: RouteQuery, variant: int) -> Iterator[_Way]:
+def _at_ramps(network: Any, query: RouteQuery, variant: int, further: float) -> Iterator[_Way]:
     weaves = weaving_sections(network)
     weaving = query.site is Site.WEAVING
     on = Site.ON_RAMP if not weaving else Site.WEAVING
@@ -137,14 +148,14 @@ def _at_ramps(network: Any, query: RouteQuery, variant: int) -> Iterator[_Way]:
     if query.site is on and query.maneuver in (Maneuver.STRAIGHT, Maneuver.LANE_CHANGE_LEFT):
         for way in ramp_ways(network, JunctionKind.MERGE):
             if not weaving or way.intersection.uid in merges:
-                yield from _on(network, way, query, variant)
+                yield from _on(network, way, query, variant, further)
     if query.site is off and query.maneuver in (Maneuver.STRAIGHT, Maneuver.LANE_CHANGE_RIGHT):
         for way in ramp_ways(network, JunctionKind.DIVERGE):
             if query.site is Site.OFF_RAMP or way.intersection.uid in diverges:
-                yield from _off(network, way, query, variant)
+                yield from _off(network, way, query, variant, further)
 
 
-def _on(network: Any, way: Any, query: RouteQuery, variant: int) -> Iterator[_Way]:
+def _on(network: Any, way: Any, query: RouteQuery, variant: int, further: float) -> Iterator[_Way]:
     """Down a ramp onto another road, and, for a lane change, into the lane to the left.
 
     If there must be a second lane where it begins, it begins where the ramp has joined the road.
@@ -152,30 +163,35 @@ def _on(network: Any, way: Any, query: RouteQuery, variant: int) -> Iterator[_Wa
     maneuver = query.maneuver
     runs = lane_runs(network)
     before, after = runs[way.startLane.uid], runs[way.endLane.uid]
-    start = max(before.line.length - RAMP, 0.0)
+    changes, over = CHANGES[variant] * further, OVER * further
+    start = max(before.line.length - RAMP * further, 0.0)
+    if start <= 0.0 and further > 1.0:
+        return  # the ramp is too short to come by it so fast
     ramp = Polyline.join(before.line.between(start, before.line.length), centre_line(way.connectingLane))
     ids = (*before.ids_between(start, before.line.length), way.connectingLane.uid)
     if maneuver is Maneuver.STRAIGHT:
-        end = min(MAIN + CHANGES[variant], after.line.length)
-        if end >= MAIN / 2 and wide_at(after, end):
+        end = min(MAIN * further + changes, after.line.length)
+        while further > 1.0 and end > 0.0 and not wide_at(after, end):
+            end -= 5.0
+        if end >= MAIN * further / 2 and wide_at(after, end):
             line = Polyline.join(ramp, after.line.between(0.0, end))
             yield way.startLane.uid, maneuver, line, (*ids, *after.ids_between(0.0, end)), ramp.length, None
         return
-    at = CHANGES[variant]
-    beside = _beside(after, at, at + OVER)
+    at = changes
+    beside = _beside(after, at, at + over)
     if beside is not None:
         target = runs[beside.uid]
         if query.lanes_same_way > 1:
-            line = changed(after.line.between(JOINED, after.line.length), target.line, at, OVER, AFTER)
-            lanes = (*after.ids_between(JOINED, JOINED + at), *_ids_to(target, line))
+            line = changed(after.line.between(JOINED, after.line.length), target.line, at, over, AFTER * further)
+            lanes = (*after.ids_between(JOINED, JOINED + at), *_ids_to(target, line, further))
             yield way.startLane.uid, maneuver, line, lanes, at, None
             return
-        line = changed(Polyline.join(ramp, after.line), target.line, ramp.length + at, OVER, AFTER)
-        lanes = (*ids, *after.ids_between(0.0, at), *_ids_to(target, line))
+        line = changed(Polyline.join(ramp, after.line), target.line, ramp.length + at, over, AFTER * further)
+        lanes = (*ids, *after.ids_between(0.0, at), *_ids_to(target, line, further))
         yield way.startLane.uid, maneuver, line, lanes, ramp.length + at, None
 
 
-def _off(network: Any, way: Any, query: RouteQuery, variant: int) -> Iterator[_Way]:
+def _off(network: Any, way: Any, query: RouteQuery, variant: int, further: float) -> Iterator[_Way]:
     """Off a road by a ramp, for a lane change from the lane to the left of the one that leads there.
 
     If a lane must lie to the right of where it begins, that is as wide there, and some way before, as others.
@@ -183,37 +199,40 @@ def _off(network: Any, way: Any, query: RouteQuery, variant: int) -> Iterator[_W
     maneuver = query.maneuver
     runs = lane_runs(network)
     before, after = runs[way.startLane.uid], runs[way.endLane.uid]
-    nose, end = before.line.length, min(RAMP, after.line.length)
+    changes, over = CHANGES[variant] * further, OVER * further
+    nose, end = before.line.length, min(RAMP * further, after.line.length)
     ramp = (centre_line(way.connectingLane), after.line.between(0.0, end))
     ids = (way.connectingLane.uid, *after.ids_between(0.0, end))
     if maneuver is Maneuver.STRAIGHT:
-        start = max(nose - MAIN - CHANGES[variant], 2.0)
+        start = max(nose - MAIN * further - changes, 2.0)
         while start < nose and not wide_at(before, start):
             start += 5.0
-        if nose - start >= MAIN / 2:
+        if nose - start >= MAIN * further / 2:
             line = Polyline.join(before.line.between(start, nose), *ramp)
             yield way.startLane.uid, maneuver, line, (*before.ids_between(start, nose), *ids), nose - start, None
         return
-    at = nose - CHANGES[variant] - OVER
-    beside = _beside(before, at, at + OVER) if at > 0 else None
-    if query.lane_beside == "right" and not wide_at(before, max(at - 2 * BEFORE, 0.0)):
+    at = nose - changes - over
+    beside = _beside(before, at, at + over) if at > 0 else None
+    if query.lane_beside == "right" and not wide_at(before, max(at - 2 * BEFORE * further, 0.0)):
         return
     if beside is not None:
         source = runs[beside.uid]
         level = source.line.project(*before.line.point_at(at))[0]
-        start = max(level - BEFORE, 2.0)
+        start = max(level - BEFORE * further, 2.0)
+        if start == 2.0 and further > 1.0:
+            return  # there is too little road to come by so fast
         line = changed(
             source.line.between(start, source.line.length),
             Polyline.join(before.line.between(max(at - 5.0, 0.0), nose), *ramp),
             level - start,
-            OVER,
+            over,
             further=math.inf,
         )
         lanes = (*source.ids_between(start, level), *before.ids_between(at, nose), *ids)
         yield way.startLane.uid, maneuver, line, lanes, level - start, None
 
 
-def _past_ramps(network: Any, site: Site, variant: int) -> Iterator[_Way]:
+def _past_ramps(network: Any, site: Site, variant: int, further: float) -> Iterator[_Way]:
     """Straight on in the lane beside the one that comes from a ramp or leads into one."""
     runs = lane_runs(network)
     if site is Site.PAST_ON_RAMP:
@@ -223,8 +242,8 @@ def _past_ramps(network: Any, site: Site, variant: int) -> Iterator[_Way]:
             if beside is None or opposes(way.endLane, beside):
                 continue
             run = runs[beside.uid]
-            end = min(start + MAIN + OVER, run.line.length)
-            if end - start >= MAIN:
+            end = min(start + (MAIN + OVER) * further, run.line.length)
+            if end - start >= MAIN * further:
                 line, lanes = run.line.between(start, end), run.ids_between(start, end)
                 yield way.startLane.uid, Maneuver.STRAIGHT, line, lanes, line.length / 2, None
         return
@@ -237,8 +256,9 @@ def _past_ramps(network: Any, site: Site, variant: int) -> Iterator[_Way]:
         if not on:
             continue
         before, after = runs[beside.uid], runs[on[0].endLane.uid]
-        start, end = before.line.length - AHEAD[variant], min(MAIN, after.line.length)
-        if start >= 2.0 and end >= MAIN / 2:
+        ahead = AHEAD[variant] * further
+        start, end = before.line.length - ahead, min(MAIN * further, after.line.length)
+        if start >= 2.0 and end >= MAIN * further / 2:
             line = Polyline.join(
                 before.line.between(start, before.line.length),
                 centre_line(on[0].connectingLane),
@@ -250,12 +270,12 @@ def _past_ramps(network: Any, site: Site, variant: int) -> Iterator[_Way]:
                 Maneuver.STRAIGHT,
                 line,
                 (*lanes, *after.ids_between(0.0, end)),
-                AHEAD[variant],
+                ahead,
                 None,
             )
 
 
-def _out_of_ending_lanes(network: Any, maneuver: Maneuver, variant: int) -> Iterator[_Way]:
+def _out_of_ending_lanes(network: Any, maneuver: Maneuver, variant: int, further: float) -> Iterator[_Way]:
     """Out of each lane that tapers out, into the lane beside it."""
     side = {Maneuver.LANE_CHANGE_LEFT: 1, Maneuver.LANE_CHANGE_RIGHT: -1}.get(maneuver)
     runs = lane_runs(network)
@@ -265,13 +285,14 @@ def _out_of_ending_lanes(network: Any, maneuver: Maneuver, variant: int) -> Iter
         last = run.line.length
         while last > 0 and not wide_at(run, last):
             last -= 2.0
-        at = last - CHANGES[variant] - OVER
-        beside = _beside(run, at, at + OVER, side) if at > BEFORE else None
+        before, over = BEFORE * further, OVER * further
+        at = last - CHANGES[variant] * further - over
+        beside = _beside(run, at, at + over, side) if at > before else None
         if beside is not None:
             target = runs[beside.uid]
-            line = changed(run.line.between(at - BEFORE, run.line.length), target.line, BEFORE, OVER, AFTER)
-            lanes = (*run.ids_between(at - BEFORE, at), *_ids_to(target, line))
-            yield run.lanes[-1].uid, maneuver, line, lanes, BEFORE, None
+            line = changed(run.line.between(at - before, run.line.length), target.line, before, over, AFTER * further)
+            lanes = (*run.ids_between(at - before, at), *_ids_to(target, line, further))
+            yield run.lanes[-1].uid, maneuver, line, lanes, before, None
 
 
 def _beside(run: LaneRun, start: float, end: float, side: int = 1) -> Any:
@@ -282,9 +303,9 @@ def _beside(run: LaneRun, start: float, end: float, side: int = 1) -> Any:
     return lanes[-1]
 
 
-def _ids_to(run: LaneRun, line: Polyline) -> tuple[str, ...]:
+def _ids_to(run: LaneRun, line: Polyline, further: float) -> tuple[str, ...]:
     """The lanes of a run level with the last part of a line that ends on it."""
-    ends = [run.line.project(*line.point_at(s))[0] for s in (line.length - AFTER - OVER, line.length)]
+    ends = [run.line.project(*line.point_at(s))[0] for s in (line.length - (AFTER + OVER) * further, line.length)]
     return run.ids_between(*ends)
 
 

@@ -23,9 +23,9 @@ from chatscene.errors import MapError
 from chatscene.maps.crossings import passing_path
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.limits import limits_along
-from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
+from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.maps.onward import route_through
-from chatscene.maps.ring_ways import ring_ways
+from chatscene.maps.ring_ways import line_beside, ring_ways
 from chatscene.maps.routes import TO_LINE, CrossingPath, conflicting_paths, find_routes, from_line
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.pace import Pace
@@ -281,7 +281,7 @@ def waitingTraffic(route: EgoRoute) -> tuple[CrossingPath, ...]:  # noqa: N802
 def lanesBeside(route: EgoRoute) -> tuple[tuple[Polyline, bool], ...]:  # noqa: N802
     """The lines of the lanes directly beside the ego's, and whether each runs against it."""
     return tuple(
-        (neighbour_line(route.network, route.route, side), against) for side, against in lanes_beside(route).items()
+        (line_beside(route.network, route.route, side), against) for side, against in lanes_beside(route).items()
     )
 
 
@@ -403,7 +403,7 @@ def adjacentPath(route: EgoRoute) -> Polyline:  # noqa: N802
     there = lanes_beside(route)
     for side in ("right", "left"):
         if there.get(side) is False:
-            return neighbour_line(route.network, route.route, side)
+            return line_beside(route.network, route.route, side)
     raise MapError(f"route {route.route.id!r} has no second lane of its direction")
 
 
@@ -446,7 +446,7 @@ def neighbourPath(route: EgoRoute, side: str) -> Polyline:  # noqa: N802
     Raises:
         MapError: There is no such lane.
     """
-    return neighbour_line(route.network, route.route, side)
+    return line_beside(route.network, route.route, side)
 
 
 def laneLine(lane: Any, least: float = 200.0) -> Polyline:  # noqa: N802
