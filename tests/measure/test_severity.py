@@ -131,9 +131,13 @@ def test_what_a_curve_says_is_said_of_a_hundred_people_with_its_source(kmh: floa
     assert next(each.in_words() for each in found if each.curve.outcome is Outcome.DEATH) == said
 
 
-def test_what_is_the_same_of_both_is_said_once_and_what_is_not_is_said_of_each() -> None:
+def test_people_in_two_cars_are_told_of_in_one_clause() -> None:
     of = curve("people in a car", "Geisslinger", "front")
     slow, fast = (Found(curve=of, risk=of.at(v) or 0.0, speed=v) for v in (8.0, 12.0))
-    assert len(in_clauses([slow], [slow])) == 1
-    assert ["the other's" in line for line in in_clauses([slow], [fast])] == [True, False]
+    by = "are seriously injured or die at a change of velocity of"
+    assert in_clauses([slow], [slow]) == (f"5 in 100 people in either car {by} 29 km/h (Geisslinger et al. 2023)",)
+    assert in_clauses([slow], [fast]) == (
+        f"5 in 100 people in the ego and 9 in 100 people in the other {by} 29 km/h and 43 km/h "
+        "(Geisslinger et al. 2023)",
+    )
     assert in_clauses([], [slow]) == (slow.in_words(),)

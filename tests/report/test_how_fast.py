@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from chatscene.report.how_fast import harm, harm_in_words, how_fast
+from chatscene.report.how_fast import harm, harm_in_words, how_fast, scene_in_words
 from chatscene.terms.speeds import Speeds
 
 KMH = 1 / 3.6
@@ -46,7 +46,7 @@ def crashed(kind: str, kmh: float, **risks: float) -> dict[str, Any]:
 def test_it_says_how_fast_who_drove_and_how_near_they_came() -> None:
     assert how_fast([row()]) == (
         "The ego drove at 50 km/h, the car at up to 40 km/h. "
-        "The nearest miss was 3.4 m, 1.2 s from a collision at the least."
+        "In the nearest miss they came within 3.4 m, and to 1.2 s before a collision."
     )
 
 
@@ -75,14 +75,23 @@ def test_both_who_are_hurt_are_told() -> None:
     scene = crashed("Car", 80, ego_injury_risk=0.08, other_injury_risk=0.1)
     assert [[(one.risk, round(3.6 * one.speed)) for one in of] for of in harm(scene)] == [[(0.08, 40)], [(0.1, 40)]]
     assert harm_in_words(scene) == (
-        "10 in 100 people in a car are seriously injured or die at the other's change of velocity of 40 km/h "
-        "(Geisslinger et al. 2023); 8 in 100 people in a car are seriously injured or die at the ego's change of "
+        "8 in 100 people in the ego and 10 in 100 people in the other are seriously injured or die at a change of "
         "velocity of 40 km/h (Geisslinger et al. 2023)"
     )
 
 
+def test_a_scene_says_how_fast_both_were_as_it_began_and_how_near_they_came() -> None:
+    before = {"encounter_time": 3.6, "other_speed_before": 15 * KMH, "other_kind": "Bicycle"}
+    assert scene_in_words(row(**before)) == (
+        "As the encounter began, at 3.6 s: ego at 50 km/h, cyclist at 15 km/h. "
+        "They came within 3.4 m, and to 1.2 s before a collision."
+    )
+    assert scene_in_words(crashed("Dog", 30) | before).endswith("cyclist at 15 km/h.")
+    assert scene_in_words(row()) == ""
+
+
 def test_where_they_never_came_on_a_collision_course_no_time_is_said() -> None:
-    assert "The nearest miss was 3.4 m." in how_fast([row(time_to_collision=None)])
+    assert "they came within 3.4 m." in how_fast([row(time_to_collision=None)])
 
 
 @pytest.mark.parametrize("rows", [[], [{"status": "rejected"}], [{"status": "ran", "ego_speed_before": None}]])

@@ -185,17 +185,17 @@ class Found:
     risk: float
     speed: float
 
-    def in_words(self, whose: str = "a") -> str:
-        """What it says of a hundred people, in a clause with its source.
+    def in_words(self) -> str:
+        """What it says of a hundred people, in a clause with its source."""
+        curve = self.curve
+        return f"{self.share} {curve.who} {curve.outcome} {curve.by} {in_kmh(self.speed)} ({curve.source})"
 
-        Args:
-            whose: Whose speed it is.
-        """
-        curve, risk = self.curve, self.risk
-        share = f"{100 * risk:.0f} in 100" if risk >= 0.005 else "fewer than 1 in 100"
-        share = "half or more of" if risk >= HALF else share
-        at = curve.by.replace(" a ", f" {whose} ")
-        return f"{share} {curve.who} {curve.outcome} {at} {in_kmh(self.speed)} ({curve.source})"
+    @property
+    def share(self) -> str:
+        """How many of a hundred, in words before what they are."""
+        if self.risk >= HALF:
+            return "half or more of"
+        return f"{100 * self.risk:.0f} in 100" if self.risk >= 0.005 else "fewer than 1 in 100"
 
 
 def curves_for(one: Hurt, other: Hurt, *, impact_speed: float, closing_speed: float) -> Iterator[Found]:
@@ -221,9 +221,13 @@ def curves_for(one: Hurt, other: Hurt, *, impact_speed: float, closing_speed: fl
 
 
 def told(ego: Sequence[Found], other: Sequence[Found]) -> tuple[str, ...]:
-    """What curves say of the two in a crash, in clauses, of the other first; what is the same of both is said once."""
-    whose = {id(found): name for of, name in ((ego, "the ego's"), (other, "the other's")) for found in of}
-    plain = [found.in_words() for found in (*other, *ego)]
-    if len(set(plain)) < len(plain) or not (ego and other):
-        return tuple(dict.fromkeys(plain))
-    return tuple(found.in_words(whose[id(found)]) for found in (*other, *ego))
+    """What curves say of the two in a crash, in clauses, of the other first; people in two cars share one."""
+    mine, theirs = (next((found for found in of if found.curve.by is By.DELTA_V), None) for of in (ego, other))
+    if mine is None or theirs is None:
+        return tuple(found.in_words() for found in (*other, *ego))
+    curve = mine.curve
+    changes = " and ".join(dict.fromkeys((in_kmh(mine.speed), in_kmh(theirs.speed))))
+    both = f"{mine.share} people in the ego and {theirs.share} people in the other"
+    if mine.share == theirs.share:
+        both = f"{mine.share} people in either car"
+    return (f"{both} {curve.outcome} {curve.by} {changes} ({curve.source})",)

@@ -52,6 +52,17 @@ def harm_in_words(row: Row) -> str:
     return "; ".join(told(*harm(row))) or NO_CURVE
 
 
+def scene_in_words(row: Row) -> str:
+    """How fast both were as the encounter began, and how near they came if they did not touch; empty without one."""
+    if row.get("encounter_time") is None:
+        return ""
+    ego, other = in_kmh(row["ego_speed_before"]), in_kmh(row["other_speed_before"])
+    noun = noun_of(row["other_kind"])
+    begins = f"As the encounter began, at {row['encounter_time']:.1f} s: ego at {ego}, {noun} at {other}."
+    near = "" if row["collision"] or row["distance"] is None else f" They came within {_within(row)}."
+    return begins + near
+
+
 def _others(ran: Sequence[Row]) -> Iterator[str]:
     """How fast whom it met were at their fastest, kind by kind."""
     met = Counter(row["other_kind"] for row in ran if row["other_kind"] is not None)
@@ -72,10 +83,13 @@ def _about(speeds: Iterable[float]) -> str:
 
 
 def _nearest(missed: Sequence[Row]) -> str:
-    row = min(missed, key=lambda row: row["distance"])
+    return f"In the nearest miss they came within {_within(min(missed, key=lambda row: row['distance']))}"
+
+
+def _within(row: Row) -> str:
+    """How near two came that did not touch."""
     left = row["time_to_collision"]
-    when = "" if left is None else f", {left:.1f} s from a collision at the least"
-    return f"The nearest miss was {row['distance']:.1f} m{when}"
+    return f"{row['distance']:.1f} m" + ("" if left is None else f", and to {left:.1f} s before a collision")
 
 
 def _hardest(row: Row, count: int) -> str:

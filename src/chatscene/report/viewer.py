@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from chatscene.report import sections
 from chatscene.report.egos import egos_in_words
 from chatscene.report.files import FORMATS, pack_files
-from chatscene.report.how_fast import harm_in_words, how_fast
+from chatscene.report.how_fast import harm_in_words, how_fast, scene_in_words
 from chatscene.report.measures import in_words, scene_label
 from chatscene.report.surroundings import surroundings_in_words
 from chatscene.report.templates import asset, fill, fill_section, policy, scripts
@@ -198,6 +198,7 @@ def _shown(row: Mapping[str, Any], numbers: list[tuple[int, str]], drive: dict[s
         "ending": row["ending"],
         "collision": row["collision"],
         "impact": row["impact_speed"],
+        "began": scene_in_words(row),
         "harm": harm_in_words(row),
         "avoidable": row["avoidable"],
         "kept": row["selected"],

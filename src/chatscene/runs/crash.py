@@ -123,7 +123,7 @@ class Pace:
     def in_words(self) -> str:
         """How fast both were before the encounter, and what such an impact does."""
         begins = self.speeds.encounter_time or 0.0
-        how = f"Before either braked for the other, at {begins:.1f} s: {self.at(begins)}."
+        how = f"As the encounter began, at {begins:.1f} s: {self.at(begins)}."
         harm = "; ".join(self.harm) or NO_CURVE
         return f"{how} {harm[0].upper()}{harm[1:]}."
 

@@ -55,7 +55,8 @@ function moments() {
 /** A strip of the story in sentences: who struck whom, until when it could have been avoided, and what another ego does. */
 function tellStory(scene) {
   const said = drive.story ? [...drive.story.said] : [];
-  if (scene.harm) said.push("Of such an impact: " + scene.harm + ".");
+  const told = [scene.began, scene.harm && "Of such an impact: " + scene.harm + "."];
+  said.splice(1, 0, ...told.filter(Boolean)); // after who struck whom
   if (drive.ghost) said.push("The same scene driven by " + content.beside.ego + ", which " + content.beside.senses + ": it " + drive.ghost.came + ".");
   if (!said.length && !scene.collision && scene.distance != null) said.push("It missed by " + scene.distance.toFixed(1) + " m.");
   $("story").replaceChildren(...said.map((one) => element("p", one)));
