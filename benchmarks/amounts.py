@@ -5,10 +5,12 @@
 Builds for each act and each amount that it takes a situation with a number that such a body can do, drives it before
 an ego that sees nobody and before one that reacts, and holds the number against the tracks as the judge does. Prints
 for each act and amount how many drives show it, how many do not, and what was refused; with `--each` a line per value.
+Last, for each amount, by how much of the number the nearest that the judge sees misses it, to the 0.1 that it tells.
 """
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterator
 from typing import Any
@@ -65,6 +67,7 @@ VALUES: dict[str, tuple[str, ...]] = {
     "distance": ("4 m", "12 m", "25 m"),
     "time": ("1.5 s", "3 s", "5 s"),
 }
+WITHIN = (2, 5, 15)  # [%] of a number
 SPECIAL: dict[tuple[Act, str], tuple[str, ...]] = {
     (Act.CROSS, "speed"): ("3 km/h", "5 km/h", "9 km/h"),
     (Act.TURN_BACK, "speed"): ("3 km/h", "5 km/h"),
@@ -124,13 +127,18 @@ def drive(made: Built, ego: EgoPolicy, seed: int) -> Episode | None:
     return made_so if isinstance(made_so, Episode) else None
 
 
-def held(said: Situation, name: str, drives: int) -> tuple[Counter[str], list[str]]:
-    """How many drives show a number, and what was seen where they do not."""
+_SEEN = re.compile(r"it .*? (\d+\.\d)\b")
+"""The number that the judge says it saw."""
+
+
+def held(said: Situation, name: str, drives: int) -> tuple[Counter[str], list[str], list[float]]:
+    """How many drives show a number, what was seen where they do not, and by which shares it is missed."""
+    aim = next(amount for deed in said.others[0].does if (amount := getattr(deed, name)) is not None)
     try:
         made = build(said)
     except NotBuilt as refusal:
-        return Counter({"refused": 1}), [str(refusal)]
-    counts, told = Counter[str](), list[str]()
+        return Counter({"refused": 1}), [str(refusal)], []
+    counts, told, misses = Counter[str](), list[str](), list[float]()
     for seed in range(drives):
         for ego in (Blind(), load_ego("idm")):
             if (episode := drive(made, ego, seed)) is None:
@@ -143,25 +151,31 @@ def held(said: Situation, name: str, drives: int) -> tuple[Counter[str], list[st
             for one in mine:
                 counts["shown" if one.shown else "open" if one.shown is None else "wrong"] += 1
                 told += [] if one.shown else [one.told]
+                if one.shown is not None and (seen := _SEEN.search(one.told)):
+                    misses.append(abs(float(seen[1]) - aim.low) / aim.low)
             told += [
                 f"{one.path.rpartition('.')[2]}: {one.told}"
                 for one in found
                 if one.path.endswith("act") and one.shown is False
             ]
-    return counts, told
+    return counts, told, misses
 
 
 @click.command()
 @click.option("--drives", default=2, help="Drives of each, before each of two egos.")
 @click.option("--act", "only", default="", help="Only acts whose name has this in it.")
+@click.option("--amount", "of", default="", help="Only amounts whose name has this in it.")
 @click.option("--each", is_flag=True, help="A line per value.")
-def main(drives: int, only: str, each: bool) -> None:
+def main(drives: int, only: str, of: str, each: bool) -> None:
     """Hold the numbers of deeds against tracks."""
     rows: dict[tuple[str, str], Counter[str]] = {}
+    misses: dict[str, list[float]] = {}
     for act, name, value, said in cases():
-        if only not in act:
+        if only not in act or of not in name:
             continue
-        counts, told = held(said, name.partition(",")[0], drives)
+        amount = name.partition(",")[0]
+        counts, told, missed = held(said, amount, drives)
+        misses.setdefault(amount, []).extend(missed)
         rows.setdefault((act, name), Counter()).update(counts)
         if each:
             click.echo(f"{act} {name} {value}: {dict(counts)} {'; '.join(told[:3])}")
@@ -170,6 +184,9 @@ def main(drives: int, only: str, each: bool) -> None:
         click.echo(f"{act:12} {name:18} {', '.join(f'{many} {what}' for what, many in sorted(counts.items()))}")
     whole = sum(rows.values(), Counter[str]())
     click.echo(f"{'all':31} {', '.join(f'{many} {what}' for what, many in sorted(whole.items()))}")
+    for amount, missed in misses.items():
+        shares = ", ".join(f"{np.mean(np.array(missed) <= 0.01 * most):.0%} by {most} % at most" for most in WITHIN)
+        click.echo(f"{amount:12} {len(missed)} numbers missed: {shares}; the worst by {max(missed, default=0.0):.0%}")
 
 
 if __name__ == "__main__":
