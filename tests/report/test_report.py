@@ -387,6 +387,8 @@ def _other(option: click.Option) -> list[str]:
         return [word for value in values[str(option.name)] for word in (option.opts[0], value)]
     if isinstance(option.type, click.Choice):
         return [option.opts[0], next(choice for choice in option.type.choices if choice != option.default)]
+    if isinstance(option.type, click.FloatRange) and option.default is None:
+        return [option.opts[0], "90"]
     return [option.opts[0], str(option.default + 1) if isinstance(option.default, int) else "some 'thing else"]
 
 
