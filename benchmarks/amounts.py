@@ -5,7 +5,8 @@
 Builds for each act and each amount that it takes a situation with a number that such a body can do, drives it before
 an ego that sees nobody and before one that reacts, and holds the number against the tracks as the judge does. Prints
 for each act and amount how many drives show it, how many do not, and what was refused; with `--each` a line per value.
-Last, for each amount, by how much of the number the nearest that the judge sees misses it, to the 0.1 that it tells.
+Last, for each amount, by how much of the number the nearest that the judge sees misses it, to the 0.1 that it tells,
+and by how much the ego misses its speed of 50 km/h as the encounter begins.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from chatscene.build.build import Built, build
 from chatscene.ego.intelligent_driver import OWN, IntelligentDriver, Observation
 from chatscene.ego.policy import EgoPolicy, load_ego, wanting
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt
+from chatscene.measure.speeds import speeds
 from chatscene.program.judge import judge
 from chatscene.program.sample import draw
 from chatscene.simulate.simulator import simulate
@@ -131,8 +133,15 @@ _SEEN = re.compile(r"it .*? (\d+\.\d)\b")
 """The number that the judge says it saw."""
 
 
-def held(said: Situation, name: str, drives: int) -> tuple[Counter[str], list[str], list[float]]:
-    """How many drives show a number, what was seen where they do not, and by which shares it is missed."""
+def held(said: Situation, name: str, drives: int, of_ego: list[float]) -> tuple[Counter[str], list[str], list[float]]:
+    """How many drives show a number, what was seen where they do not, and by which shares it is missed.
+
+    Args:
+        said: A situation that says it of the last deed of somebody.
+        name: Of the amount.
+        drives: How many before each ego.
+        of_ego: Is given by which share each drive misses what was said of the ego, before the encounter.
+    """
     aim = next(amount for deed in said.others[0].does if (amount := getattr(deed, name)) is not None)
     try:
         made = build(said)
@@ -144,6 +153,8 @@ def held(said: Situation, name: str, drives: int) -> tuple[Counter[str], list[st
             if (episode := drive(made, ego, seed)) is None:
                 counts["not placed"] += 1
                 continue
+            if said.ego.speed is not None:
+                of_ego.append(abs(speeds(episode).ego_speed_before - said.ego.speed.low) / said.ego.speed.low)
             found = judge(said, episode, simulator(made.map).route(made.program, 0))
             mine = [one for one in found if one.path.endswith(f".{name}") and one.path.startswith("others.A.does")]
             if not mine:
@@ -169,12 +180,12 @@ def held(said: Situation, name: str, drives: int) -> tuple[Counter[str], list[st
 def main(drives: int, only: str, of: str, each: bool) -> None:
     """Hold the numbers of deeds against tracks."""
     rows: dict[tuple[str, str], Counter[str]] = {}
-    misses: dict[str, list[float]] = {}
+    misses: dict[str, list[float]] = {"the ego": []}
     for act, name, value, said in cases():
         if only not in act or of not in name:
             continue
         amount = name.partition(",")[0]
-        counts, told, missed = held(said, amount, drives)
+        counts, told, missed = held(said, amount, drives, misses["the ego"])
         misses.setdefault(amount, []).extend(missed)
         rows.setdefault((act, name), Counter()).update(counts)
         if each:

@@ -330,7 +330,7 @@ def test_every_number_of_a_scene_has_a_name_a_unit_and_a_direction(tmp_path: Pat
     told = measures_in_words(dict.fromkeys(MEASURES, 0.5))
     assert len(told) == len(MEASURES)
     for one, measure in zip(told, MEASURES.values(), strict=True):
-        assert re.search(r"[\d.]+ (s|m|m/s|m/s²|rad)$", one["value"]) or "; more is" in one["note"]
+        assert re.search(r"[\d.]+ (s|m|m/s|m/s²|rad)$", one["value"]) or measure.of
         assert one["note"].endswith(f"more is {measure.more}" if measure.more else measure.of)
         assert measure.more in ("better", "worse", "")
 
@@ -387,9 +387,8 @@ def _other(option: click.Option) -> list[str]:
         return [word for value in values[str(option.name)] for word in (option.opts[0], value)]
     if isinstance(option.type, click.Choice):
         return [option.opts[0], next(choice for choice in option.type.choices if choice != option.default)]
-    if isinstance(option.type, click.FloatRange) and option.default is None:
-        return [option.opts[0], "90"]
-    return [option.opts[0], str(option.default + 1) if isinstance(option.default, int) else "some 'thing else"]
+    usual = "90" if isinstance(option.type, click.FloatRange) else "some 'thing else"
+    return [option.opts[0], str(option.default + 1) if isinstance(option.default, int) else usual]
 
 
 NOT_OF_THE_SCENES = {"out", "jobs", "executor", "as_json", "program", "report", "trust", "as_written"}
