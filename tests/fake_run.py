@@ -13,6 +13,7 @@ import numpy as np
 from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.drive import Ran
+from chatscene.measure.happening import happened
 from chatscene.measure.score import columns, measure
 from chatscene.measure.speeds import speeds
 from chatscene.report.viewer import write_report
@@ -38,6 +39,7 @@ from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
+from chatscene.terms.criticality import Happening
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
 from chatscene.terms.frame import About, Note
 from chatscene.terms.scenario import BaseScenario, Component, Occluder, Position, Scenario, Side, Slots, SubDescriptions
@@ -208,6 +210,7 @@ def block(
                 fault=fault(episode),
                 avoidable=None if episode.collision is None else index % 3 > 0,
                 crash_type=crash_type(episode),
+                happened=happened(episode),
                 waits=waits(episode),
             )
         )
@@ -391,6 +394,8 @@ def selection(done: list[Block], keep: int = 2) -> dict[str, bool]:
             overall_score=ran.metrics["overall_score"],
             crash_type=ran.crash_type,
             waits=ran.waits,
+            happened=ran.happened.kind is not Happening.NOTHING,
+            near=ran.happened.seconds,
         )
         for one in done
         for ran in one.ran

@@ -20,6 +20,8 @@ def candidate(
     cut: int = 0,
     touch: bool | None = None,
     distance: float | None = None,
+    happened: bool = True,
+    near: float | None = None,
 ) -> Candidate:
     return Candidate(
         scene_id=scene_id,
@@ -32,6 +34,8 @@ def candidate(
         cut=cut,
         touch=touch,
         distance=distance,
+        happened=happened,
+        near=near,
     )
 
 
@@ -185,3 +189,13 @@ def test_a_drive_in_which_all_is_seen_to_its_end_is_kept_before_one_that_a_conta
     assert [s.scene_id for s in select([cut, whole, calm], count=1)] == ["b"]
     assert [s.scene_id for s in select([cut, calm], count=1)] == ["c"]
     assert [s.scene_id for s in select([cut, calm], count=1, selection="worst")] == ["a"]
+
+
+def test_a_drive_in_which_something_happened_is_kept_before_one_in_which_nothing_did_and_the_nearest_first() -> None:
+    dull, near = candidate("a", False, 0.1, happened=False), candidate("b", False, 0.9, near=1.4)
+    nearer, crash = candidate("c", False, 0.9, near=0.8), candidate("d", True, 0.95)
+    assert [s.scene_id for s in select([dull, near], count=1)] == ["b"]
+    assert [s.scene_id for s in select([dull, near, nearer], count=1)] == ["c"]
+    assert [s.scene_id for s in select([dull, near, nearer, crash], count=2)] == ["c", "d"]
+    assert [s.scene_id for s in select([dull, near, nearer, crash], count=2, selection="worst")] == ["a", "d"]
+    assert [s.scene_id for s in select([dull], count=2)] == ["a"], "nothing better is there"

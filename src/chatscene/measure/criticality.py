@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from chatscene.simulate.boxes import NOTHING, Boxes, Pair, least_gap, post_encroachment, times_to_collision
 from chatscene.simulate.contact import side_touched
@@ -107,8 +108,25 @@ def _least(values: Iterable[float]) -> float | None:
     return min((value for value in values if math.isfinite(value)), default=None)
 
 
+def headways(ego: Track, other: Track, *, nearing: bool = False) -> Array:
+    """(T,) Time headway [s] behind another ahead; inf where nobody is, or the ego stands, or comes no nearer."""
+    gap, ahead, closing = _ahead(ego, other)
+    moves = ahead & (ego.speed > CRAWL)
+    if nearing:
+        moves &= closing > CRAWL
+    return np.where(moves, gap / np.where(moves, ego.speed, 1.0), math.inf)
+
+
 def _following(ego: Track, other: Track) -> tuple[float, float]:
-    """Least time headway [s] and greatest deceleration required [m/s²] behind another ahead; inf and 0 without.
+    """Least time headway [s] and greatest deceleration required [m/s²] behind another ahead; inf and 0 without."""
+    gap, ahead, closing = _ahead(ego, other)
+    closing, gap = closing[ahead], gap[ahead]
+    braking = np.where(closing > NOTHING, closing, 0.0) ** 2 / (2.0 * gap)
+    return float(headways(ego, other).min()), float(braking.max(initial=0.0))
+
+
+def _ahead(ego: Track, other: Track) -> tuple[Array, NDArray[np.bool_], Array]:
+    """(T,) each: the gap to another [m], whether it is ahead, and how fast the ego closes in on it [m/s].
 
     Ahead: in the corridor as wide as the ego, straight on from its front. The gap is from its front to what of the
     other is nearest.
@@ -119,8 +137,4 @@ def _following(ego: Track, other: Track) -> tuple[float, float]:
     gap = along - a.half_length - b.half_length * np.abs(c) - b.half_width * s
     beside = np.abs(across) - a.half_width - b.half_length * s - b.half_width * np.abs(c)
     ahead = (gap > 0.0) & (beside < 0.0)
-    gap, speed, closing = gap[ahead], ego.speed[ahead], (ego.speed - other.speed * c)[ahead]
-    moves = speed > CRAWL
-    headway = gap[moves] / speed[moves]
-    braking = np.where(closing > NOTHING, closing, 0.0) ** 2 / (2.0 * gap)
-    return float(headway.min(initial=math.inf)), float(braking.max(initial=0.0))
+    return gap, ahead, ego.speed - other.speed * c

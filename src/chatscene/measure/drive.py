@@ -8,6 +8,7 @@ from chatscene.ego.policy import EgoPolicy, fitted, knows_body, name_of, takes_s
 from chatscene.measure.avoidability import avoidable
 from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
+from chatscene.measure.happening import happened
 from chatscene.measure.score import columns, measure
 from chatscene.measure.speeds import speeds
 from chatscene.measure.tyres import beyond_tyres, friction_demand
@@ -15,7 +16,7 @@ from chatscene.measure.unplayed import unplayed
 from chatscene.program.shown import shown
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.actors import noun_of
-from chatscene.terms.criticality import Criticality, Fault
+from chatscene.terms.criticality import Criticality, Fault, Happened
 from chatscene.terms.episode import Episode
 from chatscene.terms.metrics import Measurements
 from chatscene.terms.scenario import Said
@@ -37,6 +38,7 @@ class Ran:
         touch: Whether it was said that there is a contact; None where nothing was said of one.
         criticality: How close it came.
         speeds: How fast who was, and how hard they met.
+        happened: What happened, and when.
         fault: Who ran into whom; None without a collision.
         avoidable: Whether a careful driver would have avoided the collision; None without one.
         crash_type: Of which kind the collision is; empty without one.
@@ -52,6 +54,7 @@ class Ran:
     meaning: tuple[str, ...]
     criticality: Criticality
     speeds: Speeds
+    happened: Happened
     fault: Fault | None
     avoidable: bool | None
     crash_type: str
@@ -91,6 +94,7 @@ def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simula
         touch=found.touch,
         criticality=criticality(episode),
         speeds=replace(speeds(episode), friction_demand=friction_demand(episode)),
+        happened=happened(episode),
         fault=fault(episode),
         avoidable=avoidable(episode, program, scene, ego, simulator),
         crash_type=crash_type(episode),

@@ -8,27 +8,20 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-import numpy as np
-from numpy.typing import NDArray
 from PIL import Image
 
 from chatscene.errors import RunError
 from chatscene.maps.picture import HEIGHT, WIDEST, WIDTH, Camera, draw_frame, draw_ground
 from chatscene.report.caption import above, below, between
+from chatscene.report.span import AFTER, span
 from chatscene.report.viewer import ranked
 from chatscene.runs import note, open_run, read_drawing, read_episode, read_record, read_scenes
 from chatscene.runs.atomic import write_bytes
 from chatscene.terms.episode import Episode
 
-FRAMES = 75  # at most; a longer drive is cut to those that lead up to what happens
-AFTER = 1.5  # [s] that are shown of a drive without a collision once the ego was nearest to its adversary, at least
-WITHIN = 10.0  # [m] further apart than at their nearest, ego and adversary are still at it
-STILL = 0.2  # [m/s] of drawing near or apart, at most, at which they have come to terms
-AS_NEAR = 0.3  # [m] further apart than at their nearest, they are as near: two that stand drift a little for ever
+FRAMES = 75  # at most; what happened
 BEFORE = 40  # steps that a still leads up to
 LAST = 1500  # [ms] that the last frame stands
-
-Floats = NDArray[np.float64]
 
 
 def write_gif(folder: Path, scene_id: str | None = None) -> Path:
@@ -65,47 +58,13 @@ def still(episode: Episode, drawing: Mapping[str, Any]) -> bytes:
         episode: The drive.
         drawing: The map around it, as `chatscene.maps.drawing.map_drawing` makes it.
     """
-    step = _decisive(episode)
+    step = span(episode).moment
     camera = Camera.on(episode, range(max(0, step - BEFORE), step + 1), WIDEST)
     frame = draw_frame(camera, draw_ground(camera, drawing), episode, step)
     sink = io.BytesIO()
     small = frame.resize((WIDTH * 2 // 3, HEIGHT * 2 // 3), Image.Resampling.LANCZOS)
     small.save(sink, format="WEBP", quality=80)
     return sink.getvalue()
-
-
-def _decisive(episode: Episode) -> int:
-    """The step at which the ego crashes, or first is nearest to its adversary; the last one where there is none."""
-    if episode.collision:
-        return episode.collision.step
-    if not episode.adversaries:
-        return len(episode.ego_track.x) - 1
-    apart = _apart(episode)
-    return int(np.argmax(apart <= apart.min() + AS_NEAR))
-
-
-def _apart(episode: Episode) -> Floats:
-    """(steps,) how far the ego is from the nearest of its adversaries [m], between centres."""
-    ego = episode.ego_track
-    return np.min([np.hypot(one.x - ego.x, one.y - ego.y) for one in episode.adversaries], axis=0)
-
-
-def _settled(episode: Episode) -> int:
-    """The last step of a drive without a collision at which it is open how it goes.
-
-    Two that drive side by side are nearest before one cuts in: so it is not over as long as they are about as near and
-    still draw nearer or apart.
-    """
-    nearest = _decisive(episode)
-    if not episode.adversaries:
-        return nearest
-    apart = _apart(episode)
-    moving = np.abs(np.diff(apart, prepend=apart[0])) > STILL * episode.dt
-    open_steps = np.flatnonzero(moving & (apart < apart[nearest] + WITHIN))
-    after = round(AFTER / episode.dt)
-    speeds = np.max([np.abs(one.speed) for one in (episode.ego_track, *episode.adversaries)], axis=0)
-    all_stand = int(np.flatnonzero(speeds > STILL).max(initial=0)) + after  # from there on a picture would be a still
-    return max(nearest + after, min(all_stand, int(open_steps.max(initial=0))))
 
 
 def animate(
@@ -124,14 +83,13 @@ def animate(
         drawing: The map around it, as `chatscene.maps.drawing.map_drawing` makes it.
         said: What stands above, with who is who and a scale below; without it the picture stands by itself.
         ego: Who drives, for that.
-        frames: At most; of a longer drive those up to its collision are shown, or till the two have come to terms.
+        frames: At most; those up to shortly after what happened (`chatscene.report.span`).
         widest: Width of the picture [m] at most; a longer way is shown to its end.
     """
-    last = len(episode.ego_track.x) - 1
+    part = span(episode)
     stride = max(1, round(0.1 / episode.dt))
-    if episode.collision is None and last // stride >= frames:
-        last = min(last, max(_settled(episode), (frames - 1) * stride))
-    shown = list(range(last, -1, -stride))[:frames][::-1]
+    last = min(part.last, max(part.first + (frames - 1) * stride, part.moment + round(AFTER / episode.dt)))
+    shown = list(range(last, part.first - 1, -stride))[:frames][::-1]
     camera = Camera.on(episode, shown, widest)
     ground = draw_ground(camera, drawing)
     drawn = [draw_frame(camera, ground, episode, step) for step in shown]

@@ -13,7 +13,7 @@ from chatscene.report.measures import MEASURES
 from chatscene.runs.tables import EVENTS, SCENES
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.criticality import Fault, Severity
+from chatscene.terms.criticality import Fault, Happening, Severity
 from chatscene.terms.episode import Ending, EventKind
 from chatscene.terms.scenario import (
     BaseScenario,
@@ -165,6 +165,9 @@ _OF_SCENES: dict[str, tuple[str, str]] = {
         "class of whom the ego meets: whom it collides with, else the adversary that came nearest; null if nobody",
         "",
     ),
+    "happened": (_one_of("the gravest of what happened; null in folders of before", Happening), ""),
+    "happened_at": ("when; of nothing, when the ego was nearest to an adversary", "s"),
+    "gap_in_time": ("nearest gap in time between the ego and an adversary; null where there was none", "s"),
     "meaning_ok": ("whether the drive shows all that was read in the sentence", ""),
     "meaning_failures": ("what it does not show", ""),
     "ego": ("who drove", ""),

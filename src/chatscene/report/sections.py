@@ -21,6 +21,7 @@ from chatscene.report.outcomes import Outcomes, plot_outcomes
 from chatscene.report.ranges import Plot, plot_ranges
 from chatscene.report.summary import outcomes_in_words
 from chatscene.report.templates import fill_section
+from chatscene.report.what_happened import kept_in_words, outcome_in_words
 from chatscene.runs import RunRecord, Status
 from chatscene.runs.beside import Beside
 from chatscene.search.generators.own_program import options_of
@@ -87,6 +88,7 @@ def verdict(scenes: Sequence[Row], counts: Mapping[str, int], *, read: bool) -> 
         _scenes(len(ran)),
         outcomes_in_words(counts),
         counts["selected"],
+        kept_in_words(ran),
         _shown(ran) if read else "Nothing was read that a scene would have to show.",
     )
 
@@ -97,7 +99,6 @@ def tiles(scenes: Sequence[Row]) -> Markup:
     if not ran:
         return fill_section("quiet", "No scene was driven.")
     hits, kept = sum(row["collision"] for row in ran), sum(row["selected"] for row in ran)
-    fill_ins = sum(row["fill_in"] for row in ran)
     avoidable = sum(row["avoidable"] is True for row in ran)
     low, high = wilson(hits, len(ran))
     fastest = max(map(hardness, ran), default=0.0)
@@ -111,7 +112,7 @@ def tiles(scenes: Sequence[Row]) -> Markup:
         (
             f"{kept}",
             "scenes kept",
-            f"{fill_ins} of them without a collision" if fill_ins else "all of them with a collision",
+            kept_in_words(ran) or f"{sum(row['fill_in'] for row in ran)} of them without a collision",
         ),
         (
             f"{avoidable / hits:.0%}" if hits else "none",
@@ -197,7 +198,7 @@ def _scene_line(row: Row, parameters: Sequence[str], replayable: bool) -> Row:
         "kept": row["selected"],
         "fill_in": row["fill_in"],
         "collision": row["collision"],
-        "outcome": "collision" if row["collision"] else row["ending"],
+        "outcome": outcome_in_words(row),
         "speeds": [_kmh(row.get(name)) for name in ("ego_speed_before", "other_speed_most", "impact_speed")],
         "avoidable": {True: "yes", False: "no", None: ""}[row["avoidable"]],
         "fault": (row["fault"] or "").replace("-", " "),

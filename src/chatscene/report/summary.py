@@ -10,6 +10,7 @@ from chatscene import runs
 from chatscene.measure.score import wilson
 from chatscene.report.egos import egos_in_words
 from chatscene.report.how_fast import how_fast
+from chatscene.report.what_happened import kept_in_words
 
 SHORTEST = 0.1  # [s] of a phase that is told
 
@@ -25,6 +26,7 @@ class Summary:
         ego: Who drove, and what it sees: no collision rate means anything without it.
         stepped: Who stepped the drives; empty where that was not recorded.
         fast: How fast who was, in words; empty where that was not kept.
+        kept: What happened in the scenes that are kept, in words; empty where that was not kept.
     """
 
     counts: Mapping[str, int]
@@ -33,6 +35,7 @@ class Summary:
     phases: Mapping[str, float] = field(default_factory=dict[str, float])
     stepped: str = ""
     fast: str = ""
+    kept: str = ""
 
     @classmethod
     def of(cls, record: runs.RunRecord, counts: Mapping[str, int], rows: Sequence[Mapping[str, Any]]) -> Summary:
@@ -50,6 +53,7 @@ class Summary:
             phases={name: spent for name, spent in record.timings.items() if name != "total"},
             stepped=stepped_in_words(record),
             fast=how_fast(rows),
+            kept=kept_in_words(rows),
         )
 
     def in_words(self) -> str:
@@ -58,7 +62,7 @@ class Summary:
         rejected = f", {self.counts['rejected']} draws rejected" if self.counts["rejected"] else ""
         kept, fill_in = self.counts["selected"], self.counts["fill_in"]
         unlike = kept - self.counts.get("selected_shown", kept)  # folders of before it was counted
-        but = [f"{fill_in} without a collision"] * bool(fill_in)
+        but = [self.kept] if self.kept else [f"{fill_in} without a collision"] * bool(fill_in)
         but += [f"{unlike} that {'does' if unlike == 1 else 'do'} not show all that was read"] * bool(unlike)
         phases = "; ".join(f"{name} {spent:.1f} s" for name, spent in self.phases.items() if spent >= SHORTEST)
         return (

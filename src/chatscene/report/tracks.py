@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import shapely
 
+from chatscene.report.span import span
 from chatscene.simulate.boxes import gaps, times_to_collision
 from chatscene.terms.actors import Manner, manner_of, noun_of
 from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, SignalTrack, Track, contact_point
@@ -25,9 +26,11 @@ Box = tuple[float, float, float, float]
 
 def pack_episode(episode: Episode) -> dict[str, Any]:
     """One drive. Positions [cm], headings [mrad], speeds [cm/s]; see `_differences` for how numbers are kept."""
+    part = span(episode)
     return {
         "dt": episode.dt,
         "steps": len(episode.ego_track.x),
+        "span": [part.first, part.moment, part.last],
         "actors": [_pack_track(track) for track in episode.tracks],
         "signals": [_pack_signal(signal) for signal in episode.signals],
         "events": [_pack_event(episode, event) for event in episode.events],

@@ -15,6 +15,7 @@ from chatscene.report.measures import in_words, scene_label
 from chatscene.report.surroundings import surroundings_in_words
 from chatscene.report.templates import asset, fill, fill_section, policy, scripts
 from chatscene.report.tracks import Box, called, extent, met, pack_beside, pack_drawing, pack_episode, size_of
+from chatscene.report.what_happened import outcome_in_words
 from chatscene.runs import (
     RunRecord,
     Workspace,
@@ -195,7 +196,7 @@ def _shown(row: Mapping[str, Any], numbers: list[tuple[int, str]], drive: dict[s
         "id": row["scene_id"],
         "label": scene_label(row["scene_id"]),
         "route": f"{row['scenario_id']}/{row['route_id']}",
-        "ending": row["ending"],
+        "ending": outcome_in_words(row),
         "collision": row["collision"],
         "impact": row["impact_speed"],
         "began": scene_in_words(row),

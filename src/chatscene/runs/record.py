@@ -498,6 +498,9 @@ class SceneRow(_Frozen):
     fault: str | None = None
     avoidable: bool | None = None
     crash_type: str = ""
+    happened: str | None = None
+    happened_at: float | None = None
+    gap_in_time: float | None = None
     waits: bool = False  # for the search and the selection alone, as the next two
     cut: int = 0
     touch: bool | None = None

@@ -6,6 +6,7 @@ from chatscene.runs.blocks import read_parts
 from chatscene.runs.workspace import Workspace
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings
+from chatscene.terms.criticality import Happening
 
 
 def selected(run: Workspace, settings: SearchSettings) -> dict[str, bool]:
@@ -22,6 +23,8 @@ def selected(run: Workspace, settings: SearchSettings) -> dict[str, bool]:
                     overall_score=scene.metrics["overall_score"],
                     crash_type=scene.crash_type,
                     waits=scene.waits,
+                    happened=scene.happened != Happening.NOTHING,
+                    near=scene.gap_in_time,
                     cut=scene.cut,
                     touch=scene.touch,
                     distance=scene.criticality.get("distance"),

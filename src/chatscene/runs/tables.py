@@ -113,6 +113,9 @@ _SCENE_OUTCOME = pa.schema(
         ("crash_type", pa.string()),
         ("ego_kind", pa.string()),
         ("other_kind", pa.string()),
+        ("happened", pa.string()),
+        ("happened_at", pa.float64()),
+        ("gap_in_time", pa.float64()),
         ("ego", pa.string()),
         ("ending", pa.string()),
         ("route_completion", pa.float64()),
@@ -147,6 +150,9 @@ _OPTIONAL = frozenset(
         "crash_type",
         "ego_kind",
         "other_kind",
+        "happened",
+        "happened_at",
+        "gap_in_time",
         f"{RAW}time",
         "distance_to_route",
         "off_road",
@@ -157,7 +163,7 @@ _OPTIONAL = frozenset(
 # What folders lack that were written before there was such a column, and what every scene that was driven had then.
 _LATER: dict[str, str | None] = {
     **{name: str(value) for name, value in asdict(Surroundings()).items()},
-    "crash_type": None,  # which was not kept
+    **dict.fromkeys(("crash_type", "happened", "happened_at", "gap_in_time")),  # which were not kept
 }
 # What nothing can be read without. Whatever else a table has may have been added since: an older one lacks it.
 _NEEDED = frozenset(
@@ -374,6 +380,9 @@ def _scene_row(part: Part, scene: SceneRow, selected: Mapping[str, bool]) -> dic
         "route_id": route_id(part.route),
         "block": part.block,
         "crash_type": scene.crash_type or None,
+        "happened": scene.happened,
+        "happened_at": scene.happened_at,
+        "gap_in_time": scene.gap_in_time,
         "status": "ran" if driven else "rejected",
         "meaning_ok": not scene.meaning_failures if driven else None,
         "meaning_failures": scene.meaning_failures if driven else None,

@@ -25,6 +25,8 @@ class Candidate:
         overall_score: Of that one drive, paper mode.
         crash_type: Of which kind the collision is (`chatscene.measure.crash_type`); empty without one.
         waits: Whether the ego waits at the end behind somebody who does not move on.
+        happened: Whether anything happened to it: a collision, a near miss, hard braking or evasive steering.
+        near: Least gap in time between the ego and an adversary [s]; None where there was none.
         cut: How many facts a contact cut short that were to be seen to their end.
         touch: Whether it was said that there is a contact; None where nothing was said of one.
         distance: Least gap between the ego and an adversary [m]; None where there was none.
@@ -37,6 +39,8 @@ class Candidate:
     overall_score: float
     crash_type: str = ""
     waits: bool = False
+    happened: bool = True
+    near: float | None = None
     cut: int = 0
     touch: bool | None = None
     distance: float | None = None
@@ -63,10 +67,11 @@ class Selected:
 def select(
     candidates: Iterable[Candidate], *, count: int, selection: str = "distinct", avoidable_only: bool = False
 ) -> tuple[Selected, ...]:
-    """Scenes that show what was said first, of these those that collided, of these the lowest overall scores.
+    """Scenes that show what was said first, of these those that collided, then those in which something happened.
 
     Of those that show it, those come first in which no contact cuts short what was to be seen to its end. Where it was
-    said that there is no contact, those come first that have none, and of these the nearest.
+    said that there is no contact, those come first that have none, and of these the nearest. Else it is the nearest gap
+    in time, where nothing collided, and the lowest overall score.
 
     If too few are so, others fill up, in the same order.
 
@@ -115,11 +120,12 @@ def _by_collision(candidate: Candidate) -> tuple[bool, float, str]:
 
 
 def _by_what_is_shown(candidate: Candidate) -> tuple[float | str, ...]:
-    return *_first(candidate), *_worst(candidate)
+    return *_first(candidate), not (candidate.collided or candidate.happened), *_worst(candidate)
 
 
 def _rank(candidate: Candidate) -> tuple[int, ...]:
-    return *_first(candidate), candidate.waits, candidate.avoidable is False
+    dull = not (candidate.collided or candidate.happened)
+    return *_first(candidate), dull, candidate.waits, candidate.avoidable is False
 
 
 def _first(candidate: Candidate) -> tuple[int, ...]:
@@ -128,6 +134,8 @@ def _first(candidate: Candidate) -> tuple[int, ...]:
 
 
 def _worst(candidate: Candidate) -> tuple[float, float, str]:
-    """The nearest where there is to be no contact, then the lowest score."""
+    """The nearest where there is to be no contact, or was none; then the lowest score."""
     far = math.inf if candidate.distance is None else candidate.distance
-    return far if candidate.touch is False else 0.0, candidate.overall_score, candidate.scene_id
+    near = math.inf if candidate.near is None or candidate.collided else candidate.near
+    first = far if candidate.touch is False else 0.0 if candidate.collided else near
+    return first, candidate.overall_score, candidate.scene_id

@@ -30,6 +30,32 @@ class Fault(StrEnum):
         return self in (Fault.EGO_INTO_ADVERSARY, Fault.EGO_INTO_STATIC, Fault.EGO_INTO_BACKGROUND)
 
 
+class Happening(StrEnum):
+    """The gravest of what happened to an ego in a drive; `chatscene.measure.happening` says from when on it counts."""
+
+    COLLISION = "collision"
+    NEAR_IN_TIME = "near-in-time"
+    NEAR = "near"
+    BRAKING = "hard-braking"
+    STEERING = "evasive-steering"
+    NOTHING = "nothing"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Happened:
+    """What happened to an ego in a drive.
+
+    Attributes:
+        kind: The gravest of it.
+        step: When: of the contact, of the nearest gap, or at the end of what the ego did.
+        seconds: The nearest gap in time [s] between the ego and an adversary; None where there was none.
+    """
+
+    kind: Happening
+    step: int
+    seconds: float | None
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Criticality:
     """The measures of one drive; `docs/criticality.md` defines each.

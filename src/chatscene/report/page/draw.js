@@ -5,6 +5,7 @@ const chart = speeds.getContext("2d");
 let canvas = view.getContext("2d"); // what is drawn on, and from where: `elsewhere` changes both for small pictures
 let camera = { x: 0, y: 0, zoom: 8, turn: 0, closer: 1, follow: true, up: false, ghost: true };
 let shown = 0, drive = null, step = 0, playing = false, timer = 0, last = 0, until = 0;
+let still = false; // whether the moment that says most is shown, and nobody has touched it
 let colours = {};
 
 function readColours() {
@@ -25,8 +26,6 @@ const ego = () => drive.actors[0];
 const adversaries = () => drive.actors.filter((a) => a.role === "adversary");
 const crash = () => drive.events.find((event) => event.kind === "collision");
 const ghost = () => (camera.ghost && drive.ghost) || null;
-const AFTER = 1.5, STILL = 0.2; // [s], [m/s]: how long after both stand, that is, are slower than this, a replay ends
-const LEAD = 4; // [s] before a contact that a replay starts at
 
 /** Who the ego meets: whom it collides with, else the adversary. */
 const met = () => drive.actors.find((a) => a.name === crash()?.other) || adversaries()[0];

@@ -1,13 +1,15 @@
 // --- time ----------------------------------------------------------------------------------------------------------
 
 function seek(when) {
+  still = false;
   step = Math.min(Math.max(when, 0), drive.shown - 1);
   draw();
 }
 
 /** A timer and not animation frames: those stop where nothing is painted, as in headless browsers. */
 function play(on) {
-  if (on && step >= lastStep()) step = 0;
+  if (on && (still || step >= lastStep())) step = firstStep();
+  still = still && !on;
   until = lastStep();
   clearInterval(timer);
   playing = on;
@@ -30,25 +32,20 @@ function pause() {
   seek(step);
 }
 
-/** A replay ends soon after both stand: from there on it would be a still. The slider goes on to the end. */
+/** A replay ends soon after what happened, before it would be a still. The slider goes on to the end. */
 function lastStep() {
-  const whole = drive.shown - 1;
-  if (drive.ghost && camera.ghost) return whole;
-  drive.moves ??= Math.max(...[ego(), met()].filter(Boolean).map((actor) => actor.speed.findLastIndex((v) => Math.abs(v) > STILL)), 0);
-  const stands = Math.round(drive.moves + AFTER / drive.dt);
-  return step > stands ? whole : Math.min(stands, whole);
+  const whole = drive.shown - 1, last = drive.span[2];
+  return (crash() && drive.ghost && camera.ghost) || step > last ? whole : last;
 }
 
-/** A replay begins shortly before the contact. */
-function firstStep() {
-  const hit = crash();
-  return hit ? Math.max(hit.step - LEAD / drive.dt, 0) : 0;
-}
+/** A replay begins shortly before what happened. */
+const firstStep = () => drive.span[0];
 
 function choose(index, start) {
   shown = (index + scenes.length) % scenes.length;
   drive = driveOf(scenes[shown]);
   step = start ? firstStep() : decisive(); // a still picture shows what happened
+  still = !start;
   follow(true);
   camera.closer = 1;
   introduce(scenes[shown]);

@@ -17,14 +17,9 @@ function asIf(index, work) {
   [shown, drive, step] = before;
 }
 
-/** The moment that says most: the contact, else when the two are first as near as they come. */
-function decisive() {
-  const hit = crash(), gap = drive.near.gap;
-  const nearest = gap.reduce((least, g) => Math.min(least, g), Infinity);
-  return hit ? hit.step : Math.max(gap.findIndex((g) => g <= nearest + AS_NEAR), 0);
-}
+/** The moment that says most: the contact, else when something happened, or the two were nearest. */
+const decisive = () => drive.span[1];
 
-const AS_NEAR = 0.3; // [m]; two that stand drift a little for ever
 const COMING = 5, GONE = 2; // [s] before and after the decisive moment that a way is drawn
 
 /** Where somebody was around the decisive moment. */

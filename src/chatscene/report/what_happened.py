@@ -1,0 +1,63 @@
+"""What happened in the scenes that are kept, in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from chatscene.terms.criticality import Happening
+
+_OF_ONE = {
+    Happening.NEAR_IN_TIME: ("nearest gap", "gap_in_time", "s"),
+    Happening.NEAR: ("nearest gap", "distance", "m"),
+    Happening.BRAKING: ("braked hard, nearest gap", "distance", "m"),
+    Happening.STEERING: ("steered clear, nearest gap", "distance", "m"),
+    Happening.NOTHING: ("nearest gap", "distance", "m"),
+}
+_OTHERWISE = {
+    Happening.BRAKING: "with hard braking",
+    Happening.STEERING: "with evasive steering",
+    Happening.NOTHING: "in which nothing happened",
+}
+
+
+def outcome_in_words(row: Mapping[str, Any]) -> str:
+    """What came of a drive, in a few words: a collision, the nearest gap, or how it ended where that was not kept.
+
+    Args:
+        row: A scene that was driven (`chatscene.runs.read_scenes`).
+    """
+    if row["collision"]:
+        return "collision"
+    words, column, unit = _OF_ONE.get(row.get("happened"), ("", "", ""))
+    number = row.get(column)
+    return row["ending"] if number is None else f"{words} {number:.1f} {unit}"
+
+
+def kept_in_words(rows: Sequence[Mapping[str, Any]]) -> str:
+    """What the kept scenes are, such as ``1 collision at 5.2 m/s, 1 with a nearest gap of 1.1 s``.
+
+    Args:
+        rows: Scenes of a run (`chatscene.runs.read_scenes`); empty where none is kept, or its folder does not tell.
+    """
+    kept = [row for row in rows if row["selected"]]
+    if not kept or any(row.get("happened") is None for row in kept):
+        return ""
+    by = {kind: [row for row in kept if row["happened"] == kind] for kind in Happening}
+    crashes, soon, near = by[Happening.COLLISION], by[Happening.NEAR_IN_TIME], by[Happening.NEAR]
+    told: list[str] = []
+    if crashes:
+        told.append(f"{len(crashes)} collision{'s' * (len(crashes) > 1)} at {_span(crashes, 'impact_speed', 'm/s')}")
+    told += [
+        f"{len(some)} with {'nearest gaps' if len(some) > 1 else 'a nearest gap'} of {_span(some, column, unit)}"
+        for some, column, unit in ((soon, "gap_in_time", "s"), (near, "distance", "m"))
+        if some
+    ]
+    told += [f"{len(by[kind])} {words}" for kind, words in _OTHERWISE.items() if by[kind]]
+    return ", ".join(told)
+
+
+def _span(rows: Iterable[Mapping[str, Any]], column: str, unit: str) -> str:
+    """From the least to the greatest of a column."""
+    numbers = [f"{value:.1f}" for value in sorted(float(row[column]) for row in rows)]
+    return f"{numbers[0]} {unit}" if numbers[0] == numbers[-1] else f"{numbers[0]} to {numbers[-1]} {unit}"
