@@ -11,14 +11,14 @@ from chatscene.measure.happening import happened
 from chatscene.report.span import span
 from chatscene.report.what_happened import kept_in_words, outcome_in_words
 from chatscene.terms.criticality import Happening
-from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
+from chatscene.terms.episode import Array, Ending, Episode, Event, EventKind, Role, Track
 
 STEPS, DT = 201, 0.1
 TIME = np.arange(STEPS) * DT
 
 
 def track(name: str, x: object, y: object, speed: object, *, heading: float = 0.0) -> Track:
-    def rows(values: object) -> np.ndarray:
+    def rows(values: object) -> Array:
         return np.broadcast_to(np.asarray(values, dtype=float), STEPS).copy()
 
     role = Role.EGO if name == "ego" else Role.ADVERSARY

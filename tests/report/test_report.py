@@ -45,7 +45,7 @@ from chatscene.report.measures import in_words as measures_in_words
 from chatscene.report.outcomes import BOTTOM, LINE, plot_outcomes
 from chatscene.report.ranges import plot_ranges
 from chatscene.report.sections import command, tiles, verdict
-from chatscene.report.span import AFTER
+from chatscene.report.span import AFTER, span
 from chatscene.report.terminal import progress_line
 from chatscene.report.tracks import NEVER, called, extent, pack_beside, pack_drawing, pack_episode
 from chatscene.report.viewer import write_report

@@ -29,9 +29,10 @@ def outcome_in_words(row: Mapping[str, Any]) -> str:
     """
     if row["collision"]:
         return "collision"
-    words, column, unit = _OF_ONE.get(row.get("happened"), ("", "", ""))
-    number = row.get(column)
-    return row["ending"] if number is None else f"{words} {number:.1f} {unit}"
+    if row.get("happened") is None:
+        return str(row["ending"])
+    words, column, unit = _OF_ONE[Happening(row["happened"])]
+    return str(row["ending"]) if row[column] is None else f"{words} {row[column]:.1f} {unit}"
 
 
 def kept_in_words(rows: Sequence[Mapping[str, Any]]) -> str:
