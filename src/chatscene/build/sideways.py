@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.deeds import OWN, Steps
 from chatscene.build.place import LANE
 from chatscene.errors import NotBuilt
-from chatscene.terms.vocabulary import Act, Side
+from chatscene.terms.vocabulary import Act, Manner, Side
 from chatscene.world.places import lanes_beside
 
 if TYPE_CHECKING:
@@ -17,17 +18,25 @@ if TYPE_CHECKING:
 LAGS = 0.35  # [s] that whoever steers for a line is behind it
 PIECE = 0.35  # [s] of one piece of the way, about
 QUICKEST, USUAL = 1.7, 2.4  # [s] in which somebody changes lanes at least, and in which it does without delay
+GENTLY = 4.0  # [m/s²] sideways, up to which cars answer to the wheel in proportion (ISO 4138)
+FROM = 40 / 3.6  # [m/s], from which on nobody comes over as fast as its wheel would turn it
+AT_SPEED = math.sqrt(2.0 * math.pi * LANE / GENTLY)
+"""[s] that somebody takes to change lanes along a sine of the acceleration sideways, with no more than `GENTLY`."""
+SLOWLY = 2.0 * AT_SPEED
+"""[s]: drivers take 4.6 s in the mean (T. Toledo and D. Zohar, "Modeling duration of lane changes", 2007)."""
 _CHANGES = frozenset((Act.LANE_CHANGE, Act.CUT_OUT))
 
 
 def takes_long(actor: Actor, k: int, steps: Steps) -> Steps:
-    """The row of somebody who changes lanes in a time that was said; else the same.
+    """The row of somebody who changes lanes in a time that was said, or as is usual at its speed; else the same.
 
     Raises:
         NotBuilt: Nobody does it so fast.
     """
     deed = actor.deeds[k]
     line = next((line for line in (OWN, "{beside}") if f"DrivePath({line}" in steps.does[0]), "") if steps.does else ""
+    if line and deed.time is None and _at_speed(actor, k):
+        return _over(actor, k, steps, line, (AT_SPEED, SLOWLY))
     if deed.act not in _CHANGES or deed.time is None or not line:
         return steps
     least = max(QUICKEST, deed.time.low)
@@ -38,9 +47,32 @@ def takes_long(actor: Actor, k: int, steps: Steps) -> Steps:
     if low <= USUAL:
         actor.ledger.take(at)
         return steps
+    return _over(actor, k, steps, line, (low, high), at)
+
+
+def _at_speed(actor: Actor, k: int) -> bool:
+    """Whether somebody comes over to another lane at a speed at which tyres ask for more time than a wheel takes."""
+    deed = actor.deeds[k]
+    changes = deed.act in _CHANGES or deed.act is Act.CUT_IN
+    free = deed.distance is None and deed.lateral is None and deed.manner is not Manner.SUDDEN
+    return changes and free and actor.numbers.middle("SPEED") > FROM
+
+
+def _over(actor: Actor, k: int, steps: Steps, line: str, takes: tuple[float, float], path: str = "") -> Steps:
+    """The row of somebody who comes over to another line in some time.
+
+    Args:
+        actor: Who.
+        k: The number of the deed.
+        steps: How it comes over by the wheel alone.
+        line: Where to.
+        takes: The least and the most time [s].
+        path: Of the fact that says so.
+    """
+    low, high = takes
     pieces = max(2, round(max(low - LAGS, PIECE) / PIECE))
     short, long = (max(0.1, one - LAGS) / pieces for one in (low, high))
-    actor.numbers.measure(f"PIECE_{k}", short, long, "s", "how long a piece of its way over takes", at)
+    actor.numbers.measure(f"PIECE_{k}", short, long, "s", "how long a piece of its way over takes", path)
     from_left = _goes_right(actor, k, line)
     sign = 1.0 if from_left else -1.0
     over = tuple(

@@ -10,7 +10,7 @@ import numpy as np
 
 from chatscene.program.deeds import MOVING
 from chatscene.program.finding import Finding
-from chatscene.simulate.contact import side_touched
+from chatscene.simulate.contact import side_touched, sides_touched
 from chatscene.terms.episode import Episode, Track, contact_point
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import LETS_GO, NOSE, SIDES_OF, Act, Striker
@@ -74,10 +74,11 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
     whom = said.whom or next(one.id for one in situation.adversaries)
     right = is_with(collision.other, whom)
     yield Finding(path="contact.whom", shown=right, told=f"said {whom}, it is {collision.other}")
-    if said.ego is not None:
-        right = collision.side in SIDES_OF[said.ego]
-        yield Finding(path="contact.ego", shown=right, told=f"said {said.ego}, it is the {collision.side}")
     other = next((t for t in episode.tracks if t.actor == collision.other), None)
+    if said.ego is not None:
+        corner = sides_touched(episode.ego_track, other, collision.step, collision.earlier) if other else frozenset()
+        right = not (corner | {collision.side}).isdisjoint(SIDES_OF[said.ego])
+        yield Finding(path="contact.ego", shown=right, told=f"said {said.ego}, it is the {collision.side}")
     if other is None:
         return
     if said.at is not None:
@@ -87,8 +88,9 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
         yield Finding(path="contact.at", shown=right, told=f"said {said.at}, it is {100 * share:.0f} % of the width")
     if said.other is not None:
         whose = next((t for t in episode.tracks if _is_door_of(other.actor, t.actor)), other)  # it is a part of it
+        sides = sides_touched(whose, episode.ego_track, collision.step, collision.earlier)
         side = side_touched(whose, episode.ego_track, collision.step, collision.earlier)
-        right = side in SIDES_OF[said.other]
+        right = not sides.isdisjoint(SIDES_OF[said.other])
         yield Finding(path="contact.other", shown=right, told=f"said {said.other}, it is the {side}")
     if said.striker is not None:
         striker = striker_of(episode, other)

@@ -14,6 +14,7 @@ from chatscene.terms.episode import Track
 from chatscene.world.bodies import Body
 
 SWEPT = 2.0  # [m] of a step: 20 m/s at 0.1 s, and more than any two of the benchmark's come nearer in one
+CORNER = 0.45  # [m], a quarter of a car's width: what is touched on no more of its front is struck at a corner
 FINE = 0.1  # [m] that two move past each other between two looks
 
 Was = tuple[float, float, float]
@@ -100,15 +101,31 @@ def contact_side(ego: Body, other: Body) -> str:
 
     The axis of the ego along which the two are less deep in each other is the one they met along.
     """
+    return min(_depths(ego, other), key=lambda side: side[1])[0]
+
+
+def _depths(ego: Body, other: Body) -> tuple[tuple[str, float], tuple[str, float]]:
+    """The side across the ego and the one along it that are nearer to the other, and how deep [m] it is in each."""
     dx, dy = other.x - ego.x, other.y - ego.y
     along, across = dx * ego.cos + dy * ego.sin, dy * ego.cos - dx * ego.sin
     c = abs(ego.cos * other.cos + ego.sin * other.sin)
     s = abs(ego.cos * other.sin - ego.sin * other.cos)
     depth_along = ego.half_length + other.half_length * c + other.half_width * s - abs(along)
     depth_across = ego.half_width + other.half_length * s + other.half_width * c - abs(across)
-    if depth_along < depth_across:
-        return "front" if along > 0 else "rear"
-    return "left" if across > 0 else "right"
+    return ("left" if across > 0 else "right", depth_across), ("front" if along > 0 else "rear", depth_along)
+
+
+def sides_touched(track: Track, by: Track, step: int, earlier: float = 0.0) -> frozenset[str]:
+    """The sides of what a track is of that another touches: both at a corner, no more than `CORNER` of either.
+
+    Args:
+        track: Of what is touched.
+        by: Of who touches it.
+        step: At which step; at the last if there are fewer.
+        earlier: How long before, as a share of a step.
+    """
+    first, second = sorted(_depths(_at(track, step, earlier), _at(by, step, earlier)), key=lambda side: side[1])
+    return frozenset((first[0], second[0]) if second[1] < CORNER else (first[0],))
 
 
 def side_touched(track: Track, by: Track, step: int, earlier: float = 0.0) -> str:
