@@ -84,6 +84,16 @@ def test_a_braking_that_was_over_long_before_is_of_another_reason() -> None:
     assert found.ego_speed_most == 14.0
 
 
+def test_who_slows_down_behind_a_slow_one_and_follows_it_is_told_at_the_speed_before() -> None:
+    slows = np.concatenate((braking(14.0, 10, 3.0, 40), np.full(160, 5.6)))
+    lead = track("adversary", 5.5, x=60.0, rows=200)
+    found = speeds(episode(track("ego", slows, rows=200), lead))
+    assert found.encounter_time == pytest.approx(1.0)
+    assert found.ego_speed_before == 14.0
+    goes_on = np.concatenate((slows[:60], np.linspace(5.6, 9.0, 60), np.full(80, 9.0)))
+    assert speeds(episode(track("ego", goes_on, rows=200), lead)).ego_speed_before == pytest.approx(9.0)
+
+
 def test_who_brakes_twice_with_a_short_pause_brakes_once_and_who_waits_still_brakes() -> None:
     twice = np.concatenate((braking(14.0, 10, 4.0, 20), np.full(10, 10.4), braking(10.4, 0, 6.0, 70)))
     assert np.diff(twice)[19] == pytest.approx(0.0)

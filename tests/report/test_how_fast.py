@@ -27,7 +27,7 @@ def row(ego: float = 50.0, other: float = 40.0, **besides: Any) -> dict[str, Any
     }
 
 
-def crashed(kind: str, kmh: float, **risks: float) -> dict[str, Any]:
+def crashed(kind: str, kmh: float, **risks: Any) -> dict[str, Any]:
     """A drive that ended with the ego's front in somebody who stood."""
     return row(
         other=0.0,
@@ -71,6 +71,12 @@ def test_a_crash_of_which_no_curve_is_says_so() -> None:
     assert harm_in_words(row()) == ""
 
 
+def test_a_crash_of_two_cars_that_is_milder_than_a_curve_goes_says_that() -> None:
+    assert how_fast([crashed("Car", 10)]).endswith(
+        "The crash closed at 10 km/h: milder than those of which there are injury-risk curves."
+    )
+
+
 def test_both_who_are_hurt_are_told() -> None:
     scene = crashed("Car", 80, ego_injury_risk=0.08, other_injury_risk=0.1)
     assert [[(one.risk, round(3.6 * one.speed)) for one in of] for of in harm(scene)] == [[(0.08, 40)], [(0.1, 40)]]
@@ -81,7 +87,7 @@ def test_both_who_are_hurt_are_told() -> None:
 
 
 def test_a_scene_says_how_fast_both_were_as_it_began_and_how_near_they_came() -> None:
-    before = {"encounter_time": 3.6, "other_speed_before": 15 * KMH, "other_kind": "Bicycle"}
+    before: dict[str, Any] = {"encounter_time": 3.6, "other_speed_before": 15 * KMH, "other_kind": "Bicycle"}
     assert scene_in_words(row(**before)) == (
         "As the encounter began, at 3.6 s: ego at 50 km/h, cyclist at 15 km/h. "
         "They came within 3.4 m, and to 1.2 s before a collision."

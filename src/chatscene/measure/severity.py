@@ -8,11 +8,11 @@ person of its sample, and of crashes in which somebody was hurt or a car was tow
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.actors import BY_CLASS, AdversaryKind
 
 KMH = 3.6
 HALF = 0.5  # where curves end, and what then stands for "half or more"
@@ -218,6 +218,18 @@ def curves_for(one: Hurt, other: Hurt, *, impact_speed: float, closing_speed: fl
             speed = impact_speed if curve.by is By.CLOSING else other.speed
         if fits and (risk := curve.at(speed)) is not None:
             yield Found(curve=curve, risk=risk, speed=speed)
+
+
+def none_told(kinds: Iterable[str | None], delta_vs: Iterable[float | None]) -> str:
+    """Why no curve says anything of a crash.
+
+    Args:
+        kinds: The classes of both.
+        delta_vs: By how much the velocity of each changes [m/s].
+    """
+    mild = all(change is not None and change < OCCUPANT_LEAST for change in delta_vs)
+    between = all(BY_CLASS.get(kind or "") in VEHICLES for kind in kinds)
+    return "milder than those of which there are injury-risk curves" if mild and between else NO_CURVE
 
 
 def told(ego: Sequence[Found], other: Sequence[Found]) -> tuple[str, ...]:

@@ -16,6 +16,8 @@ from chatscene.terms.speeds import Speeds
 
 REACTS = 1.0  # [m/s²] of speed that is lost: more than rolling out
 PAUSE = 2.0  # [s] without, after which a braking is another
+GAINS = 1.0  # [m/s]
+SAME_WAY = math.cos(math.radians(45))
 STILL = 0.1  # [m/s]
 
 
@@ -40,7 +42,8 @@ def speeds(episode: Episode) -> Speeds:
         )
     nearest = max(crash.step - 1, 0) if crash is not None else int(gaps(ego, other).argmin())
     mine, theirs = mine[: nearest + 1], np.abs(other.speed[: nearest + 1])
-    begins = _begins(mine, theirs, dt)
+    turned = float(other.heading[nearest] - ego.heading[nearest])
+    begins = _begins(mine, theirs, dt, same_way=math.cos(turned) > SAME_WAY)
     return Speeds(
         ego_kind=ego.kind,
         other_kind=other.kind,
@@ -74,17 +77,18 @@ def risks(episode: Episode) -> tuple[list[Found], list[Found]]:
     return list(curves_for(one, two, **told)), list(curves_for(two, one, **told))
 
 
-def _begins(mine: Array, theirs: Array, dt: float) -> int:
+def _begins(mine: Array, theirs: Array, dt: float, *, same_way: bool) -> int:
     """The step before the first of the last braking, of either, before the nearest moment; that one if neither does.
 
-    What is parted by no more than `PAUSE` is one braking, and who stands after having moved still brakes. What ended
-    longer before the nearest moment had another reason.
+    What is parted by no more than `PAUSE` is one braking, and so is it of two that go the same way while the ego has
+    not become faster again by `GAINS`; who stands after having moved still brakes. Else it had another reason.
     """
     reacts = _brakes(mine, dt) | _brakes(theirs, dt)
     pause = round(PAUSE / dt)
     begins = last = len(mine) - 1
     for step in np.flatnonzero(reacts)[::-1].tolist():
-        if last - step > pause:
+        follows = same_way and float(mine[step : last + 1].max() - mine[step]) < GAINS
+        if last - step > pause and not follows:
             break
         begins, last = max(step - 1, 0), step
     return begins

@@ -8,7 +8,7 @@ from itertools import chain
 from statistics import median
 from typing import Any
 
-from chatscene.measure.severity import CURVES, KMH, NO_CURVE, By, Found, Outcome, in_kmh, told
+from chatscene.measure.severity import CURVES, KMH, By, Found, Outcome, in_kmh, none_told, told
 from chatscene.terms.actors import BY_CLASS, noun_of
 
 Row = Mapping[str, Any]
@@ -49,7 +49,9 @@ def harm_in_words(row: Row) -> str:
     """What they say, in clauses; empty without a collision, or before risks were kept."""
     if not row["collision"] or row.get("closing_speed") is None:
         return ""
-    return "; ".join(told(*harm(row))) or NO_CURVE
+    return "; ".join(told(*harm(row))) or none_told(
+        (row["ego_kind"], row["other_kind"]), (row["ego_delta_v"], row["other_delta_v"])
+    )
 
 
 def scene_in_words(row: Row) -> str:

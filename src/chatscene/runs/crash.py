@@ -9,7 +9,7 @@ import numpy as np
 
 from chatscene.measure.counterfactual import Braking, Trial
 from chatscene.measure.criticality import fault, part_struck
-from chatscene.measure.severity import NO_CURVE, in_kmh, told
+from chatscene.measure.severity import in_kmh, none_told, told
 from chatscene.measure.speeds import risks, speeds
 from chatscene.terms.actors import named, noun_of
 from chatscene.terms.criticality import Fault
@@ -124,7 +124,9 @@ class Pace:
         """How fast both were before the encounter, and what such an impact does."""
         begins = self.speeds.encounter_time or 0.0
         how = f"As the encounter began, at {begins:.1f} s: {self.at(begins)}."
-        harm = "; ".join(self.harm) or NO_CURVE
+        harm = "; ".join(self.harm) or none_told(
+            (self.speeds.ego_kind, self.speeds.other_kind), (self.speeds.ego_delta_v, self.speeds.other_delta_v)
+        )
         return f"{how} {harm[0].upper()}{harm[1:]}."
 
     def _at(self, time: float) -> tuple[float, float]:
