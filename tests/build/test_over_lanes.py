@@ -111,3 +111,12 @@ def test_past_an_on_ramp_the_lane_that_comes_from_it_is_not_counted() -> None:
     built = build(from_plain(said("on-ramp", {"act": "merge"}, road=road)))
     assert "lane=2" in built.program.source
     assert not built.left_out
+
+
+def test_who_joins_slower_than_the_ego_has_a_start_and_is_met() -> None:
+    plain = said("on-ramp", {"act": "merge"}, road={"kind": "motorway"}, ego={"speed": "110 km/h"})
+    plain["others"][0]["starts"]["speed"] = "60 km/h"
+    tracks = driven(plain)
+    ego, other = tracks["ego"], tracks["A"]
+    steps = min(len(ego.x), len(other.x))
+    assert np.hypot(ego.x[:steps] - other.x[:steps], ego.y[:steps] - other.y[:steps]).min() < 15.0

@@ -25,7 +25,7 @@ from chatscene.build.place import (
     is_marked,
     lane_beside,
 )
-from chatscene.build.relations import slows_on_its_way, speed_of
+from chatscene.build.relations import said_speed, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.errors import NotBuilt
 from chatscene.terms.backing import backs
@@ -366,10 +366,14 @@ def _median(asked: Asked) -> Stand:
 
 def _on_ramp(asked: Asked) -> Stand:
     asked.reach(-2, 8)
+    ego = asked.ego.speed
+    said = said_speed(asked.one, ego)
+    # Who is slower than the ego has so much of a start that both are level where it merges.
+    lead = 0.0 if said is None else max(0.0, 1.0 - said / ego)
     return Stand(
         meets=Meets.ALONG,
         way=lane_beside(Side.RIGHT),
-        at=f"60 + $Y{asked.more}",
+        at="60 +" + (f" {lead:.3g} * egoRoute.eventAt +" if lead else "") + f" $Y{asked.more}",
     )
 
 
