@@ -1,9 +1,13 @@
 """How the drivers by rule drive at the speed of traffic: keeping speed and lane, and braking as Euro NCAP tests it.
 
     python benchmarks/drivers_at_speed.py [--ego idm ...] [--physics kinematic]
+    python benchmarks/drivers_at_speed.py --texts 50 --texts 80 [--draws 5]
 
 On `chatscene.testing.proving_ground`, a straight or bent lane of 3.5 m. Prints tables in Markdown: what is left of the
 speed at a collision [km/h], or `-` where there is none. Nothing is drawn, so that there is no seed.
+
+With `--texts`, the forty plain sentences of `encounters.py`, each built for an ego that wants so many km/h and driven
+on its first route with values drawn by seeds from 0: in how many drives each ego collides, and how fast it then is.
 
 Source of the cases: Euro NCAP, test protocols "AEB Car-to-Car systems" and "AEB/LSS VRU systems"; UN R157, annex 4,
 for cut-ins. The pedestrian is seen all the time; in the protocol's CPNC he steps out from behind cars.
@@ -11,19 +15,30 @@ for cut-ins. The pedestrian is seen all the time; in the protocol's CPNC he step
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import partial
 
 import click
 import numpy as np
+from building import simulator
+from encounters import sentences
 
+from chatscene.build.build import build
 from chatscene.ego.policy import load_ego, wanting
+from chatscene.errors import NotBuilt
+from chatscene.program.sample import draw
+from chatscene.report.filled import explain_text
 from chatscene.simulate.embedded.dynamics import make_body
 from chatscene.simulate.embedded.lagged import LaggedVehicle
 from chatscene.simulate.embedded.physics import EmbeddedPhysics
 from chatscene.simulate.physics import PhysicsOf
+from chatscene.simulate.simulator import simulate
+from chatscene.situations.facts import with_fact
 from chatscene.terms.polyline import Polyline
+from chatscene.terms.scene import Rejected, Scene
 from chatscene.testing.proving_ground import (
     CAR,
     Driven,
@@ -133,11 +148,42 @@ def table(egos: Sequence[str], physics: str) -> None:
             print(f"| {name} | {' | '.join(map(told, runs))} | {hardest:.1f} |")
 
 
+def among(egos: Sequence[str], speed: float, draws: int) -> None:
+    """In how many drives of forty sentences each ego collides at a speed [km/h]."""
+    counted = {name: list[float]() for name in egos}
+    drives: Counter[str] = Counter()
+    for _, text in sentences():
+        try:
+            made = build(with_fact(explain_text(text).situation, "ego.speed", f"{speed:g} km/h"))
+        except NotBuilt as refusal:
+            print(f"not built: {text} ({refusal})")
+            continue
+        for name, seed in itertools.product(egos, range(draws)):
+            values = draw(made.program.parameters, seed=seed)
+            scene = Scene(id="texts", scenario_id="texts", route=0, block=0, seed=seed, values=values)
+            episode = simulate(simulator(made.map), made.program, scene, load_ego(name))
+            if isinstance(episode, Rejected):
+                continue
+            drives[name] += 1
+            if episode.collision is not None:
+                counted[name].append(abs(float(episode.ego_track.speed[-1])))
+    print(f"\n| {speed:g} km/h | drives | collisions | then, on average |\n|---|---:|---:|---:|")
+    for name, speeds in counted.items():
+        then = f"{np.mean(speeds) / KMH:.0f} km/h" if speeds else ""
+        print(f"| {name} | {drives[name]} | {len(speeds)} | {then} |")
+
+
 @click.command()
 @click.option("--ego", "egos", multiple=True, default=EGOS)
 @click.option("--physics", type=click.Choice(list(PHYSICS)), default="kinematic")
-def main(egos: tuple[str, ...], physics: str) -> None:
+@click.option("--texts", "speeds", multiple=True, type=float, help="Sentences at so many km/h, and not the tables.")
+@click.option("--draws", default=5, show_default=True, help="Of values, for each sentence.")
+def main(egos: tuple[str, ...], physics: str, speeds: tuple[float, ...], draws: int) -> None:
     """Print the tables."""
+    for speed in speeds:
+        among(egos, speed, draws)
+    if speeds:
+        return
     print(f"A car of {CAR.length} m by {CAR.width} m that brakes with {CAR.brake} m/s² at most.")
     for name in egos:
         keeps(name, physics)
