@@ -31,6 +31,7 @@ from chatscene.ego.policy import load_ego, wanting
 from chatscene.errors import NotBuilt
 from chatscene.program.sample import draw
 from chatscene.report.filled import explain_text
+from chatscene.report.stated import Stated
 from chatscene.simulate.embedded.dynamics import make_body
 from chatscene.simulate.embedded.lagged import LaggedVehicle
 from chatscene.simulate.embedded.physics import EmbeddedPhysics
@@ -153,8 +154,10 @@ def among(egos: Sequence[str], speed: float, draws: int) -> None:
     counted = {name: list[float]() for name in egos}
     drives: Counter[str] = Counter()
     for _, text in sentences():
+        read = explain_text(text)
+        assert isinstance(read, Stated), text
         try:
-            made = build(with_fact(explain_text(text).situation, "ego.speed", f"{speed:g} km/h"))
+            made = build(with_fact(read.situation, "ego.speed", f"{speed:g} km/h"))
         except NotBuilt as refusal:
             print(f"not built: {text} ({refusal})")
             continue
