@@ -92,3 +92,11 @@ def test_kept_scenes_are_told_by_what_happened_in_them() -> None:
 def test_a_drive_that_is_cut_short_by_a_collision_is_shown_to_that() -> None:
     crash = drive(EVEN, FAR, events=(Event(kind=EventKind.COLLISION, step=200, other="other"),))
     assert span(replace(crash)).last == 200
+
+
+def test_who_comes_before_an_ego_as_fast_as_itself_is_near_in_time() -> None:
+    over = track("other", 15.0 + 8.0 * TIME, np.clip(3.5 - (TIME - 5.0), 0.0, 3.5), 8.0)
+    found = happened(drive(EVEN, over))
+    assert found.kind is Happening.NEAR_IN_TIME
+    assert found.seconds == pytest.approx((15.0 - 4.5) / 8.0, abs=0.05)
+    assert found.step * DT == pytest.approx(6.5, abs=0.3)

@@ -108,12 +108,21 @@ def _least(values: Iterable[float]) -> float | None:
     return min((value for value in values if math.isfinite(value)), default=None)
 
 
-def headways(ego: Track, other: Track, *, nearing: bool = False) -> Array:
-    """(T,) Time headway [s] behind another ahead; inf where nobody is, or the ego stands, or comes no nearer."""
+def headways(ego: Track, other: Track, *, lately: int | None = None) -> Array:
+    """(T,) Time headway [s] behind another ahead; inf where nobody is, or the ego stands.
+
+    Args:
+        ego: The ego.
+        other: The other.
+        lately: In how many steps at most the other has come before the ego, if the ego comes no nearer to it; else
+            there is none. None asks for neither.
+    """
     gap, ahead, closing = _ahead(ego, other)
     moves = ahead & (ego.speed > CRAWL)
-    if nearing:
-        moves &= closing > CRAWL
+    if lately is not None:
+        steps = np.arange(len(ahead))
+        since = steps - np.maximum.accumulate(np.where(ahead, -lately - 1, steps))
+        moves &= (closing > CRAWL) | (since <= lately)
     return np.where(moves, gap / np.where(moves, ego.speed, 1.0), math.inf)
 
 

@@ -11,6 +11,7 @@ from chatscene.simulate.boxes import gaps, times_to_collision
 from chatscene.terms.criticality import Happened, Happening
 from chatscene.terms.episode import Array, Episode
 
+LATELY = 2.0  # [s] for which who has come before the ego is near, though the ego comes no nearer
 SOON, NEAR = 1.5, 2.0  # [s], [m] below which a nearest gap is an encounter
 AS_NEAR = 0.3  # [m] farther apart than at their nearest, two are as near: what comes of driving level is at its end
 HARD, OVER = 4.0, 0.4  # [m/s²], [s] that an ego brakes at least that brakes hard
@@ -20,14 +21,15 @@ ASIDE, WITHIN = 1.0, 1.5  # [m], [s] by which an ego leaves its way that steers 
 def happened(episode: Episode) -> Happened:
     """The gravest of what happened, and when; of a drive in which nothing did, when the ego was nearest to somebody.
 
-    Gaps in time are the least of time to collision and of the headway of an ego that comes nearer to somebody ahead;
-    gaps in length are those between the boxes.
+    Gaps in time are the least of time to collision and of the headway of an ego that comes nearer to somebody ahead, or
+    before which that one has come; gaps in length are those between the boxes.
     """
     ego, others = episode.ego_track, episode.adversaries
     far = np.full(len(ego.x), math.inf)
     apart = np.min([far, *(gaps(ego, other) for other in others)], axis=0)
     times = [far, *(times_to_collision(ego, one) for one in others)]
-    seconds = np.min([*times, *(headways(ego, one, nearing=True) for one in others)], axis=0)
+    lately = round(LATELY / episode.dt)
+    seconds = np.min([*times, *(headways(ego, one, lately=lately) for one in others)], axis=0)
     nearest, soonest = int(np.flatnonzero(apart <= apart.min() + AS_NEAR)[-1]), int(seconds.argmin())
     least = float(seconds[soonest])
     kind, step = _kind(episode, least, float(apart.min())), nearest
