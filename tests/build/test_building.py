@@ -175,7 +175,7 @@ def test_a_fact_that_cannot_be_built_is_refused_by_its_path(changed: dict[str, A
 def test_what_was_not_said_and_had_to_be_something_is_told() -> None:
     assert built("a van ahead in the next lane, side unsaid, cuts in").assumed == (
         "A is on the right, which was not said",
-        "the ego wants 28 km/h, which was not said",
+        "the ego wants 50 km/h, which was not said",
     )
     several = built("we turn left, people cross the road we turn into").assumed
     assert several[-1] == "of A there are 3, since their number was not said"
@@ -183,11 +183,11 @@ def test_what_was_not_said_and_had_to_be_something_is_told() -> None:
 
 def test_others_are_timed_by_the_speed_that_the_ego_wants() -> None:
     name = "we turn right, a cyclist beside us goes straight on"
-    assert "with wantedSpeed 7.8" in built(name).program.source
-    for speed, wanted in (("50 km/h", 50 / 3.6), (None, 7.8)):
+    assert "with wantedSpeed 13.89, with keepsLimits True" in built(name).program.source
+    for speed, wanted in (("30 km/h", 30 / 3.6), (None, 50 / 3.6)):
         source = build(with_fact(situation("a cyclist crosses when we are 4 s away"), "ego.speed", speed)).program
         assert source.wanted_speed == pytest.approx(wanted, abs=0.01)
-    ego = SimpleNamespace(wantedSpeed=10.0, pose=(0.0, 0.0, 0.0, 10.0))
+    ego = SimpleNamespace(wantedSpeed=10.0, pose=(0.0, 0.0, 0.0, 10.0), body=SimpleNamespace(grip=9.0))
     assert secondsTo(Polyline([(0.0, 0.0), (100.0, 0.0)]), ego, 50.0) == pytest.approx(5.0)
 
 

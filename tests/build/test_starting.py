@@ -14,6 +14,7 @@ from chatscene.errors import NotBuilt
 from chatscene.situations.form import from_plain
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.order import Order
+from chatscene.terms.polyline import Polyline
 
 
 def someone(
@@ -66,10 +67,10 @@ def test_who_comes_driving_is_at_the_junction_when_the_ego_would_be(seed: int) -
     assert isinstance(episode, Episode)
     there, ego = track(episode), episode.ego_track
     aside = (there.x - ego.x[0]) * np.sin(ego.heading[0]) - (there.y - ego.y[0]) * np.cos(ego.heading[0])
-    # The ego, which nothing holds, would be there at 7.8 m/s.
+    # The ego, which nothing holds, would be there at 50 km/h.
     meets = int(np.abs(aside).argmin())
     along = np.hypot(there.x[meets] - ego.x[0], there.y[meets] - ego.y[0])
-    assert meets * episode.dt == pytest.approx(along / 7.8, abs=1.0)
+    assert meets * episode.dt == pytest.approx(along * 3.6 / 50, abs=1.0)
 
 
 def test_who_waits_for_something_waits() -> None:
@@ -79,16 +80,17 @@ def test_who_waits_for_something_waits() -> None:
 
 
 def test_an_ego_that_is_held_is_waited_for() -> None:
-    free = coming(8.0, (), 40.0, stands=False)
-    held = coming(8.0, (Order(at_most=0, till=4.0),), 40.0, stands=True)
+    route: Any = type("Straight", (), {"line": Polyline([(0.0, 0.0), (100.0, 0.0)]), "eventAt": 40.0})
+    free = coming(8.0, (), route, 40.0, stands=False)
+    held = coming(8.0, (Order(at_most=0, till=4.0),), route, 40.0, stands=True)
     assert free.late == pytest.approx(0.0, abs=0.15)
     assert held.late is not None
     assert held.late > 4.0
-    assert coming(8.0, (Order(at_most=0, place=20.0),), 40.0, stands=False).late is None
+    assert coming(8.0, (Order(at_most=0, place=20.0),), route, 40.0, stands=False).late is None
 
 
 def test_a_distance_and_a_speed_that_lead_past_the_ego_are_refused_with_where_it_would_have_to_start() -> None:
-    with pytest.raises(NotBuilt, match=r"A\.starts\.distance: 10 m: .* the ego after 7\.3 s; .* 143 m before"):
+    with pytest.raises(NotBuilt, match=r"A\.starts\.distance: 10 m: .* the ego after 6\.5 s; .* 124 m before"):
         build(from_plain(someone("arm", "go-straight", side="left", speed="80 km/h", distance="10 m")))
 
 
@@ -119,7 +121,7 @@ def test_a_distance_beyond_the_longest_road_is_refused_with_that(where: str, act
 def test_a_faster_ego_has_more_road_before_what_happens() -> None:
     said = someone("roadside", "cross", kind="pedestrian", side="right", ego={"speed": "50 km/h"})
     assert "approach=" in build(from_plain(said)).program.source
-    assert "approach=" not in build(from_plain(said | {"ego": {}})).program.source
+    assert "approach=" not in build(from_plain(said | {"ego": {"speed": "28 km/h"}})).program.source
     there = track(driven(said))
     ego = driven(said).ego_track
     assert np.hypot(there.x[0] - ego.x[0], there.y[0] - ego.y[0]) > 55.0

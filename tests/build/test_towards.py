@@ -71,7 +71,11 @@ def test_a_deed_that_waits_for_what_nobody_sees_is_refused() -> None:
 
 
 WHOM = {
-    "follows": others(car("A", "ahead", deed("follow", whom="B", distance="10 m")), car("B", "ahead", deed("brake"))),
+    "follows": others(
+        car("A", "ahead", deed("follow", whom="B", distance="10 m")),
+        car("B", "ahead", deed("brake")),
+        ego={"speed": "30 km/h"},
+    ),
     "tailgates": others(car("A", "ahead", deed("tailgate", whom="B")), car("B", "ahead", deed("go-along"))),
     "overtakes": others(
         car("A", "ahead", deed("overtake", whom="B")), car("B", "ahead", deed("go-along"), kind="bicycle")
@@ -141,7 +145,7 @@ def test_who_comes_from_behind_or_turns_off_ahead_is_seen_to(what: str) -> None:
 
 @pytest.mark.parametrize(("said", "metres"), [("distance", "8 m"), ("time", "1 s")])
 def test_who_cuts_in_leaves_the_room_that_was_said(said: str, metres: str) -> None:
-    one = somebody("car", "ahead-beside", deed("cut-in") | {said: metres})
+    one = somebody("car", "ahead-beside", deed("cut-in") | {said: metres}, ego={"speed": "28.8 km/h"})
     for seed in SEEDS:
         episode = driven(one, seed)
         seen = track(episode)
@@ -154,7 +158,7 @@ def test_who_cuts_in_leaves_the_room_that_was_said(said: str, metres: str) -> No
 
 @pytest.mark.parametrize("way", ["1 m", "4 m"])
 def test_who_backs_up_covers_the_way_that_was_said(way: str) -> None:
-    speed = track(driven(somebody("car", "ahead", deed("reverse", distance=way)))).speed
+    speed = track(driven(somebody("car", "ahead", deed("reverse", distance=way), ego={"speed": "28 km/h"}))).speed
     assert -speed[speed < 0].sum() * 0.1 == pytest.approx(float(way.split(maxsplit=1)[0]), abs=0.6)
 
 
@@ -168,7 +172,7 @@ def test_the_ego_brakes_after_the_time_that_it_goes_along() -> None:
     does = [{"act": "go-along", "time": "3 s"}, {"act": "brake", "acceleration": "4 m/s²"}]
     speed = driven(somebody("car", "behind", deed("tailgate"), ego={"does": does})).ego_track.speed
     assert speed[:28].min() > 0.9 * speed[0]
-    assert speed[60] < 0.5 * speed[0]
+    assert speed[:50].min() < 0.6 * speed[0]
 
 
 @pytest.mark.parametrize("kind", ["pedestrian", "bicycle"])

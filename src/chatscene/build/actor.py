@@ -66,7 +66,7 @@ class Actor:
         room: How far [m] beyond the first of its place it stands.
         first: In whose row it stands, whose place it shares; None if it is the first.
         needs: How long [s] the ego must need at least to where they meet.
-        reaches: How far [m] the ego has to there.
+        given: How long [s] it needs to there.
         begins: For each of its deeds, how many of its phases come before that in which it is done.
         takes: How much road [m] the ego drives along while it does all that it does; 0 where that does not matter.
         soon: When [s] the ego meets somebody else, who may end the scene; None if nobody is known to.
@@ -83,7 +83,7 @@ class Actor:
     deeds: tuple[Deed, ...] = field(init=False)
     named: dict[str, str] = field(init=False)
     needs: float = field(init=False, default=0.0)
-    reaches: float = field(init=False, default=0.0)
+    given: float = field(init=False, default=0.0)
     takes: float = field(init=False, default=0.0)
     soon: float | None = field(init=False, default=None)
     begins: tuple[int, ...] = field(init=False, default=())
@@ -273,7 +273,7 @@ class Actor:
     @property
     def met(self) -> float:
         """After how many seconds [s] an ego that nothing holds is where it meets it."""
-        return self.meets_at / self.ego_speed
+        return self.ego.time_at(self.meets_at)
 
     @property
     def meets_at(self) -> float:

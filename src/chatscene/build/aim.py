@@ -11,7 +11,6 @@ import numpy as np
 
 from chatscene.build.asked import Meets, stops_in_the_way
 from chatscene.build.chain import meeting_of
-from chatscene.build.coming import EGO_GRIP
 from chatscene.build.contact import touches
 from chatscene.build.sweep import Moving, Touch
 from chatscene.build.sweep import touches as touching
@@ -47,7 +46,8 @@ def set_offset(actor: Actor) -> None:
     Whoever comes later strikes the other.
     """
     ego = actor.ego_limits
-    late = -0.5 * (ego.length + actor.limits.length) / actor.ego_speed
+    speed = actor.ego.table.speed_at(actor.meets_at)
+    late = -0.5 * (ego.length + actor.limits.length) / speed
     early = (ego.width + actor.limits.length) / _speed(actor)
     yields = bool(actor.deeds) and actor.deeds[0].act is Act.YIELD
     if yields:  # who waits for the ego is there well before it
@@ -56,7 +56,7 @@ def set_offset(actor: Actor) -> None:
         late, early, *taken = aimed(actor, (late, early))
         actor.ledger.take(*taken)
     if actor.one.role is Role.SUPPORTING and not yields:  # not met: before the ego, which can still brake for it
-        late, early = early + 0.5 * actor.ego_speed / GENTLE, early + actor.ego_speed / GENTLE
+        late, early = early + 0.5 * speed / GENTLE, early + speed / GENTLE
     if actor.stand.meets is Meets.THROUGH and stops_in_the_way(Meets.THROUGH, actor.deeds):
         stops = 0.5 * actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
         late, early = stops, stops + early  # it stands there when the ego comes
@@ -207,8 +207,7 @@ def _speed(actor: Actor) -> float:
 
 def _ego(actor: Actor) -> Moving:
     line, limits = actor.found.route.line, actor.ego_limits
-    allowed = curve_speeds(line, EGO_GRIP)[line.segment_at(actor.meets_at)]
-    speed = min(actor.ego_speed, allowed)
+    speed = actor.ego.table.speed_at(actor.meets_at)
     return Moving(line=line, meets_at=actor.meets_at, speed=speed, length=limits.length, width=limits.width)
 
 

@@ -62,7 +62,7 @@ def set_pace(actor: Actor) -> None:
     if not _must_be_there(actor):
         return
     lengths = actor.limits.length + actor.ego_limits.length
-    there, seconds = goes_over(actor.found.route, actor.ego_speed)
+    there, seconds = goes_over(actor.found.route, actor.ego)
     seconds += actor.ego.late or 0.0
     ahead = numbers.middle("Y") * (-1 if actor.stand.behind else 1)
     if misses(actor.ledger.situation, actor.one):
@@ -70,7 +70,7 @@ def set_pace(actor: Actor) -> None:
     way = there - ahead
     usual, top = numbers.range_of("SPEED")[1], MOST * actor.limits.top_speed
     if way > usual * seconds and situation.ego.speed is None:
-        actor.reaches, actor.needs = seconds * actor.ego_speed, way / usual
+        actor.given, actor.needs = seconds, way / usual
     needed = min(Body(actor.limits, actor.walks).wish_for(way / seconds), top)
     spare = 0.25 * lengths  # so that the two are level with it
     share = spare / way

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 
 from chatscene.build.asked import Asked, Meets, Stand
@@ -17,12 +16,12 @@ from chatscene.maps.ring_ways import ROUND
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Side, Where
-from chatscene.world.places import ringTraffic, trafficFrom, wayOf
+from chatscene.world.places import lastLane, ringTraffic, trafficFrom, wayOf
 
 EARLIEST, LATEST = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
 FAR_OFF = 1.4, 1.8  # of the ego's speed: who comes so fast is so far off that who waits before it hides it
 AT_LINE = 1.0, 3.0  # [m] before the junction, from nose to line, that somebody stands who waits there
-_HALF_TURN = 14.0, 1.5  # [m] of turning round, and how much later [s] the ego then is for being slow in it
+_HALF_TURN = 14.0  # [m] of turning round
 
 
 def through(asked: Asked) -> Stand:
@@ -99,7 +98,7 @@ def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> S
     said = asked.one.starts
     if not asked.comes or (said.distance is not None and said.speed is None):
         return stand
-    seconds = found.ego_meets_at / asked.ego.speed + (asked.ego.late or 0.0)
+    seconds = asked.ego.time_at(found.ego_meets_at) + asked.ego.late_at(found.ego_meets_at)
     if said.distance is not None:
         return replace(stand, rolls=_in_time(asked, found, seconds))
     (low, high), most = asked.numbers.range_of("SPEED")[:2], found.meets_at / (seconds + LATEST)
@@ -128,11 +127,10 @@ def _way_back(asked: Asked, found: CrossingPath) -> str:
         return body.holds(numbers.middle("SPEED")) / numbers.middle("SPEED")
 
     def sooner() -> float:
-        own = lost_in_curves(found.line, held() * numbers.middle("SPEED"), found.meets_at, math.inf)
-        return lost_in_curves(asked.found.route.line, asked.ego.speed, found.ego_meets_at) - own
+        return -lost_in_curves(found.line, held() * numbers.middle("SPEED"), found.meets_at)
 
     curves = in_terms_of(numbers, ("$SPEED",), sooner)
-    return f"{held():.3f} * $SPEED * ({asked.ego.seconds('egoMeet{i}')} {curves} - $OFFSET)"
+    return f"{held():.3f} * $SPEED * ({asked.ego.seconds('egoMeet{i}', found.ego_meets_at)} {curves} - $OFFSET)"
 
 
 def _in_time(asked: Asked, found: CrossingPath, seconds: float) -> bool:
@@ -173,7 +171,7 @@ def comes_along(asked: Asked) -> Stand:
 
 def comes_back(asked: Asked) -> Stand:
     """In the lane that the ego turns round into, there when the ego is."""
-    level = f"egoRoute.eventAt + {_HALF_TURN[0]:g}"
+    level, at = f"egoRoute.eventAt + {_HALF_TURN:g}", asked.found.route.eventAt + _HALF_TURN
     stand = Stand(
         meets=Meets.TOWARD,
         way="lastLane(egoRoute)",
@@ -181,7 +179,8 @@ def comes_back(asked: Asked) -> Stand:
         left="distanceLeft(way{i}, {first}, meet{i})",
         rolls=True,
     )
-    return so_far_back(asked, stand, asked.way_back(f"({level} + {_HALF_TURN[1] * asked.ego.speed:.3g})", ""))
+    _on_the_road(asked, lastLane(asked.found.route).project(*asked.found.route.line.point_at(at))[0], at)
+    return so_far_back(asked, stand, asked.way_back(f"({level})", ""))
 
 
 def slow_enough(asked: Asked) -> None:
@@ -191,8 +190,21 @@ def slow_enough(asked: Asked) -> None:
         NotBuilt: It was said to be.
     """
     route = asked.found.route
-    seconds = route.eventAt / asked.ego.speed + (asked.ego.late or 0.0) + LATEST
-    most = (room_against(route) - route.eventAt) / seconds
+    _on_the_road(asked, room_against(route) - route.eventAt, route.eventAt)
+
+
+def _on_the_road(asked: Asked, room: float, meets_at: float) -> None:
+    """Let somebody be no faster than the road is long on which it comes.
+
+    Args:
+        asked: Who.
+        room: How long that is [m], to where the two meet.
+        meets_at: Where that is on the ego's way [m].
+
+    Raises:
+        NotBuilt: It was said to be faster.
+    """
+    most = room / (asked.ego.time_at(meets_at) + asked.ego.late_at(meets_at) + LATEST)
     low, high, *_ = asked.numbers.range_of("SPEED")
     if low <= most:
         asked.numbers.narrow("SPEED", low, min(high, most))

@@ -43,7 +43,7 @@ def waiting(order: Order, name: str, reference: str) -> Order:
 def met_by(who: str, coming: Coming, orders: Iterable[Order]) -> Coming:
     """How the ego gets on before somebody: it stands before whom it waits for, so that nobody waits for the other."""
     waits = any(one.ends and one.whom.partition(".")[0] == who for one in orders)
-    return Coming(coming.speed, None, stands=True) if waits else coming
+    return replace(coming, late=None, stands=True, held=0.0) if waits else coming
 
 
 def in_phases(orders: Iterable[Order], situation: Situation, actors: Mapping[str, Actor]) -> tuple[Order, ...]:

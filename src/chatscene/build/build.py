@@ -11,7 +11,7 @@ from chatscene.build.anchors import anchor_of
 from chatscene.build.asked import ROOM, Meets, between, stands_first
 from chatscene.build.awaiting import in_phases, met_by
 from chatscene.build.backing import check_met
-from chatscene.build.coming import wanted_by
+from chatscene.build.coming import speeds_to_try
 from chatscene.build.contact import at_a_corner, parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of, ordered
 from chatscene.build.finding import find, started
@@ -73,16 +73,32 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     situation = replace(situation, others=tuple(along_the_road(wrong_way(one)) for one in situation.others))
     said, situation = situation, at_a_corner(as_it_backs(situation))
     check_met(situation)
-    usual = wanted_by(situation)
+    speeds, refused = speeds_to_try(situation), list[NotBuilt]()
+    for speed in speeds:
+        try:
+            made = _built(situation, said, speed, name)
+        except NotBuilt as error:  # at a speed that was not said; a slower ego may do
+            refused.append(error)
+        else:
+            return made
+    raise refused[0]
+
+
+def _built(situation: Situation, said: Situation, usual: float, name: str) -> Built:
+    """The program of a situation, with an ego that wants a speed [m/s] at most if none was said.
+
+    Raises:
+        NotBuilt: A fact of it cannot be built, or no map has such a place.
+    """
     read = Ledger(situation, told=said)
-    found = find(read)
+    found = find(read, usual)
     ledger, ego, everybody, body = _cast(read, found, usual)
     road = max(one.takes for one, _ in everybody)
     if road > found.route.line.length and not backs(situation):  # what is done goes on for longer
         read = Ledger(situation, told=said)
-        found = find(read, road)
+        found = find(read, usual, road)
         ledger, ego, everybody, body = _cast(read, found, usual)
-    slow = min((one.reaches / one.needs for one, _ in everybody if one.needs > 0.0), default=ego.coming.speed)
+    slow = ego.coming.speed * min((one.given / one.needs for one, _ in everybody if one.needs > 0.0), default=1.0)
     if slow < ego.coming.speed and situation.ego.speed is None:  # it would be there before the others are done
         ledger, ego, everybody, body = _cast(read, found, max(slow, min(SLOWEST, ego.coming.speed)))
     numbers = sorted((one for actor, _ in everybody for one in actor.numbers.declared(body)), key=lambda one: one.name)

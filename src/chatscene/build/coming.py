@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from dataclasses import dataclass, replace
 
 from chatscene.build.numbers import MOST
 from chatscene.build.relations import speed_of_traffic
+from chatscene.build.usual import speed_of_road
 from chatscene.terms.backing import backs
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL, usual_speed
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.profile import CURVE_ACCELERATION, HELD_BACK
+from chatscene.terms.profile import Timetable
 from chatscene.terms.situation import Situation
 from chatscene.world.control import curve_speeds
 from chatscene.world.places import EgoRoute as Route
+from chatscene.world.places import timetable
 
 _STEP = 0.1  # [s], in which a drive on an empty road is computed
 _LONGEST = 60.0  # [s] of it
@@ -23,31 +26,57 @@ WALKS = 1.6  # [m/s] that an ego backs at, if no speed was said
 _ASIDE = 1.2  # [m] to the side: an ego that turns so far goes over the way of who is beside it
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Coming:
     """How an ego that nobody meets gets on.
 
     Attributes:
         speed: What it drives at where nothing holds it [m/s].
-        late: How much later [s] than at that speed from the first it is where the others meet it; None if it never is.
+        table: When it is where on the first route that was found, if it drives as it wants from the first.
+        late: How much later [s] than by that it is where the others meet it; None if it never is.
         stands: Whether it stands, from the first on and all the time.
+        drive: Where on that route [m] it begins, then how far it is from there [m] and when [s], step by step.
         held: For how long [s] it is held where it stands at first, before it sets off.
+        keeps_limits: Whether the limits of roads hold for it.
+        gain: With which it takes up speed [m/s²].
     """
 
     speed: float
+    table: Timetable
     late: float | None
+    drive: tuple[float, tuple[tuple[float, float], ...]] = (0.0, ())
     stands: bool = False
     held: float = 0.0
+    keeps_limits: bool = False
+    gain: float = NOMINAL.gain
 
-    def seconds(self, metres: str) -> str:
+    def seconds(self, metres: str, at: float | None = None) -> str:
         """When it is so many metres on its way, as a text of Scenic.
+
+        Args:
+            metres: How many, as a text of Scenic.
+            at: How many that are on the first route that was found [m]; where its manoeuvre begins, if it is not said.
 
         Raises:
             ValueError: It never is.
         """
         if self.late is None:
             raise ValueError("it never gets there")
-        return f"{metres} / {self.speed:.4g}" + (f" + {self.late:.2f}" if self.late > _STEP else "")
+        keeps = "".join((f", {self.keeps_limits}", f", {self.gain:.3g}" if self.gain != NOMINAL.gain else ""))
+        late = self.late if at is None else self.late_at(at)
+        return f"timeTo(egoRoute, {metres}, {self.speed:.4g}{keeps})" + (f" + {late:.2f}" if late > _STEP else "")
+
+    def late_at(self, metres: float) -> float:
+        """How much later [s] it is so many metres on its way than if it drove as it wants from the first."""
+        begins, drive = self.drive
+        i = bisect_right(drive, (metres - begins, math.inf))
+        if i == len(drive):
+            return self.late or 0.0
+        return max(0.0, drive[i][1] - self.table.time_to(begins, metres))
+
+    def time_at(self, metres: float) -> float:
+        """When it is so many metres on its way [s], if it is not late there."""
+        return self.table.time_at(metres)
 
 
 def wanted_by(situation: Situation) -> float:
@@ -56,39 +85,80 @@ def wanted_by(situation: Situation) -> float:
     if said is None and backs(situation):
         return WALKS
     if said is None:
-        return min(max(usual_speed(body), speed_of_traffic(situation)), MOST * body.row.limits.top_speed)
+        return min(
+            max(usual_speed(body, speed_of_road(situation)), speed_of_traffic(situation)),
+            MOST * body.row.limits.top_speed,
+        )
     return said.high if said.high < float("inf") else said.low
 
 
-def further(situation: Situation) -> float:
-    """How many times as much road as usual leads up to what happens; 1 at the nominal speed or below."""
-    return max(1.0, wanted_by(situation) / NOMINAL.speed)
+def keeps_limits(situation: Situation) -> bool:
+    """Whether the limits of roads hold for the ego: it wants what its road does, and not what was said of anybody."""
+    said = situation.ego.speed is not None or situation.road.speed_limit is not None or backs(situation)
+    return not said and speed_of_traffic(situation) <= speed_of_road(situation)
+
+
+def speeds_to_try(situation: Situation) -> tuple[float, ...]:
+    """The speeds [m/s] at which an ego may be built, best first: if none was said, slower ones besides."""
+    first = wanted_by(situation)
+    if situation.ego.speed is not None or first <= NOMINAL.speed:
+        return (first,)
+    tens = range(10 * math.ceil(0.36 * first - 1e-9) - 10, 0, -10)
+    return (first, *(speed for ten in tens if (speed := ten / 3.6) > NOMINAL.speed), NOMINAL.speed)
+
+
+def further(speed: float) -> float:
+    """How many times as much road as usual leads up to what happens; 1 at the nominal speed [m/s] or below."""
+    return max(1.0, speed / NOMINAL.speed)
 
 
 def coming(
-    speed: float, orders: tuple[Order, ...], metres: float, *, stands: bool, gain: float = NOMINAL.gain
+    speed: float,
+    orders: tuple[Order, ...],
+    route: Route,
+    metres: float,
+    *,
+    stands: bool,
+    keeps_limits: bool = False,
+    gain: float = NOMINAL.gain,
 ) -> Coming:
     """How an ego gets on that wants a speed and has orders.
 
     Args:
         speed: What it wants [m/s].
         orders: What it is held to.
-        metres: How far it is to where the others meet it.
+        route: Its way.
+        metres: How far it is, from where it begins, to where its manoeuvre does.
         stands: Whether it stands at first.
+        keeps_limits: Whether the limits of roads hold for it.
         gain: How it gets under way [m/s²].
     """
     orders = tuple(replace(one, till=WAITS) if one.ends else one for one in orders if one.ends or one.phase < 0)
+    table = timetable(route, speed, keeps_limits=keeps_limits, gain=gain)
+    begins = route.eventAt - metres
     at, time, now = 0.0, 0.0, 0.0 if stands else speed
-    while at < metres and time < _LONGEST:
-        allowed = min([speed, *(order.allows(time, at) for order in orders)])
+    drive, end = [(0.0, 0.0)], route.line.length - begins
+    while at < end and time < _LONGEST:
+        allowed = min([table.speed_at(begins + at), *(order.allows(time, at) for order in orders)])
         now = min(allowed, now + gain * _STEP)
         at, time = at + now * _STEP, time + _STEP
+        drive.append((at, time))
+    there = next((when for far, when in drive if far >= metres), None)
     first = (order.till for order in orders if order.allows(0.0, 0.0) <= 0.0 and order.till < math.inf)
-    late = max(0.0, time - metres / speed) if at >= metres else None
-    return Coming(speed, late, stands=at <= 0.0, held=max(first, default=0.0))
+    late = None if there is None else max(0.0, there - table.time_to(begins, route.eventAt))
+    return Coming(
+        speed=speed,
+        table=table,
+        late=late,
+        drive=(begins, tuple(drive)),
+        stands=at <= 0.0,
+        held=max(first, default=0.0),
+        keeps_limits=keeps_limits,
+        gain=gain,
+    )
 
 
-def goes_over(route: Route, speed: float) -> tuple[float, float]:
+def goes_over(route: Route, ego: Coming) -> tuple[float, float]:
     """How far on [m] straight ahead, and when [s], an ego goes over the way of who is beside it."""
     line, begins = route.line, route.eventAt
     (x, y), heading = line.point_at(begins), line.heading_at(begins)
@@ -100,25 +170,20 @@ def goes_over(route: Route, speed: float) -> tuple[float, float]:
             break
     else:
         at = along = begins
-    return along, at / speed + lost_in_curves(line, speed, at)
+    return along, ego.time_at(at)
 
 
-EGO_GRIP = CURVE_ACCELERATION / HELD_BACK
-"""What a road would have to hold [m/s²] for a driver to take its curves as an ego does."""
-
-
-def lost_in_curves(line: Polyline, speed: float, to: float, grip: float = EGO_GRIP) -> float:
-    """How much longer [s] somebody who wants a speed takes to somewhere on its way, since it is slower in curves.
+def lost_in_curves(line: Polyline, speed: float, to: float) -> float:
+    """How much longer [s] another than the ego takes to somewhere on its way, since it is slower in curves.
 
     Args:
         line: Its way.
         speed: What it wants [m/s].
         to: How far along that [m].
-        grip: What the road holds [m/s²]; as an ego takes curves, if nothing is said.
     """
     lengths = line.columns[2]
     lost, now = 0.0, speed
-    for begins, ends, allowed in zip(lengths, lengths[1:], curve_speeds(line, grip), strict=False):
+    for begins, ends, allowed in zip(lengths, lengths[1:], curve_speeds(line), strict=False):
         if begins >= to:
             break
         now = min(allowed, speed, (now * now + 2.0 * NOMINAL.gain * (ends - begins)) ** 0.5)

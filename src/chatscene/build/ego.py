@@ -7,7 +7,7 @@ from collections.abc import Generator, Iterator, Sequence
 from dataclasses import dataclass, fields
 
 from chatscene.build.awaiting import awaited, waiting
-from chatscene.build.coming import Coming, coming, wanted_by
+from chatscene.build.coming import Coming, coming, keeps_limits, wanted_by
 from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import MOST
 from chatscene.build.own import KEEPS, is_own, own_orders
@@ -75,11 +75,14 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
             raise NotBuilt(f"ego.speed: {ego.speed} is more than a {what} can: {3.6 * most:.0f} km/h at most")
         ledger.take("ego.speed")
     ledger.take("ego.kind")
+    keeps = keeps_limits(situation)
     if held := [one.at_most for one in _orders(Ledger(situation), ego.does, 0.0, speed) if _all_along(one)]:
-        speed = min(speed, *held)  # which is as fast as it ever is
+        speed, keeps = min(speed, *held), False  # which is as fast as it ever is
     elif ego.speed is None:  # others are timed by it, so that it is wanted of every ego
-        ledger.assume(f"the ego wants {3.6 * speed:.0f} km/h, which was not said")
-    wanted = f", with wantedSpeed {speed:.4g}"
+        ledger.take("road.speed_limit")
+        usual, kmh = wanted_by(situation), f"the ego wants {3.6 * speed:.0f} km/h, which was not said"
+        ledger.assume(kmh + (f", since at {3.6 * usual:.0f} this cannot be built here" if speed < usual - 0.01 else ""))
+    wanted = f", with wantedSpeed {speed:.4g}" + (", with keepsLimits True" if keeps else "")
     longer = 0.5 * (body.length - LIMITS[CAR].length)  # its nose is so much nearer than a car's
     stop = found.route.eventAt - (LINE + longer if junction else 0.0)
     if stops_across(ego.does) and (across := _across(found, junction=junction)) is not None:
@@ -94,9 +97,10 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     at_line = stands and junction
     params = ["param egoStart = 'at-line'"] if at_line else []
     params += _lights(ledger, found)
-    moving = ", with backwards True" if back else "" if stands else f", with speed {speed:.4g}"
+    at_first = f"speedOn(egoRoute, 0, {speed:.4g})" if keeps else f"{speed:.4g}"
+    moving = ", with backwards True" if back else "" if stands else f", with speed {at_first}"
     metres = TO_LINE + longer if at_line else found.route.eventAt
-    comes = coming(speed, orders, metres, stands=stands, gain=gain_in(body))
+    comes = coming(speed, orders, found.route, metres, stands=stands, keeps_limits=keeps, gain=gain_in(body))
     query = {"to_line": round(metres, 2)} if at_line and longer else {}
     return BuiltEgo(params=tuple(params), query=query, coming=comes, properties=moving + wanted, orders=orders)
 

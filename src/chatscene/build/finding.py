@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from chatscene.build.coming import further, wanted_by
+from chatscene.build.coming import further
 from chatscene.build.fitting import abreast, lacking_for, too_short
 from chatscene.build.holding import SITES, as_said, lanes_there
 from chatscene.build.ledger import Ledger
@@ -50,11 +50,12 @@ from chatscene.world.places import choose_route, lanesBeside
 _CURVES = (RoadKind.CURVE, RoadKind.LEFT_CURVE, RoadKind.RIGHT_CURVE)
 
 
-def find(ledger: Ledger, road: float = 0.0) -> Found:
+def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
     """The first query that a map answers with a route on which all ways are that others need.
 
     Args:
         ledger: What was said.
+        speed: What the ego drives at [m/s].
         road: How much road [m] is taken if there is as much.
 
     Raises:
@@ -71,13 +72,13 @@ def find(ledger: Ledger, road: float = 0.0) -> Found:
             )
     lacking: list[str] = []
     rooms: dict[str, float] = {}
-    for more in _lengths(situation, road):
+    for more in _lengths(situation, speed, road):
         lacking.clear()  # what is told is what the shortest road lacks
         for sides in _open_sides(situation):
             for name, query in _asked(situation, sides):
-                if found := _answered(situation, name, _longer(query, more), sides, lacking, rooms):
+                if found := _answered(situation, speed, name, _longer(query, more), sides, lacking, rooms):
                     _take(ledger, found)
-                    far = min(max(1.0, more), further(situation))
+                    far = min(max(1.0, more), further(speed))
                     return replace(found, further=found.route.eventAt / BACKED if backs(situation) else far)
     if rooms:
         raise NotBuilt("; ".join(told.format(most) for told, most in rooms.items()))
@@ -130,14 +131,14 @@ def _longer(query: dict[str, Any], more: float) -> dict[str, Any]:
     return query | {"approach": round(more * _usual(query), 1)}
 
 
-def _lengths(situation: Situation, road: float) -> Iterator[float]:
+def _lengths(situation: Situation, speed: float, road: float) -> Iterator[float]:
     """How many times as much road as usual is looked for: as the ego's speed asks for, then less."""
-    more = max(further(situation), road / OPEN_ROAD, *(_far(one) / OPEN_ROAD * _BEYOND for one in situation.others))
+    more = max(further(speed), road / OPEN_ROAD, *(_far(one) / OPEN_ROAD * _BEYOND for one in situation.others))
     while more > 1.0:
         yield more
         more /= _MORE
     yield 1.0
-    if wanted_by(situation) < NOMINAL.speed:  # else who comes to meet a slow ego would have to come from too far
+    if speed < NOMINAL.speed:  # else who comes to meet a slow ego would have to come from too far
         yield _SLOW
 
 
@@ -182,6 +183,7 @@ def comes_from(one: Other) -> Side | None:
 
 def _answered(
     situation: Situation,
+    speed: float,
     name: str,
     query: dict[str, Any],
     sides: dict[str, Side],
@@ -192,6 +194,7 @@ def _answered(
 
     Args:
         situation: What was said.
+        speed: What the ego drives at [m/s].
         name: The map's name or file.
         query: What it is asked for.
         sides: Those that were chosen.
@@ -215,7 +218,7 @@ def _answered(
     if (lacks := lacking_for(situation, found)) is not None:
         lacking.append(f"on map {Path(path).stem!r} {lacks}")
         return None
-    for told, most in too_short(situation, found):
+    for told, most in too_short(situation, found, speed):
         rooms[told] = max(most, rooms.get(told, 0.0))
         return None
     return found

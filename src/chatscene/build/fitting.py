@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from chatscene.build.arriving import LATEST, way_through
 from chatscene.build.asked import stands_first
-from chatscene.build.coming import wanted_by
 from chatscene.build.place import NEXT_LANE, Found, arm_of, beside_lane, rides_at_edge, ring_arms, way_of
 from chatscene.build.relations import said_speed
 from chatscene.build.screening import from_its_lane
@@ -63,12 +62,11 @@ def _no_lane(situation: Situation, found: Found) -> str | None:
     return None
 
 
-def too_short(situation: Situation, found: Found) -> Iterator[tuple[str, float]]:
+def too_short(situation: Situation, found: Found, ego: float) -> Iterator[tuple[str, float]]:
     """What is told of each road by which somebody comes who was said to be too fast for its length, and the most [m/s].
 
-    It begins so far back that it is there when an ego is that nothing holds.
+    It begins so far back that it is there when an ego of a speed [m/s] is that nothing holds.
     """
-    ego = wanted_by(situation)
     for one in situation.others:
         said = said_speed(one, ego)
         if said is None or one.starts.distance is not None or stands_first(one):

@@ -11,7 +11,6 @@ from chatscene.build.alongside import goes_on_beside, until_it_comes
 from chatscene.build.aside import avoids, must_avoid
 from chatscene.build.asked import STOPS, Meets, stands_first, stops_ahead
 from chatscene.build.chain import in_terms_of, meeting_of
-from chatscene.build.coming import lost_in_curves
 from chatscene.build.contact import touches
 from chatscene.build.deeds import GO, MOVE
 from chatscene.build.gaps import GOES_ON, LOSES, passes_where_it_goes_over
@@ -202,12 +201,11 @@ class Opening:
             meeting = Meeting(metres=room + self._wish() ** 2 / (hard * share), beyond=MEETING)
             return course([*texts, self._go()], numbers, phases.body, Course(speed=self._wish()), meeting).met
 
-        curves = lost_in_curves(actor.found.route.line, actor.ego_speed, actor.meets_at)
         _, early, *_ = numbers.range_of("OFFSET")
-        actor.needs = takes() + early + DRIVES - curves
+        actor.needs = takes() + early + DRIVES
         speed = f"${self._speed()}"
         drives = (
-            f"{ego.seconds('egoMeet{i}')} {curves:+.2f} - ({in_terms_of(numbers, (*texts, speed), takes)}) - $OFFSET"
+            f"{ego.seconds('egoMeet{i}', actor.meets_at)} - ({in_terms_of(numbers, (*texts, speed), takes)}) - $OFFSET"
         )
         back = f"{room:.3g} + {speed} * {speed} / ({hard:g} * {brake[1]}) + {speed} * maximum(0, {drives})"
         actor.stand = replace(actor.stand, at=f"backFrom(meet{{i}}, {back})", rolls=True)
@@ -260,7 +258,7 @@ class Opening:
         free = actor.one.starts.distance is None and actor.first is None
         reaches = actor.meets_at if known else route.eventAt
         if free and "$Y" in stand.at:
-            self._fit(reaches / actor.ego_speed - self._wait())
+            self._fit(actor.ego.time_at(reaches) - self._wait())
             actor.needs = self._takes() + self._wait()
         if free and stand.anywhere:
             low, high, unit, meaning = actor.numbers.range_of("Y")
@@ -272,7 +270,7 @@ class Opening:
             low, high = max(low, far), max(high, far)
             actor.numbers.measure("Y", low, high, unit, meaning)
             reaches = end - SHORT
-        actor.reaches = reaches
+        actor.given = actor.ego.time_at(reaches)
 
     def _at_crosswalk(self, other: Other) -> bool:
         """Whether another stands at the crosswalk, where this one could be."""
@@ -448,8 +446,7 @@ class Opening:
         """The same, of who is met."""
         actor, stand = self.phases.actor, self.phases.actor.stand
         if stand.meets in (Meets.THROUGH, Meets.ACROSS) and stand.left != "0":
-            route = actor.found.route
-            return self._until_met() - self._takes() - lost_in_curves(route.line, actor.ego_speed, actor.meets_at)
+            return self._until_met() - self._takes()
         more = self.ahead.seconds
         match stand.meets:
             case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
@@ -464,7 +461,7 @@ class Opening:
             case Meets.ALONG if stands_first(actor.one) and not stand.behind:
                 return self._from_a_stand() + more
             case _:  # of a slow ego, which is long in coming, long before it is there
-                soon = max(0.0, actor.found.route.eventAt / actor.ego_speed - LATEST)
+                soon = max(0.0, actor.ego.time_at(actor.found.route.eventAt) - LATEST)
                 before = 2.0 if at_junction(actor.ledger.situation) else 1.0
                 if passes_where_it_goes_over(actor):
                     before = -(actor.ego.late or 0.0)

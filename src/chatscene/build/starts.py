@@ -29,6 +29,7 @@ from chatscene.build.relations import said_speed, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.errors import NotBuilt
 from chatscene.terms.backing import backs
+from chatscene.terms.route import Beside
 from chatscene.terms.situation import EGO, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Role, Side, Striker, Where
 
@@ -39,6 +40,9 @@ HEADWAY = 0.9, 1.7  # [s] behind whom it follows an ego is, from and to
 STOPPING = 3.0  # [m/s²] that an ego loses at least which comes to a stand
 STOOD = 1.0, 3.0  # [s] that it has stood, from and to, when somebody from behind is there
 LEADS_UP = 80.0  # [m] of road at least that lead to where the ego begins
+ABOUT = 1.5  # [m] sooner or later on its way somebody is who goes along to where the ego leaves the road
+OFF_LANE = 5.0  # [m] on its way off the road, at which the ego goes over that of who is beside it
+ENDS_BESIDE = (Beside.DRIVEWAY, Beside.KERB)
 SHORT_OF = 3.0  # [m] of a junction
 IN_QUEUE = 1.5, 4.0  # [m], nose to tail, between two who stand, from and to
 CAREFUL = 1.5, 2.5  # [s] behind the ego, from and to, is who is careful, and lets it into its lane
@@ -98,7 +102,7 @@ def _caught_up(asked: Asked) -> float:
     if asked.situation.ego.route not in CHANGES or asked.ego.stands:
         return 0.0
     slower = asked.ego.speed - speed_of(asked.situation, asked.one.id, asked.ego.speed)
-    return max(0.0, slower) * asked.found.route.eventAt / asked.ego.speed
+    return max(0.0, slower) * asked.ego.time_at(asked.found.route.eventAt)
 
 
 def _within(way: str, aside: float) -> str:
@@ -129,7 +133,9 @@ def _behind(asked: Asked) -> Stand:
         asked.reach(asked.middles + room[0], asked.middles + room[1], "how far behind the ego it is")
     elif (asked.ego.stands or waits) and not asked.stands:
         stops = asked.ego.stands and bool(asked.one.does) and asked.one.does[0].act in STOPS
-        low, high = (asked.middles + 8.0, asked.middles + 13.0) if stops else (28.0 + asked.longer, 45.0 + asked.longer)
+        braked = asked.ego.speed**2 / asked.numbers.row.limits.brake  # with half its brakes
+        stopping = asked.middles + max(0.0, braked - 8.0)
+        low, high = (stopping + 8.0, stopping + 13.0) if stops else (28.0 + asked.longer, 45.0 + asked.longer)
         asked.reach(low, high, "how far behind the ego it is")
     elif asked.ego.stands:
         asked.reach(asked.middles + IN_QUEUE[0], asked.middles + IN_QUEUE[1], "how far behind the ego it is")
@@ -266,6 +272,19 @@ def _walks_at_crosswalk(asked: Asked) -> bool:
     return is_marked(asked.found) and asked.walks and crosses and at_side
 
 
+def _level_beside(asked: Asked) -> tuple[float, float]:
+    """Where [m] along the ego's way somebody beside the road starts, from and to.
+
+    Who goes along the road on foot, off which the ego turns, is there when the ego is.
+    """
+    way = {Facing.ALONG: -1.0, Facing.AGAINST: 1.0}.get(asked.one.starts.facing or Facing.ACROSS)
+    if way is None or asked.stands or not asked.walks or asked.found.query.get("ends") not in ENDS_BESIDE:
+        return 34.0 * asked.found.further, 50.0 * asked.found.further
+    leaves = asked.found.route.eventAt + OFF_LANE
+    far = asked.numbers.middle("SPEED") * (asked.ego.time_at(leaves) + asked.ego.late_at(leaves))
+    return leaves + way * far - ABOUT, leaves + way * far + ABOUT
+
+
 def _beside_road(asked: Asked) -> Stand:
     """On foot or on two wheels beside the road, or in a driveway: it faces the road."""
     where = asked.one.starts.where
@@ -281,7 +300,7 @@ def _beside_road(asked: Asked) -> Stand:
         asked.reach(*(ON_CROSSWALK if is_marked(asked.found) else (-2, 2)), "how far beyond the crosswalk's edge it is")
         level = "egoRoute.eventAt + $Y"
     else:
-        asked.ahead(34, 50)
+        asked.reach(*_level_beside(asked))
         level = "shortOfJunction(egoRoute, $Y)"
     there = f"level{{i}}{asked.more}"
     point = f'besideRoad(egoRoute, {there}, "{asked.side}", $X)'

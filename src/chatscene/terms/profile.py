@@ -8,6 +8,7 @@ M. Treiber, A. Kesting, "Traffic Flow Dynamics" (2013), section 11.3, take for c
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,33 +83,45 @@ class Timetable:
         gain: With which speed is taken up again behind what held it back [m/s²].
 
     Attributes:
-        speeds: What is driven at on each segment [m/s], (N - 1,).
-        seconds: When each point is passed after the first [s], (N,).
+        arcs: Arc length of each point [m].
+        speeds: What is driven at on each segment [m/s].
+        seconds: When each point is passed after the first [s].
     """
 
-    __slots__ = ("_arcs", "seconds", "speeds")
+    __slots__ = ("arcs", "seconds", "speeds")
 
     def __init__(self, line: Polyline, allowed: Array, wanted: float, gain: float = math.inf) -> None:
         arcs = line.columns[2]
         speeds = np.minimum(allowed, wanted).tolist()
         for i in range(1, len(speeds)):
             speeds[i] = min(speeds[i], math.sqrt(speeds[i - 1] ** 2 + 2.0 * gain * (arcs[i] - arcs[i - 1])))
-        self._arcs = np.array(arcs)
-        self.speeds = np.array(speeds)
-        self.seconds = np.concatenate(([0.0], np.cumsum(np.diff(self._arcs) / self.speeds)))
+        self.arcs, self.speeds = list(arcs), speeds
+        self.seconds = [0.0]
+        for i, speed in enumerate(speeds):
+            self.seconds.append(self.seconds[i] + (arcs[i + 1] - arcs[i]) / speed)
 
     def speed_at(self, s: float) -> float:
         """What is driven at [m/s] at arc length `s` [m]; beyond the ends as there."""
-        i = int(np.searchsorted(self._arcs, s, side="right")) - 1
-        return float(self.speeds[min(max(i, 0), len(self.speeds) - 1)])
+        return self.speeds[self._segment(s)]
 
     def time_at(self, s: float) -> float:
         """When arc length `s` [m] is passed [s], after the start of the line; beyond the ends it goes on as there."""
-        if s < 0.0:
-            return s / float(self.speeds[0])
-        if (beyond := s - float(self._arcs[-1])) > 0.0:
-            return float(self.seconds[-1]) + beyond / float(self.speeds[-1])
-        return float(np.interp(s, self._arcs, self.seconds))
+        i = self._segment(s)
+        return self.seconds[i] + (s - self.arcs[i]) / self.speeds[i]
+
+    def _segment(self, s: float) -> int:
+        """The segment of an arc length [m]; beyond the ends the last there."""
+        return min(max(bisect_right(self.arcs, s) - 1, 0), len(self.speeds) - 1)
+
+    def time_from(self, start: float, speed: float, end: float, gain: float) -> float:
+        """The same [s], of somebody who has a speed [m/s] and takes up with `gain` [m/s²] what he misses."""
+        usual, seconds = self.speed_at(start), self.time_at(end) - self.time_at(start)
+        left, missing = end - start, usual - speed
+        if missing <= 0.0 or left <= 0.0:
+            return seconds
+        if left * 2.0 * gain >= usual * usual - speed * speed:
+            return seconds + missing * missing * (0.5 / gain) / usual
+        return max(seconds, (math.sqrt(speed * speed + 2.0 * gain * left) - speed) / gain)
 
     def time_to(self, start: float, end: float) -> float:
         """How long it takes from one arc length [m] to another [s]; less than nothing to one that lies behind."""

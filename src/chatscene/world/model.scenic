@@ -20,7 +20,7 @@ from chatscene.world.behaviors import *
 from chatscene.world.places import (adjacentPath, against, asideOf, backFrom, besideRoad, brakingDistance, choose_route as _choose_route,
     crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, lastLane, leftAt, levelOn, lineThrough, onward,
     maximum, neighbourPath, offsetFrom, opposite, ownLane, ownWay, pointOn, progressOn, restsWithin, ringTraffic, route_along as _route_along,
-    secondsTo, shortOfJunction, speedOn, straightOn, trafficFrom,
+    secondsTo, shortOfJunction, speedOn, straightOn, timeTo, trafficFrom,
     unplaced as _unplaced, waitingTraffic, wayOf, wholeLane, wheelbase_of as _wheelbase_of)
 from chatscene.terms.actors import LIMITS as _LIMITS
 from chatscene.terms.actors import PROPS as _PROPS

@@ -28,9 +28,9 @@ from chatscene.maps.onward import route_through
 from chatscene.maps.ring_ways import line_beside, ring_ways
 from chatscene.maps.routes import TO_LINE, CrossingPath, conflicting_paths, find_routes, from_line
 from chatscene.terms.actors import LIMITS, kind_of
-from chatscene.terms.pace import Pace
+from chatscene.terms.pace import NOMINAL, Pace
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.profile import allowed_speeds
+from chatscene.terms.profile import Timetable, allowed_speeds
 from chatscene.terms.route import Beside, Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.world.control import Tracker
@@ -558,10 +558,59 @@ def unplaced() -> Vector:
 
 
 def secondsTo(path: Any, agent: Any, to: float) -> float:  # noqa: N802
-    """How long [s] an ego that nothing holds needs until arc length `to`, by the pace of such egos; below 0 past it."""
+    """How long [s] an ego that nobody holds needs until arc length `to`, by its own pace; below 0 past it.
+
+    One of which the program wants a speed is as slow in bends, and where it keeps limits, as they let it.
+    """
     pace = Pace.of(agent)
-    missing = max(0.0, pace.speed - agent.pose[3])
-    return distanceLeft(path, agent, to) / pace.speed + missing * missing * pace.loss
+    if (table := timetable_of(path, agent)) is None:
+        missing = max(0.0, pace.speed - agent.pose[3])
+        return distanceLeft(path, agent, to) / pace.speed + missing * missing * pace.loss
+    return table.time_from(progressOn(path, agent)[0], agent.pose[3], to, pace.gain)
+
+
+def timetable_of(path: Any, agent: Any) -> Timetable | None:
+    """When an ego is where on a path if nobody holds it, of which a program wants a speed; None if it wants none."""
+    if (wanted := getattr(agent, "wantedSpeed", None)) is None:
+        return None
+    keeps, grip = bool(getattr(agent, "keepsLimits", False)), float(agent.body.grip)
+    return timetable(path, float(wanted), keeps_limits=keeps, gain=Pace.of(agent).gain, grip=grip)
+
+
+def timetable(
+    path: EgoRoute | CrossingPath | Polyline,
+    wanted: float,
+    *,
+    keeps_limits: bool,
+    gain: float = NOMINAL.gain,
+    grip: float = math.inf,
+) -> Timetable:
+    """When an ego is where on a path that wants a speed [m/s], and that nobody holds.
+
+    Args:
+        path: On which; limits are known of an ego's route.
+        wanted: What it wants [m/s].
+        keeps_limits: Whether the limits of roads hold for it besides bends.
+        gain: With which it takes up speed [m/s²].
+        grip: What the road holds [m/s²].
+    """
+    return _timetable(path, wanted, keeps_limits, gain, grip)
+
+
+@lru_cache(maxsize=256)
+def _timetable(path: Any, wanted: float, keeps_limits: bool, gain: float, grip: float) -> Timetable:
+    if isinstance(path, EgoRoute):
+        return Timetable(path.line, path.allowed(keeps_limits=keeps_limits, grip=grip), wanted, gain)
+    line = line_of(path)
+    return Timetable(line, allowed_speeds(line, None, grip), wanted, gain)
+
+
+@_deferred
+def timeTo(  # noqa: N802
+    route: EgoRoute, ahead: float, wanted: float, keeps: bool = False, gain: float = NOMINAL.gain
+) -> float:
+    """How long [s] an ego is on its way to `ahead` [m] on its route, if it wants a speed [m/s] and nobody holds it."""
+    return timetable(route, wanted, keeps_limits=keeps, gain=gain).time_at(ahead)
 
 
 def brakingDistance(agent: Any) -> float:  # noqa: N802

@@ -22,6 +22,7 @@ from chatscene.terms.actors import Limits
 from chatscene.terms.order import Order
 from chatscene.terms.plan import PRIMITIVES, After, Kind, Name, Phase, Plan, Until
 from chatscene.terms.polyline import Polyline
+from chatscene.terms.profile import Timetable
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.written_plans import written_plans
 from chatscene.world.bodies import Vehicle, Walker
@@ -118,6 +119,7 @@ class _Binder:
         self._plans = written_plans(program.source)
         self._instructions: list[engine.Instruction] = []
         self._lines: list[Polyline] = [session.route.line]
+        self._tables: list[Timetable] = []
         self._kept: list[Any] = []
 
     def bound(self) -> Bound:
@@ -134,6 +136,7 @@ class _Binder:
         world.body, world.bodies = self._array(engine.Body, bodies), len(bodies)
         world.agent, world.agents = self._array(engine.Agent, agents), len(agents)
         world.line = self._array(engine.Line, [self._line(line) for line in self._lines])
+        world.table = self._array(engine.Timetable, [self._table(table) for table in self._tables])
         world.code = self._array(engine.Instruction, self._instructions)
         world.area, world.areas, world.ring, world.corner = areas, len(areas), rings, _pointer(corners)
         world.order, world.orders = self._array(engine.Order, orders), len(orders)
@@ -185,6 +188,10 @@ class _Binder:
         self._kept += columns
         return found
 
+    def _table(self, table: Timetable) -> engine.Timetable:
+        columns = map(self._doubles, (table.arcs, table.seconds, table.speeds))
+        return engine.Timetable(len(table.arcs), *columns)
+
     def _order(self, number: int, order: Order) -> engine.Order:
         of = self._bodies.index(self._session.awaited[number]) if order.whom else -1
         plans = [i for i, one in enumerate(self._objects) if one.behavior is not None]
@@ -224,7 +231,7 @@ class _Binder:
             objects=self._objects,
             self_index=index,
         )
-        compiler = Compiler(self._instructions, self._lines, scene)
+        compiler = Compiler(self._instructions, self._lines, scene, tables=self._tables)
         phases = [self._phase(compiler, phase, index) for phase in plan.phases]
         agent = engine.Agent(body=index, phases=len(phases), loop=-1 if plan.loop is None else plan.loop)
         agent.list = self._array(engine.Phase, phases)

@@ -29,7 +29,8 @@ from chatscene.terms.plan import (
     parts_of,
 )
 from chatscene.terms.polyline import Polyline
-from chatscene.world.places import against, extended, line_of, ownLane
+from chatscene.terms.profile import Timetable
+from chatscene.world.places import against, extended, line_of, ownLane, timetable_of
 
 OPERATIONS = {
     name: i
@@ -61,6 +62,7 @@ OPERATIONS = {
             "OR",
             "NOT",
             "SELECT",
+            "SECONDS",
         ]
     )
 }  # in the order of engine.c
@@ -123,6 +125,7 @@ class Compiler:
         around: What names stand for.
         places: Where the values are that the plan computes when a phase begins, by name.
         bound: What else names of the plan itself stand for: values that stay, actors of a condition over several.
+        tables: All timetables that it speaks of, by number.
         known: Whether an expression changes while the scene runs, by its identity; with it, so that it stays.
     """
 
@@ -131,6 +134,7 @@ class Compiler:
     around: Surrounding
     places: dict[str, int] = field(default_factory=dict[str, int])
     bound: dict[str, Any] = field(default_factory=dict[str, Any])
+    tables: list[Timetable] = field(default_factory=list[Timetable])
     known: dict[int, tuple[bool, Expression]] = field(default_factory=dict[int, tuple[bool, Expression]])
 
     def is_live(self, expression: Expression) -> bool:
@@ -370,12 +374,27 @@ class Compiler:
 
     def _seconds(self, path: Expression, actor: Expression, to: Expression) -> int:
         """As `chatscene.world.places.secondsTo` computes it, operation by operation."""
-        pace = Pace.of(self.value(actor))
+        pace, ego = Pace.of(self.value(actor)), self.around.objects[self.actor(actor)]
+        if (table := timetable_of(self.value(path), ego)) is not None:
+            return self._by_table(self._table(table), pace, path, actor, to)
         left = Call("distanceLeft", (path, actor, to))
         missing = Call("max", (Number(0.0), Arithmetic("-", Number(pace.speed), Call("speed", (actor,)))))
         square = Arithmetic("*", missing, missing)
         late = Arithmetic("*", square, Number(pace.loss))
         return self._emit(Arithmetic("+", Arithmetic("/", left, Number(pace.speed)), late))
+
+    def _table(self, table: Timetable) -> int:
+        """The number of a timetable."""
+        if table not in self.tables:
+            self.tables.append(table)
+        return self.tables.index(table)
+
+    def _by_table(self, table: int, pace: Pace, path: Expression, actor: Expression, to: Expression) -> int:
+        """The same, of an ego of which a speed is wanted."""
+        depth = self._emit(to)
+        line, index = self.line(self.value(path)), self.actor(actor)
+        self.instructions.append(Instruction(OPERATIONS["SECONDS"], line, index, table, pace.gain))
+        return depth
 
     def _braked(self, actor: Expression) -> None:
         index = self.actor(actor)

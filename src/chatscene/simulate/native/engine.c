@@ -54,6 +54,12 @@ typedef struct {
     const double *x, *y, *s, *hx, *hy; /* x, y, s: one per point; hx, hy: one per segment */
 } Line;
 
+/* chatscene.terms.profile.Timetable: s, seconds: one per point; speeds: one per segment. */
+typedef struct {
+    int64_t points;
+    const double *s, *seconds, *speeds;
+} Timetable;
+
 typedef struct {
     double length, width, throttle, brake, top_speed, wheelbase, wheel_angle, wheel_rate, lateral, drag;
 } Limits;
@@ -73,11 +79,11 @@ typedef struct {
 /* Conditions and numbers: programs for a stack. */
 enum {
     CONST, LOCAL, ALONG, OFFSET, GAP, SPEED, HEADING, BRAKED, ABS, MAX, MIN, ADD, SUB, MUL, DIV, NEG,
-    LT, LE, GT, GE, EQ, NE, AND, OR, NOT, SELECT
+    LT, LE, GT, GE, EQ, NE, AND, OR, NOT, SELECT, SECONDS
 };
 
 typedef struct {
-    int32_t op, a, b, unused;
+    int32_t op, a, b, c;
     double value;
 } Instruction;
 
@@ -141,6 +147,7 @@ typedef struct {
     Body *body;
     Agent *agent;
     const Line *line;
+    const Timetable *table;
     const Instruction *code;
     const Area *area;
     const Ring *ring;
@@ -508,6 +515,30 @@ static int same_lane(const World *w, double x, double y, double other_x, double 
     return 0;
 }
 
+static int64_t segment_in(const Timetable *t, double s) {
+    int64_t low = 0, high = t->points - 1; /* the last segment that begins at s or before */
+    while (high - low > 1) {
+        int64_t middle = (low + high) / 2;
+        if (t->s[middle] <= s) low = middle; else high = middle;
+    }
+    return low;
+}
+
+static double passed(const Timetable *t, double s) {
+    int64_t i = segment_in(t, s);
+    return t->seconds[i] + (s - t->s[i]) / t->speeds[i];
+}
+
+/* `Timetable.time_from` */
+static double seconds_to(const Timetable *t, double start, double speed, double to, double gain) {
+    double usual = t->speeds[segment_in(t, start)], seconds = passed(t, to) - passed(t, start);
+    double left = to - start, missing = usual - speed;
+    if (missing <= 0.0 || left <= 0.0) return seconds;
+    if (left * 2.0 * gain >= usual * usual - speed * speed) return seconds + missing * missing * (0.5 / gain) / usual;
+    double gaining = (sqrt(speed * speed + 2.0 * gain * left) - speed) / gain;
+    return gaining > seconds ? gaining : seconds;
+}
+
 /* Programs for a stack: what the functions of chatscene.world.places say of poses. */
 static double evaluated(const World *w, const Agent *agent, Code code) {
     double stack[STACK];
@@ -526,6 +557,10 @@ static double evaluated(const World *w, const Agent *agent, Code code) {
         case SPEED: stack[++top] = b->speed; break;
         case HEADING: stack[++top] = b->heading; break;
         case BRAKED: stack[++top] = pow(b->speed, 2.0) / i->value; break;
+        case SECONDS:
+            project(&w->line[i->a], b->x, b->y, &near, &arc, &offset);
+            stack[top] = seconds_to(&w->table[i->c], arc, b->speed, stack[top], i->value);
+            break;
         case ABS: stack[top] = fabs(stack[top]); break;
         case NEG: stack[top] = -stack[top]; break;
         case NOT: stack[top] = stack[top] == 0.0; break;

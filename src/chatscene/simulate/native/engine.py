@@ -38,6 +38,12 @@ class Line(Structure):
     _fields_ = (("points", c_int64), *((name, _Doubles) for name in ("x", "y", "s", "hx", "hy")))
 
 
+class Timetable(Structure):
+    """When an ego is where on a line: arc length and time of each point, the speed on each segment."""
+
+    _fields_ = (("points", c_int64), *((name, _Doubles) for name in ("s", "seconds", "speeds")))
+
+
 class Limits(Structure):
     """What a body can do."""
 
@@ -71,7 +77,7 @@ class Body(Structure):
 class Instruction(Structure):
     """One step of a program for a stack."""
 
-    _fields_ = (("op", c_int32), ("a", c_int32), ("b", c_int32), ("unused", c_int32), ("value", c_double))
+    _fields_ = (("op", c_int32), ("a", c_int32), ("b", c_int32), ("c", c_int32), ("value", c_double))
 
 
 class Code(Structure):
@@ -166,6 +172,7 @@ class World(Structure):
         ("body", POINTER(Body)),
         ("agent", POINTER(Agent)),
         ("line", POINTER(Line)),
+        ("table", POINTER(Timetable)),
         ("code", POINTER(Instruction)),
         ("area", POINTER(Area)),
         ("ring", POINTER(Ring)),
