@@ -13,6 +13,7 @@ from urllib.parse import quote
 from chatscene.ego.policy import in_words
 from chatscene.errors import RunError
 from chatscene.measure.score import score, wilson
+from chatscene.measure.severity import in_kmh
 from chatscene.report.measures import scene_label
 from chatscene.report.templates import asset, fill, policy, scripts
 from chatscene.runs import EvaluationRecord, RunRecord, Workspace, measurements_of, note, read_record, read_scenes
@@ -101,7 +102,7 @@ def _line(one: Row) -> tuple[str, ...]:
         "by selection" if one["by_selection"] else f"{one['low']:.0f} % to {one['high']:.0f} %",
         f"{one['avoidable']} of {hits}" if hits else "",
         f"{one['struck']} of {hits}" if hits else "",
-        "" if one["hardest"] is None else f"{one['hardest']:.1f} m/s",
+        "" if one["hardest"] is None else in_kmh(one["hardest"]),
         f"{one['completion']:.0f} %",
     )
 

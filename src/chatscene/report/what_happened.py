@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from chatscene.measure.severity import KMH
 from chatscene.terms.criticality import Happening
 
 _OF_ONE = {
@@ -29,14 +30,14 @@ def outcome_in_words(row: Mapping[str, Any]) -> str:
     """
     if row["collision"]:
         return "collision"
-    if row.get("happened") is None:
+    if row.get("happened") not in frozenset(Happening):  # or a folder that somebody changed
         return str(row["ending"])
     words, column, unit = _OF_ONE[Happening(row["happened"])]
     return str(row["ending"]) if row[column] is None else f"{words} {row[column]:.1f} {unit}"
 
 
 def kept_in_words(rows: Sequence[Mapping[str, Any]]) -> str:
-    """What the kept scenes are, such as ``1 collision at 5.2 m/s, 1 with a nearest gap of 1.1 s``.
+    """What the kept scenes are, such as ``1 collision at 19 km/h, 1 with a nearest gap of 1.1 s``.
 
     Args:
         rows: Scenes of a run (`chatscene.runs.read_scenes`); empty where none is kept, or its folder does not tell.
@@ -48,7 +49,7 @@ def kept_in_words(rows: Sequence[Mapping[str, Any]]) -> str:
     crashes, soon, near = by[Happening.COLLISION], by[Happening.NEAR_IN_TIME], by[Happening.NEAR]
     told: list[str] = []
     if crashes:
-        told.append(f"{len(crashes)} collision{'s' * (len(crashes) > 1)} at {_span(crashes, 'impact_speed', 'm/s')}")
+        told.append(f"{len(crashes)} collision{'s' * (len(crashes) > 1)} at {_span(crashes, 'impact_speed', 'km/h')}")
     told += [
         f"{len(some)} with {'nearest gaps' if len(some) > 1 else 'a nearest gap'} of {_span(some, column, unit)}"
         for some, column, unit in ((soon, "gap_in_time", "s"), (near, "distance", "m"))
@@ -60,5 +61,6 @@ def kept_in_words(rows: Sequence[Mapping[str, Any]]) -> str:
 
 def _span(rows: Iterable[Mapping[str, Any]], column: str, unit: str) -> str:
     """From the least to the greatest of a column."""
-    numbers = [f"{value:.1f}" for value in sorted(float(row[column]) for row in rows)]
+    scale, digits = (KMH, 0) if unit == "km/h" else (1.0, 1)
+    numbers = [f"{scale * value:.{digits}f}" for value in sorted(float(row[column]) for row in rows)]
     return f"{numbers[0]} {unit}" if numbers[0] == numbers[-1] else f"{numbers[0]} to {numbers[-1]} {unit}"
