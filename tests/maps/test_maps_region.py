@@ -18,10 +18,12 @@ from chatscene.maps.opendrive import write_opendrive
 from chatscene.maps.region import plan
 from chatscene.maps.ring_ways import line_beside, ring_ways
 from chatscene.maps.routes import find_routes, place_of
+from chatscene.maps.settings import lies_in
 from chatscene.maps.sites import APPROACHED
 from chatscene.maps.survey import check_map
 from chatscene.terms.route import RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
+from chatscene.terms.vocabulary import Setting
 
 REGION = resolve_map("region")
 NETWORK: Any = load_network(REGION)
@@ -215,3 +217,22 @@ def test_past_ramps_one_can_drive_at_120_km_per_h_which_needs_four_times_the_roa
     usual, far = (find_routes(NETWORK, "region", query)[0] for query in (slow, fast))
     assert far.event_at >= 3 * usual.event_at
     assert far.length >= 3 * usual.length
+
+
+@pytest.mark.parametrize("setting", Setting)
+def test_a_setting_is_told_from_limits_width_and_sidewalks(setting: Setting) -> None:
+    limits = {Setting.TOWN: {50.0, 30.0}, Setting.RESIDENTIAL: {30.0}, Setting.RURAL: {80.0}}
+    roads = {road.get("id"): float(road.find("type/speed").get("max", "0")) for road in ROOT.iter("road")}  # type: ignore[union-attr]
+    found = {roads[str(lane.road.id)] for lane in NETWORK.lanes if lane.maneuvers and lies_in_street(lane, setting)}
+    assert found == limits[setting]
+
+
+def lies_in_street(lane: Any, setting: Setting) -> bool:
+    return lane.uid in lane_runs(NETWORK) and lies_in(NETWORK, lane, setting)
+
+
+def test_a_divided_road_has_no_oncoming_lane_beside_any_of_its_own() -> None:
+    query = RouteQuery(maneuver=Maneuver.STRAIGHT, lanes_same_way=2, setting=Setting.TOWN, divided=True)
+    routes = find_routes(NETWORK, "region", replace(query, place=Place.ROAD))
+    assert {NETWORK.elements[route.lane_ids[0]].road.id for route in routes} <= {51, 52, 53, 54, 55, 56, 57, 58}
+    assert {j.control for j in find_routes(NETWORK, "region", replace(query, place=Place.FOUR_WAY))} == {Control.SIGNAL}

@@ -229,9 +229,19 @@ def _asked(situation: Situation, sides: dict[str, Side]) -> Iterator[tuple[str, 
     maps = (situation.map,) if situation.map else PACKAGED
     if situation.road.setting is Setting.RURAL:
         maps = (*maps[1:], *maps[:1])  # the town last, which has no such road
-    queries = tuple(_counting_the_ramps(query) for query in _queries(situation, sides))
-    yield from ((name, query) for query in queries if "site" in query for name in maps)
-    yield from ((name, query) for name in maps for query in queries if "site" not in query)
+    for queries in _freer(situation, [_counting_the_ramps(query) for query in _queries(situation, sides)]):
+        yield from ((name, query) for query in queries if "site" in query for name in maps)
+        yield from ((name, query) for name in maps for query in queries if "site" not in query)
+
+
+def _freer(situation: Situation, queries: list[dict[str, Any]]) -> Iterator[list[dict[str, Any]]]:
+    """The same queries in the setting that was said, then in any, then on roads that need no median."""
+    setting = situation.road.setting
+    if setting is not None:
+        yield [query | ({} if query.get("site") == Site.RURAL else {"setting": setting.value}) for query in queries]
+    yield queries
+    if any("divided" in query for query in queries):
+        yield [{name: value for name, value in query.items() if name != "divided"} for query in queries]
 
 
 def _counting_the_ramps(query: dict[str, Any]) -> dict[str, Any]:
@@ -257,7 +267,7 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
     if road.ego_lane is not None:
         base["lane"] = road.ego_lane
     if road.two_way is not None and not at_junction(situation):
-        base["opposite"] = road.two_way
+        base |= {"opposite": road.two_way} | ({} if road.two_way else {"divided": True})
     base |= _many_lanes(situation, sides)
     over: list[str] = []
     against = any(one.starts.where in AGAINST for one in others)  # for whom that lane is

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from chatscene.build.place import PACKAGED, Found, beside_ramp
-from chatscene.maps.lane_runs import lane_runs
-from chatscene.maps.sites import AT_JUNCTIONS, along
+from chatscene.build.place import Found, beside_ramp
+from chatscene.maps.settings import is_two_way, lies_in
+from chatscene.maps.sites import AT_JUNCTIONS
 from chatscene.terms.routing import CONTROLS, PLACES
 from chatscene.terms.scenario import Site
 from chatscene.terms.situation import Situation
-from chatscene.terms.vocabulary import EgoRoute, Feature, RightOfWay, RoadKind, Setting
-from chatscene.world.places import lanesBeside
+from chatscene.terms.vocabulary import EgoRoute, Feature, RightOfWay, RoadKind
 
 SITES = {
     Feature.CROSSWALK: Site.CROSSWALK,
@@ -44,7 +43,8 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
     """The paths of facts that hold on the route that was found."""
     road, query = situation.road, found.query
     site = query.get("site")
-    against = any(against for _, against in lanesBeside(found.route))
+    network = found.route.network
+    first = network.elements[found.route.route.lane_ids[0]]
     holds = {
         "ego.route": situation.ego.route not in _SITE_OF or site == _SITE_OF[situation.ego.route],
         "road.lanes": road.lanes == lanes_there(found),
@@ -53,18 +53,11 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
         "road.control": (road.control in CONTROLS and "control" in query)
         or (road.control is RightOfWay.YIELD_SIGN and (site == Site.ROUNDABOUT or "control" in query))
         or (road.control is RightOfWay.NONE and site == Site.CROSSWALK),
-        "road.two_way": road.two_way is against,
-        "road.setting": (road.setting is Setting.TOWN and found.map == PACKAGED[0])
-        or (road.setting is Setting.RURAL and (site == Site.RURAL or _is_rural(found))),
+        "road.two_way": road.two_way is is_two_way(first),
+        "road.setting": road.setting is not None and lies_in(network, first, road.setting),
     }
     yield from (path for path, right in holds.items() if right)
     yield from (f"road.has.{i}" for i, one in enumerate(road.has) if site in _AT_SITE.get(one, ()))
-
-
-def _is_rural(found: Found) -> bool:
-    """Whether the route begins on a rural road."""
-    network = found.route.network
-    return along(network, lane_runs(network)[found.route.route.lane_ids[0]], Site.RURAL)
 
 
 def lanes_there(found: Found) -> int:

@@ -27,6 +27,7 @@ from chatscene.maps.layout import JunctionKind, arms, junction_kinds
 from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.maps.network import map_with
 from chatscene.maps.off_lane import LEFT_BACKWARDS, TIGHTEST, begun, ended, has_kerb, turned_back
+from chatscene.maps.settings import is_two_way, lies_in
 from chatscene.maps.sites import AT_JUNCTIONS, along, routes_at, windows_past
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Beside, Route, RouteQuery
@@ -181,6 +182,7 @@ def _in_words(query: RouteQuery) -> list[str]:
     elif query.lane_beside:
         words.append(f"a lane of the ego's direction to its {query.lane_beside}")
     words += [f"the {site}" for site in (query.site,) if site is not None]
+    words += [f"the setting {query.setting}"] * (query.setting is not None) + ["a median"] * query.divided
     words += [f"lane {query.lane} from the outermost"] * (query.lane is not None)
     words += [f"a {query.begins} to begin at" for _ in (query.begins,) if query.begins is not None]
     words += [_ENDS[query.ends] for _ in (query.ends,) if query.ends is not None]
@@ -197,7 +199,7 @@ def _in_words(query: RouteQuery) -> list[str]:
 def _at_site(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[_Candidate]:
     for group, route in routes_at(network, map_name, query, variant):
         on_road = shapely.contains_xy(_drivable(network), route.line.points).all()
-        if on_road and _offers(network.elements[route.lane_ids[0]], query):
+        if on_road and _offers(network, network.elements[route.lane_ids[0]], query):
             yield _Candidate(variant, group, route)
 
 
@@ -229,7 +231,7 @@ def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: 
         for maneuver in sorted(maneuvers, key=lambda m: (m.startLane.uid, m.endLane.uid)):
             approach = APPROACHES[variant] * (1.0 if query.approach is None else query.approach / APPROACHES[0])
             route = _junction_route(network, maneuver, map_name, place, control, approach)
-            if route is None or not _offers(maneuver.startLane, query):
+            if route is None or not _offers(network, maneuver.startLane, query):
                 continue
             if not query.conflicting_from or set(query.conflicting_from) <= {
                 path.from_side for path in conflicting_paths(network, route)
@@ -314,7 +316,7 @@ def _along_roads(network: Any, map_name: str, query: RouteQuery, variant: int) -
     wanted = query.place or Place.ROAD
     for run in dict.fromkeys(lane_runs(network).values()):
         window = next(islice(_windows(network, run, wanted, query), variant, None), None)
-        if window is None or not _offers(run.lane_at(window[0]), query):
+        if window is None or not _offers(network, run.lane_at(window[0]), query):
             continue
         found = _on_road(network, run, *window, query)
         if found is not None:
@@ -447,15 +449,16 @@ def _beside_lane(
     return line, run.ids_between(starts, end), event
 
 
-def _offers(lane: Any, query: RouteQuery) -> bool:
-    """Whether a lane has the neighbours a query asks for."""
+def _offers(network: Any, lane: Any, query: RouteQuery) -> bool:
+    """Whether a lane has the neighbours and the surroundings a query asks for."""
+    elsewhere = query.setting is not None and not lies_in(network, lane, query.setting)
+    if elsewhere or (query.divided and is_two_way(lane)):
+        return False
     there = len(lane.group.lanes)
     if not query.lanes_same_way <= there <= (query.most_lanes or there):
         return False
     left, right = section_beside(lane.sections[0], 1), section_beside(lane.sections[0], -1)
-    if query.lane not in (None, _number_of(lane)):
-        return False
-    if query.lane_beside == "none" and len(lane.group.lanes) > 1:
+    if query.lane not in (None, _number_of(lane)) or (query.lane_beside == "none" and len(lane.group.lanes) > 1):
         return False
     if query.lane_beside in ("left", "right"):
         there = left if query.lane_beside == "left" else right

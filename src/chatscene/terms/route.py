@@ -10,6 +10,7 @@ from enum import StrEnum
 
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
+from chatscene.terms.vocabulary import Setting
 
 
 class Beside(StrEnum):
@@ -49,6 +50,8 @@ class RouteQuery:
         begins: Where it begins beside its lane: at the ``kerb`` or in a ``driveway`` on its right. One that is driven
             backwards leads along its lane against that, or out of a driveway or a bay and then against its lane.
         ends: Where it ends beside its lane: at the kerb, in a driveway, or ``back`` in a lane of the other direction.
+        setting: What lies about the road that it begins on; None for anything.
+        divided: Whether no lane of the other direction may lie beside any of the ego's direction.
     """
 
     maneuver: Maneuver
@@ -64,6 +67,8 @@ class RouteQuery:
     approach: float | None = None
     begins: Beside | None = None
     ends: Beside | None = None
+    setting: Setting | None = None
+    divided: bool = False
 
     @property
     def slug(self) -> str:
@@ -78,6 +83,7 @@ class RouteQuery:
         parts += [None if self.approach is None else f"after-{self.approach:g}"]
         parts += [None if self.begins is None else f"out-of-{self.begins}"]
         parts += [None if self.ends is None else f"into-{self.ends}"]
+        parts += [self.setting, "divided" if self.divided else None]
         return "-".join(part for part in parts if part is not None)
 
 

@@ -33,6 +33,7 @@ from chatscene.terms.polyline import Polyline
 from chatscene.terms.profile import Timetable, allowed_speeds
 from chatscene.terms.route import Beside, Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
+from chatscene.terms.vocabulary import Setting
 from chatscene.world.control import Tracker
 
 QUARTER = math.pi / 2
@@ -116,6 +117,8 @@ def routes_for(
     approach: float | None = None,
     begins: str | None = None,
     ends: str | None = None,
+    setting: str | None = None,
+    divided: bool = False,
 ) -> tuple[Route, ...]:
     """The routes of a map that a geometry asks for, best spread first.
 
@@ -135,6 +138,8 @@ def routes_for(
         approach: How far [m] it leads up to its manoeuvre; None for as far as is usual.
         begins: Where it begins beside its lane: a `Beside`, or None.
         ends: Where it ends beside its lane: a `Beside`, or None.
+        setting: What lies about the road where it begins: a `Setting`, or None for anything.
+        divided: Whether no oncoming lane may lie beside any lane of the ego's direction.
 
     Raises:
         MapError: The map has no such geometry.
@@ -153,6 +158,8 @@ def routes_for(
         approach=approach,
         begins=None if begins is None else Beside(begins),
         ends=None if ends is None else Beside(ends),
+        setting=None if setting is None else Setting(setting),
+        divided=divided,
     )
     found = _routes(network, Path(map_path).stem, query)
     if isinstance(found, str):
