@@ -192,7 +192,7 @@ class Asked:
 
     def ahead(self, low: float, high: float) -> None:
         """From where to where [m] ahead it may be, if that was not said: farther where the ego comes faster."""
-        self.reach(low * self.found.further, high * self.found.further)
+        self.reach(low * self.found.further, low * self.found.further + high - low)
 
     def reach(self, low: float, high: float, meaning: str = "how far ahead of the ego it is") -> None:
         """From where to where [m] it may be, if that was not said."""

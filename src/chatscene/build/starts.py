@@ -279,7 +279,7 @@ def _level_beside(asked: Asked) -> tuple[float, float]:
     """
     way = {Facing.ALONG: -1.0, Facing.AGAINST: 1.0}.get(asked.one.starts.facing or Facing.ACROSS)
     if way is None or asked.stands or not asked.walks or asked.found.query.get("ends") not in ENDS_BESIDE:
-        return 34.0 * asked.found.further, 50.0 * asked.found.further
+        return 34.0 * asked.found.further, 34.0 * asked.found.further + 16.0
     leaves = asked.found.route.eventAt + OFF_LANE
     far = asked.numbers.middle("SPEED") * (asked.ego.time_at(leaves) + asked.ego.late_at(leaves))
     return leaves + way * far - ABOUT, leaves + way * far + ABOUT
