@@ -115,7 +115,8 @@ class Asked:
     def rolls(self) -> bool:
         """Whether it comes driving from the first: nothing has it wait, and it is known when the ego comes."""
         first = self.one.does[0] if self.one.does else None
-        waits = first is not None and first.when is not None and first.act.row.lasting
+        drives = self.one.starts.speed is not None  # and so does not wait to go on
+        waits = first is not None and first.when is not None and first.act.row.lasting and not drives
         in_row = self.first is not None and not self.first.rolls
         comes_out = self.one.hidden_by is not None and self.one.starts.where is not Where.ONCOMING
         return not (self.stands or waits or in_row or comes_out) and self.ego.late is not None

@@ -233,6 +233,7 @@ def _beside(asked: Asked) -> tuple[float, float]:
     return low + longer, high + longer
 
 
+POINTED = 3.5, 4.5  # [m] behind the junction, of whom a point of the ego's width meets: there it has come about
 ON_CROSSWALK = (0.7, 3.3)  # [m] from where a crosswalk begins
 
 
@@ -291,7 +292,9 @@ def _beside_road(asked: Asked) -> Stand:
     if backs(asked.situation) and out_of(asked.situation):
         return comes_by(asked)
     if where is Where.EXIT_CROSSING:
-        asked.reach(2, 6, "how far behind the junction it is")
+        contact = asked.situation.contact
+        pointed = contact is not None and contact.at is not None and contact.whom in (None, asked.one.id)
+        asked.reach(*(POINTED if pointed else (2, 6)), "how far behind the junction it is")
         level = "egoRoute.exitAt + $Y"
     elif where is Where.CROSSING and at_junction(asked.situation):
         asked.reach(1, 4, "how far before the junction it is")
