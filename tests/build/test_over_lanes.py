@@ -120,3 +120,9 @@ def test_who_joins_slower_than_the_ego_has_a_start_and_is_met() -> None:
     ego, other = tracks["ego"], tracks["A"]
     steps = min(len(ego.x), len(other.x))
     assert np.hypot(ego.x[:steps] - other.x[:steps], ego.y[:steps] - other.y[:steps]).min() < 15.0
+
+
+def test_who_overtakes_in_a_roundabout_does_so_where_that_has_two_lanes() -> None:
+    built = build(from_plain(said("behind", {"act": "overtake"}, ego={"route": "roundabout"})))
+    assert Path(built.map).stem == "region"
+    assert not built.left_out

@@ -271,7 +271,7 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
     base |= _many_lanes(situation, sides)
     over: list[str] = []
     against = any(one.starts.where in AGAINST for one in others)  # for whom that lane is
-    if not (against or lanes or at_roundabout(situation) or beside_lane(situation) or road.lanes == 1):
+    if not (against or lanes or beside_lane(situation) or road.lanes == 1):
         over = [str(side) for one in others if (side := _goes_over(one)) is not None]
     has = [*road.has, *(Feature.CROSSWALK for one in others if one.starts.where is Where.CROSSING)]
     sites = [SITES[one].value for one in dict.fromkeys(has) if one in SITES and not at_junction(situation)]
