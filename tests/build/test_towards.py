@@ -280,7 +280,7 @@ def test_a_bus_nearer_than_any_bay_is_refused() -> None:
 def test_who_faces_along_the_road_turns_to_cross_it(facing: str, does: tuple[str, ...]) -> None:
     start = {"where": "roadside", "side": "left", "facing": facing}
     one = {"id": "A", "kind": "pedestrian", "starts": start, "does": [deed(act) for act in does]}
-    assert unseen(from_plain({"others": [one]})) == ()
+    assert unseen(from_plain({"ego": {"speed": "28 km/h"}, "others": [one]})) == ()
 
 
 @pytest.mark.parametrize("striker", ["ego", "other"])
