@@ -64,6 +64,11 @@ def test_who_waits_longer_than_the_drive_lasts_is_told(simulator: Simulator) -> 
     )
 
 
+def test_who_is_still_moving_over_along_its_line_as_the_drive_ends_has_begun_to(simulator: Simulator) -> None:
+    over = "\n    ".join(f"do DrivePath(egoRoute, 7, {left}) for 3 seconds" for left in (2.0, 1.0, 0.5))
+    assert unplayed(*driven(simulator, f"{over}\n    do DrivePath(egoRoute, 7)")) == ()
+
+
 def test_a_round_of_a_loop_that_is_not_over_is_no_phase_that_never_began(simulator: Simulator) -> None:
     phases = (
         "while True:\n        do DrivePath(egoRoute, 7) for 1 seconds\n        do BrakeOnPath(egoRoute) for 1.5 seconds"

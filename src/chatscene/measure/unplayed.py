@@ -58,9 +58,13 @@ def _never_began(actor: str, plan: Plan, reached: int) -> list[str]:
 
 
 def _goes_on(phase: Phase, before: Phase) -> bool:
-    """Whether a phase only goes on with what was done before, as one does who waits for the next."""
-    did = before.primitive, before.arguments
-    return before.end is not None and (phase.primitive, phase.arguments) == did
+    """Whether a phase only goes on with what was done before, as one does who waits for the next.
+
+    Who drives on as fast along the same line, only farther aside of it, is still moving over.
+    """
+    named = slice(2) if phase.primitive == "DrivePath" else slice(None)
+    did = before.primitive, before.arguments[named]
+    return before.end is not None and (phase.primitive, phase.arguments[named]) == did
 
 
 def _off_its_line(track: Track, phase: Phase, source: str) -> list[str]:
