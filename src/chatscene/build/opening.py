@@ -19,6 +19,7 @@ from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, NEXT_LANE, at_junction, room_against
 from chatscene.build.reacting import ego_slows, goes_until_ego_slows, reacts
 from chatscene.build.relations import AGAINST, ALONG
+from chatscene.build.sideways import CLEARS, over_at_speed
 from chatscene.build.timing import Course, Meeting, course
 from chatscene.build.towards import done_to
 from chatscene.build.waiting import when_of
@@ -382,7 +383,8 @@ class Opening:
                 there = "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0])"
                 return f"{there} < {wait:.2f} + $OFFSET" + self._or_yields()
             case _ if (shown := self._shows()) is not None:
-                return f"headway(egoRoute, self, {name_of(shown.id)}) < self.pose[3] * (0.6 + $LEAD_TIME) + 5"
+                clears = CLEARS if over_at_speed(self.phases.actor, self.first) else 0.6
+                return f"headway(egoRoute, self, {name_of(shown.id)}) < self.pose[3] * ({clears} + $LEAD_TIME) + 5"
             case _:
                 due = f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
                 return due + (self._or_yields() if self.phases.actor.ego.stands else "")

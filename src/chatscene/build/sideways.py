@@ -23,6 +23,7 @@ FROM = 40 / 3.6  # [m/s], from which on nobody comes over as fast as its wheel w
 AT_SPEED = math.sqrt(2.0 * math.pi * LANE / GENTLY)
 """[s] that somebody takes to change lanes along a sine of the acceleration sideways, with no more than `GENTLY`."""
 SLOWLY = 2.0 * AT_SPEED
+CLEARS = 2.4  # [s] that who takes so long needs more than who turns at once, until it is out of a lane, at most
 """[s]: drivers take 4.6 s in the mean (T. Toledo and D. Zohar, "Modeling duration of lane changes", 2007)."""
 _CHANGES = frozenset((Act.LANE_CHANGE, Act.CUT_OUT))
 
@@ -35,7 +36,7 @@ def takes_long(actor: Actor, k: int, steps: Steps) -> Steps:
     """
     deed = actor.deeds[k]
     line = next((line for line in (OWN, "{beside}") if f"DrivePath({line}" in steps.does[0]), "") if steps.does else ""
-    if line and deed.time is None and _at_speed(actor, k):
+    if line and deed.time is None and over_at_speed(actor, k):
         return _over(actor, k, steps, line, (AT_SPEED, SLOWLY))
     if deed.act not in _CHANGES or deed.time is None or not line:
         return steps
@@ -50,7 +51,7 @@ def takes_long(actor: Actor, k: int, steps: Steps) -> Steps:
     return _over(actor, k, steps, line, (low, high), at)
 
 
-def _at_speed(actor: Actor, k: int) -> bool:
+def over_at_speed(actor: Actor, k: int) -> bool:
     """Whether somebody comes over to another lane at a speed at which tyres ask for more time than a wheel takes."""
     deed = actor.deeds[k]
     changes = deed.act in _CHANGES or deed.act is Act.CUT_IN
