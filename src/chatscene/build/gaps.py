@@ -31,7 +31,6 @@ CLOSE = (1.0, 3.0)  # [m], from and to, that somebody leaves who comes in sudden
 GETS_BY = 3.0  # [m/s] that somebody is faster at most who gets as far before another as it must be …
 FALLS_BACK = 0.75  # … and the least of that one's speed
 GAP_WITHIN, EASED = 1.0, 1.0  # [m] of a gap that was said; [m/s] faster than whom it passed, who is no faster
-GETS_PAST = 5.0  # [m/s] that somebody is faster than the ego on the average who gets before it
 OVER_THE_LINE = 0.75  # [s] after it sets out for a lane that somebody's middle is over the line
 SAME = 1.0  # [m/s] by which two go as fast
 SLOWER = 1.0  # [m/s] than the ego, from which on the ego comes up to somebody
@@ -201,7 +200,8 @@ def seconds_to_get_ahead(actor: Actor, k: int) -> float:
     first = k == 0 and actor.deeds[k].act is not Act.CUT_IN
     if first or not _from_behind(actor, k):
         return 0.0
-    return (actor.numbers.middle("Y") + 2 * actor.limits.length) / GETS_PAST
+    behind, ahead = (actor.numbers.range_of(name)[1] for name in ("Y", "AHEAD"))
+    return (behind + 2 * actor.limits.length + ahead) / GETS_BY
 
 
 def seconds_to_get_by(actor: Actor, k: int) -> float:

@@ -138,6 +138,7 @@ def _beside_lane(actor: Actor, hidden: Actor) -> Screen:
     if acts <= _STANDS:
         return Screen(way=way, at=at, farther=farther, sign=sign)
     if acts <= _STANDS | _STOPS | _GOES and acts & _STOPS:
+        _come_in_time(actor, hidden)
         return _comes_to_stand(actor, Screen(way=way, at=at, sign=sign), f"{seconds} - {lead} - {STOOD:g}")
     if acts <= _GOES and against:
         aside = hidden.numbers.middle("X") + 1.5 * LANE
@@ -166,6 +167,16 @@ def _at_junction(actor: Actor, hidden: Actor) -> Screen:
     if acts <= _STANDS | _STOPS | _GOES and acts & _STOPS:
         return _comes_to_stand(actor, screen, f"{actor.ego.seconds(f'egoMeet{other}')} - {BEFORE_MET:g}")
     raise _refused(actor, hidden, "say that it stands or stops")
+
+
+def _come_in_time(actor: Actor, hidden: Actor) -> None:
+    """Let somebody be so slow that it has stopped before the other comes out, however near the ego begins to that."""
+    met = meeting_of(hidden).metres / hidden.numbers.middle("SPEED") + hidden.numbers.range_of("OFFSET")[1]
+    left = hidden.ego.time_at(hidden.numbers.range_of("Y")[0]) - met - STOOD
+    stops = left * EASES[1] * LIMITS[actor.one.kind.scenic].brake
+    low, high, *_ = actor.numbers.range_of("SPEED")
+    if not actor.numbers.is_said("SPEED") and 0.0 < stops < high:
+        actor.numbers.narrow("SPEED", 0.8 * stops, stops)
 
 
 def _comes_to_stand(actor: Actor, screen: Screen, when: str) -> Screen:

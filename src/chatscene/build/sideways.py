@@ -26,6 +26,7 @@ SLOWLY = 2.0 * AT_SPEED
 CLEARS = 2.4  # [s] that who takes so long needs more than who turns at once, until it is out of a lane, at most
 """[s]: drivers take 4.6 s in the mean (T. Toledo and D. Zohar, "Modeling duration of lane changes", 2007)."""
 _CHANGES = frozenset((Act.LANE_CHANGE, Act.CUT_OUT))
+_COMES_OVER = frozenset((Act.LANE_CHANGE, Act.CUT_IN))  # who gets out of a lane does so before what stands in it
 
 
 def takes_long(actor: Actor, k: int, steps: Steps) -> Steps:
@@ -54,9 +55,9 @@ def takes_long(actor: Actor, k: int, steps: Steps) -> Steps:
 def over_at_speed(actor: Actor, k: int) -> bool:
     """Whether somebody comes over to another lane at a speed at which tyres ask for more time than a wheel takes."""
     deed = actor.deeds[k]
-    changes = deed.act in _CHANGES or deed.act is Act.CUT_IN
+    once = sum(one.act in _COMES_OVER for one in actor.deeds) == 1
     free = deed.distance is None and deed.lateral is None and deed.manner is not Manner.SUDDEN
-    return changes and free and actor.numbers.middle("SPEED") > FROM
+    return deed.act in _COMES_OVER and once and free and actor.numbers.middle("SPEED") > FROM
 
 
 def _over(actor: Actor, k: int, steps: Steps, line: str, takes: tuple[float, float], path: str = "") -> Steps:
