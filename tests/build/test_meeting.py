@@ -21,7 +21,7 @@ from chatscene.terms.scene import Scene
 class Blind(IntelligentDriver):
     """A driver that sees nobody."""
 
-    def wanting(self, speed: float) -> Blind:
+    def wanting(self, speed: float) -> Any:
         return Blind(speed)
 
     def act(self, observation: Observation) -> tuple[float, float]:
