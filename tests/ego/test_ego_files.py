@@ -305,7 +305,7 @@ def test_torchscript_and_onnx_act_as_the_network_they_were_made_from(tmp_path: P
 def test_a_torchscript_of_other_sizes_is_refused_with_both_sizes(tmp_path: Path) -> None:
     torch = pytest.importorskip("torch", reason="the extra 'train' is not installed")
     torch.jit.trace(torch.nn.Linear(10, 2), torch.zeros(1, 10)).save(str(tmp_path / "in.pt"))
-    with pytest.raises(EgoError, match=r"takes 10 numbers; observations are safebench \(4\), .*road \(\d+\)$"):
+    with pytest.raises(EgoError, match=r"takes 10 numbers; observations are safebench \(4\), .*traffic \(\d+\)$"):
         load_file(tmp_path / "in.pt")
     torch.jit.trace(torch.nn.Conv2d(3, 2, 3), torch.zeros(1, 3, 8, 8)).save(str(tmp_path / "image.pt"))
     with pytest.raises(EgoError, match=r"takes an input of shape \[2, 3, 3, 3\]; observations are"):
@@ -324,7 +324,7 @@ def test_an_onnx_model_of_other_sizes_is_refused_with_both_sizes(tmp_path: Path)
         graph = helper.make_graph([node], "policy", *ends)
         made = helper.make_model(graph, opset_imports=[helper.make_opsetid("", 17)], ir_version=9)
         onnx.save(made, str(tmp_path / f"{name}.onnx"))
-    with pytest.raises(EgoError, match=r"takes 10 numbers; observations are safebench \(4\), .*road \(\d+\)$"):
+    with pytest.raises(EgoError, match=r"takes 10 numbers; observations are safebench \(4\), .*traffic \(\d+\)$"):
         load_file(tmp_path / "row.onnx")
     with pytest.raises(EgoError, match=r"takes an input of shape \[1, 3, 8, 8\]; observations are"):
         load_file(tmp_path / "image.onnx")

@@ -111,7 +111,7 @@ def test_every_scene_says_what_became_of_it_under_each_ego_and_links_its_replay(
         mine, other = rows[scene, 0], rows[scene, 1]
         assert line[2] == str(int(mine["collision"]))
         assert line[3].startswith(
-            f"{mine['impact_speed']:.1f} m/s" if mine["collision"] else f"{mine['distance']:.1f} m"
+            f"{3.6 * mine['impact_speed']:.0f} km/h" if mine["collision"] else f"{mine['distance']:.1f} m"
         )
         assert line[4] == f"{other['distance']:.1f} m"
 

@@ -27,8 +27,9 @@ TOWN, RURAL, MOTORWAY, SLOW = 50 * KMH, 80 * KMH, 110 * KMH, 30 * KMH  # [m/s], 
 _KINDS = {
     "rural": (RURAL, RURAL),
     "motorway": (MOTORWAY, MOTORWAY),
-    **dict.fromkeys(("lowSpeed", "townPlayStreet", "pedestrian", "bicycle"), (SLOW, SLOW)),
+    **dict.fromkeys(("lowSpeed", "townPlayStreet", "pedestrian"), (SLOW, SLOW)),
 }
+_KINDS["bicycle"] = (SLOW, SLOW)
 # Of any other kind. `town` is what netconvert and the maps of CARLA say of every road, motorways too: where such a
 # one has a limit of its own, that is the better witness.
 _OTHER = (TOWN, MOTORWAY)

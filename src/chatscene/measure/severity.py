@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from chatscene.terms.actors import BY_CLASS, AdversaryKind
+from chatscene.terms.actors import BY_CLASS, AdversaryKind, Manner
 
 KMH = 3.6
 HALF = 0.5  # where curves end, and what then stands for "half or more"
@@ -82,7 +82,9 @@ def in_kmh(speed: float) -> str:
     return f"{KMH * speed:.0f} km/h"
 
 
-_CARS = frozenset({AdversaryKind.CAR, AdversaryKind.VAN})
+LIGHT = 3500.0  # [kg]: categories M1 and N1 (Regulation (EU) 2018/858)
+VEHICLES = frozenset(kind for kind in AdversaryKind if kind.row.motorised and kind.row.manner is Manner.DRIVES)
+_CARS = frozenset(kind for kind in VEHICLES if kind.row.mass <= LIGHT)
 _ON_FOOT = frozenset({AdversaryKind.PEDESTRIAN})
 _ROSEN, _LUBBE, _GEISSLINGER = "Rosén and Sander 2009", "Lubbe et al. 2022", "Geisslinger et al. 2023"
 OCCUPANT_LEAST = 7 / KMH  # [m/s] of change of velocity, below which SAE J2980 expects no injury (decision 0012)
@@ -141,16 +143,6 @@ CURVES = (
         )
         for parts, area in (("front", 0.0), ("left right", 0.244), ("rear", -0.431))
     ),
-)
-VEHICLES = frozenset(
-    {
-        *_CARS,
-        AdversaryKind.EMERGENCY_VEHICLE,
-        AdversaryKind.TRUCK,
-        AdversaryKind.BUS,
-        AdversaryKind.TRACTOR,
-        AdversaryKind.TRAM,
-    }
 )
 
 

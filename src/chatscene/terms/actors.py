@@ -95,6 +95,9 @@ class RoadUser:
         like: The kind that it acts like, by name; empty where it acts like none but itself.
         slow: Speed [m/s] below which a watcher calls it slow.
         fast: Speed [m/s] from which a watcher calls it fast.
+        driven: Speed [m/s] at which it is driven at most, however fast the road is: lorries and buses outside towns by
+            StVO § 3 (3) 2 and § 18 (5), and in most of Europe; a tram among others on the road keeps to what holds for
+            them; tractors are built for 40 km/h at most (Regulation (EU) 167/2013, class T1).
     """
 
     scenic: str
@@ -116,6 +119,7 @@ class RoadUser:
     like: str = ""
     slow: float = 4.0
     fast: float = 11.0
+    driven: float = math.inf
 
 
 class AdversaryKind(StrEnum):
@@ -182,6 +186,7 @@ class AdversaryKind(StrEnum):
         "truck",
         RoadUser(
             scenic="Truck",
+            driven=80 / 3.6,
             blueprint="vehicle.carlamotors.carlacola",
             mass=8000.0,
             limits=Limits(
@@ -223,6 +228,7 @@ class AdversaryKind(StrEnum):
         "bus",
         RoadUser(
             scenic="Bus",
+            driven=80 / 3.6,
             blueprint="vehicle.mitsubishi.fusorosa",
             mass=6500.0,
             limits=Limits(
@@ -576,6 +582,7 @@ class AdversaryKind(StrEnum):
         "tractor",
         RoadUser(
             scenic="Tractor",
+            driven=30 / 3.6,
             like="truck",
             blueprint="vehicle.carlamotors.carlacola",
             mass=6500.0,
@@ -609,6 +616,7 @@ class AdversaryKind(StrEnum):
         "tram",
         RoadUser(
             scenic="Tram",
+            driven=50 / 3.6,
             like="bus",
             blueprint="vehicle.mitsubishi.fusorosa",
             mass=20000.0,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from chatscene.terms.actors import LIMITS, AdversaryKind, Limits, kind_of
@@ -47,19 +46,6 @@ def gain_in(body: Limits) -> float:
     return min(NOMINAL.gain, able)
 
 
-_AT_MOST: dict[AdversaryKind, float] = {
-    AdversaryKind.TRUCK: 80 / 3.6,
-    AdversaryKind.BUS: 80 / 3.6,
-    AdversaryKind.TRAM: 50 / 3.6,
-    AdversaryKind.TRACTOR: 30 / 3.6,
-}
-"""What an ego of a kind drives at [m/s] at most, however fast the road is.
-
-Lorries and buses outside towns: StVO § 3 (3) 2 and § 18 (5), and in most of Europe. A tram among others on the road
-keeps to what holds for them. Tractors are built for 40 km/h at most (Regulation (EU) 167/2013, class T1).
-"""
-
-
 def usual_speed(body: AdversaryKind, road: float) -> float:
     """What an ego of a kind drives at [m/s] where nothing holds it: as the road is driven, so far as its kind can.
 
@@ -72,4 +58,4 @@ def usual_speed(body: AdversaryKind, road: float) -> float:
     """
     if not body.row.motorised:
         return min(road, NOMINAL.speed * (body.row.fast / AdversaryKind.CAR.row.fast))
-    return min(road, _AT_MOST.get(body, math.inf))
+    return min(road, body.row.driven)
