@@ -144,7 +144,7 @@ def _summands(m: Measurements, mode: Mode) -> list[float]:
     """What a drive adds to the ten sums, to the number of drives and to the number of those with a time."""
     corrected = mode is Mode.CORRECTED
     time = m.time
-    if corrected:
+    if corrected and (time is not None or m.completion < 1.0):  # of a drive that was over it is not known
         time = MOST_TIME if time is None else min(time, MOST_TIME)
     return [
         float(m.collided),
