@@ -95,14 +95,19 @@ class Over:
         return (step - self.since) * self.dt >= lasts
 
     def _is_even(self, together: Sequence[int]) -> bool:
-        """Whether everybody but the ego goes on as when it became quiet, and those with the ego are as far from it."""
+        """Whether everybody but the ego goes on as when it became quiet, and those with the ego come no nearer to it.
+
+        They are as far from it, or draw away from an ego that keeps its speed.
+        """
         ego = self.bodies[0]
+        steady = abs(ego.speed - self.even[0][0]) <= EVEN_SPEED
         for body, (speed, heading, _) in list(zip(self.bodies, self.even, strict=True))[1:]:
             if abs(body.speed - speed) > EVEN_SPEED or abs(body.heading - heading) > EVEN_HEADING:
                 return False
         for i in together:
             body = self.bodies[i]
-            if abs(math.hypot(body.x - ego.x, body.y - ego.y) - self.even[i][2]) > AS_FAR:
+            away = math.hypot(body.x - ego.x, body.y - ego.y) - self.even[i][2]
+            if away < -AS_FAR or (away > AS_FAR and not steady):
                 return False
         return True
 

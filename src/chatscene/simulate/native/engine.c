@@ -998,11 +998,12 @@ static int is_over(World *w) {
     w->moved |= fabs(w->body[0].speed) >= AT_REST;
     double time = lasts(w);
     if (time == 0.0) { w->quiet = -1; return 0; }
-    int even = w->quiet >= 0;
+    int even = w->quiet >= 0, steady = fabs(w->body[0].speed - w->body[0].even_speed) <= EVEN_SPEED;
     for (int64_t i = 1; i < w->bodies && even; i++) {
         const Body *b = &w->body[i];
         even = fabs(b->speed - b->even_speed) <= EVEN_SPEED && fabs(b->heading - b->even_heading) <= EVEN_HEADING
-            && (!b->together || fabs(apart(w, b) - b->even_distance) <= AS_FAR);
+            && (!b->together || (apart(w, b) - b->even_distance >= -AS_FAR
+                                 && (steady || apart(w, b) - b->even_distance <= AS_FAR)));
     }
     if (!even) {
         w->quiet = w->step;
