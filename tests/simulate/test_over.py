@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+import numpy as np
 import pytest
 
 from chatscene.ego.policy import load_ego, wanting
@@ -138,6 +139,17 @@ def test_one_that_follows_at_the_same_speed_for_five_seconds_has_seen_all() -> N
     assert abs(episode.ego_track.speed[-1] - 3.0) < 0.5
 
 
+SLOWER = program("do DrivePath(egoRoute, 5.6)", ego=", with orders (Order(at_most=5),)")
+"""Who is ahead draws slowly away from an ego that keeps its speed."""
+
+
+def test_one_that_draws_away_slowly_from_an_ego_that_keeps_its_speed_ends_it() -> None:
+    episode = driven(SLOWER)
+    assert episode.ending is Ending.OVER
+    apart = np.hypot(*(getattr(episode.tracks[1], of) - getattr(episode.ego_track, of) for of in "xy"))
+    assert apart[-1] > apart[-50] + 1.0
+
+
 def test_a_drive_that_was_over_did_not_fail() -> None:
     episode = driven(crossing())
     assert episode.route_completion < 1.0 == episode.completion
@@ -152,6 +164,7 @@ CASES = {
     "stand": program(),
     "cross": crossing(),
     "follow": program("do DrivePath(egoRoute, 3)"),
+    "slower": SLOWER,
     "wait": program(
         "do BrakeOnPath(egoRoute) until distanceLeft(egoRoute, ego, 30) < 0\n    do DrivePath(egoRoute, 5)"
     ),
