@@ -167,7 +167,7 @@ def test_in_each_scene_whoever_does_not_react_crashes_and_in_its_twin_nobody_nee
         assert not driven.failures
         assert driven.episode.adversaries[0].x[0] == driven.twin.adversaries[0].x[0]
         assert driven.episode.ego_track.x[0] == driven.twin.ego_track.x[0]
-        assert driven.twin.route_completion == pytest.approx(1.0, abs=0.01)
+        assert driven.twin.completion == pytest.approx(1.0, abs=0.01)
 
 
 def test_who_must_run_into_nobody_may_be_run_into(braking: scenes.Found, monkeypatch: pytest.MonkeyPatch) -> None:
