@@ -51,10 +51,10 @@ class Parts:
 
 
 @cache
-def parts() -> Parts:
-    """The parts of all recorded replies."""
+def parts(files: tuple[str, ...] = FILES) -> Parts:
+    """The parts of all recorded replies of some files."""
     made = Parts()
-    for one in recorded():
+    for one in recorded(files):
         made.egos.append(Ego(route=one.ego.route, speed=one.ego.speed))
         made.numbers.append(min(len(one.others), MOST))
         for other in one.others:
@@ -73,9 +73,9 @@ def sort_of(one: Other) -> Sort:
     return one.kind.moves, one.kind.row.body.row.motorised
 
 
-def recorded() -> Iterator[Situation]:
-    """The situations of all recorded replies, the last of each text."""
-    for name in FILES:
+def recorded(files: tuple[str, ...] = FILES) -> Iterator[Situation]:
+    """The situations of all recorded replies of some files, the last of each text."""
+    for name in files:
         for line in (READING / name).read_text(encoding="utf-8").splitlines():
             reply = json.loads(line)["replies"][-1]
             try:
@@ -84,9 +84,9 @@ def recorded() -> Iterator[Situation]:
                 continue
 
 
-def drawn_as_said(rng: random.Random) -> Situation:
-    """A situation at random, of parts that were said."""
-    made = parts()
+def drawn_as_said(rng: random.Random, files: tuple[str, ...] = FILES) -> Situation:
+    """A situation at random, of parts that were said in the texts of some files."""
+    made = parts(files)
     others = tuple(_somebody(rng, made, name) for name in "ABC"[: rng.choice(made.numbers)])
     return Situation(ego=rng.choice(made.egos), others=others)
 
