@@ -9,7 +9,8 @@ import pytest
 from test_building import simulator
 
 from chatscene.build.build import Built, build
-from chatscene.ego.intelligent_driver import OWN, IntelligentDriver, Observation
+from chatscene.ego.observation import OWN, ROAD, Observation
+from chatscene.ego.traffic_driver import TrafficDriver
 from chatscene.errors import NotBuilt
 from chatscene.program.sample import draw
 from chatscene.simulate.simulator import simulate
@@ -18,14 +19,16 @@ from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Scene
 
 
-class Blind(IntelligentDriver):
+class Blind(TrafficDriver):
     """A driver that sees nobody."""
 
     def wanting(self, speed: float) -> Any:
         return Blind(speed)
 
     def act(self, observation: Observation) -> tuple[float, float]:
-        return super().act(observation[:OWN])
+        empty = np.array(observation)
+        empty[OWN:ROAD] = 0.0
+        return super().act(empty)
 
 
 def somebody(kind: str, where: str, *does: dict[str, Any] | str, side: str | None = None, **more: Any) -> Built:
@@ -53,6 +56,10 @@ def met(built: Built, seed: int) -> Episode:
         somebody("car", "arm", "go-straight", side="right"),
         somebody("car", "arm", "enter", side="left", ego={"speed": "50 km/h"}),
         somebody("car", "oncoming", "turn-left"),
+        somebody(
+            "motorcycle", "oncoming", "turn-left", ego={"speed": "80 km/h"}, road={"kind": "junction"}
+        ),  # slower then
+        somebody("bus", "oncoming", "go-straight", ego={"route": "left-turn"}),  # which does not hold the road's speed
         somebody("bicycle", "behind-beside", "go-straight", side="right", ego={"route": "right-turn"}),
         somebody("deer", "ahead"),
         somebody("pedestrian", "ahead-beside", "enter", side="left"),

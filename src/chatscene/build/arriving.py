@@ -6,22 +6,24 @@ from dataclasses import replace
 
 from chatscene.build.asked import Asked, Meets, Stand
 from chatscene.build.chain import in_terms_of
-from chatscene.build.coming import lost_in_curves
+from chatscene.build.deeds import GO
 from chatscene.build.numbers import MOST
 from chatscene.build.place import Found, arm_of, at_roundabout, from_left, ring_arms, room_against, way_of
-from chatscene.build.timing import Body
+from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.errors import NotBuilt
-from chatscene.maps.crossings import CrossingPath, conflicting_paths, passing_path
+from chatscene.maps.crossings import MEETING, CrossingPath, conflicting_paths, passing_path
 from chatscene.maps.ring_ways import ROUND
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Side, Where
+from chatscene.world.control import curve_speeds
 from chatscene.world.places import lastLane, ringTraffic, trafficFrom, wayOf
 
 EARLIEST, LATEST = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
 FAR_OFF = 1.4, 1.8  # of the ego's speed: who comes so fast is so far off that who waits before it hides it
 AT_LINE = 1.0, 3.0  # [m] before the junction, from nose to line, that somebody stands who waits there
 _HALF_TURN = 14.0  # [m] of turning round
+_ROUNDS = 6  # in which a way back is found
 
 
 def through(asked: Asked) -> Stand:
@@ -120,17 +122,25 @@ def so_far_back(asked: Asked, stand: Stand, metres: str) -> Stand:
 
 
 def _way_back(asked: Asked, found: CrossingPath) -> str:
-    """How far [m] somebody has to where it meets the ego, at the speed that it holds, and slower in curves."""
+    """How far [m] somebody has to where it meets the ego, as fast as it is on its way: slower in curves and in time."""
     numbers, body = asked.numbers, Body(asked.one.kind.row.body.row.limits, walks=False)
+    seconds = asked.ego.time_at(found.ego_meets_at) + asked.ego.late_at(found.ego_meets_at)
+    caps = curve_speeds(found.line)
 
-    def held() -> float:
-        return body.holds(numbers.middle("SPEED")) / numbers.middle("SPEED")
+    def later() -> float:
+        speed = numbers.middle("SPEED")
+        metres = speed * seconds
+        for _ in range(_ROUNDS):
+            begins = found.meets_at - metres
+            meeting = Meeting(
+                metres=metres, beyond=MEETING, allowed=lambda gone, at=begins: caps[found.line.segment_at(at + gone)]
+            )
+            takes = course((GO,), numbers, body, Course(speed=speed), meeting).met
+            metres = max(metres + speed * (seconds - takes), 1.0)
+        return metres / speed - seconds
 
-    def sooner() -> float:
-        return -lost_in_curves(found.line, held() * numbers.middle("SPEED"), found.meets_at)
-
-    curves = in_terms_of(numbers, ("$SPEED",), sooner)
-    return f"{held():.3f} * $SPEED * ({asked.ego.seconds('egoMeet{i}', found.ego_meets_at)} {curves} - $OFFSET)"
+    slower = in_terms_of(numbers, ("$SPEED",), later)
+    return f"$SPEED * ({asked.ego.seconds('egoMeet{i}', found.ego_meets_at)} {slower} - $OFFSET)"
 
 
 def _in_time(asked: Asked, found: CrossingPath, seconds: float) -> bool:

@@ -12,10 +12,8 @@ from chatscene.build.usual import speed_of_road
 from chatscene.terms.backing import backs
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL, usual_speed
-from chatscene.terms.polyline import Polyline
 from chatscene.terms.profile import Timetable
 from chatscene.terms.situation import Situation
-from chatscene.world.control import curve_speeds
 from chatscene.world.places import EgoRoute as Route
 from chatscene.world.places import timetable
 
@@ -171,21 +169,3 @@ def goes_over(route: Route, ego: Coming) -> tuple[float, float]:
     else:
         at = along = begins
     return along, ego.time_at(at)
-
-
-def lost_in_curves(line: Polyline, speed: float, to: float) -> float:
-    """How much longer [s] another than the ego takes to somewhere on its way, since it is slower in curves.
-
-    Args:
-        line: Its way.
-        speed: What it wants [m/s].
-        to: How far along that [m].
-    """
-    lengths = line.columns[2]
-    lost, now = 0.0, speed
-    for begins, ends, allowed in zip(lengths, lengths[1:], curve_speeds(line), strict=False):
-        if begins >= to:
-            break
-        now = min(allowed, speed, (now * now + 2.0 * NOMINAL.gain * (ends - begins)) ** 0.5)
-        lost += (ends - begins) * (1.0 / now - 1.0 / speed)
-    return lost
