@@ -5,7 +5,7 @@
 
 Each line has an `id`, the `situation`, the same `in_words`, and the `voice` in which a writer is to tell it.
 Half are parts that people said together (`as_said.py`), with a few facts added; half are drawn so that every word of
-the vocabulary comes up, the rare ones first: of several candidates that is taken whose rarest facts were drawn least.
+the vocabulary comes up: of several candidates that is taken whose rarest facts were drawn least.
 Nothing in them is against itself. With `--built` at most a tenth are such as nothing builds yet, which takes about two
 seconds for each; without it about half are. No texts of held-out sets are behind them.
 """
@@ -88,11 +88,11 @@ VOICES = (
     "speech, as dictated, no punctuation to speak of",
     "storyteller, with much that does not matter",
 )  # fmt: skip
-FRESH = ("fresh.jsonl",)
-CANDIDATES, RARE = 12, 3  # of which one is taken by the mean of its rarest facts
+FRESH, CANDIDATES, RARE = ("fresh.jsonl",), 12, 3  # of the candidates one is taken by the mean of its rarest facts
 ADDED, EVEN_ADDED = 0.35, 0.55  # how much is added to what was said, and to what is drawn evenly
 UNBUILT = 0.1  # of all, the share of those that nothing builds yet
 HIDERS = (Where.KERB, Where.KERB, Where.ROADSIDE, Where.AHEAD, Where.AHEAD_BESIDE, Where.ONCOMING)
+NAMING = frozenset(one.name for one in fields(When)) | {"whom", "hidden_by"}
 HIDDEN = frozenset((Where.ROADSIDE, Where.KERB, Where.CROSSING, Where.ARM, Where.DRIVEWAY, Where.AHEAD, Where.ONCOMING))
 Draw = random.Random
 
@@ -329,7 +329,7 @@ def kinds_of_facts(situation: Situation) -> Iterator[str]:
     names = tuple(one.id for one in situation.others)
     for path, value in said_in(situation):
         at = ".".join(step for step in path.split(".") if step not in names and not step.isdigit())
-        plain = isinstance(value, Amount | int | float) or at.rpartition(".")[2] in {f.name for f in fields(When)} | {"whom"}
+        plain = isinstance(value, Amount | int | float) or at.rpartition(".")[2] in NAMING
         yield at if plain else f"{at} {value}"
 
 
@@ -378,7 +378,7 @@ def situations(count: int, seed: int, *, check_built: bool) -> Iterator[Situatio
 
 def _rareness(drawn_so_far: Counter[str], situation: Situation) -> float:
     rare = sorted((1 / (1 + drawn_so_far[fact]) for fact in set(kinds_of_facts(situation))), reverse=True)
-    return fmean(rare[:RARE]) if rare else 0.0
+    return fmean(rare[:RARE] or (0.0,))
 
 
 @click.command()
