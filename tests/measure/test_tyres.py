@@ -54,6 +54,12 @@ def test_to_brake_and_turn_at_once_is_more_than_tyres_hold_and_lagged_never_does
     assert (friction_demand(lagged) or 0.0) <= 1.0 + 1e-6
 
 
+def test_full_braking_while_it_steers_a_little_is_within_what_good_roads_hold() -> None:
+    episode = driven(VehicleBody, 13.0, 0.06, 1.0)
+    assert 1.0 < (friction_demand(episode) or 0.0) < 1.1
+    assert beyond_tyres(episode) == ()
+
+
 def test_what_is_dry_enough_for_a_turn_is_too_wet_for_it() -> None:
     dry = driven(VehicleBody, 12.0, 0.1, 0.0)
     wet = replace(dry, surroundings=Surroundings(surface=Surface.WET))

@@ -16,7 +16,7 @@ from chatscene.terms.surroundings import DRY, GRAVITY
 
 FAST = 50.0 / 3.6  # [m/s]
 ACROSS = 4.0  # [m/s²], up to which cars answer to the wheel in proportion (ISO 4138 looks for no more)
-ROUNDING = 1e-6
+GRIPPIEST = 1.0 / DRY  # of a surface's friction; the highest that is published beside the value that we use
 COMPARE = "which `kinematic` does not know; drive it with `--physics lagged` too"
 
 
@@ -34,7 +34,7 @@ def friction_demand(episode: Episode) -> float | None:
 def beyond_tyres(episode: Episode) -> tuple[str, ...]:
     """What somebody did in a drive of bodies that answer at once for which it should not be taken for physics."""
     told: list[str] = []
-    if (friction_demand(episode) or 0.0) > 1.0 + ROUNDING:
+    if (friction_demand(episode) or 0.0) > GRIPPIEST:
         told.append(f"somebody brakes, speeds up or turns harder than tyres hold, {COMPARE}")
     until = _until(episode)
     taken = [_taken(track, episode.dt, until) for track in episode.tracks if _on_wheels(track)]
