@@ -1049,6 +1049,7 @@ def train(
     map: Name | None = None,  # noqa: A002 - the word of the command line
     simulator: str | None = None,
     physics: str | None = None,
+    speed: float | None = None,
     progress: Progress = silent,
 ) -> Trained:
     """Train an ego on the ordinary drives of a map.
@@ -1058,15 +1059,18 @@ def train(
     Args:
         folder: Where the ego goes: a new folder, or one to go on in.
         algorithm: ``sac``, ``ppo`` or ``td3``.
-        observation: What the ego sees: ``safebench`` or ``actors``.
+        observation: What the ego sees: ``safebench``, ``actors``, ``road`` or ``traffic``, which is what it sees by
+            default if it is to drive at a speed.
         reward: What it is paid for: ``safebench`` or ``progress``.
-        pedals: ``safebench``, or ``full-brake``.
+        pedals: ``safebench``, or ``full-brake``, which it has by default if it is to drive at a speed.
         steps: Environment steps of 0.1 s.
         round: Steps between two evaluations.
         seed: What everything random derives from.
         map: Packaged ``town``, or an ``.xodr`` file.
         simulator: What scenes run in.
         physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``.
+        speed: What the ego is to drive at [km/h] within the limits of the roads, 110 for these alone; None for one
+            that drives at SafeBench's speed.
         progress: Told what is done.
 
     Raises:
@@ -1075,6 +1079,8 @@ def train(
     from chatscene.learn.train import TrainSettings
     from chatscene.learn.train import train as train_ego
 
+    if speed is not None:
+        observation, pedals = observation or "traffic", pedals or "full-brake"
     chosen = _changed(
         TrainSettings(),
         algorithm=algorithm,
@@ -1087,6 +1093,7 @@ def train(
         map_name=None if map is None else str(map),
         simulator=simulator,
         physics=physics,
+        speed=speed,
     )
     return train_ego(_folder(folder), chosen, progress=progress)
 

@@ -15,7 +15,8 @@ import pytest
 
 from chatscene.ego.files import SAFEBENCH_EVERY, load_file
 from chatscene.ego.network import Network, NetworkEgo, load_network
-from chatscene.ego.policy import EgoPolicy, load_ego
+from chatscene.ego.observation import ALLOWED, OBSERVATIONS
+from chatscene.ego.policy import EgoPolicy, load_ego, takes_speed, wanting
 from chatscene.errors import EgoError
 from places import SHARED
 
@@ -373,3 +374,32 @@ def test_weights_of_another_kind_are_read_or_refused_in_words(kind: str, tmp_pat
     else:
         with pytest.raises(EgoError, match="store them as float32"):
             load_file(tmp_path / "ego.pt")
+
+
+def test_a_network_that_sees_how_fast_it_may_drive_is_shown_no_more_than_is_wanted(tmp_path: Path) -> None:
+    path = tmp_path / "swift.npz"
+    swift = network((OBSERVATIONS["traffic"], 8, 2), output="clip")
+    path.write_bytes(swift.stored({"observation": "traffic", "pedals": "full-brake", "speed": 72.0}))
+    ego = load_ego(str(path))
+    assert takes_speed(ego)
+    seen = np.random.default_rng(4).normal(size=OBSERVATIONS["traffic"])
+    seen[ALLOWED] = 30.0
+    for wanted, shown in ((None, 8.0), (12.0, 12.0), (20.0, 20.0), (25.0, 20.0)):  # it was trained for 20 m/s at most
+        told = np.append(seen[:ALLOWED], shown)
+        assert wanting(ego, wanted).act(seen) == swift(told)
+    seen[ALLOWED] = 5.0
+    assert wanting(ego, 12.0).act(seen) == swift(seen)
+
+
+def test_a_network_that_does_not_see_how_fast_it_may_drive_is_told_no_speed() -> None:
+    road = NetworkEgo(network((OBSERVATIONS["road"], 8, 2)), name="slow", observation="road")
+    assert not takes_speed(road)
+    assert wanting(road, 20.0) is road
+
+
+@pytest.mark.parametrize("speed", ["fast", -3.0, math.nan, math.inf])
+def test_a_network_that_was_trained_for_no_speed_that_there_is_is_refused(speed: float | str, tmp_path: Path) -> None:
+    about: dict[str, float | str] = {"observation": "traffic", "speed": speed}
+    (tmp_path / "odd.npz").write_bytes(network((OBSERVATIONS["traffic"], 8, 2)).stored(about))
+    with pytest.raises(EgoError, match="odd was trained for a speed of"):
+        load_ego(str(tmp_path / "odd.npz"))

@@ -7,7 +7,7 @@ from dataclasses import replace
 from inspect import signature
 from pathlib import Path
 from typing import Any
-from unittest.mock import Mock
+from unittest.mock import Mock, patch
 
 import numpy as np
 import pytest
@@ -21,7 +21,8 @@ import chatscene.gym
 from chatscene import api, runs
 from chatscene.commands.main import main
 from chatscene.ego.network import load_network
-from chatscene.ego.policy import load_ego
+from chatscene.ego.observation import OBSERVATIONS
+from chatscene.ego.policy import load_ego, wanting
 from chatscene.errors import RunError, SettingsError
 from chatscene.learn import env as driving_env
 from chatscene.learn import train as training
@@ -52,8 +53,10 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(training.ALGORITHMS["ppo"], "batch_size", 40)
     monkeypatch.setitem(training.ALGORITHMS["ppo"], "n_epochs", 2)
 
-    def evaluated(ego: Any, simulator: Simulator, *, scenes: int, seed: int) -> OrdinaryResult:
-        speed = float(ego.act(np.array((0.0, 0.0, 5.0, 0.0)))[0])
+    def evaluated(
+        ego: Any, simulator: Simulator, *, scenes: int, seed: int, speed: float | None = None
+    ) -> OrdinaryResult:
+        speed = float(ego.act(np.resize((0.0, 0.0, 5.0, 0.0), OBSERVATIONS[ego.observation]))[0])
         one = OrdinaryDrive(course=0, completion=0.5, speed=speed, off_road=0.0, collided=False)
         return OrdinaryResult(ego="e", drives=(one,), rejected=0)
 
@@ -208,7 +211,7 @@ def test_a_later_round_is_weighed_against_the_policy_that_is_kept_though_another
 ) -> None:
     faring(monkeypatch, driven(0.0, 0.3), driven(0.0, 0.0))
 
-    def earlier(row: dict[str, float]) -> float:  # which keeps the first, whatever it does
+    def earlier(row: dict[str, float], _: float) -> float:  # which keeps the first, whatever it does
         return -row["steps"]
 
     with monkeypatch.context() as patch:
@@ -218,6 +221,48 @@ def test_a_later_round_is_weighed_against_the_policy_that_is_kept_though_another
     on = train(tmp_path / "t", settings("ppo", steps=120), progress=silent)
     assert on.best == on.curve[0]  # as good by the share of drives; the second, better than both, is not kept any more
     assert load_network(tmp_path / "t" / "policy.npz")[1]["evaluation_steps"] == 40
+
+
+def test_an_ego_that_is_trained_for_a_speed_sees_how_fast_it_may_drive_and_says_what_it_was_trained_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[float | None] = []
+
+    def evaluated(*_: object, speed: float | None, **__: object) -> OrdinaryResult:
+        asked.append(speed)
+        return OrdinaryResult(ego="e", drives=driven(0.0), rejected=0)
+
+    monkeypatch.setattr(training, "drive_ordinary", evaluated)
+    command = ["train", "--algorithm", "ppo", "--steps", "40", "--round", "40", "--out", str(tmp_path / "t")]
+    CliRunner().invoke(main, [*command, "--speed", "road"], catch_exceptions=False)
+    about = load_network(tmp_path / "t" / "policy.npz")[1]
+    assert {name: about[name] for name in ("observation", "pedals", "speed")} == {
+        "observation": "traffic", "pedals": "full-brake", "speed": 110.0
+    }  # fmt: skip
+    assert asked == [pytest.approx(110 / 3.6)]
+    ego: Any = load_ego(str(tmp_path / "t" / "policy.npz"))
+    assert ego.trained_for == pytest.approx(110 / 3.6)
+    assert wanting(ego, 20.0).at_most == 20.0  # type: ignore[attr-defined] # pyright: ignore[reportAttributeAccessIssue]
+
+
+def test_the_environment_of_a_training_for_a_speed_wants_that_speed(tmp_path: Path) -> None:
+    chosen = settings("ppo", observation="traffic", speed=50.0)
+    with patch.object(driving_env, "DrivingEnv", wraps=driving_env.DrivingEnv) as made:
+        training._Learner(tmp_path, chosen)  # pyright: ignore[reportPrivateUsage]
+    assert made.call_args.kwargs["speed"] == 50.0
+
+
+def test_who_is_trained_for_a_speed_is_the_better_the_swifter_up_to_that_speed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    faring(monkeypatch, driven(0.0, speed=9.0), driven(0.0, speed=12.0), driven(0.0, speed=14.0))
+    chosen = settings("ppo", observation="traffic", speed=43.2, steps=120)
+    assert train(tmp_path / "t", chosen, progress=silent).best["mean_speed"] == 12.0
+
+
+def test_a_training_without_a_speed_is_recorded_as_before_there_were_any(tmp_path: Path) -> None:
+    train(tmp_path / "t", settings("ppo", steps=40), progress=silent)
+    assert "speed" not in runs.read_record(runs.Workspace(tmp_path / "t"), runs.TrainingRecord).settings
 
 
 def test_steps_that_are_rounded_up_are_told(tmp_path: Path) -> None:
@@ -270,3 +315,7 @@ def test_settings_that_cannot_be_are_refused() -> None:
         TrainSettings(steps=10, round=20)
     with pytest.raises(SettingsError, match="multiple"):
         TrainSettings(algorithm="ppo", steps=2000, round=1500)
+    with pytest.raises(SettingsError, match="'actors' does not know how fast it may drive"):
+        TrainSettings(observation="actors", speed=50.0)
+    with pytest.raises(SettingsError, match=r"speed must be a number from 0\.0 to 300"):
+        TrainSettings(observation="traffic", speed=-1.0)

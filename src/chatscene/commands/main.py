@@ -518,12 +518,20 @@ def drive(
 @click.option("--algorithm", default="sac", show_default=True, help="sac, ppo or td3.")
 @click.option(
     "--observation",
-    default="safebench",
-    show_default=True,
-    help="What the ego sees: safebench, actors, road or traffic.",
+    default=None,
+    help="What the ego sees: safebench, actors, road or traffic.  [default: safebench; with --speed, traffic]",
 )
 @click.option("--reward", default="progress", show_default=True, help="What it is paid for: progress or safebench.")
-@click.option("--pedals", default="safebench", show_default=True, help="safebench, or full-brake.")
+@click.option(
+    "--pedals", default=None, help="safebench, or full-brake.  [default: safebench; with --speed, full-brake]"
+)
+@click.option(
+    "--speed",
+    callback=_road_speed,
+    metavar="KMH|road",
+    help="What the ego is to drive at, and everybody in proportion, within the limits of the roads: km/h, or 'road' "
+    "for these alone.  [default: SafeBench's speed]",
+)
 @click.option("--steps", default=60_000, show_default=True, help="Steps of 0.1 s, rounded up to whole rounds.")
 @click.option("--round", "round_", default=5_000, show_default=True, help="Steps between two evaluations.")
 @click.option("--seed", default=0, show_default=True)
@@ -533,9 +541,10 @@ def drive(
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
 def train(
     algorithm: str,
-    observation: str,
+    observation: str | None,
     reward: str,
-    pedals: str,
+    pedals: str | None,
+    speed: float | None,
     steps: int,
     round_: int,
     seed: int,
@@ -548,6 +557,7 @@ def train(
 
     \b
     chatscene train --algorithm sac --out egos/sac
+    chatscene train --speed road --out egos/at-speed
     chatscene evaluate runs/cyclist --ego egos/sac/policy.npz
     """
     from chatscene import api
@@ -560,6 +570,7 @@ def train(
         observation=observation,
         reward=reward,
         pedals=pedals,
+        speed=None if speed is None else round(3.6 * speed, 6),
         steps=steps,
         round=round_,
         seed=seed,

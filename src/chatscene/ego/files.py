@@ -17,7 +17,7 @@ from typing import IO, Any
 
 import numpy as np
 
-from chatscene.ego.network import Network, NetworkEgo, layers_of, load_network
+from chatscene.ego.network import Network, NetworkEgo, ego_of, layers_of, load_network
 from chatscene.ego.observation import OBSERVATIONS, Observation
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import EgoError, MissingExtra
@@ -61,7 +61,7 @@ def _npz(path: Path) -> EgoPolicy:
     network, about = load_network(path)
     observation = str(about.get("observation", "safebench"))
     _check_size(network.size, path, observation)
-    return NetworkEgo(network, name=path.stem, observation=observation, pedals=str(about.get("pedals", "safebench")))
+    return ego_of(network, about, path.stem)
 
 
 def _stable_baselines(path: Path) -> EgoPolicy:

@@ -12,7 +12,7 @@ import json
 import math
 import zipfile
 import zlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.ego.observation import OBSERVATIONS, Observation
+from chatscene.ego.observation import ALLOWED, OBSERVATIONS, USUAL, Observation
 from chatscene.ego.planner import ACCELERATION, carried_out
 from chatscene.errors import EgoError
 from chatscene.files.bounded import MOST_BYTES, check_archive, parse_json
@@ -47,7 +47,7 @@ class Network:
         hidden: What comes after each layer but the last: ``relu`` or ``tanh``.
         output: What comes after the last: ``tanh``; ``clip`` to [-1, 1]; ``sigmoid``, stretched to [-1, 1]; or
             ``ways``: of the planner's ways (`chatscene.ego.planner`) the one with the greatest number is carried out.
-        at_most: The speed that ways do not exceed [m/s].
+        at_most: The speed that ways do not exceed [m/s]; to one that sees ``traffic``, no more is shown to be allowed.
     """
 
     layers: tuple[tuple[Weights, Weights], ...]
@@ -77,9 +77,9 @@ class Network:
             raise EgoError(f"a network must answer with {meant}, {answers}, not with {width} numbers")
         if self.output == "ways" and not 0.0 < self.at_most < math.inf:
             raise EgoError(f"a network that chooses a way needs a speed not to be exceeded, not {self.at_most}")
-        looks = [OBSERVATIONS[name] for name in ("actors", "road")]
+        looks = [OBSERVATIONS[name] for name in ("actors", "road", "traffic")]
         if self.output == "ways" and self.size not in looks:
-            raise EgoError(f"a network that chooses a way looks at {looks[0]} or {looks[1]} numbers, not {self.size}")
+            raise EgoError(f"a network that chooses a way looks at {looks} numbers, not {self.size}")
         object.__setattr__(self, "_columns", tuple(np.ascontiguousarray(weights.T) for weights, _ in self.layers))
 
     @property
@@ -87,9 +87,17 @@ class Network:
         """How many numbers it looks at."""
         return int(self.layers[0][0].shape[1])
 
-    def __call__(self, observation: Observation) -> tuple[float, float]:
-        """Acceleration and steering in [-1, 1]; `observation` is (`size`,)."""
+    def __call__(self, observation: Observation, at_most: float | None = None) -> tuple[float, float]:
+        """Acceleration and steering in [-1, 1].
+
+        Args:
+            observation: (`size`,).
+            at_most: As of the network, if another.
+        """
+        at_most = self.at_most if at_most is None else at_most
         x = observation.astype(np.float32)
+        if at_most > 0.0:
+            x[ALLOWED:] = np.minimum(x[ALLOWED:], np.float32(at_most))
         relu = self.hidden == "relu"
         for i, (weights, bias) in enumerate(self.layers):
             if i and relu:
@@ -99,7 +107,7 @@ class Network:
             x = _summed(weights, self._columns[i], x)
             x += bias
         if self.output == "ways":
-            return carried_out(observation, int(x.argmax()), self.at_most)
+            return carried_out(observation, int(x.argmax()), at_most)
         first, second = x.tolist()
         return _squashed(first, self.output), _squashed(second, self.output)
 
@@ -187,17 +195,51 @@ class NetworkEgo:
         observation: What it looks at, a preset of `chatscene.ego.observation`.
         pedals: One of `chatscene.ego.policy.PEDALS`.
         every: It decides at each `every`-th step and holds the action in between (SafeBench's frame skip).
+        trained_for: The speed that it was trained to drive at [m/s], and drives at most; 0 where none was said.
+        wants: The speed that is wanted of it [m/s]; None where nothing is.
+
+    Attributes:
+        at_most: What it does not exceed [m/s] if it sees ``traffic`` or chooses among ways: what is wanted, else that
+            of SafeBench or of the network.
     """
 
     def __init__(
-        self, network: Network, *, name: str, observation: str = "safebench", pedals: str = "safebench", every: int = 1
+        self,
+        network: Network,
+        *,
+        name: str,
+        observation: str = "safebench",
+        pedals: str = "safebench",
+        every: int = 1,
+        trained_for: float = 0.0,
+        wants: float | None = None,
     ) -> None:
         self.name = name
         self.observation = observation
         self.pedals = pedals
         self.network = network
         self.every = every
+        self.trained_for = trained_for
+        self.at_most = network.at_most
+        if observation == "traffic":
+            self.at_most = min(USUAL if wants is None else wants, trained_for or math.inf)
         self.reset()
+
+    @property
+    def wanting(self) -> Callable[[float], NetworkEgo] | None:
+        """Gives the same ego with a wanted speed [m/s]; None of one that does not see how fast it may drive."""
+        return self._wanting if self.observation == "traffic" else None
+
+    def _wanting(self, speed: float) -> NetworkEgo:
+        return NetworkEgo(
+            self.network,
+            name=self.name,
+            observation=self.observation,
+            pedals=self.pedals,
+            every=self.every,
+            trained_for=self.trained_for,
+            wants=speed,
+        )
 
     def reset(self) -> None:
         """Begin an episode."""
@@ -208,6 +250,19 @@ class NetworkEgo:
         """Decide, or hold what was decided."""
         if self._left == 0:
             self._left = self.every
-            self._held = self.network(observation)
+            self._held = self.network(observation, self.at_most)
         self._left -= 1
         return self._held
+
+
+def ego_of(network: Network, about: Mapping[str, Any], name: str) -> NetworkEgo:
+    """The ego of a network and its description (`load_network`).
+
+    Raises:
+        EgoError: The speed that it was trained for is none.
+    """
+    speed = about.get("speed", 0.0)
+    if not isinstance(speed, float | int) or not 0.0 <= speed < math.inf:
+        raise EgoError(f"the policy {name} was trained for a speed of {speed!r} km/h; a number from 0 on is one")
+    observation, pedals = str(about.get("observation", "safebench")), str(about.get("pedals", "safebench"))
+    return NetworkEgo(network, name=name, observation=observation, pedals=pedals, trained_for=speed / 3.6)

@@ -57,7 +57,7 @@ def begin(ego: EgoPolicy) -> None:
 
 def takes_speed(ego: EgoPolicy) -> bool:
     """Whether an ego can be told at what speed it is to drive."""
-    return hasattr(ego, "wanting")
+    return getattr(ego, "wanting", None) is not None
 
 
 def wanting(ego: EgoPolicy, speed: float | None) -> EgoPolicy:

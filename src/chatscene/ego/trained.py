@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from importlib.resources import as_file, files
 
-from chatscene.ego.network import NetworkEgo, load_network
+from chatscene.ego.network import NetworkEgo, ego_of, load_network
 
 
 def _load(name: str) -> NetworkEgo:
     with as_file(files("chatscene.ego").joinpath("weights", f"{name}.npz")) as path:
         network, about = load_network(path)
-    return NetworkEgo(network, name=name, observation=str(about["observation"]), pedals=str(about["pedals"]))
+    return ego_of(network, about, name)
 
 
 def sac() -> NetworkEgo:

@@ -103,7 +103,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         self.observation_space = spaces.Box(-BOUND, BOUND, (size,), np.float32)
         self.action_space = spaces.Box(-1.0, 1.0, (2,), np.float32)
         self._drive: Session | None = None
-        self._last: Array = np.zeros(size, np.float32)
+        self._last: Array = np.zeros(size, np.float32)  # what was shown
         self._scene_id = ""
         self._wanted: float | None = None
         self._route: Route
@@ -142,7 +142,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
                 self._wanted = course.program.wanted_speed
                 self._route = self._simulator.route_in(course.program, scene)
                 self._drawing = None
-                self._last = drive.observation.astype(np.float32)
+                self._last = self._shown(drive)
                 return self._last, {"scene": scene.id, "values": dict(scene.values)}
             reason = drive.reason
         raise SettingsError(f"no scene of course {index} ({course.program.scenario_id}) could be placed: {reason}")
@@ -193,14 +193,18 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
                 "collision": terminated,
                 "scene": self._scene_id,
             }
-        self._last = drive.observation.astype(np.float32)
+        self._last = self._shown(drive)
         return self._last, float(sum(terms.values())), terminated, truncated, info
+
+    def _shown(self, drive: Session) -> Array:
+        """What the ego is shown now; as the speed allowed at most what is wanted of it, as to any network."""
+        seen = drive.observation.astype(np.float32)
+        seen[ALLOWED:] = np.minimum(seen[ALLOWED:], DESIRED_SPEED if self._wanted is None else self._wanted)
+        return seen
 
     def _desired(self) -> float:
         """The speed [m/s] that the ego was not to exceed: what its program wants, and no more than it was shown."""
-        if self._wanted is None:
-            return DESIRED_SPEED
-        return min([self._wanted, *(self._last[ALLOWED:].tolist() if self._preset == "traffic" else ())])
+        return min([DESIRED_SPEED if self._wanted is None else self._wanted, *self._last[ALLOWED:].tolist()])
 
     def render(self) -> NDArray[np.uint8] | None:  # pyright: ignore[reportIncompatibleMethodOverride]
         """The ego and what is around it, now: (360, 640, 3), red, green, blue; None without a `render_mode`.

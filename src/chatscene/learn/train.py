@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from chatscene import runs
-from chatscene.ego.network import Network, NetworkEgo, layers_of, load_network
+from chatscene.ego.network import Network, ego_of, layers_of, load_network
 from chatscene.errors import MissingExtra, SettingsError, no_such
 from chatscene.learn.reward import DESIRED_SPEED
 from chatscene.maps.network import resolve_map
@@ -91,6 +91,8 @@ class TrainSettings:
         map_name: Where.
         simulator: In what, one of `chatscene.simulate.simulator.SIMULATORS`.
         physics: How bodies answer there, one of `chatscene.settings.PHYSICS`.
+        speed: What the ego is to drive at [km/h], within the limits of the roads, and everybody in proportion; 0 where
+            it is told nothing, and drives at SafeBench's speed.
     """
 
     algorithm: str = "sac"
@@ -103,9 +105,15 @@ class TrainSettings:
     map_name: str = "town"
     simulator: str = SIMULATOR
     physics: str = SimulationSettings().physics
+    speed: float = 0.0
 
     def __post_init__(self) -> None:
-        check_settings(self, {})
+        check_settings(self, {"speed": (0.0, 300.0)})
+        if self.speed and self.observation != "traffic":
+            raise SettingsError(
+                f"an ego that sees {self.observation!r} does not know how fast it may drive; "
+                "to train one for a speed, let it see 'traffic'"
+            )
         if self.algorithm not in ALGORITHMS:
             raise SettingsError(no_such("algorithm", self.algorithm, ALGORITHMS))
         if not 0 < self.round <= self.steps:
@@ -117,6 +125,11 @@ class TrainSettings:
     def simulation(self) -> SimulationSettings:
         """How an episode is stepped, and by what."""
         return SimulationSettings(simulator=self.simulator, physics=self.physics)
+
+    @property
+    def wanted(self) -> float | None:
+        """What the ego is to drive at [m/s]; None where it is told nothing."""
+        return self.speed / 3.6 or None
 
     @property
     def rounds(self) -> int:
@@ -151,7 +164,11 @@ def train(folder: Path, settings: TrainSettings, *, progress: Progress) -> Train
     """
     simulator = load_simulator(resolve_map(settings.map_name), settings.simulation)
     asked = runs.TrainingRecord(
-        settings={name: value for name, value in asdict(settings).items() if name != "steps"},
+        settings={
+            name: value
+            for name, value in asdict(settings).items()
+            if name != "steps" and (name, value) != ("speed", 0.0)  # as before there were speeds
+        },
         steps=settings.steps,
         map_digest=digest_of(resolve_map(settings.map_name)),
         simulator=runs.SimulatorRecord.of(simulator.identity),
@@ -205,7 +222,8 @@ def _rounds(work: runs.Workspace, settings: TrainSettings, curve: list[Row], pro
         network = learner.network()
         result = evaluate_network(network, settings)
         row = {"steps": float((number + 1) * settings.round), "seconds": round(seconds, 1)} | result.figures()
-        if not curve or _worth(row) > _worth(_kept(work)):
+        swiftest = settings.wanted or DESIRED_SPEED
+        if not curve or _worth(row, swiftest) > _worth(_kept(work), swiftest):
             write_bytes(work.file("policy.npz"), network.stored(_about(settings, row)))
         learner.keep()
         curve.append(row)  # last: a row says that everything before it is on disk
@@ -215,9 +233,9 @@ def _rounds(work: runs.Workspace, settings: TrainSettings, curve: list[Row], pro
 
 def evaluate_network(network: Network, settings: TrainSettings, *, seed: int = EVALUATION_SEED) -> OrdinaryResult:
     """How a network fares on every ordinary drive of the map."""
-    ego = NetworkEgo(network, name=settings.algorithm, observation=settings.observation, pedals=settings.pedals)
+    ego = ego_of(network, asdict(settings), settings.algorithm)
     simulator = load_simulator(resolve_map(settings.map_name), settings.simulation)
-    return drive_ordinary(ego, simulator, scenes=1, seed=settings.seed + seed)
+    return drive_ordinary(ego, simulator, scenes=1, seed=settings.seed + seed, speed=settings.wanted)
 
 
 def _kept(work: runs.Workspace) -> Row:
@@ -227,13 +245,13 @@ def _kept(work: runs.Workspace) -> Row:
     return {name.removeprefix(own): value for name, value in about.items() if name.startswith(own)}
 
 
-def _worth(row: Mapping[str, float]) -> float:
+def _worth(row: Mapping[str, float], swiftest: float) -> float:
     """What makes one ego better than another: to arrive, not to crash, to stay on the road, and then to be swift.
 
     A drive that leaves the road is as bad as one that crashes. Rows of earlier versions have only the share of the time
     off the road, which is at most the share of such drives.
     """
-    swift = min(row["mean_speed"], DESIRED_SPEED)
+    swift = min(row["mean_speed"], swiftest)
     astray = row.get("off_road_rate", row["off_road"])
     return row["completion"] - 5.0 * (row["collision_rate"] + astray) + 0.01 * swift
 
@@ -270,6 +288,7 @@ class _Learner:
             ego_observation=settings.observation,
             pedals=settings.pedals,
             reward=settings.reward,
+            speed=settings.speed or None,
             settings=settings.simulation,
         )
         torch.set_num_threads(1)  # networks this small are slower on two

@@ -114,6 +114,12 @@ def _not_kept_to(program: ScenicProgram, ego: EgoPolicy) -> list[str]:
     told: list[str] = []
     if program.wanted_speed is not None and not takes_speed(ego):
         told = [f"the ego is to drive at {program.wanted_speed:g} m/s, and {name_of(ego)} drives at a speed of its own"]
+    trained_for = getattr(ego, "trained_for", 0.0)
+    if program.wanted_speed is not None and 0.0 < trained_for < program.wanted_speed and not program.keeps_limits:
+        told = [
+            f"the ego is to drive at {program.wanted_speed:g} m/s, and {name_of(ego)} was trained for up to "
+            f"{trained_for:.4g} m/s and drives no faster"
+        ]
     if program.ego_kind != CAR and not knows_body(ego):
         told.append(f"the ego is no car ({noun_of(program.ego_kind)}), and {name_of(ego)} drives it as if it were one")
     return told

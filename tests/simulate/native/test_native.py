@@ -246,6 +246,26 @@ def test_a_network_of_any_shape_answers_the_same_to_the_last_bit(
                 assert engine.load_engine().ask(policy, seen.tolist()) == network(seen)
 
 
+@pytest.mark.parametrize("output", OUTPUTS)
+@pytest.mark.parametrize("speed", (None, 3.0, 20.0, 35.0))
+def test_a_network_at_the_speed_of_traffic_answers_the_same_to_the_last_bit(output: str, speed: float | None) -> None:
+    shape = (OBSERVATIONS["traffic"], 64, 49 if output == "ways" else 2)
+    ego = wanting(NetworkEgo(_network(shape, output=output), name="swift", observation="traffic"), speed)
+    loaded, draw = engine.load_engine(), np.random.default_rng(5)
+    policy = policy_of(ego, loaded)
+    assert policy is not None
+    for _ in range(300):
+        seen = _street(draw, 40.0)
+        assert loaded.ask(policy, seen.tolist()) == ego.act(seen)
+
+
+def test_a_network_of_which_a_speed_is_wanted_drives_the_same_inside_the_engine(native: NativeSimulator) -> None:
+    shape = (OBSERVATIONS["traffic"], 64, 49)
+    ego = NetworkEgo(_network(shape, output="ways"), name="swift", observation="traffic", pedals="full-brake")
+    program = _program("do Park()", left=-15.0, ego=", with speed 14, with wantedSpeed 14")
+    assert _agrees(native, program, _scene(), ego)
+
+
 def test_a_network_that_looks_at_every_fourth_step_holds_its_action_between(native: NativeSimulator) -> None:
     ego = NetworkEgo(load_ego("td3").network, name="seldom", every=4)  # type: ignore[attr-defined]
     assert _agrees(native, _program(PHASES["FollowTraffic"]), _scene(), ego)

@@ -1621,6 +1621,8 @@ static double squashed(double value, int32_t output) {
 static void network(const Policy *policy, const double *seen, double *acceleration, double *steer) {
     float *in = policy->one, *out = policy->other;
     for (int64_t i = 0; i < policy->layer[0].inputs; i++) in[i] = (float)seen[i];
+    float at_most = (float)policy->caution.speed;
+    if (policy->swift && at_most > 0.0f && in[ALLOWED] > at_most) in[ALLOWED] = at_most;
     for (int64_t l = 0; l < policy->layers; l++) {
         const Layer *layer = &policy->layer[l];
         if (l && policy->hidden == RELU) for (int64_t i = 0; i < layer->inputs; i++) in[i] = in[i] <= 0.0f ? 0.0f : in[i];

@@ -36,10 +36,12 @@ def policy_of(ego: EgoPolicy, engine: Engine) -> Policy | None:
     if (driver := _driver(ego)) is not None:
         return driver
     if type(ego) is NetworkEgo and ego.network.size == OBSERVATIONS.get(ego.observation) and ego.every > 0:
-        policy = network_policy(ego.network)
         if not _agree(ego.network, engine):
             return None
-        policy.every = ego.every
+        shared = network_policy(ego.network)
+        policy = Policy.from_buffer_copy(shared)
+        policy.every, policy.caution.speed = ego.every, ego.at_most
+        policy.kept = shared
         return policy
     return None
 
