@@ -11,6 +11,7 @@ from chatscene.build.asked import FROM_A_STAND, Asked, Meets, Stand, between, bo
 from chatscene.build.coming import Coming
 from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
+from chatscene.build.flank import set_level
 from chatscene.build.gaps import set_room
 from chatscene.build.hiding import place_hiding
 from chatscene.build.lateral import placed
@@ -111,6 +112,7 @@ class Actor:
             self.ledger.assume(chosen)
         set_pace(self)
         set_room(self)
+        set_level(self)
         self.named = {}
         at = f"others.{self.one.id}"
         self.ledger.take(f"{at}.kind", f"{at}.count", f"{at}.starts.where", f"{at}.starts.side")

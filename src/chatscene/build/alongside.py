@@ -12,6 +12,7 @@ from chatscene.build.asked import Meets, stands_first
 from chatscene.build.coming import goes_over
 from chatscene.build.contact import misses
 from chatscene.build.deeds import GO, OWN
+from chatscene.build.flank import level_as_said, parts_at_flank
 from chatscene.build.gaps import GOES_ON, LOSES
 from chatscene.build.numbers import MOST
 from chatscene.build.place import CHANGES, GOES_OVER, NEXT_LANE
@@ -67,17 +68,21 @@ def set_pace(actor: Actor) -> None:
     ahead = numbers.middle("Y") * (-1 if actor.stand.behind else 1)
     if misses(actor.ledger.situation, actor.one):
         there += 0.75 * lengths  # by before the ego's nose
+    level = level_as_said(situation, actor.one, actor.limits.length)
+    spare = 0.25 * lengths  # so that the two are level with it
+    if level is not None:
+        there, spare = there + 0.5 * sum(level), min(spare, 0.25 * (level[1] - level[0]))
     way = there - ahead
     usual, top = numbers.range_of("SPEED")[1], MOST * actor.limits.top_speed
     if way > usual * seconds and situation.ego.speed is None:
         actor.given, actor.needs = seconds, way / usual
     needed = min(Body(actor.limits, actor.walks).wish_for(way / seconds), top)
-    spare = 0.25 * lengths  # so that the two are level with it
     share = spare / way
     numbers.narrow("SPEED", (1 - share) * needed, min((1 + share) * needed, top))
     if not numbers.is_said("Y"):
         low, high, *_ = numbers.range_of("Y")
         numbers.narrow("Y", max(low, numbers.middle("Y") - spare), min(high, numbers.middle("Y") + spare))
+    actor.ledger.take(*parts_at_flank(actor))
 
 
 def until_it_comes(actor: Actor) -> Iterator[str]:
@@ -98,7 +103,8 @@ def until_it_comes(actor: Actor) -> Iterator[str]:
     elif misses(actor.ledger.situation, actor.one):
         ahead = f"{1.5 * lengths:.3g}"
     elif actor.stand.behind:
-        actor.numbers.measure("CLOSE", 0.0, 0.6 * lengths, "m", "how far behind the ego it comes up to it")
+        low, high = level_as_said(actor.ledger.situation, actor.one, actor.limits.length) or (-0.6 * lengths, 0.0)
+        actor.numbers.measure("CLOSE", -high, -low, "m", "how far behind the ego it comes up to it")
         ahead = "-$CLOSE"
     top = min(_GAINS * actor.ego_speed, MOST * actor.limits.top_speed)
     yield f"PaceOnPath({{p}}, ego, {ahead}, {top:.4g}, {_LEAST:g}) until {comes}"

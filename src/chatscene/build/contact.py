@@ -63,14 +63,16 @@ def strikes_from_behind(situation: Situation, one: Other) -> bool:
 
 
 _IN_LINE = {
-    Where.BEHIND: (Part.REAR, Part.FRONT, Striker.OTHER),
-    Where.AHEAD: (Part.FRONT, Part.REAR, Striker.EGO),
-    Where.ONCOMING_IN_OUR_LANE: (Part.FRONT, Part.FRONT, None),
+    Where.BEHIND: (Part.REAR, Part.FRONT),
+    Where.AHEAD: (Part.FRONT, Part.REAR),
+    Where.ONCOMING_IN_OUR_LANE: (Part.FRONT, Part.FRONT),
 }
-"""Of who is in the ego's lane and stays in it: which part of the ego it touches, with which of its own, who strikes."""
+"""Of who is in the ego's lane and stays in it: which part of the ego it touches, and with which of its own."""
 _STAYS = frozenset((Act.STAND, Act.GO_ALONG, Act.FOLLOW, Act.TAILGATE, Act.ACCELERATE, Act.SET_OFF)) | _LOSES
 
 
+_KEEPS_ON_FOOT = frozenset((Act.STAND, Act.GO_ALONG, Act.STOP, Act.FALL, Act.HESITATE))
+"""What somebody on foot, or an animal, does who stays in line with the ego."""
 _CORNERS = {
     Part.LEFT_REAR: (Part.REAR, Side.LEFT),
     Part.RIGHT_REAR: (Part.REAR, Side.RIGHT),
@@ -111,16 +113,23 @@ def parts_in_line(situation: Situation) -> Iterator[str]:
         yield "contact.other"  # which is what comes first
     if whom is None:
         return
-    ego, other, striker = _IN_LINE[whom.starts.where]
-    if Act.REVERSE in _acts(whom) or striker is None:  # who comes against an ego that stands strikes it
-        striker = Striker.OTHER if _halts(situation) else None
+    ego, other = _IN_LINE[whom.starts.where]
     aside = whom.starts.lateral is not None and _CORNERS.get(contact.ego or ego, (None, None))[0] is ego
     if contact.ego is ego or aside:
         yield "contact.ego"
     if contact.other is other or (aside and contact.other is _FACES.get(contact.ego or ego)):
         yield "contact.other"
-    if striker is not None and contact.striker is striker:
+    if contact.striker in _strikers(situation, whom):
         yield "contact.striker"
+
+
+def _strikers(situation: Situation, whom: Other) -> tuple[Striker, ...]:
+    """Who runs into whom, of somebody in line with the ego: each into the other if both come on."""
+    if Act.REVERSE in _acts(whom) or whom.starts.where is Where.BEHIND:
+        return (Striker.OTHER,)
+    if whom.starts.where is Where.AHEAD or (whom.does and whom.does[-1].act in _STANDS):
+        return (Striker.EGO,)
+    return (Striker.OTHER,) if _halts(situation) else (Striker.EGO, Striker.OTHER)
 
 
 def _in_line(situation: Situation) -> Other | None:
@@ -128,7 +137,8 @@ def _in_line(situation: Situation) -> Other | None:
     whom = next((one for one in situation.adversaries if touches(situation, one)), None)
     if whom is None or whom.starts.where not in _IN_LINE or not _STAYS.issuperset(_acts(whom)):
         return None
-    return None if whom.kind.moves is Moves.WALKS or situation.ego.route in _PASSES else whom
+    walks_off = whom.kind.moves is Moves.WALKS and not (whom.does and _acts(whom) <= _KEEPS_ON_FOOT)
+    return None if walks_off or situation.ego.route in _PASSES else whom
 
 
 def _backs_first(one: Other) -> bool:

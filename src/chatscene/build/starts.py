@@ -12,6 +12,7 @@ from chatscene.build.backing import comes_by, out_of, parked_beside
 from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
 from chatscene.build.doors import opens_in_lane, stands_in_lane
 from chatscene.build.facing import faces, slanting, turned
+from chatscene.build.flank import level_as_said
 from chatscene.build.parts import into_lane
 from chatscene.build.place import (
     CHANGES,
@@ -225,6 +226,8 @@ def _beside(asked: Asked) -> tuple[float, float]:
     if any(deed.act is Act.KEEP_LEVEL for deed in asked.one.does[:1]):
         low, high, *_ = asked.numbers.range_of("LEVEL")
         return low, high
+    if (level := level_as_said(asked.situation, asked.one, asked.numbers.row.limits.length)) is not None:
+        return level
     contact = asked.situation.contact
     if contact is None or contact.striker is None or not touches(asked.situation, asked.one):
         return -2.0, 4.5

@@ -16,6 +16,9 @@ from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import LETS_GO, NOSE, SIDES_OF, Act, Striker
 
 AT_SLACK = 0.15  # of the ego's width
+TURNED_IN = 30  # steps before they touch, in which somebody is seen to turn toward the other …
+TURNED = 0.01  # [rad] … by so much at least
+SAME_WAY = math.cos(math.radians(25.0))  # of the angle between two who go the same way
 
 
 def striker_of(episode: Episode, other: Track) -> Striker:
@@ -30,6 +33,8 @@ def striker_of(episode: Episode, other: Track) -> Striker:
         return Striker.EGO
     if noses == (False, True) and abs(other.speed[before]) > MOVING:
         return Striker.OTHER
+    if not any(noses) and (over := _who_came_over(ego, other, collision.step)) is not None:
+        return over
     dx, dy = float(other.x[before] - ego.x[before]), float(other.y[before] - ego.y[before])
     far = math.hypot(dx, dy) or 1.0
 
@@ -38,6 +43,27 @@ def striker_of(episode: Episode, other: Track) -> Striker:
         return sign * speed * (math.cos(heading) * dx + math.sin(heading) * dy) / far
 
     return Striker.EGO if toward(ego, 1.0) >= toward(other, -1.0) else Striker.OTHER
+
+
+def _head_on(episode: Episode, other: Track) -> bool:
+    """Whether two touch nose to nose, both under way: each runs into the other."""
+    collision = episode.collision
+    assert collision is not None
+    before, noses = max(collision.step - 2, 0), collision.side == "front" and _touches_with_nose(episode, other)
+    return noses and min(float(track.speed[before]) for track in (episode.ego_track, other)) > MOVING
+
+
+def _who_came_over(ego: Track, other: Track, step: int) -> Striker | None:
+    """Who turned toward the other of two who went the same way side by side; None of others."""
+    since = max(step - TURNED_IN, 0)
+    turned = [float(track.heading[step] - track.heading[since]) for track in (ego, other)]
+    along = math.cos(float(ego.heading[step] - other.heading[step]))
+    if along < SAME_WAY or max(map(abs, turned)) < TURNED:
+        return None
+    dx, dy = float(other.x[step] - ego.x[step]), float(other.y[step] - ego.y[step])
+    heading = float(ego.heading[step])
+    left = 1.0 if dy * math.cos(heading) - dx * math.sin(heading) > 0.0 else -1.0
+    return Striker.EGO if left * turned[0] > -left * turned[1] else Striker.OTHER
 
 
 def _at_front(episode: Episode) -> bool:
@@ -94,7 +120,7 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
         yield Finding(path="contact.other", shown=right, told=f"said {said.other}, it is the {side}")
     if said.striker is not None:
         striker = striker_of(episode, other)
-        right = striker is said.striker
+        right = striker is said.striker or _head_on(episode, other)
         yield Finding(path="contact.striker", shown=right, told=f"said {said.striker}, it is {striker}")
 
 
