@@ -11,10 +11,11 @@ from chatscene.build.anchors import anchor_of
 from chatscene.build.asked import ROOM, Meets, between, stands_first
 from chatscene.build.awaiting import in_phases, met_by
 from chatscene.build.backing import check_met
-from chatscene.build.coming import speeds_to_try
+from chatscene.build.coming import speeds_to_try, wanted_by
 from chatscene.build.contact import at_a_corner, parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of, ordered
 from chatscene.build.finding import find, started
+from chatscene.build.keeping import as_kept, take_kept
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.place import Found, along_the_road, wrong_way
@@ -90,12 +91,15 @@ def _built(situation: Situation, said: Situation, usual: float, name: str) -> Bu
     Raises:
         NotBuilt: A fact of it cannot be built, or no map has such a place.
     """
+    situation = as_kept(situation, min(usual, wanted_by(situation)))
     read = Ledger(situation, told=said)
+    take_kept(read)
     found = find(read, usual)
     ledger, ego, everybody, body = _cast(read, found, usual)
     road = max(one.takes for one, _ in everybody)
     if road > found.route.line.length and not backs(situation):  # what is done goes on for longer
         read = Ledger(situation, told=said)
+        take_kept(read)
         found = find(read, usual, road)
         ledger, ego, everybody, body = _cast(read, found, usual)
     slow = ego.coming.speed * min((one.given / one.needs for one, _ in everybody if one.needs > 0.0), default=1.0)

@@ -30,7 +30,7 @@ from chatscene.build.deeds import (
     yielding_to,
 )
 from chatscene.build.gaps import GOES_ON, eases, stops_before
-from chatscene.build.local import check_round, radius_to_turn_round
+from chatscene.build.local import check_round, way_to_turn_round
 from chatscene.build.naming import name_of
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import Pace
@@ -82,8 +82,9 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     if deed.act in OFF and along and where in (Where.AHEAD, Where.BEHIND):
         yield deed.act, turning_off(deed.act, junction=at_junction(actor.ledger.situation))
     if deed.act is Act.U_TURN and meets in (Meets.ALONG, Meets.KERB):
-        radius = radius_to_turn_round(actor, k)
-        yield Act.U_TURN, turning_round(radius, 0.0 if deed.speed is not None else math.sqrt(TURNS_AT * radius))
+        turn = way_to_turn_round(actor, k)
+        speed = 0.0 if deed.speed is not None else math.sqrt(TURNS_AT * turn.radius)
+        yield Act.U_TURN, turning_round(turn.radius, speed, first=turn.first, back=turn.back)
     follows = actor.stand.behind and not actor.stand.rolls and not touches(actor.ledger.situation, actor.one)
     if where is Where.BEHIND and deed.act in GOES_ON and follows and not _goes_by_itself(actor, deed):
         yield deed.act, BEHIND_ANOTHER  # or it would run into the ego

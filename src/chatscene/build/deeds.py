@@ -9,6 +9,7 @@ from chatscene.build.asked import Meets
 from chatscene.build.paces import Pace
 from chatscene.terms.vocabulary import Act
 
+BACKS_AT, BACKS_GAIN = 1.5, 2.0  # [m/s], and [m/s²] about with which it gets there: who turns round in three backs so
 TURNED_ROUND = 2.9  # [rad] of turning round, after which it drives along the lane it is in
 STILL = "self.pose[3] < 0.05"
 UNDER_WAY = "self.pose[3] > {held} * $SPEED"
@@ -234,19 +235,25 @@ def turning_off(act: Act, *, junction: bool) -> Steps:
     return Steps(does=does, last=(*does, "MoveAhead($SLOW)"), binds={"speed": "SLOW"})
 
 
-def turning_round(radius: float, speed: float) -> Steps:
+def turning_round(radius: float, speed: float, *, first: float = 0.0, back: float = 0.0) -> Steps:
     """How somebody turns round on the road, into the lane of those who come against it.
 
     Args:
         radius: Of its circle [m].
         speed: At which it turns, if none was said [m/s].
+        first: How far it turns before it backs [rad]; 0 if it turns in one go.
+        back: How far it then backs [m].
     """
     wish = "$SLOW" if speed <= 0.0 else f"{speed:.3g}"
     slows = f"BrakeOnPath({{p}}, 0.6) until self.pose[3] < 1.1 * {wish}"
-    turns = f"TurnOff({TURNED_ROUND:g}, {wish}, {radius:.3g})"
+    turns = (f"TurnOff({TURNED_ROUND - first:.3g}, {wish}, {radius:.3g})",)
+    if first:
+        stands = f"Halt() until {STILL}"
+        backs = f"ReverseStraight({BACKS_AT:g}) for {back / BACKS_AT + 0.5 * BACKS_AT / BACKS_GAIN:.2g} seconds"
+        turns = (f"TurnOff({first:.3g}, {wish}, {radius:.3g})", stands, backs, stands, *turns)
     return Steps(
-        does=(slows, turns, f"DrivePath({{home}}, {wish}) for 2 seconds"),
-        last=(slows, turns, "DrivePath({home}, $SPEED)"),
+        does=(slows, *turns, f"DrivePath({{home}}, {wish}) for 2 seconds"),
+        last=(slows, *turns, "DrivePath({home}, $SPEED)"),
         way="{home}",
         binds={"speed": "SLOW"},
         pace=Pace.ENDS,

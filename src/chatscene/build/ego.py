@@ -9,7 +9,7 @@ from dataclasses import dataclass, fields
 from chatscene.build.awaiting import awaited, waiting
 from chatscene.build.coming import Coming, coming, keeps_limits, wanted_by
 from chatscene.build.ledger import Ledger
-from chatscene.build.numbers import MOST
+from chatscene.build.numbers import FIRM, MOST
 from chatscene.build.own import KEEPS, is_own, own_orders
 from chatscene.build.place import Found, at_junction
 from chatscene.errors import NotBuilt
@@ -180,7 +180,7 @@ def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) 
         if (answers := ledger.situation.answered(deed)) is not None:  # it does so by itself, as it has to
             name, reference = answers
             does = f"the {ledger.situation.deed(reference).act} of {reference.partition('.')[0]}"
-            ledger.take(f"{at}.when.{name}")
+            ledger.take(f"{at}.when.{name}", f"{at}.manner")
             ledger.assume(f"the ego's {deed.act} {name} {does} is left to whoever drives it")
             continue
         there = begins * speed if begins else stop  # where it is to be slow, or to stand
@@ -226,10 +226,13 @@ def _pedals(
             till = _lasts(ledger, deed, at)
             yield Order(at_most=deed.speed.high if deed.speed is not None else SLOW, till=begins + till)
             return begins + (till if till < math.inf else 0.0)
-        case Act.SET_OFF if deed.speed is not None:  # from where it stood on
-            ledger.take(f"{at}.speed")
+        case Act.SET_OFF if deed.speed is not None or deed.manner is Manner.SLOW:  # from where it stood on
+            ledger.take(f"{at}.speed", f"{at}.manner")
             stopped = any(one.act is Act.STOP for one in ledger.situation.ego.does)
-            yield Order(at_most=deed.speed.high, place=round(there, 1) if stopped else -math.inf)
+            yield Order(
+                at_most=deed.speed.high if deed.speed is not None else SLOW,
+                place=round(there, 1) if stopped else -math.inf,
+            )
         case Act.GO_ALONG if deed.time is not None and then is not None:
             return begins + _lasts(ledger, deed, at)
         case Act.GO_ALONG if deed.time is not None and deed.time.low * speed <= there:
@@ -242,8 +245,9 @@ def _pedals(
 def _otherwise(ledger: Ledger, deed: Deed, at: str) -> Iterator[Order]:
     """What orders nothing, or is the ego's way rather than what it does at the pedals."""
     match deed.act:
-        case Act.GO_ALONG | Act.SET_OFF | Act.YIELD | Act.FOLLOW:
-            return  # which is left to the ego
+        case Act.GO_ALONG | Act.SET_OFF | Act.YIELD | Act.FOLLOW:  # which is left to the ego
+            if deed.act is Act.SET_OFF and deed.manner is Manner.SUDDEN:  # it shows that by nothing beforehand
+                ledger.take(f"{at}.manner")
         case Act.REVERSE if backs(ledger.situation):
             yield from _backed(ledger, deed, at)
         case _:
@@ -255,6 +259,8 @@ def _backed(ledger: Ledger, deed: Deed, at: str) -> Iterator[Order]:
     if deed.speed is not None:
         ledger.take(f"{at}.speed")
         yield Order(at_most=deed.speed.high)
+    elif deed.manner is Manner.SLOW:  # as an ego backs anyway
+        ledger.take(f"{at}.manner")
     if deed.distance is not None:
         ledger.take(f"{at}.distance")
         yield Order(at_most=0, place=round(deed.distance.within(0.5, BACKS)[0], 1))
@@ -299,6 +305,9 @@ def _seconds(ledger: Ledger, deed: Deed, at: str) -> float:
 
 def _braking(ledger: Ledger, deed: Deed, at: str, usual: float) -> float:
     body, kind = ledger.situation.ego.body.row.limits, ledger.situation.ego.kind or UserKind.CAR
+    if deed.acceleration is None and deed.manner is not None and deed.manner in FIRM:
+        ledger.take(f"{at}.manner")
+        return min(max(usual, FIRM[deed.manner] * body.brake), EASILY * body.brake)
     if deed.acceleration is None:
         return min(usual, EASILY * body.brake)
     if deed.acceleration.low > body.brake + body.drag:

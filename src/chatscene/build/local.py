@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,16 +12,20 @@ import shapely
 from chatscene.build.asked import HALTS, Meets
 from chatscene.build.place import LANE, only_others_stop, ring_arms
 from chatscene.errors import MapError, NotBuilt
+from chatscene.terms.actors import Limits
 from chatscene.terms.situation import Deed
 from chatscene.terms.vocabulary import COMES_IN, Act, Breach, EgoLight, Where
 from chatscene.world.control import curve_speeds
-from chatscene.world.places import lanes_beside, line_of, ringTraffic
+from chatscene.world.places import lanes_beside, line_of, ownLane, ringTraffic
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 KERB_ASIDE = 2.5  # [m] from the middle of the outermost lane to that of who stands at the kerb
 WIDER = 1.15  # times its smallest circle, which it does not reach at once
+NEAR_EDGE = 0.2  # [m] from the edge of the road that somebody stands who turns round in three
+BACKS = 6.0  # [m] at most that it backs
+_TURNS = tuple(math.radians(turn) for turn in range(100, 30, -5))
 _INTO_THE_WAY = COMES_IN | {Act.TURN_LEFT, Act.TURN_RIGHT, Act.U_TURN, Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE}
 """What comes into the way of others, whoever does it."""
 
@@ -37,7 +42,14 @@ def breaks(actor: Actor, deed: Deed) -> bool:
         case Breach.STOP_SIGN:
             return moves and (control == "stop-sign" or only_others_stop(actor.ledger.situation))
         case _:
-            return moves or deed.act in _INTO_THE_WAY
+            return moves or deed.act in _INTO_THE_WAY or _comes_on(actor, deed)
+
+
+def _comes_on(actor: Actor, deed: Deed) -> bool:
+    """Whether somebody comes on toward the ego, or past others, and so lets nobody go first."""
+    until = actor.deeds[: actor.deeds.index(deed) + 1]
+    past = any(one.act is Act.OVERTAKE or one.act in _INTO_THE_WAY for one in until)
+    return (past or actor.stand.meets is Meets.TOWARD) and deed.act not in HALTS | {Act.HESITATE}
 
 
 def check_round(actor: Actor, k: int) -> None:
@@ -75,27 +87,54 @@ def check_turn(actor: Actor, k: int) -> None:
         )
 
 
-def radius_to_turn_round(actor: Actor, k: int) -> float:
-    """The radius [m] of the circle on which somebody turns round into the lane of those who come against it.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Round:
+    """How somebody turns round on a road.
+
+    Attributes:
+        radius: Of its circle [m].
+        first: How far [rad] it turns before it backs, where the road is too narrow for one go; 0 where it is not.
+        back: How far [m] it then backs.
+    """
+
+    radius: float
+    first: float = 0.0
+    back: float = 0.0
+
+
+def way_to_turn_round(actor: Actor, k: int) -> Round:
+    """How somebody turns round into the lane of those who come against it: in one go, or in three.
 
     Raises:
-        NotBuilt: There is no such lane beside the ego's, or the road is too narrow for its circle.
+        NotBuilt: There is no such lane beside the ego's, or the road is too narrow for it.
     """
     at, limits, route = f"{actor.path}.does.{k}.act: {actor.deeds[k].act}", actor.limits, actor.found.route
     if lanes_beside(route).get("left") is not True:
         raise NotBuilt(f"no map has such a place: {at}, which takes a lane of oncoming traffic to the left of ours")
     aside = LANE + (KERB_ASIDE if actor.stand.meets is Meets.KERB else 0.0)
     circle = max(aside, 2.0 * WIDER * limits.wheelbase / math.tan(limits.wheel_angle))
-    x, y = route.line.point_at(route.eventAt)
-    left = route.line.heading_at(route.eventAt) + math.pi / 2
+    own = line_of(ownLane(route))  # the ego's way may swing out there
+    at_event = own.project(*route.line.point_at(route.eventAt))[0]
+    (x, y), left = own.point_at(at_event), own.heading_at(at_event) + math.pi / 2
     steps = np.arange(0.0, 40.0, 0.25)
     inside = shapely.intersects_xy(
         route.network.drivableRegion.polygons, x + steps * math.cos(left), y + steps * math.sin(left)
     )
     room = float(steps[int(np.argmin(inside))]) + aside - LANE
-    if circle + limits.width / 2 > room:
+    if circle + limits.width / 2 <= room:
+        return Round(radius=circle / 2)
+    most = room - NEAR_EDGE
+    over = next((turn for turn in _TURNS if _reaches(circle / 2, turn, limits) <= most), 0.0)
+    back = (circle - aside) / math.sin(over) if over else math.inf
+    if back > BACKS:
         raise NotBuilt(
             f"nothing builds yet: {at} of a {actor.one.kind}, which takes {circle + limits.width / 2:.0f} m of road to"
             f" its left, of which there are {room:.0f} m"
         )
-    return circle / 2
+    return Round(radius=circle / 2, first=over, back=back)
+
+
+def _reaches(radius: float, turn: float, limits: Limits) -> float:
+    """How far [m] to the left of its line a body is at most that has turned so far [rad] on a circle."""
+    ahead = 0.5 * (limits.length * math.sin(turn) + limits.width * math.cos(turn))
+    return radius * (1.0 - math.cos(turn)) + ahead

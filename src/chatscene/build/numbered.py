@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets
 from chatscene.build.deeds import Steps
-from chatscene.build.gaps import backs_by
+from chatscene.build.gaps import GOES_ON, backs_by
 from chatscene.build.lateral import goes_aside
-from chatscene.build.numbers import FIRM
+from chatscene.build.numbers import FIRM, PACES
 from chatscene.build.paces import Pace, Speed
 from chatscene.build.place import LANE, NEXT_LANE
 from chatscene.build.rates import brakes_by, goes_so_far, rate_of, throttles_by
@@ -22,6 +22,8 @@ from chatscene.terms.vocabulary import Act, Manner, Side, Where
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
+_FAR = ("AMPLITUDE", "SWERVE", "DRIFT")
+A_LITTLE = 0.3  # of the range of how far somebody leaves its line, up to which it does a little
 WAVE = 20.0  # [m], five times as far as a tracker looks ahead: a shorter wave is cut
 PIECES = 2  # of three in which somebody drifts: in the last it is nearly there
 SETS_OUT = 0.2  # [s] that it takes to settle
@@ -133,9 +135,20 @@ def _braking(phases: Phases, k: int, text: str, steps: Steps) -> str:
         numbers.narrow(f"BRAKE_{k}", FIRM[deed.manner], 1.0)
         text = renamed(text, "BRAKE", f"BRAKE_{k}")
         actor.ledger.take(f"{at}.manner")
-    elif deed.manner is Manner.SUDDEN and not steps.lasting:  # nobody shows beforehand what it is about to do
+    elif deed.manner is Manner.SLIGHT and (name := next((one for one in _FAR if f"${one}" in text), "")):
+        low, high, *_ = numbers.range_of(name)
+        numbers.narrow(f"{name}_{k}", low, low + A_LITTLE * (high - low))
+        text = renamed(text, name, f"{name}_{k}")
+        actor.ledger.take(f"{at}.manner")
+    elif _shows_nothing_more(deed, lasting=steps.lasting):
         actor.ledger.take(f"{at}.manner")
     return text
+
+
+def _shows_nothing_more(deed: Deed, *, lasting: bool) -> bool:
+    """Whether a manner is there anyway: a number says it, or nobody shows beforehand what it is about to do."""
+    sudden = deed.manner is Manner.SUDDEN and (deed.act not in GOES_ON or not lasting)
+    return sudden or (deed.manner in PACES and deed.manner is not None and deed.speed is not None)
 
 
 def _over_the_edge(phases: Phases, deed: Deed) -> bool:

@@ -36,7 +36,7 @@ _MEANS: Mapping[Act, Mapping[str, str]] = {
     Act.OVERTAKE: {"distance": "how far ahead it is before it comes back"},
     Act.DRIFT: _ASIDE,
     Act.SWERVE: _ASIDE,
-    Act.FOLLOW: _BEHIND,
+    Act.FOLLOW: _BEHIND | {"time": "the same, as the time that it needs for that"},
     Act.TAILGATE: _BEHIND,
 }
 
