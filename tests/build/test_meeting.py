@@ -37,8 +37,8 @@ def somebody(kind: str, where: str, *does: dict[str, Any] | str, side: str | Non
     return build(from_plain({"others": [{"id": "A", "kind": kind, "starts": start, "does": deeds}], **more}))
 
 
-def met(built: Built, seed: int) -> Episode:
-    values = draw(built.program.parameters, seed=seed)
+def met(built: Built, seed: int, **given: float) -> Episode:
+    values = draw(built.program.parameters, seed=seed) | {f"OPT_A_{name}": value for name, value in given.items()}
     scene = Scene(id=f"s/route-00/{seed}", scenario_id="s", route=0, block=0, seed=seed, values=values)
     speed = built.program.wanted_speed
     assert speed is not None
@@ -67,6 +67,26 @@ def met(built: Built, seed: int) -> Episode:
 )
 def test_the_two_meet_if_neither_reacts(built: Built) -> None:
     assert sum(met(built, seed).collision is not None for seed in range(6)) >= 3
+
+
+@pytest.mark.parametrize("speed", ["30 km/h", "80 km/h"])
+@pytest.mark.parametrize(
+    ("kind", "where", "does", "side", "late"),
+    [
+        ("car", "arm", "go-straight", "left", True),
+        ("truck", "arm", "go-straight", "right", True),
+        ("motorcycle", "oncoming", "turn-left", None, True),
+        ("child", "roadside", "cross", "right", False),  # nobody says that it crosses who does so behind the ego
+    ],
+)
+def test_who_crosses_is_struck_or_just_missed(
+    kind: str, where: str, does: str, side: str | None, late: bool, speed: str
+) -> None:
+    built = somebody(kind, where, does, side=side, ego={"speed": speed}, road={"kind": "junction"} if late else {})
+    (offset,) = (one for one in built.program.parameters if one.name == "OPT_A_OFFSET")
+    ends = (offset.low, offset.high) if late else (offset.high,)
+    assert [met(built, 0, OFFSET=end).collision for end in ends] == [None] * len(ends)
+    assert met(built, 0, OFFSET=0.5 * (offset.low + offset.high)).collision is not None
 
 
 def test_who_stops_at_a_junction_does_so_before_it_and_then_comes_before_the_ego() -> None:

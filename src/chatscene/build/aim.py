@@ -31,7 +31,7 @@ STOOD = 1.0  # [s] that somebody has stood in the ego's way when the ego comes, 
 GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
 NEAR_POINT = 0.1  # of the ego's width: how near to the point that was said somebody is met
 _TICK = 0.1  # [s]; who waits for a moment sets off half of it later, on average
-_SPARE = 0.5  # [s] sooner and later than at right angles that somebody may be there if nothing was said of the contact
+_SPARE = 0.5  # [s] sooner and later than at right angles that somebody may be there whose way does not leave the ego's
 _LOOKS, _STEPS = 3.0, 121  # [s] sooner and later that is looked at, and in how many steps
 _CORNER = 0.3  # of half its length ahead of its middle: from there on it is a corner that is met
 _END = 0.8  # of half its length: from there on it is its end that is met, as good as that can be of who crosses
@@ -60,7 +60,20 @@ def set_offset(actor: Actor) -> None:
     if actor.stand.meets is Meets.THROUGH and stops_in_the_way(Meets.THROUGH, actor.deeds):
         stops = 0.5 * actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
         late, early = stops, stops + early  # it stands there when the ego comes
+    elif actor.ledger.situation.contact is None and actor.one.role is Role.ADVERSARY and not yields:
+        late, early = _just_missed(actor, late, early)
     actor.numbers.narrow("OFFSET", late, early)
+
+
+def _just_missed(actor: Actor, late: float, early: float) -> Window:
+    """The same window, and on either side the time in which one of them goes by: then the two just miss each other.
+
+    Who crosses on foot is there before the ego, or nobody would say that it crosses.
+    """
+    ego = actor.ego_limits
+    if actor.stand.meets is Meets.THROUGH:
+        late -= ego.length / actor.ego.table.speed_at(actor.meets_at)
+    return late, early + ego.width / _speed(actor)
 
 
 def aimed(actor: Actor, usual: Window) -> tuple[float, float, *tuple[str, ...]]:
@@ -86,8 +99,9 @@ def aimed(actor: Actor, usual: Window) -> tuple[float, float, *tuple[str, ...]]:
     by = usual[1] if met[-1] else high  # who turns into the ego's lane is never by
     if contact is not None and _strikes_another(actor):
         return by, by + NEAR_MISS
+    unsaid = max(low, usual[0] - _SPARE) if met[0] else low, min(high, usual[1] + _SPARE) if met[-1] else high
     if contact is None or contact.whom not in (None, actor.one.id):
-        return max(low, usual[0] - _SPARE), min(high, usual[1] + _SPARE)
+        return unsaid
     if not contact.happens and not any(True for _ in _asked(contact)):
         return by, by + NEAR_MISS, "contact.happens"
     taken = [] if contact.happens else ["contact.happens"]  # it is braking that keeps them apart
@@ -97,7 +111,7 @@ def aimed(actor: Actor, usual: Window) -> tuple[float, float, *tuple[str, ...]]:
             met = both
             taken.append(path)
     low, high = (float(sooner[one]) for one in _longest(met))
-    return (low, high, *taken) if taken else (max(low, usual[0] - _SPARE), min(high, usual[1] + _SPARE))
+    return (low, high, *taken) if taken else unsaid
 
 
 def _at_point(
