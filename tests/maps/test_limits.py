@@ -91,7 +91,7 @@ def test_each_road_of_the_packaged_maps_has_the_limit_of_its_kind() -> None:
     town, outskirts, region = (limits_of(load_network(path)) for path in PACKAGED.values())
     assert {limit.at(1.0) for limit in town.values()} == {TOWN}
     assert {round(limit.at(1.0) * 3.6) for limit in outskirts.values()} == {50, 60, 80, 110}
-    assert {round(limit.at(1.0) * 3.6) for limit in region.values()} == {30, 50, 60, 80, 110}
+    assert {round(limit.at(1.0) * 3.6) for limit in region.values()} == {10, 30, 50, 60, 80, 110}
 
 
 def test_a_route_on_the_motorway_and_one_from_its_ramp_have_the_limits_of_their_roads() -> None:

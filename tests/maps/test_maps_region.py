@@ -10,18 +10,19 @@ from typing import Any
 import pytest
 import shapely
 
+from chatscene.maps.car_parks import car_parks
 from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.lane_runs import lane_runs
 from chatscene.maps.layout import JunctionKind, junction_kinds, motorway_groups, ramp_ways, roundabouts
 from chatscene.maps.network import load_network, resolve_map
-from chatscene.maps.opendrive import write_opendrive
+from chatscene.maps.opendrive import Node, write_opendrive
 from chatscene.maps.region import plan
 from chatscene.maps.ring_ways import line_beside, ring_ways
 from chatscene.maps.routes import find_routes, place_of
 from chatscene.maps.settings import lies_in
 from chatscene.maps.sites import APPROACHED
 from chatscene.maps.survey import check_map
-from chatscene.terms.route import RouteQuery
+from chatscene.terms.route import Equipment, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.vocabulary import Setting
 
@@ -78,7 +79,7 @@ def test_its_roads_say_how_fast_one_may_drive() -> None:
         for speed in kind.iter("speed")
     }
     limits = {("town", "50"), ("town", "30"), ("rural", "80"), ("motorway", "110"), ("motorway", "80")}
-    assert said == {(*limit, "km/h") for limit in limits | {("motorway", "60")}}
+    assert said == {(*limit, "km/h") for limit in limits | {("motorway", "60"), ("town", "10")}}
     assert all(road.find("type/speed") is not None for road in ROOT.iter("road"))
 
 
@@ -96,6 +97,7 @@ def test_300_m_lead_up_to_junctions_of_every_kind(control: Control, place: Place
 def test_every_arm_of_a_junction_of_the_town_is_300_m_long() -> None:
     kinds, runs = junction_kinds(NETWORK), lane_runs(NETWORK)
     town = [j for j in NETWORK.intersections if kinds[j.uid] is JunctionKind.CROSSING and place_of(j) is Place.FOUR_WAY]
+    town = [j for j in town if car_parks(NETWORK).isdisjoint(lane.road.id for lane in j.incomingLanes)]
     assert town
     short = {lane.uid for j in town for lane in j.incomingLanes if runs[lane.uid].line.length < 300.0}
     ramps_apart = {
@@ -154,7 +156,8 @@ def test_rural_roads_have_straights_of_500_m() -> None:
 def test_crosswalks_lie_across_roads_of_every_kind_but_the_motorway() -> None:
     roads = {road.id: road for road in NETWORK.roads}
     on = [roads[number] for number, _ in furniture_of(NETWORK).crosswalks]
-    assert len(on) == 6
+    marked = [end for street in plan() for end in (street.start, street.end) if isinstance(end, Node) and end.marked]
+    assert len(on) == 6 + len(marked) > 50
     two = [road for road in on if len(road.forwardLanes.lanes) == 2]
     assert {road.backwardLanes is None for road in two} == {True, False}
     for road, area in furniture_of(NETWORK).crosswalks:
@@ -162,7 +165,8 @@ def test_crosswalks_lie_across_roads_of_every_kind_but_the_motorway() -> None:
 
 
 def test_places_to_stand_lie_beside_the_streets() -> None:
-    uses = [place.use for place in furniture_of(NETWORK).standing]
+    lot = car_parks(NETWORK)
+    uses = [place.use for place in furniture_of(NETWORK).standing if place.road not in lot]
     assert uses.count(Stand.BUS) == uses.count(Stand.PARKING) == 2
 
 
@@ -171,7 +175,7 @@ def test_carla_can_drive_on_everywhere_and_sees_the_crosswalks(capfd: pytest.Cap
     world_map = carla.Map("region", REGION.read_text())
     told = capfd.readouterr()
     assert "WARNING" not in told.out + told.err
-    assert len(world_map.get_crosswalks()) == 6 * 5
+    assert len(world_map.get_crosswalks()) == 5 * len(furniture_of(NETWORK).crosswalks)
     assert {mark.type for mark in world_map.get_all_landmarks()} == {"1000001", "206", "224"}
     ends = {(w.road_id, w.lane_id) for w in world_map.generate_waypoints(2.0) if not w.next(3.0)}
     assert len(ends) == 6  # where lanes taper out
@@ -236,3 +240,54 @@ def test_a_divided_road_has_no_oncoming_lane_beside_any_of_its_own() -> None:
     routes = find_routes(NETWORK, "region", replace(query, place=Place.ROAD))
     assert {NETWORK.elements[route.lane_ids[0]].road.id for route in routes} <= {51, 52, 53, 54, 55, 56, 57, 58}
     assert {j.control for j in find_routes(NETWORK, "region", replace(query, place=Place.FOUR_WAY))} == {Control.SIGNAL}
+
+
+@pytest.mark.parametrize("control", Control)
+@pytest.mark.parametrize("place", [Place.THREE_WAY, Place.FOUR_WAY])
+@pytest.mark.parametrize("maneuver", [Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN])
+def test_junctions_of_every_kind_have_crosswalks(control: Control, place: Place, maneuver: Maneuver) -> None:
+    query = RouteQuery(maneuver=maneuver, place=place, control=control, has=(Equipment.CROSSWALKS,))
+    areas = [area for _, area in furniture_of(NETWORK).crosswalks]
+    for route in find_routes(NETWORK, "region", query):
+        assert sum(area.intersects(shapely.LineString(route.line.points)) for area in areas) == 2
+
+
+@pytest.mark.parametrize("control", Control)
+def test_a_cycle_lane_leads_up_to_junctions_of_every_control(control: Control) -> None:
+    query = RouteQuery(maneuver=Maneuver.RIGHT_TURN, control=control, has=(Equipment.CYCLE_LANE,))
+    beside = {lane.get("type") for road in ROOT.iter("road") for lane in road.iter("lane") if road.get("id") == "67"}
+    assert "biking" in beside and "shoulder" not in beside
+    for route in find_routes(NETWORK, "region", query):
+        road = NETWORK.elements[route.lane_ids[0]].road
+        assert {(road.id, True), (road.id, False)} <= furniture_of(NETWORK).cycle_lanes.keys()
+
+
+def test_rails_lie_in_the_inner_lane_of_a_street() -> None:
+    query = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD, lane_beside="left", has=(Equipment.TRAM_TRACK,))
+    for route in find_routes(NETWORK, "region", query):
+        lane = NETWORK.elements[route.lane_ids[0]]
+        areas = [area for road, area, _ in furniture_of(NETWORK).tracks if road == lane.road.id]
+        inner = lane.sections[0]._laneToLeft.lane
+        assert any(inner.polygons.contains(area.centroid) for area in areas)
+        assert not any(lane.polygons.intersects(area) for area in areas)
+
+
+def test_rails_lead_across_roads_of_the_country_and_of_the_town() -> None:
+    query = RouteQuery(maneuver=Maneuver.STRAIGHT, site=Site.RAIL_CROSSING)
+    routes = find_routes(NETWORK, "region", query)
+    assert {NETWORK.elements[route.lane_ids[0]].road.id for route in routes} == {85, 97}
+    for route in routes:
+        x, y = route.line.point_at(route.event_at + 0.7)
+        assert any(area.contains(shapely.Point(x, y)) for _, area, across in furniture_of(NETWORK).tracks if across)
+
+
+def test_aisles_of_a_car_park_are_found_by_who_asks_for_bays_and_by_nobody_else() -> None:
+    lot = car_parks(NETWORK)
+    assert lot == {201, 202, 203, 204}
+    along = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD)
+    through = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.JUNCTION, conflicting_from=("left",))
+    for query in (along, through):
+        inside = find_routes(NETWORK, "region", replace(query, has=(Equipment.BAYS,)))
+        assert {NETWORK.elements[route.lane_ids[0]].road.id for route in inside} <= lot
+        outside = find_routes(NETWORK, "region", query)
+        assert lot.isdisjoint(NETWORK.elements[route.lane_ids[0]].road.id for route in outside)

@@ -224,9 +224,9 @@ def test_who_names_no_map_gets_the_one_that_has_the_site(site: Site) -> None:
     found: list[Route] = []
     for maneuver in maneuvers:
         query = RouteQuery(maneuver=maneuver, site=site)
-        with pytest.raises(MapError, match="name no map, or the packaged 'outskirts'"):
+        with pytest.raises(MapError, match=f"name no map, or the packaged {map_with(site)!r}"):
             find_routes(town, "town", query)
         with suppress(MapError):
-            found += find_routes(load_network(resolve_map(map_with(site))), "outskirts", query)
+            found += find_routes(load_network(resolve_map(map_with(site))), map_with(site), query)
     assert found
     assert {route.site for route in found} == {site}

@@ -30,6 +30,7 @@ from chatscene.build.place import (
     at_roundabout,
     between_lanes,
     filters,
+    has_crosswalks,
     is_marked,
     lane_beside,
 )
@@ -119,7 +120,7 @@ class Actor:
         self.ledger.take(*said_anyway(self.one, self.stand.meets))
         if self.stand.faces:
             self.ledger.take(f"{at}.starts.facing")
-        if self.one.starts.where in AT_CROSSWALKS and not is_marked(self.found):
+        if self.one.starts.where in AT_CROSSWALKS and not (is_marked(self.found) or has_crosswalks(self.found)):
             self.ledger.assume(f"{self.one.id} crosses where no crosswalk is marked, since the map has none there")
         if self.one.kind.row.general:
             built = self.one.kind.row.body.row.scenic.lower()

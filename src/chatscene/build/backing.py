@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Asked, Meets, Stand
+from chatscene.build.place import between_bays
 from chatscene.errors import NotBuilt
 from chatscene.terms.backing import backs
 from chatscene.terms.situation import Situation
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 
 WAITS = 3.5, 7.0  # [m] beside the ego's way, from and to, somebody waits who does not come in time by itself
 OUTSIDE = 3.2  # [m] beside the middle of the lane, on the sidewalk
+IN_AISLE = 0.9  # [m] the same between the bays of a car park
 BESIDE = 1.0  # [m] between who are parked side by side
 TOWARD_LANE = 1.2  # [m] that who hides somebody is nearer to the lane than the ego
 
@@ -49,9 +51,10 @@ def comes_by(asked: Asked) -> Stand:
     left = asked.side == Side.LEFT
     level = f"levelOn(way{{i}}, egoRoute, 0) {'-' if left else '+'} "
     far = asked.way_back("egoRoute.eventAt", "") if _in_time(asked) else "$Y"
+    outside = IN_AISLE if between_bays(asked.found) else OUTSIDE
     return Stand(
         meets=Meets.ACROSS,
-        way=f"wholeLane(egoRoute).offset({-OUTSIDE:g})",
+        way=f"wholeLane(egoRoute).offset({-outside:g})",
         point=f"pointOn(way{{i}}, {level}({far}{asked.more}))",
         facing=f"directionOn(way{{i}}, levelOn(way{{i}}, egoRoute, 0){'' if left else ', 3.14159'})",
         faces=True,

@@ -11,6 +11,7 @@ from chatscene.build.anchors import anchor_of
 from chatscene.build.asked import ROOM, Meets, between, stands_first
 from chatscene.build.awaiting import in_phases, met_by
 from chatscene.build.backing import check_met
+from chatscene.build.bays import out_of_bay
 from chatscene.build.coming import speeds_to_try, wanted_by
 from chatscene.build.contact import at_a_corner, parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of, ordered
@@ -20,6 +21,7 @@ from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.place import Found, along_the_road, wrong_way
 from chatscene.build.possible import OFF_ROAD, impossible
+from chatscene.build.rails import over_rails
 from chatscene.build.relations import check_passed_by_ego
 from chatscene.build.roadside import beside_road
 from chatscene.build.screening import from_its_lane
@@ -72,7 +74,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
     situation = replace(situation, others=tuple(along_the_road(wrong_way(one)) for one in situation.others))
-    said, situation = situation, at_a_corner(as_it_backs(situation))
+    said, situation = situation, at_a_corner(as_it_backs(out_of_bay(over_rails(situation))))
     check_met(situation)
     speeds, refused = speeds_to_try(situation), list[NotBuilt]()
     for speed in speeds:

@@ -6,20 +6,24 @@ import re
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
+from scenic.core.distributions import RejectionException
+
 from chatscene.build.asked import Meets
 from chatscene.build.facing import LONGER
 from chatscene.build.numbers import Numbers
 from chatscene.build.place import LANE
 from chatscene.build.timing import Meeting
 from chatscene.maps.crossings import MEETING
-from chatscene.terms.vocabulary import Side
+from chatscene.terms.vocabulary import Side, Where
 from chatscene.world.control import curve_speeds
+from chatscene.world.places import besideRoad
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 _NAME = re.compile(r"\$([A-Z][A-Z0-9_]*)")
 _ON_ROAD = re.compile(r"^pointOn\(.*, (-?[\d.]+)( [+-] \$X)?\)$")
+ASIDE = 4.0  # [m] before or beyond a junction, where its road is as wide as it is
 _FELT = 0.05  # [s] by which a time changes over a range, from which on that is told
 
 
@@ -72,6 +76,18 @@ def meeting_of(actor: Actor) -> Meeting:
     return Meeting(metres=metres, beyond=MEETING, allowed=allowed)
 
 
+def _lanes_between(actor: Actor) -> int:
+    """How many lanes lie between the ego's and the edge of the road at which somebody begins."""
+    route, side = actor.found.route, actor.one.starts.side or Side.RIGHT
+    behind = actor.one.starts.where is Where.EXIT_CROSSING
+    at = route.exitAt + ASIDE if behind else max(route.eventAt - ASIDE, 0.0)
+    try:
+        edge = besideRoad(route, at, str(side), 0.0)
+    except RejectionException:  # lanes go on and on to that side
+        return int(side is Side.LEFT)
+    return max(0, round((abs(route.line.project(edge.x, edge.y)[1]) - 0.5 * LANE) / LANE))
+
+
 def _across(actor: Actor) -> float:
     if actor.stand.left == "0":
         return 0.1
@@ -79,5 +95,5 @@ def _across(actor: Actor) -> float:
         straight = abs(float(on_road[1])) - 1.0 + (actor.numbers.middle("X") if on_road[2] else 0.0)
     else:
         aside = actor.numbers.middle("X") if "$X" in actor.stand.point else 0.0
-        straight = aside + (LANE if actor.one.starts.side is Side.LEFT else 0.0) + 1.0
+        straight = aside + LANE * _lanes_between(actor) + 1.0
     return straight * (LONGER if actor.stand.left.startswith(f"{LONGER:g} *") else 1.0)

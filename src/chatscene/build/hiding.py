@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import Meets
 from chatscene.build.backing import place_beside
 from chatscene.build.naming import name_of
-from chatscene.build.place import LANE
+from chatscene.build.place import LANE, between_bays
 from chatscene.errors import NotBuilt
 from chatscene.terms.backing import backs
 from chatscene.terms.situation import Other
@@ -44,6 +44,8 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
     if actor.one.starts.where not in BESIDE:
         where = actor.one.starts.where
         actor.ledger.assume(f"{actor.one.id} stands beside the road, and not {where}, so that it hides {hidden.one.id}")
+    if between_bays(actor.found):
+        return _in_bay(actor, hidden, n)
     length = actor.limits.length or 1.2
     away = 2.6 + 0.5 * length + n // 2 * (length + BETWEEN)
     off = 0.5 * actor.limits.width + OFF  # so that it is beside the lane, and not in it
@@ -55,6 +57,15 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
         away = max(away, (aside - beyond) / over * far)
     at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
     return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
+
+
+def _in_bay(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
+    """Where the n-th of it stands in a bay of a car park, from between two of which somebody comes."""
+    width = actor.limits.width
+    away = 0.5 * (BETWEEN + width) + n // 2 * (width + BETWEEN)
+    at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
+    side, beyond = str(hidden.one.starts.side), 0.5 * actor.limits.length + OFF
+    return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f'crossingDirection(egoRoute, {at}, "{side}")'
 
 
 def hidden_with(actor: Actor, one: Other) -> Iterator[str]:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from chatscene.build.place import Found, beside_ramp
+from chatscene.build.place import AT_CROSSWALKS, Found, at_junction, beside_ramp
 from chatscene.maps.settings import is_two_way, lies_in
 from chatscene.maps.sites import AT_JUNCTIONS
+from chatscene.terms.route import Equipment
 from chatscene.terms.routing import CONTROLS, PLACES
 from chatscene.terms.scenario import Site
 from chatscene.terms.situation import Situation
@@ -20,6 +21,13 @@ SITES = {
     Feature.OFF_RAMP: Site.PAST_OFF_RAMP,
     Feature.ON_RAMP: Site.PAST_ON_RAMP,
 }
+EQUIPMENT = {
+    Feature.CROSSWALK: Equipment.CROSSWALKS,
+    Feature.CYCLE_LANE: Equipment.CYCLE_LANE,
+    Feature.TRAM_TRACK: Equipment.TRAM_TRACK,
+}
+"""What a map is asked for besides, by what the road was said to have."""
+_AT_PLACE = EQUIPMENT | {Feature.PARKING_PLACES: Equipment.BAYS}
 _AT_SITE: dict[Feature, frozenset[Site]] = {
     **{one: frozenset((site,)) for one, site in SITES.items()},
     Feature.ON_RAMP: frozenset((Site.ON_RAMP, Site.PAST_ON_RAMP, Site.WEAVING)),
@@ -31,12 +39,22 @@ _OF_KIND: dict[RoadKind | None, tuple[Site, ...]] = {
     RoadKind.ROUNDABOUT: (Site.ROUNDABOUT,),
     RoadKind.MOTORWAY: _MOTORWAYS,
     RoadKind.RAMP: _MOTORWAYS,
+    RoadKind.RAIL_CROSSING: (Site.RAIL_CROSSING,),
 }
 _SITE_OF: dict[EgoRoute | None, Site] = {
     EgoRoute.ROUNDABOUT: Site.ROUNDABOUT,
     EgoRoute.MERGE: Site.ON_RAMP,
     EgoRoute.EXIT: Site.OFF_RAMP,
 }
+
+
+def equipment_of(situation: Situation) -> Iterator[str]:
+    """What the road is to have for what was said of it, if a map has it there."""
+    junction = at_junction(situation)
+    has = {*situation.road.has, *(Feature.CROSSWALK for one in situation.others if one.starts.where in AT_CROSSWALKS)}
+    if not junction:
+        has.discard(Feature.CROSSWALK)  # which is a site of its own there
+    yield from (EQUIPMENT[one].value for one in Feature if one in has and one in EQUIPMENT)
 
 
 def as_said(situation: Situation, found: Found) -> Iterator[str]:
@@ -57,7 +75,13 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
         "road.setting": road.setting is not None and lies_in(network, first, road.setting),
     }
     yield from (path for path, right in holds.items() if right)
-    yield from (f"road.has.{i}" for i, one in enumerate(road.has) if site in _AT_SITE.get(one, ()))
+    yield from (f"road.has.{i}" for i, one in enumerate(road.has) if _is_there(one, found))
+
+
+def _is_there(feature: Feature, found: Found) -> bool:
+    """Whether the road has something where the route leads."""
+    equipped = _AT_PLACE.get(feature) in found.query.get("has", ())
+    return equipped or found.query.get("site") in _AT_SITE.get(feature, ())
 
 
 def lanes_there(found: Found) -> int:
@@ -73,4 +97,6 @@ def _is_kind(kind: RoadKind | None, found: Found) -> bool:
         return found.route.route.junction is None
     if kind in _OF_KIND:
         return found.query.get("site") in _OF_KIND[kind]
+    if kind is RoadKind.PARKING_LOT:
+        return Equipment.BAYS in found.query.get("has", ())
     return kind in PLACES and "place" in found.query

@@ -10,6 +10,7 @@ from chatscene.maps.ring_ways import ROUND
 from chatscene.situations.check import RULED_BY, TURNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import backs
+from chatscene.terms.route import Equipment
 from chatscene.terms.routing import BEGINS, ENDS
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import Other, Situation
@@ -58,7 +59,8 @@ class Found:
 def at_junction(situation: Situation) -> bool:
     """Whether it happens at a junction."""
     road, others = situation.road, situation.others
-    return not (at_roundabout(situation) or beside_lane(situation)) and (
+    elsewhere = at_roundabout(situation) or beside_lane(situation) or road.kind is RoadKind.RAIL_CROSSING
+    return not elsewhere and (
         road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
         or situation.ego.route in TURNS
         or (control_of(situation) is not None and not at_free_crosswalk(situation))
@@ -68,8 +70,18 @@ def at_junction(situation: Situation) -> bool:
 
 
 def is_marked(found: Found) -> bool:
-    """Whether the ego's way leads over a crosswalk."""
+    """Whether the ego's way leads over a crosswalk between junctions."""
     return found.query.get("site") == Site.CROSSWALK
+
+
+def has_crosswalks(found: Found) -> bool:
+    """Whether it leads over one before its junction, and over one behind it."""
+    return Equipment.CROSSWALKS in found.query.get("has", ())
+
+
+def between_bays(found: Found) -> bool:
+    """Whether it is a car park, where one stands across the way in a bay."""
+    return Equipment.BAYS in found.query.get("has", ())
 
 
 def beside_ramp(query: Mapping[str, Any]) -> int:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from chatscene.build.ledger import Ledger
+from chatscene.build.place import between_bays
 from chatscene.terms.vocabulary import Feature, Side, UserKind, Where
 
 if TYPE_CHECKING:
@@ -16,6 +17,7 @@ SHELTER_ASIDE = 3.6  # [m] outside the lanes: clear of a bus at the kerb and of 
 PARKED = (12.0, 18.5, 25.0)  # [m] beyond who is met, where nobody who comes out from between is hidden by them
 BEFORE_JUNCTION = 12.0  # [m]
 AT_KERB = 1.3  # [m] outside the lanes
+IN_BAY = 2.6  # [m] outside the lanes is the middle of a car in a bay
 
 
 def beside_road(ledger: Ledger, everybody: Sequence[Actor]) -> Iterator[str]:
@@ -44,6 +46,9 @@ def _things(name: str, cls: str, met: Actor, ahead: Sequence[float], beyond: flo
         level = f"egoRoute.eventAt - {BEFORE_JUNCTION + ahead[-1]:g}"
     for n, further in enumerate(ahead):
         at = f"{level} + {further:g}"
+        faces = f"directionOn(egoRoute, {at})"
+        if cls == "Car" and between_bays(met.found):
+            beyond, faces = IN_BAY, f'crossingDirection(egoRoute, {at}, "{side}")'
         place = f'besideRoad(egoRoute, {at}, "{side}", {beyond:g})'
         label = f"with label '{name}-{n}', with role 'background'"
-        yield f"new {cls} at {place}, facing directionOn(egoRoute, {at}), {label}"
+        yield f"new {cls} at {place}, facing {faces}, {label}"

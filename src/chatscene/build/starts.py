@@ -23,6 +23,7 @@ from chatscene.build.place import (
     beside_lane,
     between_lanes,
     filters,
+    has_crosswalks,
     is_marked,
     lane_beside,
 )
@@ -31,6 +32,7 @@ from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowe
 from chatscene.errors import NotBuilt
 from chatscene.terms.backing import backs
 from chatscene.terms.route import Beside
+from chatscene.terms.scenario import Site
 from chatscene.terms.situation import EGO, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Role, Side, Striker, Where
 
@@ -238,6 +240,8 @@ def _beside(asked: Asked) -> tuple[float, float]:
 
 POINTED = 3.5, 4.5  # [m] behind the junction, of whom a point of the ego's width meets: there it has come about
 ON_CROSSWALK = (0.7, 3.3)  # [m] from where a crosswalk begins
+ON_RAILS = (0.6, 0.8)  # [m] from where a track begins
+_AT_JUNCTION = (2.7, 5.3)  # [m] from a junction, on a crosswalk of the packaged maps
 
 
 def _oncoming(asked: Asked) -> Stand:
@@ -289,25 +293,33 @@ def _level_beside(asked: Asked) -> tuple[float, float]:
     return leaves + way * far - ABOUT, leaves + way * far + ABOUT
 
 
-def _beside_road(asked: Asked) -> Stand:
-    """On foot or on two wheels beside the road, or in a driveway: it faces the road."""
+def _level_of(asked: Asked) -> str:
+    """Where along the ego's way somebody beside the road is: at a crosswalk, at rails, or anywhere."""
     where = asked.one.starts.where
-    if backs(asked.situation) and out_of(asked.situation):
-        return comes_by(asked)
     if where is Where.EXIT_CROSSING:
         contact = asked.situation.contact
         pointed = contact is not None and contact.at is not None and contact.whom in (None, asked.one.id)
-        asked.reach(*(POINTED if pointed else (2, 6)), "how far behind the junction it is")
-        level = "egoRoute.exitAt + $Y"
-    elif where is Where.CROSSING and at_junction(asked.situation):
-        asked.reach(1, 4, "how far before the junction it is")
-        level = "egoRoute.eventAt - $Y"
-    elif where is Where.CROSSING or _walks_at_crosswalk(asked):
+        anywhere = _AT_JUNCTION if has_crosswalks(asked.found) else (2, 6)
+        asked.reach(*(POINTED if pointed else anywhere), "how far behind the junction it is")
+        return "egoRoute.exitAt + $Y"
+    if where is Where.CROSSING and at_junction(asked.situation):
+        asked.reach(*(_AT_JUNCTION if has_crosswalks(asked.found) else (1, 4)), "how far before the junction it is")
+        return "egoRoute.eventAt - $Y"
+    if asked.found.query.get("site") == Site.RAIL_CROSSING and not asked.walks:
+        asked.reach(*ON_RAILS, "how far beyond the first rail it is")
+        return "egoRoute.eventAt + $Y"
+    if where is Where.CROSSING or _walks_at_crosswalk(asked):
         asked.reach(*(ON_CROSSWALK if is_marked(asked.found) else (-2, 2)), "how far beyond the crosswalk's edge it is")
-        level = "egoRoute.eventAt + $Y"
-    else:
-        asked.reach(*_level_beside(asked))
-        level = "shortOfJunction(egoRoute, $Y)"
+        return "egoRoute.eventAt + $Y"
+    asked.reach(*_level_beside(asked))
+    return "shortOfJunction(egoRoute, $Y)"
+
+
+def _beside_road(asked: Asked) -> Stand:
+    """On foot or on two wheels beside the road, or in a driveway: it faces the road."""
+    if backs(asked.situation) and out_of(asked.situation):
+        return comes_by(asked)
+    level = _level_of(asked)
     there = f"level{{i}}{asked.more}"
     point = f'besideRoad(egoRoute, {there}, "{asked.side}", $X)'
     if rolls := asked.comes and asked.one.starts.speed is not None and asked.one.starts.facing in (None, Facing.ACROSS):

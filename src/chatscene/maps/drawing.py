@@ -18,6 +18,7 @@ from chatscene.terms.route import Route
 Points = list[list[float]]
 MARGIN = 60.0  # [m] of map drawn around what happens
 STRIPE = 0.5  # [m], of a crosswalk
+RAIL = 0.1  # of the width of a track, as a rail is drawn
 SIMPLIFY = 0.02  # [m]; less than a pixel at any useful zoom
 
 
@@ -31,18 +32,22 @@ def map_drawing(network: Any, box: tuple[float, float, float, float]) -> dict[st
     Returns:
         Points are [x, y] in metres, rounded to 1 cm.
 
-        - ``roads``, ``junctions``, ``shoulders``, ``sidewalks``: polygons, each a list of rings, the outer first;
+        - ``roads``, ``junctions``, ``shoulders``, ``sidewalks``: polygons, each a list of rings, the outer first; a
+          cycle lane is a shoulder;
         - ``lane_boundaries``: ``{"kind": "solid" | "dashed" | "centre", "points": [...]}``, where ``centre``
           parts opposite directions and ``solid`` is the edge of the carriageway;
         - ``stop_lines``: ``{"control": "signal" | "stop-sign", "points": [...]}``;
-        - ``crosswalks``, where there are any: the polygons of their stripes.
+        - ``crosswalks``, where there are any: the polygons of their stripes, and of rails.
     """
     frame = shapely.box(*box)
-    stripes = _polygons((stripe for _, area in furniture_of(network).crosswalks for stripe in _stripes(area)), frame)
+    furniture = furniture_of(network)
+    painted = [stripe for _, area in furniture.crosswalks for stripe in _stripes(area)]
+    stripes = _polygons((*painted, *(rail for _, area, _ in furniture.tracks for rail in _rails(area))), frame)
+    shoulders = (*(shoulder.polygons for shoulder in network.shoulders), *furniture.cycle_lanes.values())
     return {
         "roads": _polygons((road.polygons for road in network.roads), frame),
         "junctions": _polygons((junction.polygons for junction in network.intersections), frame),
-        "shoulders": _polygons((shoulder.polygons for shoulder in network.shoulders), frame),
+        "shoulders": _polygons(shoulders, frame),
         "sidewalks": _polygons((sidewalk.polygons for sidewalk in network.sidewalks), frame),
         "lane_boundaries": [
             {"kind": kind, "points": points} for kind, line in _boundaries(network) for points in _lines(line, frame)
@@ -58,12 +63,23 @@ def map_drawing(network: Any, box: tuple[float, float, float, float]) -> dict[st
     }
 
 
+def _long_sides(area: shapely.Polygon) -> tuple[Any, Any, Any, Any]:
+    """The corners of the box around an area, so that from the first to the second is one of its long sides."""
+    box: Any = area.minimum_rotated_rectangle
+    a, b, c, d, _ = np.array(box.exterior.coords)
+    return (b, c, d, a) if np.hypot(*(b - a)) < np.hypot(*(d - a)) else (a, b, c, d)
+
+
+def _rails(track: shapely.Polygon) -> Iterator[shapely.Polygon]:
+    """The two rails of a track."""
+    a, b, c, d = _long_sides(track)
+    for first, last in ((0.0, RAIL), (1.0 - RAIL, 1.0)):
+        yield shapely.Polygon([a + first * (d - a), b + first * (c - b), b + last * (c - b), a + last * (d - a)])
+
+
 def _stripes(crosswalk: shapely.Polygon) -> Iterator[shapely.Polygon]:
     """The painted stripes of a crosswalk, side by side across its street."""
-    box: Any = crosswalk.minimum_rotated_rectangle
-    a, b, c, d, _ = np.array(box.exterior.coords)
-    if np.hypot(*(b - a)) < np.hypot(*(d - a)):
-        a, b, c, d = b, c, d, a
+    a, b, c, d = _long_sides(crosswalk)
     count = max(int(np.hypot(*(b - a)) / (2 * STRIPE)), 1)
     for number in range(count):
         first, last = (number + 0.25) / count, (number + 0.75) / count

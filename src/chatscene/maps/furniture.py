@@ -13,8 +13,10 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as Xml
 
+import numpy as np
 import shapely
 
+from chatscene.maps.opendrive_objects import RAIL
 from chatscene.terms.polyline import Polyline
 
 TRAFFIC_LIGHT = "1000001"
@@ -41,6 +43,7 @@ class StandingPlace:
         forward: Whether it lies on the side of the road's own direction.
         start: Where it begins [m along the road's reference line].
         end: Where it ends [m].
+        depth: How wide it is where it is widest [m]: bays at a right angle are as deep as cars are long.
     """
 
     use: Stand
@@ -48,6 +51,7 @@ class StandingPlace:
     forward: bool
     start: float
     end: float
+    depth: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,11 +63,17 @@ class Furniture:
         standing: Where vehicles stand beside the lanes.
         lights: OpenDRIVE's ids of traffic lights, by that of the road and whether they hold for its own direction.
             Those of a road outside junctions hold for the junction to which that direction leads.
+        cycle_lanes: The areas [m] of lanes for bicycles, by OpenDRIVE's id of the road and whether on its right.
+        tracks: By OpenDRIVE id of the road each lies on, the area of a track [m], and whether it leads across the road.
     """
 
     crosswalks: tuple[tuple[int, shapely.Polygon], ...] = ()
     standing: tuple[StandingPlace, ...] = ()
     lights: Mapping[tuple[int, bool], tuple[str, ...]] = field(default_factory=dict[tuple[int, bool], tuple[str, ...]])
+    cycle_lanes: Mapping[tuple[int, bool], shapely.Polygon] = field(
+        default_factory=dict[tuple[int, bool], shapely.Polygon]
+    )
+    tracks: tuple[tuple[int, shapely.Polygon, bool], ...] = ()
 
 
 def furniture_of(network: Any) -> Furniture:
@@ -78,9 +88,12 @@ def read_furniture(path: Path, network: Any) -> Furniture:
         path: An OpenDRIVE file that has been checked.
         network: Scenic's road network of it.
     """
-    lines = {road.id: Polyline([p[:2] for p in road.centerline.points]) for road in network.roads}
+    roads = {road.id: road for road in network.roads}
+    lines = {number: Polyline([p[:2] for p in road.centerline.points]) for number, road in roads.items()}
     crosswalks: list[tuple[int, shapely.Polygon]] = []
     standing: list[StandingPlace] = []
+    cycle_lanes: dict[tuple[int, bool], shapely.Polygon] = {}
+    tracks: list[tuple[int, shapely.Polygon, bool]] = []
     lights: dict[tuple[int, bool], list[str]] = {}
     for road in Xml.parse(path).getroot().iter("road"):
         number = int(road.get("id", "0"))
@@ -88,8 +101,16 @@ def read_furniture(path: Path, network: Any) -> Furniture:
             lights.setdefault((number, forward), []).append(light)
         if number in lines:
             standing += _standing(road, number)
-            crosswalks += [(number, area) for area in _crosswalks(road, lines[number])]
-    return Furniture(tuple(crosswalks), tuple(standing), {where: tuple(ids) for where, ids in lights.items()})
+            crosswalks += [(number, area) for area in _areas(road, lines[number], "type", "crosswalk")]
+            tracks += _tracks(road, number, lines[number])
+            cycle_lanes |= _cycle_lanes(road, roads[number])
+    return Furniture(
+        tuple(crosswalks),
+        tuple(standing),
+        {where: tuple(ids) for where, ids in lights.items()},
+        cycle_lanes,
+        tuple(tracks),
+    )
 
 
 def _lights(road: Xml.Element, *, inside: bool) -> Iterator[tuple[str, bool]]:
@@ -112,17 +133,18 @@ def _standing(road: Xml.Element, number: int) -> list[StandingPlace]:
     sections = road.findall("lanes/laneSection")
     starts = [float(section.get("s", "0")) for section in sections]
     ends = [*starts[1:], float(road.get("length", "0"))]
-    found: dict[tuple[Stand, bool], list[tuple[float, float]]] = {}
+    found: dict[tuple[Stand, bool], list[tuple[float, float, float]]] = {}
     for section, start, end in zip(sections, starts, ends, strict=True):
         for lane in section.iter("lane"):
             use = _use(lane, end - start)
             if use is None:
                 continue
             strips = found.setdefault((use, int(lane.get("id", "0")) < 0), [])
+            depth = max((_number(width, "a") for width in lane.iter("width")), default=0.0)
             if strips and strips[-1][1] >= start:
-                strips[-1] = (strips[-1][0], end)
+                strips[-1] = (strips[-1][0], end, max(strips[-1][2], depth))
             else:
-                strips.append((start, end))
+                strips.append((start, end, depth))
     return [StandingPlace(use, number, forward, *strip) for (use, forward), strips in found.items() for strip in strips]
 
 
@@ -136,12 +158,35 @@ def _use(lane: Xml.Element, length: float) -> Stand | None:
     return Stand.BUS if entered_by == {"bus"} else Stand.PARKING
 
 
-def _crosswalks(road: Xml.Element, line: Polyline) -> Iterator[shapely.Polygon]:
+def _areas(road: Xml.Element, line: Polyline, name: str, value: str) -> Iterator[shapely.Polygon]:
+    """The areas of the objects of a road that have a value."""
     for thing in road.iterfind("objects/object"):
-        if thing.get("type") == "crosswalk":
+        if thing.get(name) == value:
             area = shapely.Polygon(_corners(thing, line))
             if area.is_valid and area.area > 0:
                 yield area
+
+
+def _cycle_lanes(road: Xml.Element, there: Any) -> dict[tuple[int, bool], shapely.Polygon]:
+    """The areas beside the lanes to drive on that are for bicycles, all along the road."""
+    found: dict[tuple[int, bool], shapely.Polygon] = {}
+    for lane in road.iter("lane"):
+        right = int(lane.get("id", "0")) < 0
+        group = there.forwardLanes if right else there.backwardLanes
+        if lane.get("type") == "biking" and group is not None:
+            edge = shapely.LineString(np.array(group.rightEdge.points)[:, :2])
+            wide = max((_number(width, "a") for width in lane.iter("width")), default=0.0)
+            found[int(road.get("id", "0")), right] = edge.buffer(-wide, single_sided=True)
+    return found
+
+
+def _tracks(road: Xml.Element, number: int, line: Polyline) -> Iterator[tuple[int, shapely.Polygon, bool]]:
+    """The tracks of a road: those that lie across are at a place of it, the others as long as it is."""
+    for area in _areas(road, line, "subtype", RAIL):
+        x, y = (np.array(area.exterior.coords) - area.centroid.coords[0]).T
+        turned = line.heading_at(line.project(area.centroid.x, area.centroid.y)[0])
+        along, aside = x * math.cos(turned) + y * math.sin(turned), y * math.cos(turned) - x * math.sin(turned)
+        yield number, area, bool(np.ptp(aside) > np.ptp(along))
 
 
 def _corners(thing: Xml.Element, line: Polyline) -> list[tuple[float, float]]:

@@ -66,8 +66,8 @@ def resolve_map(name: str) -> Path:
 
 
 def map_with(site: Site | None) -> str:
-    """The packaged map for those who name none: the town, or the outskirts for a site, of which the town has none."""
-    return TOWN if site is None else OUTSKIRTS
+    """The packaged map for those who name none: the town or, for a site, of which it has none, the first with it."""
+    return TOWN if site is None else REGION if site is Site.RAIL_CROSSING else OUTSKIRTS
 
 
 def load_network(path: Path | str) -> Any:

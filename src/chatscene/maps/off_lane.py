@@ -18,6 +18,7 @@ STRAIGHT = 2.0  # [m] along the kerb at first
 CURB_RADIUS = 6.0  # [m] of the bend into a driveway, as the design manuals of streets have for passenger cars
 DRIVEWAY = 7.0  # [m] of it that is driven
 BAY = 4.0  # [m] that a car backs out of a bay before it turns
+AISLE_BAY, AISLE_RADIUS = 0.6, 3.6  # [m] that a car backs out of a bay beside an aisle, and turns then
 BACKED = 8.0  # [m] that it backs along its lane then
 BACKING = 24.0  # [m] that one backs along its lane that is in it
 TIGHTEST = 4.0  # [m] of radius at least, on which a car turns round
@@ -27,8 +28,14 @@ LEFT_BACKWARDS = frozenset((Beside.BACKWARDS, Beside.BACK_FROM_DRIVEWAY, Beside.
 _ARC = 12  # points of a quarter of a circle
 
 
-def begun(line: Polyline, begins: Beside) -> tuple[Polyline, float]:
-    """A line along a lane with another beginning, and where it is in the lane [m]."""
+def begun(line: Polyline, begins: Beside, *, aisle: bool = False) -> tuple[Polyline, float]:
+    """A line along a lane with another beginning, and where it is in the lane [m].
+
+    Args:
+        line: Along the lane.
+        begins: How it begins.
+        aisle: Whether the lane leads between the bays of a car park.
+    """
     if begins is Beside.KERB:
         fine = line.resampled(1.0)
         return shifted(fine.offset(-KERB), KERB, STRAIGHT, None, OVER), STRAIGHT + OVER / 2
@@ -37,10 +44,11 @@ def begun(line: Polyline, begins: Beside) -> tuple[Polyline, float]:
         return _beside(line, 0.0, along, np.zeros_like(along)), BACKING / 2
     angle = np.linspace(0.0, math.pi / 2, _ARC)
     if begins in (Beside.BACK_FROM_DRIVEWAY, Beside.BACK_FROM_BAY):
-        straight = DRIVEWAY if begins is Beside.BACK_FROM_DRIVEWAY else BAY
-        along = np.concatenate(([0.0], CURB_RADIUS * (np.cos(angle) - 1.0), [-CURB_RADIUS - BACKED]))
-        left = np.concatenate(([-CURB_RADIUS - straight], CURB_RADIUS * (np.sin(angle) - 1.0), [0.0]))
-        return _beside(line, 0.0, along, left), straight + CURB_RADIUS / 2
+        straight = DRIVEWAY if begins is Beside.BACK_FROM_DRIVEWAY else AISLE_BAY if aisle else BAY
+        radius = AISLE_RADIUS if aisle else CURB_RADIUS
+        along = np.concatenate(([0.0], radius * (np.cos(angle) - 1.0), [-radius - BACKED]))
+        left = np.concatenate(([-radius - straight], radius * (np.sin(angle) - 1.0), [0.0]))
+        return _beside(line, 0.0, along, left), straight + radius * (1.0 if aisle else 0.5)  # where others go by
     along = np.concatenate(([0.0], CURB_RADIUS * (1.0 - np.cos(angle))))
     left = np.concatenate(([-CURB_RADIUS - DRIVEWAY], CURB_RADIUS * (np.sin(angle) - 1.0)))
     bend = _beside(line, 0.0, along, left)

@@ -15,6 +15,7 @@ from enum import Enum
 from itertools import pairwise
 from xml.etree import ElementTree as Xml
 
+from chatscene.maps.opendrive_objects import STOP_SIGN, TRAFFIC_LIGHT, Bay, Crosswalk, Use, decimal, furnish, signal_on
 from chatscene.maps.reference_lines import (
     Corner,
     Piece,
@@ -32,10 +33,6 @@ SHOULDER = 1.5  # [m]
 SIDEWALK = 2.5  # [m]
 SETBACK = 20.0  # [m], from a junction's centre to where its arms end: corner sidewalks must not overlap
 
-TRAFFIC_LIGHT = "1000001"  # signal types of the German catalogue, which Scenic and CARLA know
-STOP_SIGN = "206"
-BUS_STOP = "224"
-
 NOWHERE = "+proj=tmerc +lat_0=0 +lon_0=0 +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs"  # in the Gulf of Guinea
 _MARGIN = 30.0  # [m] between reference lines and the bounds in the header: the widest half of a road, and some
 _IN_LINE = 1e-3  # [rad]
@@ -52,6 +49,7 @@ class Node:
         control: How it is controlled.
         setback: From its centre to where its arms end [m].
         abreast: Whether one turns in as many lanes as both roads have, as in a roundabout; in one if not.
+        marked: Whether a crosswalk leads across each of its arms.
     """
 
     id: int
@@ -60,6 +58,7 @@ class Node:
     control: Control
     setback: float = SETBACK
     abreast: bool = False
+    marked: bool = False
 
 
 class Surroundings(Enum):
@@ -73,45 +72,7 @@ class Surroundings(Enum):
     SLOWER_MOTORWAY = ("motorway", 110)
     MOTORWAY_END = ("motorway", 80)
     RAMP = ("motorway", 60)
-
-
-class Use(Enum):
-    """What a bay is for, and how long it takes to narrow at its ends [m]."""
-
-    PARKING = 8.0
-    BUS = 16.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Bay:
-    """A part of a street's shoulder where vehicles stand beside the traffic.
-
-    Attributes:
-        use: What for.
-        right: On which side of the street, seen from its start.
-        start: Where it begins to widen [m along the street].
-        end: Where it has narrowed again [m along the street].
-        width: [m].
-    """
-
-    use: Use
-    right: bool
-    start: float
-    end: float
-    width: float
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Crosswalk:
-    """A marked way for pedestrians straight across a street.
-
-    Attributes:
-        at: Its middle [m along the street].
-        width: [m], along the street.
-    """
-
-    at: float
-    width: float = 4.0
+    LOT = ("town", 10)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -137,6 +98,9 @@ class Street:
         surroundings: Which speed is allowed.
         bays: Along it.
         crosswalks: Across it.
+        cycle: Whether its shoulders are lanes for bicycles.
+        tram: Whether rails lie in the innermost lane of each direction.
+        rails: Where rails lead across it [m along the street].
     """
 
     id: int
@@ -157,6 +121,9 @@ class Street:
     surroundings: Surroundings = Surroundings.TOWN
     bays: tuple[Bay, ...] = ()
     crosswalks: tuple[Crosswalk, ...] = ()
+    cycle: bool = False
+    tram: bool = False
+    rails: tuple[float, ...] = ()
 
     @property
     def lanes_back(self) -> int:
@@ -256,10 +223,10 @@ def write_opendrive(name: str, streets: Sequence[Street], *, located: bool = Fal
 def _locate(header: Xml.Element, lines: Sequence[tuple[Pose, list[Piece]]]) -> None:
     """Bounds of the map and its place on Earth."""
     poses = [pose for start, pieces in lines for pose in _along(start, pieces)]
-    header.set("north", _number(math.ceil(max(pose.y for pose in poses) + _MARGIN)))
-    header.set("south", _number(math.floor(min(pose.y for pose in poses) - _MARGIN)))
-    header.set("east", _number(math.ceil(max(pose.x for pose in poses) + _MARGIN)))
-    header.set("west", _number(math.floor(min(pose.x for pose in poses) - _MARGIN)))
+    header.set("north", decimal(math.ceil(max(pose.y for pose in poses) + _MARGIN)))
+    header.set("south", decimal(math.floor(min(pose.y for pose in poses) - _MARGIN)))
+    header.set("east", decimal(math.ceil(max(pose.x for pose in poses) + _MARGIN)))
+    header.set("west", decimal(math.floor(min(pose.x for pose in poses) - _MARGIN)))
     Xml.SubElement(header, "geoReference").text = NOWHERE
 
 
@@ -303,17 +270,9 @@ def _street_road(root: Xml.Element, street: Street, plan: dict[int, Street], sta
     for begin, end in pairwise((*cuts, length)):
         before = street if begin else _joined(street.start, plan)
         beyond = street if end < length else _joined(street.end, plan)
-        section = Xml.SubElement(lanes, "laneSection", s=_number(begin))
+        section = Xml.SubElement(lanes, "laneSection", s=decimal(begin))
         _lane_section(section, street, (before, beyond), (begin, end, length))
-    if street.crosswalks:
-        objects = Xml.SubElement(road, "objects")
-        for number, crosswalk in enumerate(street.crosswalks):
-            _crosswalk(objects, f"{street.id}{number:02d}", street, crosswalk)
-    stops = [bay for bay in street.bays if bay.use is Use.BUS]
-    if stops:
-        signals = Xml.SubElement(road, "signals")
-        for number, bay in enumerate(stops):
-            _bus_stop(signals, f"{street.id}{number:02d}", street, bay)
+    furnish(road, street, length)
 
 
 def _lane_section(
@@ -386,8 +345,8 @@ def _lane(
     driving = street.lanes if right else street.lanes_back
     bay = next((b for b in street.bays if b.right is right and (b.start, b.end) == (begin, end)), None)
     kind = "driving" if number <= driving else "sidewalk" if number > driving + bool(street.shoulder) else "shoulder"
-    if kind == "shoulder" and bay is not None:
-        kind = "parking"
+    if kind == "shoulder" and (bay is not None or street.cycle):
+        kind = "parking" if bay is not None else "biking"
     element = Xml.SubElement(side, "lane", id=str(-number if right else number), type=kind, level="false")
     for s, here, there, over in _profile(street, number, driving, bay, length):
         if begin <= s < end or (s < begin and here == there and s + over > begin):
@@ -436,11 +395,11 @@ def _width(element: Xml.Element, s: float, here: float, there: float, over: floa
     Xml.SubElement(
         element,
         "width",
-        sOffset=_number(s),
-        a=_number(here),
+        sOffset=decimal(s),
+        a=decimal(here),
         b="0",
-        c=_number(3 * change / over**2) if change else "0",
-        d=_number(-2 * change / over**3, 12) if change else "0",
+        c=decimal(3 * change / over**2) if change else "0",
+        d=decimal(-2 * change / over**3, 12) if change else "0",
     )
 
 
@@ -456,47 +415,6 @@ def _lane_links(lane: Xml.Element, predecessor: int | None, successor: int | Non
         if beyond is not None:
             Xml.SubElement(link, name, id=str(beyond))
     lane.insert(0, link)
-
-
-def _crosswalk(objects: Xml.Element, object_id: str, street: Street, crosswalk: Crosswalk) -> None:
-    left, right = (
-        street.lane * lanes + street.shoulder if lanes else 0.0 for lanes in (street.lanes_back, street.lanes)
-    )
-    half, along = (left + right) / 2, crosswalk.width / 2
-    element = Xml.SubElement(
-        objects,
-        "object",
-        id=object_id,
-        name="crosswalk",
-        type="crosswalk",
-        s=_number(crosswalk.at),
-        t=_number((left - right) / 2),
-        zOffset="0",
-        hdg="0",
-        pitch="0",
-        roll="0",
-        orientation="none",
-        length=_number(crosswalk.width),
-        width=_number(2 * half),
-        height="0",
-    )
-    outline = Xml.SubElement(element, "outline")
-    for u, v in ((-along, -half), (along, -half), (along, half), (-along, half), (-along, -half)):
-        Xml.SubElement(outline, "cornerLocal", u=_number(u), v=_number(v), z="0", height="0")
-
-
-def _bus_stop(signals: Xml.Element, signal_id: str, street: Street, bay: Bay) -> None:
-    driving = street.lanes if bay.right else street.lanes_back
-    out = street.lane * driving + bay.width + 0.5
-    _signal(
-        signals,
-        signal_id,
-        "bus stop",
-        BUS_STOP,
-        s=(bay.start + bay.end) / 2,
-        t=-out if bay.right else out,
-        orientation="+" if bay.right else "-",
-    )
 
 
 # Junctions
@@ -594,7 +512,7 @@ def _connecting_road(root: Xml.Element, node: Node, connection: _Connection, roa
         _lane_links(lane, source.incoming(connection.lane_in + beyond), target.outgoing(connection.lane_out + beyond))
     if node.control is not Control.NONE:
         light = node.control is Control.SIGNAL
-        _signal(
+        signal_on(
             Xml.SubElement(road, "signals"),
             str(road_id),
             "traffic light" if light else "stop sign",
@@ -603,29 +521,6 @@ def _connecting_road(root: Xml.Element, node: Node, connection: _Connection, roa
             t=-LANE - 0.5,
             orientation="+",
         )
-
-
-def _signal(
-    signals: Xml.Element, signal_id: str, name: str, kind: str, *, s: float, t: float, orientation: str
-) -> None:
-    light = kind == TRAFFIC_LIGHT
-    Xml.SubElement(
-        signals,
-        "signal",
-        s=_number(s),
-        t=_number(t),
-        id=signal_id,
-        name=name,
-        dynamic="yes" if light else "no",
-        orientation=orientation,
-        zOffset="3" if light else "2",
-        country="OpenDRIVE" if light else "DE",
-        type=kind,
-        subtype="-1",
-        value="-1",
-        height="0.9",
-        width="0.5",
-    )
 
 
 # Roads
@@ -642,7 +537,7 @@ def _road(
 ) -> Xml.Element:
     length = sum(piece.length for piece in pieces)
     road = Xml.SubElement(
-        root, "road", name=name, length=_number(length), id=str(road_id), junction=junction, rule="RHT"
+        root, "road", name=name, length=decimal(length), id=str(road_id), junction=junction, rule="RHT"
     )
     where, speed = surroundings.value
     kind = Xml.SubElement(road, "type", s="0", type=where)
@@ -653,20 +548,15 @@ def _road(
         geometry = Xml.SubElement(
             view,
             "geometry",
-            s=_number(s),
-            x=_number(pose.x),
-            y=_number(pose.y),
-            hdg=_number(pose.heading),
-            length=_number(piece.length),
+            s=decimal(s),
+            x=decimal(pose.x),
+            y=decimal(pose.y),
+            hdg=decimal(pose.heading),
+            length=decimal(piece.length),
         )
         if piece.curvature:
-            Xml.SubElement(geometry, "arc", curvature=_number(piece.curvature))
+            Xml.SubElement(geometry, "arc", curvature=decimal(piece.curvature))
         else:
             Xml.SubElement(geometry, "line")
         s, pose = s + piece.length, after(pose, piece)
     return road
-
-
-def _number(value: float, digits: int = 9) -> str:
-    text = f"{value:.{digits}f}".rstrip("0").rstrip(".")
-    return "0" if text == "-0" else text

@@ -3,8 +3,9 @@
 In the middle a motorway of 3 km from west to east with three lanes each way, an off-ramp and an on-ramp on either side
 with lanes of 250 m to slow down and to speed up. In the west it ends in a roundabout of two lanes, in the east at a
 signalised junction. North of it a town whose junctions are 450 m apart: an arterial with two lanes each way, divided by
-grass in the east, streets, a zone of 30 km/h, a compact roundabout, crosswalks between junctions. South of it rural
-roads with long straights and bends of 150, 250 and 400 m. All of it is level, as in the outskirts.
+grass in the east, streets, a zone of 30 km/h, a compact roundabout, crosswalks between and at junctions, cycle lanes,
+rails along a street and across one, a car park. South of it rural roads with long straights and bends of 150, 250 and
+400 m, and rails across one. All of it is level, as in the outskirts.
 
 ``python -m chatscene.maps.region`` writes the packaged file anew.
 """
@@ -15,23 +16,24 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
-from chatscene.maps.designs import RampDesign, RingDesign
-from chatscene.maps.opendrive import LANE, Bay, Crosswalk, Node, Street, Surroundings, Use, write_opendrive
+from chatscene.maps.designs import CarParkDesign, RingDesign
+from chatscene.maps.opendrive import Node, Street, Surroundings, write_opendrive
+from chatscene.maps.opendrive_objects import Bay, Crosswalk, Use
+from chatscene.maps.region_motorway import (
+    DIVERGE_EAST,
+    DIVERGE_WEST,
+    EDGE,
+    MERGE_EAST,
+    MERGE_WEST,
+    OFF_EAST,
+    OFF_WEST,
+    ON_EAST,
+    ON_WEST,
+    carriageways,
+)
 from chatscene.terms.scenario import Control
 
 FILE = Path(__file__).with_name("region.xodr")
-
-# Motorway
-MEDIAN = 2.0  # [m], half of what lies between the carriageways
-EDGE = MEDIAN + 3 * LANE  # [m] from the middle of the motorway to where a fourth lane begins
-HARD_SHOULDER = 2.5  # [m]
-NOSE = 80.0  # [m], over which the hard shoulder gives way to a ramp
-TAPER = (10.0, 70.0)  # [m], from where to where a fourth lane comes into being
-SPEEDING_UP = (250.0, 320.0)  # [m] in it, from where to where it tapers out
-SHIFT = 1200.0  # [m], radius of the bends by which the carriageways part
-RAMP = RampDesign(edge=EDGE, turn=math.radians(60), radius=150.0, foot_at=250.0, foot=100.0)
-OFF_EAST, ON_EAST = RAMP.leaves(1280.0, -1), RAMP.joins(1990.0, -1)
-ON_WEST, OFF_WEST = RAMP.joins(1660.0, 1), RAMP.leaves(2280.0, 1)
 
 # Roundabouts
 LARGE, LARGE_ARM = RingDesign(island=32.0, lane=4.5, lanes=2, flare=22.0), 52.0
@@ -62,34 +64,37 @@ def _ring_nodes(first: int, x: float, y: float, island: float) -> tuple[Node, No
     return east, north, west, south
 
 
+def _marked(number: int, x: float, y: float, control: Control = Control.NONE) -> Node:
+    """A junction of the town, with a crosswalk across each of its arms."""
+    return replace(_node(number, x, y, control), marked=True)
+
+
 _STOP, _SIGNAL = Control.STOP_SIGN, Control.SIGNAL
 LARGE_NODES = _ring_nodes(1, 0.0, 0.0, LARGE.island)
 COMPACT_NODES = _ring_nodes(5, FIRST, NORTH_ROW, COMPACT.island)
-DIVERGE_EAST, MERGE_EAST = _node(11, 1275.0, -MEDIAN), _node(12, 1995.0, -MEDIAN)
-DIVERGE_WEST, MERGE_WEST = _node(13, 2285.0, MEDIAN), _node(14, 1655.0, MEDIAN)
 MOTORWAY_END = _node(15, EAST, 0.0, _SIGNAL, setback=26.0, abreast=True)  # two lanes turn each way
 # Along the arterial: four arms with lights, stop signs and nothing, then three, then four with a median, then three.
 ARTERIAL_NODES = (
-    _node(21, FIRST, ARTERIAL, _SIGNAL),
-    _node(22, SECOND, ARTERIAL, _STOP),
-    _node(23, THIRD, ARTERIAL),
-    _node(24, FOURTH, ARTERIAL, _SIGNAL),
-    _node(25, FIFTH, ARTERIAL, _SIGNAL),
-    _node(26, EAST, ARTERIAL, _STOP),
+    _marked(21, FIRST, ARTERIAL, _SIGNAL),
+    _marked(22, SECOND, ARTERIAL, _STOP),
+    _marked(23, THIRD, ARTERIAL),
+    _marked(24, FOURTH, ARTERIAL, _SIGNAL),
+    _marked(25, FIFTH, ARTERIAL, _SIGNAL),
+    _marked(26, EAST, ARTERIAL, _STOP),
 )
 NORTH_NODES = (
-    _node(31, SECOND, NORTH_ROW),
-    _node(32, THIRD, NORTH_ROW, _STOP),
-    _node(33, FOURTH, NORTH_ROW, _SIGNAL),
-    _node(34, FIFTH, NORTH_ROW, _STOP),
+    _marked(31, SECOND, NORTH_ROW),
+    _marked(32, THIRD, NORTH_ROW, _STOP),
+    _marked(33, FOURTH, NORTH_ROW, _SIGNAL),
+    _marked(34, FIFTH, NORTH_ROW, _STOP),
 )
 SOUTH_NODES = (
-    _node(41, SECOND, SOUTH_ROW),
-    _node(42, THIRD, SOUTH_ROW, _SIGNAL),
+    _marked(41, SECOND, SOUTH_ROW),
+    _marked(42, THIRD, SOUTH_ROW, _SIGNAL),
     _node(43, ON_WEST[0][0], SOUTH_ROW),
     _node(44, OFF_WEST[1][0], SOUTH_ROW, _STOP),
-    _node(45, FIFTH, SOUTH_ROW, _STOP),
-    _node(46, EAST, SOUTH_ROW),
+    _marked(45, FIFTH, SOUTH_ROW, _STOP),
+    _marked(46, EAST, SOUTH_ROW),
 )
 RURAL_FORK, RURAL_CROSSROADS, RURAL_BYWAY = (
     _node(51, FORK, RURAL, _STOP),
@@ -97,6 +102,13 @@ RURAL_FORK, RURAL_CROSSROADS, RURAL_BYWAY = (
     _node(53, BYWAY, FARTHER),
 )
 RURAL_OFF, RURAL_ON = _node(54, OFF_EAST[1][0], RURAL, _STOP), _node(55, ON_EAST[0][0], RURAL)
+
+CAR_PARK = CarParkDesign(x=225.0, north=1640.0, south=1600.0, half=160.0, setback=8.0)
+LOT_NODES = (
+    _node(61, CAR_PARK.x, ZONE),
+    _node(62, CAR_PARK.x, CAR_PARK.north, setback=CAR_PARK.setback),
+    _node(63, CAR_PARK.x, CAR_PARK.south, setback=CAR_PARK.setback),
+)
 
 
 def plan() -> tuple[Street, ...]:
@@ -106,147 +118,15 @@ def plan() -> tuple[Street, ...]:
     return (
         *large,
         *compact,
-        *_motorway(),
+        *carriageways(LARGE_NODES[0], LARGE_ARM, MOTORWAY_END),
         *_ramps(),
         *_arterial(),
         *_divided(),
         *_columns(),
         *_rows(),
         *_rural_roads(),
+        *CAR_PARK.streets(201, LOT_NODES),
     )
-
-
-def _motorway() -> list[Street]:
-    """Both carriageways, cut where lanes begin or cease; the limit is lower where they come to an end."""
-    east, west = -MEDIAN, MEDIAN
-    end = Surroundings.MOTORWAY_END
-    at_ring, at_end = (LARGE_ARM, 0.0), (EAST - MOTORWAY_END.setback, 0.0)
-    eastbound = (
-        Street(
-            id=11,
-            start=LARGE_NODES[0],
-            end=12,
-            lanes=2,
-            start_at=at_ring,
-            end_at=(180.0, east),
-            via=((90.0, 0.0, SHIFT), (145.0, east, SHIFT)),
-            surroundings=end,
-        ),
-        Street(
-            id=12,
-            start=11,
-            end=13,
-            lanes=3,
-            start_at=(180.0, east),
-            end_at=(300.0, east),
-            begins=TAPER,
-            surroundings=end,
-        ),
-        Street(id=13, start=12, end=14, lanes=3, start_at=(300.0, east), end_at=(950.0, east)),
-        Street(id=14, start=13, end=DIVERGE_EAST, lanes=4, start_at=(950.0, east), end_at=(1270.0, east), begins=TAPER),
-        Street(
-            id=15,
-            start=DIVERGE_EAST,
-            end=MERGE_EAST,
-            lanes=3,
-            start_at=(1280.0, east),
-            end_at=(1990.0, east),
-            nose=(NOSE, NOSE),
-        ),
-        Street(
-            id=16, start=MERGE_EAST, end=17, lanes=4, start_at=(2000.0, east), end_at=(2330.0, east), ceases=SPEEDING_UP
-        ),
-        Street(id=17, start=16, end=18, lanes=3, start_at=(2330.0, east), end_at=(3260.0, east)),
-        Street(
-            id=18,
-            start=17,
-            end=19,
-            lanes=3,
-            start_at=(3260.0, east),
-            end_at=(3400.0, east),
-            ceases=(20.0, 120.0),
-            surroundings=end,
-        ),
-        Street(
-            id=19,
-            start=18,
-            end=MOTORWAY_END,
-            lanes=2,
-            start_at=(3400.0, east),
-            end_at=at_end,
-            via=((3440.0, east, SHIFT), (3500.0, 0.0, SHIFT)),
-            surroundings=end,
-        ),
-    )
-    westbound = (
-        Street(
-            id=21,
-            start=MOTORWAY_END,
-            end=22,
-            lanes=2,
-            start_at=at_end,
-            end_at=(3400.0, west),
-            via=((3500.0, 0.0, SHIFT), (3440.0, west, SHIFT)),
-            surroundings=end,
-        ),
-        Street(
-            id=22,
-            start=21,
-            end=23,
-            lanes=3,
-            start_at=(3400.0, west),
-            end_at=(3260.0, west),
-            begins=TAPER,
-            surroundings=end,
-        ),
-        Street(id=23, start=22, end=24, lanes=3, start_at=(3260.0, west), end_at=(2610.0, west)),
-        Street(
-            id=24, start=23, end=DIVERGE_WEST, lanes=4, start_at=(2610.0, west), end_at=(2290.0, west), begins=TAPER
-        ),
-        Street(
-            id=25,
-            start=DIVERGE_WEST,
-            end=MERGE_WEST,
-            lanes=3,
-            start_at=(2280.0, west),
-            end_at=(1660.0, west),
-            nose=(NOSE, NOSE),
-        ),
-        Street(
-            id=26, start=MERGE_WEST, end=27, lanes=4, start_at=(1650.0, west), end_at=(1320.0, west), ceases=SPEEDING_UP
-        ),
-        Street(id=27, start=26, end=28, lanes=3, start_at=(1320.0, west), end_at=(400.0, west)),
-        Street(
-            id=28,
-            start=27,
-            end=29,
-            lanes=3,
-            start_at=(400.0, west),
-            end_at=(260.0, west),
-            ceases=(20.0, 120.0),
-            surroundings=end,
-        ),
-        Street(
-            id=29,
-            start=28,
-            end=LARGE_NODES[0],
-            lanes=2,
-            start_at=(260.0, west),
-            end_at=at_ring,
-            via=((145.0, west, SHIFT), (90.0, 0.0, SHIFT)),
-            surroundings=end,
-        ),
-    )
-    return [
-        replace(
-            part,
-            back=0,
-            shoulder=HARD_SHOULDER,
-            sidewalk=0.0,
-            surroundings=end if part.surroundings is end else Surroundings.SLOWER_MOTORWAY,
-        )
-        for part in (*eastbound, *westbound)
-    ]
 
 
 def _ramps() -> list[Street]:
@@ -272,9 +152,9 @@ def _arterial() -> list[Street]:
             start_at=(0.0, LARGE_ARM),
             via=((0.0, ARTERIAL, 100.0),),
         ),
-        Street(id=42, start=first, end=second, lanes=2, crosswalks=(Crosswalk(at=260.0),)),
-        Street(id=43, start=second, end=third, lanes=2),
-        Street(id=44, start=third, end=fourth, lanes=2),
+        Street(id=42, tram=True, start=first, end=second, lanes=2, crosswalks=(Crosswalk(at=260.0),)),
+        Street(id=43, tram=True, start=second, end=third, lanes=2),
+        Street(id=44, tram=True, start=third, end=fourth, lanes=2),
         Street(id=45, start=MOTORWAY_END, end=SOUTH_NODES[-1], lanes=2),
         Street(id=46, start=SOUTH_NODES[-1], end=last, lanes=2),
         Street(id=47, start=last, end=48, lanes=2, end_at=(EAST, 1000.0), ceases=(20.0, 80.0)),
@@ -342,7 +222,7 @@ def _columns() -> list[Street]:
             via=((FIRST, SOUTH_ROW, 60.0),),
         ),
         Street(id=62, start=SOUTH_NODES[0], end=ARTERIAL_NODES[1], lanes=1),
-        Street(id=63, start=SOUTH_NODES[1], end=ARTERIAL_NODES[2], lanes=1),
+        Street(id=63, cycle=True, start=SOUTH_NODES[1], end=ARTERIAL_NODES[2], lanes=1),
         Street(id=64, start=SOUTH_NODES[4], end=ARTERIAL_NODES[4], lanes=1),
         Street(
             id=65,
@@ -351,9 +231,9 @@ def _columns() -> list[Street]:
             lanes=1,
             end_at=(FIRST, NORTH_ROW - COMPACT_ARM),
         ),
-        Street(id=66, start=ARTERIAL_NODES[1], end=NORTH_NODES[0], lanes=1),
-        Street(id=67, start=ARTERIAL_NODES[2], end=NORTH_NODES[1], lanes=1),
-        Street(id=68, start=ARTERIAL_NODES[3], end=NORTH_NODES[2], lanes=1),
+        Street(id=66, cycle=True, start=ARTERIAL_NODES[1], end=NORTH_NODES[0], lanes=1),
+        Street(id=67, cycle=True, start=ARTERIAL_NODES[2], end=NORTH_NODES[1], lanes=1),
+        Street(id=68, cycle=True, start=ARTERIAL_NODES[3], end=NORTH_NODES[2], lanes=1),
         Street(id=69, start=ARTERIAL_NODES[4], end=NORTH_NODES[3], lanes=1),
     ]
 
@@ -371,6 +251,7 @@ def _rows() -> list[Street]:
     return [
         Street(
             id=71,
+            cycle=True,
             start=COMPACT_NODES[0],
             end=NORTH_NODES[0],
             lanes=1,
@@ -379,15 +260,22 @@ def _rows() -> list[Street]:
         Street(
             id=72,
             start=COMPACT_NODES[1],
-            end=COMPACT_NODES[2],
+            end=LOT_NODES[0],
             lanes=1,
             start_at=(FIRST, NORTH_ROW + COMPACT_ARM),
-            end_at=(FIRST - COMPACT_ARM, NORTH_ROW),
-            via=((FIRST, ZONE, 60.0), (0.0, ZONE, 60.0), (0.0, NORTH_ROW, 60.0)),
+            via=((FIRST, ZONE, 60.0),),
         ),
-        Street(id=73, start=NORTH_NODES[0], end=NORTH_NODES[1], lanes=1),
-        Street(id=74, start=NORTH_NODES[1], end=NORTH_NODES[2], lanes=1),
-        Street(id=75, start=NORTH_NODES[2], end=NORTH_NODES[3], lanes=1),
+        Street(
+            id=77,
+            start=LOT_NODES[0],
+            end=COMPACT_NODES[2],
+            lanes=1,
+            end_at=(FIRST - COMPACT_ARM, NORTH_ROW),
+            via=((0.0, ZONE, 60.0), (0.0, NORTH_ROW, 60.0)),
+        ),
+        Street(id=73, cycle=True, start=NORTH_NODES[0], end=NORTH_NODES[1], lanes=1),
+        Street(id=74, cycle=True, start=NORTH_NODES[1], end=NORTH_NODES[2], lanes=1),
+        Street(id=75, cycle=True, start=NORTH_NODES[2], end=NORTH_NODES[3], lanes=1),
         Street(
             id=76,
             start=NORTH_NODES[1],
@@ -402,7 +290,9 @@ def _rows() -> list[Street]:
         Street(id=82, start=SOUTH_NODES[1], end=SOUTH_NODES[2], lanes=1, bays=bus_bays),
         Street(id=83, start=SOUTH_NODES[2], end=SOUTH_NODES[3], lanes=1),
         Street(id=84, start=SOUTH_NODES[3], end=SOUTH_NODES[4], lanes=1),
-        Street(id=85, start=SOUTH_NODES[4], end=SOUTH_NODES[5], lanes=1, crosswalks=(Crosswalk(at=550.0),)),
+        Street(
+            id=85, start=SOUTH_NODES[4], end=SOUTH_NODES[5], lanes=1, crosswalks=(Crosswalk(at=550.0),), rails=(850.0,)
+        ),
     ]
 
 
@@ -440,7 +330,7 @@ def _rural_roads() -> list[Street]:
             start_at=joint,
             via=((-800.0, 0.0, 250.0), (-800.0, FARTHER, 150.0)),
         ),
-        Street(id=97, start=RURAL_FORK, end=RURAL_CROSSROADS, lanes=1),
+        Street(id=97, rails=(300.0,), start=RURAL_FORK, end=RURAL_CROSSROADS, lanes=1),
         Street(id=98, start=RURAL_CROSSROADS, end=RURAL_BYWAY, lanes=1),
         Street(id=99, start=RURAL_BYWAY, end=RURAL_ON, lanes=1, via=((ON_EAST[0][0], FARTHER, 250.0),)),
         Street(

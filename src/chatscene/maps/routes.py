@@ -20,6 +20,7 @@ import shapely
 
 from chatscene.errors import MapError
 from chatscene.maps.crossings import TURNS, CrossingPath, conflicting_paths
+from chatscene.maps.equipment import is_equipped
 from chatscene.maps.junctions import junction_control
 from chatscene.maps.lane_changes import neighbour, shifted, wide_at
 from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
@@ -28,9 +29,9 @@ from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.maps.network import map_with
 from chatscene.maps.off_lane import LEFT_BACKWARDS, TIGHTEST, begun, ended, has_kerb, turned_back
 from chatscene.maps.settings import is_two_way, lies_in
-from chatscene.maps.sites import AT_JUNCTIONS, along, routes_at, windows_past
+from chatscene.maps.sites import AT_JUNCTIONS, PASSED, along, routes_at, windows_past
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.route import Beside, Route, RouteQuery
+from chatscene.terms.route import Beside, Equipment, Route, RouteQuery
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, Site, includes
 
 __all__ = ["BASE_SCENARIO_QUERIES", "CrossingPath", "conflicting_paths", "find_routes", "from_line", "lacking"]
@@ -116,7 +117,8 @@ def find_routes(network: Any, map_name: str, query: RouteQuery, count: int = 10)
     candidates: list[_Candidate] = []
     for variant in range(len(APPROACHES)):  # later variants only fill up what earlier ones leave
         if len(candidates) < count:
-            candidates += find(network, map_name, query, variant)
+            found = find(network, map_name, query, variant)
+            candidates += (one for one in found if is_equipped(network, one.route, query.has))
     if not candidates:
         other = map_with(query.site)
         remedy = "" if query.site is None or map_name == other else f"; name no map, or the packaged {other!r}"
@@ -130,6 +132,13 @@ _ENDS = {
     Beside.KERB: "a kerb to end at",
     Beside.DRIVEWAY: "a driveway to end in",
     Beside.BACK: f"lanes of the other direction {2 * TIGHTEST:.0f} m away to turn into",
+}
+
+_EQUIPMENT = {
+    Equipment.CROSSWALKS: "crosswalks at the junction",
+    Equipment.CYCLE_LANE: "a cycle lane",
+    Equipment.TRAM_TRACK: "rails in the road",
+    Equipment.BAYS: "bays on both sides",
 }
 
 
@@ -183,6 +192,7 @@ def _in_words(query: RouteQuery) -> list[str]:
         words.append(f"a lane of the ego's direction to its {query.lane_beside}")
     words += [f"the {site}" for site in (query.site,) if site is not None]
     words += [f"the setting {query.setting}"] * (query.setting is not None) + ["a median"] * query.divided
+    words += [_EQUIPMENT[one] for one in query.has]
     words += [f"lane {query.lane} from the outermost"] * (query.lane is not None)
     words += [f"a {query.begins} to begin at" for _ in (query.begins,) if query.begins is not None]
     words += [_ENDS[query.ends] for _ in (query.ends,) if query.ends is not None]
@@ -342,7 +352,7 @@ def _windows(
     Only if no long one fits, short ones are looked for closely; but none that is shorter than was asked for.
     """
     site = query.site
-    if site is Site.CROSSWALK or site is Site.PARKING or site is Site.BUS_BAY:
+    if site is not None and site in PASSED:
         for start, end, past in windows_past(network, run, site, query.approach):
             if (shape := _shape(run.line, start, end)) is not None and includes(wanted, shape):
                 yield start, end, past
@@ -445,7 +455,8 @@ def _beside_lane(
     if query.ends is not None:
         return ended(own, query.ends, event), run.ids_between(onset, onset + event), event
     starts = end - BEYOND_BACK if query.begins in LEFT_BACKWARDS else onset + FROM_BEHIND
-    line, event = begun(run.line.between(starts, end), query.begins or Beside.KERB)
+    aisle = Equipment.BAYS in query.has
+    line, event = begun(run.line.between(starts, end), query.begins or Beside.KERB, aisle=aisle)
     return line, run.ids_between(starts, end), event
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Any
 
+from chatscene.maps.car_parks import car_parks
 from chatscene.maps.lane_runs import lane_runs
 from chatscene.maps.layout import motorway_groups
 from chatscene.maps.limits import SLOW, TOWN, limits_of
@@ -26,7 +27,7 @@ def lies_in(network: Any, lane: Any, setting: Setting) -> bool:
     """
     if along(network, lane_runs(network)[lane.uid], Site.RURAL):
         return setting is Setting.RURAL
-    if setting is Setting.RURAL or lane.group.uid in _motorways(network):
+    if lane.road.id in car_parks(network) or setting is Setting.RURAL or lane.group.uid in _motorways(network):
         return False
     known = limits_of(network).get(lane.road.id)
     allowed = TOWN if known is None else known.at(0.0)

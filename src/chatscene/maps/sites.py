@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+import shapely
+
+from chatscene.maps.car_parks import car_parks
 from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.junctions import junction_control
 from chatscene.maps.lane_changes import changed, neighbour, wide_at
@@ -38,6 +41,8 @@ BEYOND = (5.0, 20.0, 35.0, 50.0)  # [m] from the nose of an on-ramp to where a r
 AHEAD = (75.0, 65.0, 85.0, 55.0)  # [m] from where a route past an off-ramp begins to its nose
 PAST = (55.0, 45.0, 65.0, 35.0)  # [m] from a route's start to what it leads past
 ROAD = 100.0  # [m] of such a route
+PASSED = frozenset((Site.CROSSWALK, Site.PARKING, Site.BUS_BAY, Site.RAIL_CROSSING))
+"""What a route on open road leads past."""
 APPROACHED: Mapping[Site, float] = {
     Site.ROUNDABOUT: ENTRIES[0],
     Site.ON_RAMP: RAMP,
@@ -317,7 +322,9 @@ def windows_past(
 ) -> list[tuple[float, float, float]]:
     """Where a route along a run may start and end, and what it leads past lies, all in arc lengths of the run [m]."""
     if site is Site.CROSSWALK:
-        marks = _crosswalks_on(network, run)
+        marks = _begins(run, furniture_of(network).crosswalks)
+    elif site is Site.RAIL_CROSSING:
+        marks = _begins(run, ((road, area) for road, area, across in furniture_of(network).tracks if across))
     else:
         marks = _bays_beside(network, run, Stand.PARKING if site is Site.PARKING else Stand.BUS)
     further = 1.0 if approach is None else approach / PAST[0]
@@ -329,10 +336,10 @@ def windows_past(
     ]
 
 
-def _crosswalks_on(network: Any, run: LaneRun) -> list[float]:
-    roads = {lane.road.id: lane for lane in run.lanes}
-    areas = [area for road, area in furniture_of(network).crosswalks if road in roads]
-    on = [area for area in areas if any(lane.polygons.intersects(area) for lane in run.lanes)]
+def _begins(run: LaneRun, areas: Iterable[tuple[int, shapely.Polygon]]) -> list[float]:
+    """Where on a run [m] those areas begin that lie across it, of areas by the OpenDRIVE id of their road."""
+    roads = {lane.road.id for lane in run.lanes}
+    on = [area for road, area in areas if road in roads and any(lane.polygons.intersects(area) for lane in run.lanes)]
     return [min(run.line.project(x, y)[0] for x, y, *_ in area.exterior.coords) for area in on]
 
 
@@ -358,6 +365,8 @@ def along(network: Any, run: LaneRun, site: Site) -> bool:
         groups = {group.uid for group in motorway_groups(network)}
         return all(lane.group.uid in groups for lane in run.lanes)
     both = [(lane.group, _opposite(lane)) for lane in run.lanes]
+    if not car_parks(network).isdisjoint(lane.road.id for lane in run.lanes):
+        return False
     return all(g is not None and len(g.lanes) == 1 and g._sidewalk is None for groups in both for g in groups)
 
 

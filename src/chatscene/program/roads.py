@@ -42,7 +42,7 @@ def of_road(situation: Situation, episode: Episode, route: Route, until: int | N
         yield Finding(path="ego.route", shown=goes in _ROUTES[way], told=f"said {way}, its route goes {goes}")
     elif way is not None:
         yield not_judged("ego.route")
-    if road.control is not None and road.control in CONTROLS:
+    if road.control is not None and road.control in CONTROLS and road.kind is not RoadKind.RAIL_CROSSING:
         right = route.control is CONTROLS[road.control]
         yield Finding(path="road.control", shown=right, told=f"said {road.control}, the junction has {route.control}")
     if road.kind is not None and road.kind in PLACES:

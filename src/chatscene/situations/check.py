@@ -17,7 +17,10 @@ from chatscene.terms.situation import EGO, LATERALS, Deed, Lateral, Other, Situa
 from chatscene.terms.vocabulary import Act, Breach, EgoRoute, RightOfWay, RoadKind, UserKind
 
 JUNCTIONS = frozenset(
-    (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY, RoadKind.ROUNDABOUT, RoadKind.RAIL_CROSSING)
+    (
+        *(RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY, RoadKind.ROUNDABOUT, RoadKind.RAIL_CROSSING),
+        RoadKind.PARKING_LOT,  # whose aisles cross
+    )
 )
 TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.TURN))
 MOST = 20  # of others, of one of them, and of the deeds of one: more is no situation that a person means

@@ -24,6 +24,15 @@ class Beside(StrEnum):
     BACK_FROM_BAY = "back-from-bay"
 
 
+class Equipment(StrEnum):
+    """What the roads of a route have, beyond their lanes."""
+
+    CROSSWALKS = "crosswalks"  # at its junction, on the arm by which it comes and on the one that it takes
+    CYCLE_LANE = "cycle-lane"  # beside the lanes where it begins
+    TRAM_TRACK = "tram-track"  # in the road where it begins or, at a junction, in one of its roads
+    BAYS = "bays"  # on both sides, as in a car park
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RouteQuery:
     """What a route must offer; a geometry snippet is such a query.
@@ -52,6 +61,7 @@ class RouteQuery:
         ends: Where it ends beside its lane: at the kerb, in a driveway, or ``back`` in a lane of the other direction.
         setting: What lies about the road that it begins on; None for anything.
         divided: Whether no lane of the other direction may lie beside any of the ego's direction.
+        has: What its roads have. Ways of a car park are found only for those who ask for bays.
     """
 
     maneuver: Maneuver
@@ -69,6 +79,7 @@ class RouteQuery:
     ends: Beside | None = None
     setting: Setting | None = None
     divided: bool = False
+    has: tuple[Equipment, ...] = ()
 
     @property
     def slug(self) -> str:
@@ -83,7 +94,7 @@ class RouteQuery:
         parts += [None if self.approach is None else f"after-{self.approach:g}"]
         parts += [None if self.begins is None else f"out-of-{self.begins}"]
         parts += [None if self.ends is None else f"into-{self.ends}"]
-        parts += [self.setting, "divided" if self.divided else None]
+        parts += [self.setting, "divided" if self.divided else None, *self.has]
         return "-".join(part for part in parts if part is not None)
 
 

@@ -159,6 +159,7 @@ class Site(StrEnum):
     CROSSWALK = "crosswalk"  # between junctions
     PARKING = "parking"  # beside parking places
     BUS_BAY = "bus-bay"
+    RAIL_CROSSING = "rail-crossing"  # rails lead across the road
 
 
 class Control(StrEnum):

@@ -49,7 +49,8 @@ from chatscene.world.stock import stock_simulator as _stock_simulator
 simulator _stock_simulator(globalParameters.simulator, globalParameters.map)
 
 def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, beside=None, crossed=(), site=None,
-        lane=None, approach=None, begins=None, ends=None, most=None, to_line=None, setting=None, divided=False):
+        lane=None, approach=None, begins=None, ends=None, most=None, to_line=None, setting=None, divided=False,
+        has=()):
     """The ego's route: number `globalParameters.route` of those the map has for this geometry.
 
     With `param egoStart = 'at-line'` it begins right before the junction, if it leads through one: `to_line` [m] before
@@ -57,7 +58,7 @@ def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, besi
     """
     return _choose_route(network, globalParameters.map, int(globalParameters.route), maneuver=maneuver,
         place=place, control=control, lanes=lanes, opposite=opposite, beside=beside, crossed=crossed, site=site, lane=lane,
-        approach=approach, begins=begins, ends=ends, most=most, setting=setting, divided=divided, at_line=globalParameters.egoStart == 'at-line',
+        approach=approach, begins=begins, ends=ends, most=most, setting=setting, divided=divided, has=has, at_line=globalParameters.egoStart == 'at-line',
         **({} if to_line is None else {'to_line': to_line}))
 
 def routeThrough(*points):

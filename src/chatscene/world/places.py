@@ -31,7 +31,7 @@ from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.pace import NOMINAL, Pace
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.profile import Timetable, allowed_speeds
-from chatscene.terms.route import Beside, Route, RouteQuery
+from chatscene.terms.route import Beside, Equipment, Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.vocabulary import Setting
 from chatscene.world.control import Tracker
@@ -119,6 +119,7 @@ def routes_for(
     ends: str | None = None,
     setting: str | None = None,
     divided: bool = False,
+    has: tuple[str, ...] = (),
 ) -> tuple[Route, ...]:
     """The routes of a map that a geometry asks for, best spread first.
 
@@ -140,6 +141,7 @@ def routes_for(
         ends: Where it ends beside its lane: a `Beside`, or None.
         setting: What lies about the road where it begins: a `Setting`, or None for anything.
         divided: Whether no oncoming lane may lie beside any lane of the ego's direction.
+        has: What the roads have: words of `Equipment`.
 
     Raises:
         MapError: The map has no such geometry.
@@ -160,6 +162,7 @@ def routes_for(
         ends=None if ends is None else Beside(ends),
         setting=None if setting is None else Setting(setting),
         divided=divided,
+        has=tuple(map(Equipment, has)),
     )
     found = _routes(network, Path(map_path).stem, query)
     if isinstance(found, str):

@@ -1,0 +1,282 @@
+"""What a map is asked for: queries for the ego's route, the narrower first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from chatscene.build.fitting import abreast
+from chatscene.build.holding import SITES, equipment_of
+from chatscene.build.over_lanes import lanes_needed
+from chatscene.build.place import (
+    AT_CROSSWALKS,
+    GOES_OVER,
+    NEXT_LANE,
+    PACKAGED,
+    arm_of,
+    at_junction,
+    at_roundabout,
+    beside_lane,
+    beside_ramp,
+    control_of,
+    only_others_stop,
+    rides_at_edge,
+)
+from chatscene.build.relations import AGAINST
+from chatscene.situations.check import TURNS
+from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.backing import BACKWARDS, backs
+from chatscene.terms.route import Beside, Equipment
+from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
+from chatscene.terms.scenario import Control, Maneuver, Place, Site
+from chatscene.terms.situation import Other, Situation
+from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RoadKind, Setting, Side, Where
+
+_CURVES = (RoadKind.CURVE, RoadKind.LEFT_CURVE, RoadKind.RIGHT_CURVE)
+
+
+def queries_for(situation: Situation, sides: dict[str, Side]) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Each map with what it is asked for: all of them for a site that was said, before any for a place without it."""
+    maps = (situation.map,) if situation.map else PACKAGED
+    if situation.road.setting is Setting.RURAL:
+        maps = (*maps[1:], *maps[:1])  # the town last, which has no such road
+    for queries in _freer(situation, [_counting_the_ramps(query) for query in _queries(situation, sides)]):
+        yield from ((name, query) for query in queries if "site" in query for name in maps)
+        yield from ((name, query) for name in maps for query in queries if "site" not in query)
+
+
+def _freer(situation: Situation, queries: list[dict[str, Any]]) -> Iterator[list[dict[str, Any]]]:
+    """The same queries with what the road has and the setting that was said, then without the one or the other.
+
+    On roads that need no median last of all.
+    """
+    setting, has = situation.road.setting, tuple(dict.fromkeys(equipment_of(situation)))
+    if has:
+        equipped = [query | {"has": (*query.get("has", ()), *has)} for query in queries]
+        yield from _in_setting(setting, equipped)
+    yield from _in_setting(setting, queries)
+    if any("divided" in query for query in queries):
+        yield [{name: value for name, value in query.items() if name != "divided"} for query in queries]
+
+
+def _in_setting(setting: Setting | None, queries: list[dict[str, Any]]) -> Iterator[list[dict[str, Any]]]:
+    """The same queries in a setting, then in any."""
+    if setting is not None:
+        yield [query | ({} if query.get("site") == Site.RURAL else {"setting": setting.value}) for query in queries]
+    yield queries
+
+
+def _counting_the_ramps(query: dict[str, Any]) -> dict[str, Any]:
+    """The same query; past a ramp the map counts the ramp's lane, too, which nobody does who tells of the road."""
+    more = beside_ramp(query)
+    return query | {name: query[name] + more for name in ("lanes", "most", "lane") if name in query}
+
+
+def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str, Any]]:
+    """Arguments of `selectRoute`, the narrower first where a map cannot be asked for all that is needed."""
+    road, others = situation.road, situation.others
+    base: dict[str, Any] = {"maneuver": MANEUVERS[situation.ego.route].value}
+    lanes = [
+        str(one.starts.side or sides[one.id])
+        for one in others
+        if one.starts.where in NEXT_LANE and not rides_at_edge(one, situation.ego.route)
+    ]
+    if beside := _beside(situation):
+        base, lanes = base | beside, []  # beside the ego is its own lane, if it is in none
+    exactly = {} if road.lanes is None else {"most": road.lanes}
+    if road.lanes is not None:
+        base["lanes"] = road.lanes
+    if road.ego_lane is not None:
+        base["lane"] = road.ego_lane
+    if road.two_way is not None and not at_junction(situation):
+        base |= {"opposite": road.two_way} | ({} if road.two_way else {"divided": True})
+    base |= _many_lanes(situation, sides)
+    over: list[str] = []
+    against = any(one.starts.where in AGAINST for one in others)  # for whom that lane is
+    if not (against or lanes or beside_lane(situation) or road.lanes == 1):
+        over = [str(side) for one in others if (side := _goes_over(one)) is not None]
+    places = [*(base | only for only in _sites(situation)), base | _only_there(situation)]
+    for here in (*(place | exactly for place in places), *(places if road.lanes not in (None, 1) else ())):
+        if over:
+            yield from _on_road(situation, sides, here, over)
+        yield from _on_road(situation, sides, here, lanes)  # who goes over then goes where others come
+
+
+def _only_there(situation: Situation) -> dict[str, Any]:
+    """What a map must have for the kind of road, or for where somebody is, without which there is nothing to show."""
+    bay = any(one.starts.where is Where.BUS_BAY for one in situation.others) and not at_junction(situation)
+    if situation.road.kind is RoadKind.PARKING_LOT:
+        return {"has": (Equipment.BAYS.value,)}
+    if situation.road.kind is RoadKind.RAIL_CROSSING:
+        return {"site": Site.RAIL_CROSSING.value}
+    return {"site": Site.BUS_BAY.value} if bay else {}
+
+
+def _sites(situation: Situation) -> Iterator[dict[str, Any]]:
+    """What a map is asked for first, by what the road was said to have, if nothing else must be there."""
+    if at_junction(situation) or _only_there(situation):
+        return
+    at_crosswalk = (one.starts.where is Where.CROSSING for one in situation.others)
+    has = [*situation.road.has, *(Feature.CROSSWALK for marked in at_crosswalk if marked)]
+    yield from ({"site": SITES[one].value} for one in dict.fromkeys(has) if one in SITES)
+
+
+def _many_lanes(situation: Situation, sides: dict[str, Side]) -> dict[str, Any]:
+    """How many lanes there must be for those who change several of them, and in which the ego is then."""
+    left, right = lanes_needed(situation, sides)
+    straight = situation.ego.route in (None, EgoRoute.STRAIGHT)
+    if left + right < 2 or not straight or at_junction(situation) or at_roundabout(situation):
+        return {}
+    lane = {} if situation.road.ego_lane is not None else {"lane": 1 + right}
+    return {"lanes": max(1 + left + right, situation.road.lanes or 0), **lane}
+
+
+def _beside(situation: Situation) -> dict[str, Any]:
+    """How the ego's way begins or ends that does not do so along its lane."""
+    route = situation.ego.route
+    edges = {"begins": BACKWARDS if backs(situation) else BEGINS, "ends": ENDS}
+    return {name: rows[route].value for name, rows in edges.items() if route in rows}
+
+
+_GOES_OVER = {
+    Act.CUT_OUT: frozenset((Where.AHEAD,)),
+    Act.LANE_CHANGE: frozenset((Where.AHEAD, Where.BEHIND)),
+    Act.OVERTAKE: frozenset((Where.BEHIND,)),
+}
+
+
+def _goes_over(one: Other) -> Side | None:
+    """On which side of the ego's lane there must be one of its direction, since somebody goes over there."""
+    sides = (deed.to or Side.LEFT for deed in one.does if one.starts.where in _GOES_OVER.get(deed.act, ()))
+    return next(sides, None) if one.kind.moves is not Moves.LIES else None
+
+
+def _on_road(
+    situation: Situation, sides: dict[str, Side], base: dict[str, Any], lanes: list[str]
+) -> Iterator[dict[str, Any]]:
+    """Queries for the kind of road."""
+    road, route, others = situation.road, situation.ego.route, situation.others
+    if at_junction(situation):
+        yield from _at_junction(situation, sides, base, lanes)
+    elif at_roundabout(situation):
+        yield from _round(situation, base | ({"beside": lanes[0]} if lanes else {}))
+    elif any(one.starts.where is Where.ON_RAMP for one in others):
+        yield base | {"site": Site.PAST_ON_RAMP.value, "beside": "right"}
+    elif route is EgoRoute.EXIT:
+        yield base | {"site": Site.OFF_RAMP.value}
+    elif route is EgoRoute.MERGE or road.kind is RoadKind.RAMP:
+        yield base | {"site": Site.ON_RAMP.value} | ({"lanes": max(2, road.lanes or 2)} if lanes else {})
+    elif road.kind is RoadKind.MOTORWAY:
+        yield from _along(situation, base | {"site": base.get("site", Site.MOTORWAY.value)}, lanes)
+    else:
+        if road.setting is Setting.RURAL and "site" not in base and not lanes:
+            yield from _along(situation, base | {"site": Site.RURAL.value}, lanes)
+        yield from _along(situation, base, lanes)
+
+
+def _at_junction(
+    situation: Situation, sides: dict[str, Side], base: dict[str, Any], lanes: list[str]
+) -> Iterator[dict[str, Any]]:
+    road, others = situation.road, situation.others
+    arms = [arm for one in others if (arm := arm_of(situation, one, sides))]
+    if any(rides_at_edge(one, situation.ego.route) and one.starts.where in NEXT_LANE for one in others):
+        arms.append("oncoming")  # an arm opposite, or there is no straight on
+    query = base | {"place": PLACES.get(road.kind or RoadKind.JUNCTION, Place.JUNCTION).value}
+    if (control := control_of(situation)) is not None:
+        query["control"] = CONTROLS.get(control, Control.NONE).value
+    if arms:
+        query["crossed"] = tuple(dict.fromkeys(arms))
+    if lanes:
+        query |= {"lanes": max(2, query.get("lanes", 1)), "beside": lanes[0]}
+    if abreast(situation):  # and the ego in the lane beside theirs
+        query["lanes"] = max(2, query.get("lanes", 1))
+        if road.lanes is None and road.ego_lane is None:
+            query |= {"most": query["lanes"], "lane": query["lanes"]}
+    four = query | {"place": Place.FOUR_WAY.value} if query["place"] == Place.JUNCTION else query
+    crossed = four | {"crossed": tuple(dict.fromkeys((*arms, "left", "right", "oncoming")))}
+    asked = [*_first_at_junction(situation, query, four), query, four, crossed]
+    for one in asked:  # no query asks for what crossing traffic does there
+        if road.two_way is not None:
+            yield one | {"opposite": road.two_way}
+        yield one
+
+
+def _first_at_junction(situation: Situation, query: dict[str, Any], four: dict[str, Any]) -> tuple[dict[str, Any], ...]:
+    """What is asked for before any junction, and before any with four arms."""
+    if _of_side_road(situation):
+        free = {"control": Control.NONE.value}
+        return query | free | {"place": Place.THREE_WAY.value}, four | free
+    if _on_foot_over(situation) and not {"lanes", "lane", "beside"} & query.keys():
+        return query | {"beside": "none"}, four | {"beside": "none"}
+    return ()
+
+
+def _on_foot_over(situation: Situation) -> bool:
+    """Whether somebody is at a crosswalk, which leads over few lanes unless more were said."""
+    return any(one.starts.where in AT_CROSSWALKS for one in situation.others)
+
+
+def _of_side_road(situation: Situation) -> bool:
+    """Whether there is a junction only since somebody comes from a side: out of a lane, an alley, a field."""
+    ruled = control_of(situation) is not None and not only_others_stop(situation)
+    named = situation.road.kind not in (None, RoadKind.JUNCTION) or situation.ego.route in TURNS or ruled
+    named = named or (situation.road.kind is not None and not only_others_stop(situation))
+    return not named and any(one.starts.where is Where.ARM for one in situation.others)
+
+
+def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iterator[dict[str, Any]]:
+    """Queries for a way between junctions."""
+    road, others = situation.road, situation.others
+    straight = base["maneuver"] == Maneuver.STRAIGHT
+    query = dict(base)
+    if straight and "site" not in query:
+        query["place"] = PLACES.get(road.kind or RoadKind.ROAD, Place.ROAD).value
+    elif straight and road.kind is not None and road.kind in _CURVES:
+        query["place"] = PLACES[road.kind].value
+    places = {one.starts.where for one in others}
+    wrong_way = Where.ONCOMING_IN_OUR_LANE in places
+    against = Where.ONCOMING in places or (wrong_way and query.get("opposite", True))
+    against = against or any(_turns_round(one) for one in others)
+    against = against and query.get("ends") != Beside.BACK  # who turns round has them anyway, some lanes away
+    if query["maneuver"] == Maneuver.BYPASS:
+        several = (road.lanes or 1) > 1 or (bool(lanes) and not against)
+        query |= {"lanes": max(2, road.lanes or 2), "opposite": False} if several else {"opposite": True}
+    elif lanes:
+        query |= {"beside": lanes[0]} if straight else _lanes_to_change(situation, lanes)
+        if against:
+            query["opposite"] = True
+        if len(set(lanes)) > 1:
+            query["lanes"] = max(3, road.lanes or 3)
+    elif against:
+        query |= {"opposite": True} | ({"beside": "none"} if straight and road.lanes in (None, 1) else {})
+    elif straight and road.lanes in (None, 1) and any(_at_kerb(one) for one in others):
+        yield query | {"beside": "none"}  # the outermost lane, or there is no kerb beside it
+    yield query
+    if wrong_way and Where.ONCOMING not in places and straight:  # who needs no lane of its own
+        yield dict(base) if not lanes else base | {"beside": lanes[0]}
+
+
+def _lanes_to_change(situation: Situation, taken: list[str]) -> dict[str, Any]:
+    """How many lanes a road must have on which the ego changes lanes, with others in those next to it."""
+    road, route = situation.road, situation.ego.route
+    to = GOES_OVER.get(route) if route is not None else None
+    if to is None or set(taken) <= {str(to)}:
+        return {"lanes": max(2, road.lanes or 2)}
+    return {"lanes": max(3, road.lanes or 3), "lane": road.ego_lane or 2}  # with a lane on either side
+
+
+def _turns_round(one: Other) -> bool:
+    """Whether somebody turns round into the lane beside the ego's."""
+    there = one.starts.where in (Where.AHEAD, Where.BEHIND, Where.KERB)
+    return there and any(deed.act is Act.U_TURN for deed in one.does)
+
+
+def _round(situation: Situation, base: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Queries for a way through a roundabout; where no exit was said, one behind the entries of others."""
+    for way in (Maneuver.STRAIGHT, Maneuver.LEFT_TURN) if situation.ego.route is EgoRoute.ROUNDABOUT else ():
+        yield base | {"site": Site.ROUNDABOUT.value, "maneuver": way.value}
+    yield base | {"site": Site.ROUNDABOUT.value}
+
+
+def _at_kerb(one: Other) -> bool:
+    return one.starts.where in (Where.KERB, Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.BUS_BAY)

@@ -1,0 +1,68 @@
+"""Whether the roads of a route have what is asked for: crosswalks at its junction, a cycle lane, rails, bays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import shapely
+
+from chatscene.maps.car_parks import car_parks
+from chatscene.maps.furniture import furniture_of
+from chatscene.terms.route import Equipment, Route
+
+NEAR = 10.0  # [m] before or beyond a junction: a crosswalk that is nearer is one of its own
+
+
+def is_equipped(network: Any, route: Route, has: tuple[Equipment, ...]) -> bool:
+    """Whether a route has all of some equipment, and leads through a car park only if it is to have bays.
+
+    Args:
+        network: Scenic's road network.
+        route: Which.
+        has: What is asked for.
+    """
+    lot = car_parks(network)
+    if lot and (_road(network, route) in lot) != (Equipment.BAYS in has):
+        return False
+    return all(_HAS[one](network, route) for one in has)
+
+
+def _road(network: Any, route: Route) -> int:
+    return network.elements[route.lane_ids[0]].road.id
+
+
+def _crosswalks(network: Any, route: Route) -> bool:
+    if route.junction is None:
+        return False
+    inside = network.elements[route.junction].polygons
+    before, beyond = (
+        [area for road, area in furniture_of(network).crosswalks if road == arm]
+        for arm in (_road(network, route), network.elements[route.lane_ids[-1]].road.id)
+    )
+    line = shapely.LineString(route.line.points)
+    return all(any(line.intersects(area) and inside.distance(area) < NEAR for area in on) for on in (before, beyond))
+
+
+def _cycle_lane(network: Any, route: Route) -> bool:
+    lane = network.elements[route.lane_ids[0]]
+    return (lane.road.id, lane.group is lane.road.forwardLanes) in furniture_of(network).cycle_lanes
+
+
+def _tram_track(network: Any, route: Route) -> bool:
+    along = {road for road, _, across in furniture_of(network).tracks if not across}
+    if route.junction is None:
+        return _road(network, route) in along
+    return any(lane.road.id in along for lane in network.elements[route.junction].incomingLanes)
+
+
+def _bays(network: Any, route: Route) -> bool:
+    return _road(network, route) in car_parks(network)
+
+
+_HAS: Mapping[Equipment, Callable[[Any, Route], bool]] = {
+    Equipment.CROSSWALKS: _crosswalks,
+    Equipment.CYCLE_LANE: _cycle_lane,
+    Equipment.TRAM_TRACK: _tram_track,
+    Equipment.BAYS: _bays,
+}

@@ -1,0 +1,200 @@
+"""What stands and is marked on the streets of a written OpenDRIVE file: crosswalks, rails, bus stops, lights, signs.
+
+Source: ASAM OpenDRIVE 1.7.0, sections 11 (objects) and 12 (signals).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+from xml.etree import ElementTree as Xml
+
+if TYPE_CHECKING:
+    from chatscene.maps.opendrive import Street
+
+TRAFFIC_LIGHT = "1000001"  # signal types of the German catalogue, which Scenic and CARLA know
+STOP_SIGN = "206"
+BUS_STOP = "224"
+RAIL = "rail"
+"""The subtype of an object that is a track: two rails in the road, or across it."""
+LEADS_ON = 15.0  # [m] on either side of a road to which rails across it are seen
+GAUGE = 1.435  # [m], the standard one
+MARKED = 4.0  # [m] from a junction to the middle of a crosswalk at it
+
+
+class Use(Enum):
+    """What a bay is for, and how long it takes to narrow at its ends [m]."""
+
+    PARKING = 8.0
+    BUS = 16.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Bay:
+    """A part of a street's shoulder where vehicles stand beside the traffic.
+
+    Attributes:
+        use: What for.
+        right: On which side of the street, seen from its start.
+        start: Where it begins to widen [m along the street].
+        end: Where it has narrowed again [m along the street].
+        width: [m].
+    """
+
+    use: Use
+    right: bool
+    start: float
+    end: float
+    width: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Crosswalk:
+    """A marked way for pedestrians straight across a street.
+
+    Attributes:
+        at: Its middle [m along the street].
+        width: [m], along the street.
+    """
+
+    at: float
+    width: float = 4.0
+
+
+def furnish(road: Xml.Element, street: Street, length: float) -> None:
+    """Put on the road of a street what lies across and along it, and the signs of its bus stops.
+
+    Args:
+        road: Of the street.
+        street: Which.
+        length: Of the street [m].
+    """
+    crosswalks = (*street.crosswalks, *_at_junctions(street, length))
+    if crosswalks or street.rails or street.tram:
+        objects = Xml.SubElement(road, "objects")
+        for count, crosswalk in enumerate(crosswalks):
+            _crosswalk(objects, f"{street.id}{count:02d}", street, crosswalk)
+        for count, (at, left, span, turned) in enumerate(_tracks(street, length)):
+            _track(objects, f"{street.id}{50 + count}", at, left, span, turned)
+    stops = [bay for bay in street.bays if bay.use is Use.BUS]
+    if stops:
+        signals = Xml.SubElement(road, "signals")
+        for count, bay in enumerate(stops):
+            _bus_stop(signals, f"{street.id}{count:02d}", street, bay)
+
+
+def _at_junctions(street: Street, length: float) -> Iterator[Crosswalk]:
+    """The crosswalks at the ends of a street that lie at junctions which have some."""
+    for end, at in ((street.start, MARKED), (street.end, length - MARKED)):
+        if not isinstance(end, int) and end.marked:
+            yield Crosswalk(at=at)
+
+
+def _across(street: Street) -> tuple[float, float]:
+    """How far the lanes and shoulders of a street lie to the left and the right of its reference line [m]."""
+    left, right = (
+        street.lane * lanes + street.shoulder if lanes else 0.0 for lanes in (street.lanes_back, street.lanes)
+    )
+    return left, right
+
+
+def _tracks(street: Street, length: float) -> Iterator[tuple[float, float, float, bool]]:
+    """Of each track its middle along and beside the reference line, how long it is [m], and whether it lies across."""
+    left, right = _across(street)
+    for at in street.rails:
+        yield at, (left - right) / 2, left + right + 2 * LEADS_ON, True
+    if street.tram:
+        yield from ((length / 2, side * street.lane / 2, length, False) for side in (1, -1))
+
+
+def _track(objects: Xml.Element, object_id: str, at: float, left: float, span: float, across: bool) -> None:
+    Xml.SubElement(
+        objects,
+        "object",
+        id=object_id,
+        name="track",
+        type="none",
+        subtype=RAIL,
+        s=decimal(at),
+        t=decimal(left),
+        zOffset="0",
+        hdg=decimal(math.pi / 2) if across else "0",
+        pitch="0",
+        roll="0",
+        orientation="none",
+        length=decimal(span),
+        width=decimal(GAUGE),
+        height="0",
+    )
+
+
+def _crosswalk(objects: Xml.Element, object_id: str, street: Street, crosswalk: Crosswalk) -> None:
+    left, right = _across(street)
+    half, along = (left + right) / 2, crosswalk.width / 2
+    element = Xml.SubElement(
+        objects,
+        "object",
+        id=object_id,
+        name="crosswalk",
+        type="crosswalk",
+        s=decimal(crosswalk.at),
+        t=decimal((left - right) / 2),
+        zOffset="0",
+        hdg="0",
+        pitch="0",
+        roll="0",
+        orientation="none",
+        length=decimal(crosswalk.width),
+        width=decimal(2 * half),
+        height="0",
+    )
+    outline = Xml.SubElement(element, "outline")
+    for u, v in ((-along, -half), (along, -half), (along, half), (-along, half), (-along, -half)):
+        Xml.SubElement(outline, "cornerLocal", u=decimal(u), v=decimal(v), z="0", height="0")
+
+
+def _bus_stop(signals: Xml.Element, signal_id: str, street: Street, bay: Bay) -> None:
+    driving = street.lanes if bay.right else street.lanes_back
+    out = street.lane * driving + bay.width + 0.5
+    signal_on(
+        signals,
+        signal_id,
+        "bus stop",
+        BUS_STOP,
+        s=(bay.start + bay.end) / 2,
+        t=-out if bay.right else out,
+        orientation="+" if bay.right else "-",
+    )
+
+
+def signal_on(
+    signals: Xml.Element, signal_id: str, name: str, kind: str, *, s: float, t: float, orientation: str
+) -> None:
+    """Put a light or a sign on a road, `s` [m] along it and `t` [m] to its left."""
+    light = kind == TRAFFIC_LIGHT
+    Xml.SubElement(
+        signals,
+        "signal",
+        s=decimal(s),
+        t=decimal(t),
+        id=signal_id,
+        name=name,
+        dynamic="yes" if light else "no",
+        orientation=orientation,
+        zOffset="3" if light else "2",
+        country="OpenDRIVE" if light else "DE",
+        type=kind,
+        subtype="-1",
+        value="-1",
+        height="0.9",
+        width="0.5",
+    )
+
+
+def decimal(value: float, digits: int = 9) -> str:
+    """A value as it stands in a file, without zeros at its end."""
+    text = f"{value:.{digits}f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
