@@ -189,7 +189,6 @@ def test_who_cuts_in_behind_another_that_brakes_does_not_drive_through_it(seed: 
     said = others(
         car("A", "ahead-beside", deed("cut-in")),
         car("B", "ahead", deed("go-along"), {"act": "brake", "when": {"after": "A.cut-in"}}),
-        ego={"speed": "28 km/h"},
     )
     driven(said, seed)
 

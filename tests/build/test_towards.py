@@ -74,7 +74,6 @@ WHOM = {
     "follows": others(
         car("A", "ahead", deed("follow", whom="B", distance="10 m")),
         car("B", "ahead", deed("brake")),
-        ego={"speed": "30 km/h"},
     ),
     "tailgates": others(car("A", "ahead", deed("tailgate", whom="B")), car("B", "ahead", deed("go-along"))),
     "overtakes": others(
@@ -158,7 +157,7 @@ def test_who_cuts_in_leaves_the_room_that_was_said(said: str, metres: str) -> No
 
 @pytest.mark.parametrize("way", ["1 m", "4 m"])
 def test_who_backs_up_covers_the_way_that_was_said(way: str) -> None:
-    speed = track(driven(somebody("car", "ahead", deed("reverse", distance=way), ego={"speed": "28 km/h"}))).speed
+    speed = track(driven(somebody("car", "ahead", deed("reverse", distance=way)))).speed
     assert -speed[speed < 0].sum() * 0.1 == pytest.approx(float(way.split(maxsplit=1)[0]), abs=0.6)
 
 
@@ -280,7 +279,7 @@ def test_a_bus_nearer_than_any_bay_is_refused() -> None:
 def test_who_faces_along_the_road_turns_to_cross_it(facing: str, does: tuple[str, ...]) -> None:
     start = {"where": "roadside", "side": "left", "facing": facing}
     one = {"id": "A", "kind": "pedestrian", "starts": start, "does": [deed(act) for act in does]}
-    assert unseen(from_plain({"ego": {"speed": "28 km/h"}, "others": [one]})) == ()
+    assert unseen(others(one)) == ()
 
 
 @pytest.mark.parametrize("striker", ["ego", "other"])

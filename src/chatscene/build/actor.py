@@ -37,6 +37,7 @@ from chatscene.build.place import (
 from chatscene.build.relations import speed_beside
 from chatscene.build.screening import Screen, from_its_lane, screen_of, stands_at
 from chatscene.build.starts import start_of
+from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, PROPS, Limits
 from chatscene.terms.actors import Manner as Moves
@@ -135,8 +136,8 @@ class Actor:
 
     @property
     def along_speed(self) -> float:
-        """How fast [m/s] it goes along with the ego: as that, or as it can at most."""
-        return min(self.ego_speed, MOST * self.limits.top_speed)
+        """How fast [m/s] it goes along with the ego: as that, or as fast as it holds."""
+        return min(self.ego_speed, Body(self.limits, self.walks).fastest)
 
     @property
     def ego_limits(self) -> Limits:
@@ -209,7 +210,7 @@ class Actor:
             numbers.narrow(
                 "FAST", *(min(max(*ends), top) for ends in ((low, FASTER[0] * ego), (high, FASTER[1] * ego)))
             )
-            numbers.narrow("SPEED", *(min(speed, top) for speed in beside))
+            numbers.narrow("SPEED", *(min(speed, Body(self.limits, self.walks).fastest) for speed in beside))
         if any(deed.breaks is Breach.RED_LIGHT for deed in deeds):  # who does not slow down for it, but is in a hurry
             fast = self.one.kind.row.body.row.fast
             numbers.narrow("SPEED", *(min(share * fast, top) for share in HURRIES))

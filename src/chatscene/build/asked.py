@@ -177,8 +177,8 @@ class Asked:
 
     @property
     def longer(self) -> float:
-        """How much nearer [m] the ego's nose and tail are to others than a car's, where middles are apart."""
-        return max(0.0, 0.5 * (self.situation.ego.body.row.limits.length - AdversaryKind.CAR.row.limits.length))
+        """How much nearer [m] the two are to each other, nose to tail, than two cars whose middles are as far apart."""
+        return max(0.0, self.middles - AdversaryKind.CAR.row.limits.length)
 
     def headway(self, low: float, high: float, caught_up: float = 0.0) -> None:
         """From where to where [s] before or behind the ego it may be, nose to tail, if no distance was said.

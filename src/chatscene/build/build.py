@@ -25,12 +25,12 @@ from chatscene.build.rails import over_rails
 from chatscene.build.relations import check_passed_by_ego
 from chatscene.build.roadside import beside_road
 from chatscene.build.screening import from_its_lane
-from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, screens
+from chatscene.build.towards import at_distance, done_to, in_one_row, in_rows, passes, room_kept, screens
 from chatscene.errors import MapError, NotBuilt
 from chatscene.situations.faults import dotted
 from chatscene.terms.backing import as_it_backs, backs
 from chatscene.terms.scene import ScenicProgram
-from chatscene.terms.situation import Other, Situation
+from chatscene.terms.situation import EGO, Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
 from chatscene.terms.vocabulary import Act, Role, Where
 
@@ -38,6 +38,8 @@ _SAME = {Where.DRIVEWAY: "roadside", Where.IN_ROUNDABOUT: "roundabout-entry"}
 """Where those stand in one row who are said to be in two places."""
 NOBODY = "nobody meets the ego: others: nobody has the role adversary"
 """Why a situation is refused in which nobody does."""
+HEADWAY = 1.3  # [s] that somebody is behind another who comes in between that and the ego
+COMES_OVER = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.ENTER))
 SLOWEST = 4.0  # [m/s] that an ego wants of which no speed was said
 
 
@@ -178,6 +180,7 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
     situation = ledger.situation
     built: dict[str, Actor] = {}
     rows: dict[tuple[str, str, bool], tuple[Actor, float]] = {}
+    latest: dict[tuple[str, str, bool], tuple[Other, float]] = {}
     ahead: dict[tuple[str, str, bool], float] = {}
     order: list[tuple[Actor, Actor | None]] = []
     others = [at_distance(ledger, one) for one in in_rows(situation)]
@@ -203,17 +206,32 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         if (anchor := anchors.get(one.id)) is not None and anchor[0].id in built:
             first, room = built[anchor[0].id], built[anchor[0].id].room + anchor[1]
             first = first.first or first
+        if first is not None and (kept := room_kept(latest[place][0], one)) is not None:
+            room = latest[place][1] + kept
         actor = Actor(ledger, found, one, met_by(one.id, ego.coming, ego.orders), room, first)
         built[one.id] = actor
         if hidden is None and anchors.get(one.id) is None and not before:
             abreast = 1.5 if one.hidden_by is not None else 2.5  # from the same gap
             long = abreast if actor.stand.meets is Meets.ACROSS else actor.count * apart
-            rows[place] = (first or actor, room + long)
+            rows[place], latest[place] = (first or actor, room + long), (one, room)
         order.append((actor, built[hidden] if hidden is not None else None))
     for actor, by in _behind_leaders(order):
         if actor.one.starts.distance is None and actor.first is None:
             actor.numbers.move("Y", max(0.0, by.farthest + ROOM - actor.nearest))
+    for actor, one in _with_whoever_comes_between(order):
+        actor.numbers.move("Y", max(0.0, one.farthest + HEADWAY * ego.coming.speed - actor.nearest))
     return order
+
+
+def _with_whoever_comes_between(everybody: Sequence[tuple[Actor, Actor | None]]) -> Iterator[tuple[Actor, Actor]]:
+    """Those who drive before the ego, from no distance that was said, with who comes in between from beside it."""
+    actors = [actor for actor, _ in everybody]
+    before = [one for one in actors if one.one.starts.where is Where.AHEAD and one.stand.meets is Meets.ALONG]
+    free = [one for one in before if one.one.starts.distance is None and not stands_first(one.one)]
+    for one in actors:
+        over = any(deed.act in COMES_OVER and done_to(deed) == EGO for deed in one.deeds)
+        if over and one.one.starts.where is Where.AHEAD_BESIDE:
+            yield from ((actor, one) for actor in free if actor.first is None)
 
 
 def _on_arm_unmet(one: Other) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from chatscene.build.coming import further
+from chatscene.build.coming import further, keeps_limits
 from chatscene.build.fitting import lacking_for, too_short
 from chatscene.build.holding import as_said, lanes_there
 from chatscene.build.ledger import Ledger
@@ -33,7 +33,7 @@ from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, RightOfWay, RoadKind, Side, Where
 from chatscene.world.places import EgoRoute as Route
-from chatscene.world.places import choose_route, lanesBeside
+from chatscene.world.places import choose_route, lanesBeside, timetable
 
 
 def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
@@ -62,7 +62,7 @@ def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
         lacking.clear()  # what is told is what the shortest road lacks
         for sides in _open_sides(situation):
             for name, query in queries_for(situation, sides):
-                if found := _answered(situation, speed, name, _longer(query, more), sides, lacking, rooms):
+                if found := _answered(situation, speed, name, _longer(query, more), sides, lacking, rooms, road):
                     _take(ledger, found)
                     far = min(max(1.0, more), further(speed))
                     return replace(found, further=found.route.eventAt / BACKED if backs(situation) else far)
@@ -74,6 +74,7 @@ def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
 
 BACKED = 42.0  # [m] ahead of which others are about, in the middle, who are nearer to an ego that backs
 _SLOW = 0.6  # of the usual road, of an ego that is slower than usual
+_AS_FAST = 0.95  # of its usual speed, that a road allows which is looked for since much is done along it
 _MORE = 1.15  # by which routes that are looked for get shorter, the longest first
 _BEYOND = 2.5  # times as long as the way to somebody is an open road: as much leads on from there, and some is spare
 _ROOM_BEYOND = 10.0  # [m] of road beyond somebody whose distance was said
@@ -175,6 +176,7 @@ def _answered(
     sides: dict[str, Side],
     lacking: list[str],
     rooms: dict[str, float],
+    road: float,
 ) -> Found | None:
     """The first route of a map that answers a query, if all whom it is for can be there.
 
@@ -186,6 +188,7 @@ def _answered(
         sides: Those that were chosen.
         lacking: Takes what the map lacks, in words.
         rooms: Takes what is the most that a place has room for, by what is told of it, where more was said.
+        road: How much road [m] the ego drives along while all is done; 0 where that is not known yet.
     """
     path = str(resolve_map(name))
     network = load_network(path)
@@ -200,6 +203,9 @@ def _answered(
             fact = f"others.{one.id}.starts.distance: {one.starts.distance}: the longest road there is leads {{:.0f}} m"
             rooms[fact] = max(room, rooms.get(fact, 0.0))
             return None
+    if road and keeps_limits(situation) and timetable(route, speed, keeps_limits=True).speed_at(0.0) < _AS_FAST * speed:
+        lacking.append(f"on map {Path(path).stem!r} so long a road with its usual limit")
+        return None
     found = Found(name, query, route, sides)
     if (lacks := lacking_for(situation, found)) is not None:
         lacking.append(f"on map {Path(path).stem!r} {lacks}")

@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, goes_slowly
 from chatscene.build.contact import misses
+from chatscene.build.cutting_in import comes_before, gets_before, leaves, seconds_to_get_before, set_speed
 from chatscene.build.deeds import OWN
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.relations import speed_of
+from chatscene.build.sideways import seconds_over
 from chatscene.build.towards import done_to, to_whom
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import SLOWS, Act, Manner, Role, Side, Where
@@ -34,7 +36,6 @@ GAP_WITHIN, EASED = 1.0, 1.0  # [m] of a gap that was said; [m/s] faster than wh
 OVER_THE_LINE = 0.75  # [s] after it sets out for a lane that somebody's middle is over the line
 SAME = 1.0  # [m/s] by which two go as fast
 SLOWER = 1.0  # [m/s] than the ego, from which on the ego comes up to somebody
-OVER_LINE, ALONG_LINE = 1.0, 5.0  # [s], [m] at least from when somebody turns the wheel until it crosses the line
 SEEN_BEFORE = 1.0  # [s] that it is seen to go beside before
 BACKS = 1.5  # [m/s] that somebody backs up at, of whom only the way was said
 
@@ -45,30 +46,46 @@ def gap_is_said(deed: Deed) -> bool:
 
 
 def falls_back(actor: Actor, k: int) -> bool:
-    """Whether the ego comes up to somebody who then cuts in: by what was said it is slower, and it is ahead."""
+    """Whether the ego comes up to somebody who then comes in, by what was said or by its kind."""
     deed = actor.deeds[k]
-    ahead = actor.one.starts.where is Where.AHEAD_BESIDE and all(one.act in GOES_ON for one in actor.deeds[:k])
-    said = actor.numbers.is_said("SPEED") or goes_slowly(actor.one)
-    slower = said and actor.numbers.range_of("SPEED")[1] < actor.ego_speed - SLOWER
-    free = deed.act is Act.CUT_IN and done_to(deed) == EGO and deed.speed is None
+    there = actor.one.starts.where in (Where.AHEAD_BESIDE, Where.ON_RAMP)
+    ahead = there and all(one.act in GOES_ON for one in actor.deeds[:k])
+    slower = actor.numbers.range_of("SPEED")[1] < actor.ego_speed - SLOWER and (
+        _is_slow(actor) or _cannot_keep_up(actor)
+    )
+    over = deed.act in _OVER | {Act.CUT_IN} and (
+        deed.act is not Act.LANE_CHANGE or lane_after(actor.one, actor.deeds, k) == 0
+    )
+    free = over and done_to(deed) == EGO and deed.speed is None
     return free and ahead and slower and not gap_is_said(deed)
+
+
+def _is_slow(actor: Actor) -> bool:
+    """Whether it was said how fast, or that it goes slowly."""
+    return actor.numbers.is_said("SPEED") or goes_slowly(actor.one)
+
+
+def _cannot_keep_up(actor: Actor) -> bool:
+    """Whether its kind does not hold the ego's speed."""
+    return actor.one.kind.row.body.row.motorised and actor.along_speed < actor.ego_speed - SLOWER
 
 
 def set_room(actor: Actor) -> None:
     """Let who falls back toward the ego be so far ahead that it is seen to go beside before it cuts in."""
     for k in range(len(actor.deeds)):
-        if falls_back(actor, k) and actor.one.starts.distance is None:
-            numbers, middles = actor.numbers, 0.5 * (actor.ego_limits.length + actor.limits.length)
-            _, high, *_ = numbers.range_of(_room(actor, k))
-            closing = actor.ego_speed - numbers.middle("SPEED")
-            least = middles + high + closing * (_over_line(actor) + numbers.range_of("STEADY")[1] + SEEN_BEFORE)
+        set_speed(actor, k)
+        if falls_back(actor, k) and actor.one.starts.distance is None and actor.one.starts.where is Where.AHEAD_BESIDE:
+            numbers, closing = actor.numbers, _closing(actor)
+            seen = closing * (numbers.range_of("STEADY")[1] + SEEN_BEFORE)
+            least = _falls_back_to(actor, k) + seen
             _, _, unit, meaning = numbers.range_of("Y")
             numbers.measure("Y", least, least + closing, unit, meaning)
 
 
-def _over_line(actor: Actor) -> float:
-    """How long [s] somebody takes from when it turns the wheel until it crosses the line, longer where it is slow."""
-    return max(OVER_LINE, ALONG_LINE / actor.numbers.middle("SPEED"))
+def _falls_back_to(actor: Actor, k: int) -> float:
+    """How far [m] ahead of the ego somebody is at most when it begins to come over, middle to middle."""
+    middles = 0.5 * (actor.ego_limits.length + actor.limits.length)
+    return middles + actor.numbers.range_of(_room(actor, k))[1] + _closing(actor) * seconds_over(actor, k)[1]
 
 
 def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
@@ -83,12 +100,15 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
     deed, speeds = actor.deeds[k], _speeds(actor, k)
     if deed.act is Act.LANE_CHANGE and lane_after(actor.one, actor.deeds, k) != 0:
         return
-    if deed.act not in _COMES_BEFORE and not (leaves_room(actor) and deed.act in _OVER) and not stops_before(actor, k):
+    may = deed.act in _COMES_BEFORE or (leaves_room(actor) and deed.act in _OVER) or stops_before(actor, k)
+    if not (may or comes_before(actor, k) or falls_back(actor, k)):
         return
     from_behind = _from_behind(actor, k) or leaves_room(actor)
     if falls_back(actor, k):
-        comes = f"{_MIDDLES}${_room(actor, k)} + max(0, ego.pose[3] - self.pose[3]) * {_over_line(actor):.3g}"
+        comes = f"{_MIDDLES}${_room(actor, k)} + max(0, ego.pose[3] - self.pose[3]) * {seconds_over(actor, k)[0]}"
         yield f"DrivePath({way}, $SPEED) until headway(egoRoute, ego, self) < {comes}"
+    elif comes_before(actor, k) and not gap_is_said(deed):
+        yield gets_before(actor, k, way, f"{_MIDDLES}${_room(actor, k)}")
     elif gap_is_said(deed) and keeps_its_speed(actor, k):
         ahead = f"{_MIDDLES}${_bound(actor, k)}"
         _start_far_enough(actor, k)
@@ -150,6 +170,9 @@ def _room(actor: Actor, k: int) -> str:
     if actor.deeds[k].act is Act.CUT_IN and (actor.deeds[k].manner is Manner.SUDDEN or leaves_room(actor)):
         name = f"AHEAD_{k}"
         actor.numbers.narrow(name, *CLOSE)
+    elif (comes_before(actor, k) and k == len(actor.deeds) - 1) or (falls_back(actor, k) and not _is_slow(actor)):
+        name = f"AHEAD_{k}"
+        actor.numbers.measure(name, *leaves(actor), "m", "how much room it leaves before the ego")
     return name
 
 
@@ -197,6 +220,10 @@ def _from_behind(actor: Actor, k: int) -> bool:
 
 def seconds_to_get_ahead(actor: Actor, k: int) -> float:
     """How long [s] it takes somebody who is behind the ego to get before it, if it must."""
+    if falls_back(actor, k):  # who comes from a ramp would be level with the ego where that ends
+        return _falls_back_to(actor, k) / _closing(actor) if actor.one.starts.where is Where.ON_RAMP else 0.0
+    if comes_before(actor, k):
+        return seconds_to_get_before(actor, k)
     first = k == 0 and actor.deeds[k].act is not Act.CUT_IN
     if first or not _from_behind(actor, k):
         return 0.0
@@ -214,7 +241,7 @@ def seconds_to_get_by(actor: Actor, k: int) -> float:
     elif actor.stand.behind and "Y" in numbers.ranges:
         row = numbers.middle("Y")
     faster = numbers.middle(f"FAST_{k}") - speed_of(actor.ledger.situation, whom, actor.ego_speed)
-    metres = row + 0.5 * (actor.limits.length + length) + numbers.middle("AHEAD")
+    metres = row + 0.5 * (actor.limits.length + length) + numbers.middle(f"AHEAD_{k}")
     if passes_where_it_goes_over(actor) and whom == EGO:
         metres = row
     seconds = metres / max(faster, 0.5) + faster / actor.limits.throttle  # until it is as fast

@@ -204,7 +204,8 @@ def _first(actor: Actor, *, as_ego: bool) -> Speed:
     said = actor.numbers.is_said("SPEED") or goes_slowly(actor.one)
     if stands_first(actor.one):
         return Speed("", 0.0, 0.0, said=True)
-    if as_ego and not said and keeps_distance(actor):
+    keeps_up = actor.along_speed > actor.ego_speed - CRAWLS
+    if as_ego and not said and keeps_up and keeps_distance(actor):
         return Speed("", slowest_with_ego(actor), actor.along_speed, said=True)  # the ego's, or less behind others
     low, high, *_ = actor.numbers.ranges["SPEED"]
     return Speed("SPEED", low, high, said=said)

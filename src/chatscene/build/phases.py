@@ -53,6 +53,7 @@ COMES_BY = "headway(egoRoute, self, ego) > -(self.length + ego.length) / 2 - 3 -
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 
 
+_ALONG = re.compile(r"^MoveAhead\([^,]+\) for")
 _FOR_TIME = re.compile(r" for \$(?:PACE|GO)_TIME seconds$")
 
 
@@ -122,14 +123,24 @@ class Phases:
             return
         first = 1 if actor.deeds[0].act is Act.STAND and actor.deeds[0].time is None else 0
         bodies = list(self._bodies(first, go))
-        near = self._comes_near(first, bodies)
-        opening = list(Opening(self, first, bodies, near).texts())
+        timed = self._without_way_along(first, bodies)
+        near = self._comes_near(first, timed)
+        opening = list(Opening(self, first, timed, near).texts())
         yield from opening
         self.due_after = [0] * first
         for body in bodies:
             before = sum(map(len, bodies[: len(self.due_after) - first]))
             self.due_after.append(len(opening) + before + len(body) - 1)
             yield from body
+
+    def _without_way_along(self, first: int, bodies: list[list[str]]) -> list[list[str]]:
+        """The same for timing: who goes along the road before it turns to cross it gets no nearer by that."""
+        over = next((k for k, deed in enumerate(self.actor.deeds) if deed.act in OVER), 0) - first
+        if not self.actor.stand.over:
+            return bodies
+        return [
+            [_ALONG.sub("Halt() for", text) for text in body] if k < over else body for k, body in enumerate(bodies)
+        ]
 
     def _undirected(self, go: str) -> str:
         """What somebody does of whom no deed was said: who drives goes on, who is beside the road stands."""

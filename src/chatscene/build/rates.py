@@ -181,8 +181,7 @@ def _mean(body: Body, was: float, then: float, pedal: float) -> float:
     """The mean [m/s²] of gaining most of what is gained with a pedal that is held; 0 if it is never gained."""
     speed, seconds, ends = was, 0.0, was + GETS * (then - was)
     while speed < ends:
-        air = _STEP * AIR_DRAG * speed * speed
-        speed, seconds = body.after(speed, then + 1.0, pedal) - air, seconds + _STEP
+        speed, seconds = body.after(speed, then + 1.0, pedal), seconds + _STEP
         if seconds > _MOST:
             return 0.0
     return (speed - was) / seconds if seconds else 0.0

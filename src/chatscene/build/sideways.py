@@ -25,8 +25,11 @@ AT_SPEED = math.sqrt(2.0 * math.pi * LANE / GENTLY)
 SLOWLY = 2.0 * AT_SPEED
 CLEARS = 2.4  # [s] that who takes so long needs more than who turns at once, until it is out of a lane, at most
 """[s]: drivers take 4.6 s in the mean (T. Toledo and D. Zohar, "Modeling duration of lane changes", 2007)."""
+OVER_LINE, ALONG_LINE = 1.0, 5.0  # [s], [m] at least from when somebody turns the wheel until it crosses the line
 _CHANGES = frozenset((Act.LANE_CHANGE, Act.CUT_OUT))
-_COMES_OVER = frozenset((Act.LANE_CHANGE, Act.CUT_IN))  # who gets out of a lane does so before what stands in it
+_COMES_OVER = frozenset(
+    (Act.LANE_CHANGE, Act.CUT_IN, Act.MERGE, Act.ENTER)
+)  # who gets out of a lane does so before what stands in it
 
 
 def takes_long(actor: Actor, k: int, steps: Steps) -> Steps:
@@ -35,21 +38,47 @@ def takes_long(actor: Actor, k: int, steps: Steps) -> Steps:
     Raises:
         NotBuilt: Nobody does it so fast.
     """
-    deed = actor.deeds[k]
     line = next((line for line in (OWN, "{beside}") if f"DrivePath({line}" in steps.does[0]), "") if steps.does else ""
-    if line and deed.time is None and over_at_speed(actor, k):
-        return _over(actor, k, steps, line, (AT_SPEED, SLOWLY))
-    if deed.act not in _CHANGES or deed.time is None or not line:
+    if not line or (takes := _takes(actor, k)) is None:
         return steps
-    least = max(QUICKEST, deed.time.low)
-    low, high = deed.time.within(QUICKEST, max(least, 2.0 * least))
     at = f"{actor.path}.does.{k}.time"
-    if deed.time.high < QUICKEST:
-        raise NotBuilt(f"{at}: {deed.time} is less than anybody takes to change lanes: {QUICKEST:g} s at least")
-    if low <= USUAL:
+    if actor.deeds[k].time is not None and takes[0] <= USUAL:
         actor.ledger.take(at)
         return steps
-    return _over(actor, k, steps, line, (low, high), at)
+    return _over(actor, k, steps, line, takes, at if actor.deeds[k].time is not None else "")
+
+
+def _takes(actor: Actor, k: int) -> tuple[float, float] | None:
+    """The least and the most time [s] in which somebody changes lanes; None of who does it as fast as it can.
+
+    Raises:
+        NotBuilt: Nobody does it so fast.
+    """
+    deed = actor.deeds[k]
+    if deed.time is None:
+        return (AT_SPEED, SLOWLY) if over_at_speed(actor, k) else None
+    if deed.act not in _CHANGES:
+        return None
+    if deed.time.high < QUICKEST:
+        at = f"{actor.path}.does.{k}.time"
+        raise NotBuilt(f"{at}: {deed.time} is less than anybody takes to change lanes: {QUICKEST:g} s at least")
+    least = max(QUICKEST, deed.time.low)
+    return deed.time.within(QUICKEST, max(least, 2.0 * least))
+
+
+def seconds_over(actor: Actor, k: int) -> tuple[str, float]:
+    """How long [s] somebody who comes over to the ego's lane takes until it is in the ego's way there.
+
+    Returns:
+        As a program says it, and the middle of that.
+    """
+    takes = _takes(actor, k)
+    if takes is None or (actor.deeds[k].time is not None and takes[0] <= USUAL):
+        seconds = max(OVER_LINE, ALONG_LINE / actor.numbers.middle("SPEED"))
+        return f"{seconds:.3g}", seconds
+    outside = 0.5 * (actor.limits.width + actor.ego_limits.width) / LANE
+    along = next(n / 50 for n in range(51) if 1.0 - _share(n / 50) <= outside)
+    return f"{along * _pieces(takes[0]):.3g} * $PIECE_{k}", along * (0.5 * sum(takes) - LAGS)
 
 
 def over_at_speed(actor: Actor, k: int) -> bool:
@@ -72,7 +101,7 @@ def _over(actor: Actor, k: int, steps: Steps, line: str, takes: tuple[float, flo
         path: Of the fact that says so.
     """
     low, high = takes
-    pieces = max(2, round(max(low - LAGS, PIECE) / PIECE))
+    pieces = _pieces(low)
     short, long = (max(0.1, one - LAGS) / pieces for one in (low, high))
     actor.numbers.measure(f"PIECE_{k}", short, long, "s", "how long a piece of its way over takes", path)
     from_left = _goes_right(actor, k, line)
@@ -82,6 +111,11 @@ def _over(actor: Actor, k: int, steps: Steps, line: str, takes: tuple[float, flo
         for n in range(pieces)
     )
     return replace(steps, does=(*over, *steps.does), last=(*over, *steps.last) if steps.last else ())
+
+
+def _pieces(least: float) -> int:
+    """In how many pieces somebody goes over that takes so long [s] at least."""
+    return max(2, round(max(least - LAGS, PIECE) / PIECE))
 
 
 def _share(along: float) -> float:

@@ -10,6 +10,7 @@ from chatscene.build.arriving import comes_along, comes_back, roundabout, slow_e
 from chatscene.build.asked import ROOM, STOPS, Asked, Meets, Stand, bolts, stands_first, stops_ahead
 from chatscene.build.backing import comes_by, out_of, parked_beside
 from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
+from chatscene.build.cutting_in import begins_beside, room_to_avoid
 from chatscene.build.doors import opens_in_lane, stands_in_lane
 from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.flank import level_as_said
@@ -29,6 +30,7 @@ from chatscene.build.place import (
 )
 from chatscene.build.relations import said_speed, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
+from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.terms.backing import backs
 from chatscene.terms.route import Beside
@@ -101,11 +103,20 @@ def _ahead(asked: Asked) -> Stand:
 
 
 def _caught_up(asked: Asked) -> float:
-    """How far [m] an ego that changes lanes gains on who goes before it until it does."""
-    if asked.situation.ego.route not in CHANGES or asked.ego.stands:
-        return 0.0
+    """How far [m] an ego comes up to who goes before it before anything is done.
+
+    It does until it changes lanes, and to who cannot be as fast. Who is to back up has as much room besides.
+    """
+    backs = sum(deed.distance.low for deed in asked.one.does if deed.act is Act.REVERSE and deed.distance is not None)
+    if asked.ego.stands or asked.stands:
+        return backs
+    if asked.situation.ego.route not in CHANGES:
+        slower = asked.ego.speed - Body(asked.numbers.row.limits, asked.walks).fastest
+        motorised = asked.one.kind.row.body.row.motorised
+        steady = asked.numbers.range_of("STEADY")[1]
+        return backs + (room_to_avoid(slower) + slower * steady if motorised and slower > 0.0 else 0.0)
     slower = asked.ego.speed - speed_of(asked.situation, asked.one.id, asked.ego.speed)
-    return max(0.0, slower) * asked.ego.time_at(asked.found.route.eventAt)
+    return backs + max(0.0, slower) * asked.ego.time_at(asked.found.route.eventAt)
 
 
 def _within(way: str, aside: float) -> str:
@@ -119,12 +130,15 @@ def _through_point(point: str) -> str:
 
 
 def _keeps_behind(asked: Asked) -> tuple[float, float] | None:
-    """How far [m] behind the ego somebody was said to keep that follows it first."""
+    """How far [m] behind the ego somebody keeps that follows it first, by what was said or as is usual."""
     first = asked.one.does[0] if asked.one.does else None
-    follows = first is not None and first.act in (Act.FOLLOW, Act.TAILGATE) and first.whom in (None, EGO)
-    if first is None or not follows or first.distance is None:
+    if first is None or first.act not in (Act.FOLLOW, Act.TAILGATE) or first.whom not in (None, EGO):
         return None
-    return first.distance.within(1.0, max(first.distance.low, 2.0))
+    if first.distance is not None:
+        return first.distance.within(1.0, max(first.distance.low, 2.0))
+    drives = asked.one.role is Role.ADVERSARY and not (asked.ego.stands or asked.stands)
+    follows = first.act is Act.FOLLOW and drives and not touches(asked.situation, asked.one)
+    return asked.numbers.range_of("ROOM")[:2] if follows else None
 
 
 def _behind(asked: Asked) -> Stand:
@@ -210,6 +224,8 @@ def _filters(asked: Asked) -> bool:
 def _level(asked: Asked) -> tuple[float, float]:
     """How far [m] ahead of the ego, or behind it, somebody in the next lane is, from and to, if that was not said."""
     where, stands = asked.one.starts.where, asked.stands
+    if (before := begins_beside(asked.situation, asked.one, asked.middles)) is not None:
+        return before
     if where is Where.BESIDE:
         return _beside(asked)
     if where is Where.AHEAD_BESIDE:
@@ -404,9 +420,8 @@ def _median(asked: Asked) -> Stand:
 def _on_ramp(asked: Asked) -> Stand:
     asked.reach(-2, 8)
     ego = asked.ego.speed
-    said = said_speed(asked.one, ego)
-    # Who is slower than the ego has so much of a start that both are level where it merges.
-    lead = 0.0 if said is None else max(0.0, 1.0 - said / ego)
+    goes = min(said_speed(asked.one, ego) or ego, Body(asked.numbers.row.limits, asked.walks).fastest)
+    lead = max(0.0, 1.0 - goes / ego)  # who is slower than the ego has so much of a start that both are level then
     return Stand(
         meets=Meets.ALONG,
         way=lane_beside(Side.RIGHT),

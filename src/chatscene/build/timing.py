@@ -10,6 +10,7 @@ import math
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from functools import cache
 
 from chatscene.build.numbers import Numbers
 from chatscene.terms.actors import AIR_DRAG, Limits
@@ -100,6 +101,11 @@ class Body:
             speed = self.after(speed, wish)
         return speed
 
+    @property
+    def fastest(self) -> float:
+        """The most [m/s] that it holds for long, by what the engine gives and drag leaves."""
+        return _fastest(self)
+
     def wish_for(self, speed: float) -> float:
         """The speed [m/s] that it must want to hold one; as much as it can at most."""
         low, high = speed, self.limits.top_speed
@@ -127,6 +133,11 @@ class Body:
             before, speed = speed, self.after(speed, wish)
             at, time = at + _STEP * 0.5 * (before + speed), time + _STEP
         return time
+
+
+@cache
+def _fastest(body: Body) -> float:
+    return body.holds(body.limits.top_speed, _MOST)
 
 
 def course(

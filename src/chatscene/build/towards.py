@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
+from chatscene.build.numbers import RANGES
 from chatscene.terms.situation import EGO, Deed, Other, Situation
 from chatscene.terms.vocabulary import Act, Role, Where
 
@@ -65,6 +66,19 @@ def in_rows(situation: Situation) -> list[Other]:
             order.remove(then)
             order.insert(order.index(first) + 1, then)
     return order
+
+
+def room_kept(one: Other, other: Other) -> float | None:
+    """How far [m] two are apart, middle to middle, of whom one follows the other from the first; None if none does."""
+    for who, whom in ((one, other), (other, one)):
+        first = who.does[0] if who.does else None
+        if first is None or first.act not in (Act.FOLLOW, Act.TAILGATE) or first.whom != whom.id:
+            continue
+        usual = RANGES["ROOM" if first.act is Act.FOLLOW else "GAP"][:2]
+        said = first.distance
+        room = usual if said is None else said.within(1.0, max(2.0, said.low))
+        return 0.5 * (sum(room) + sum(each.kind.row.body.row.limits.length for each in (one, other)))
+    return None
 
 
 _WAITS = frozenset((Act.STAND, Act.SET_OFF, Act.YIELD))

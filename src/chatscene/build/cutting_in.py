@@ -1,0 +1,145 @@
+"""Who comes into the ego's lane from beside it: first ahead of its nose, then over, at a speed that can be avoided."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from chatscene.build.asked import Meets, stands_first
+from chatscene.build.contact import misses, touches
+from chatscene.build.over_lanes import lane_after
+from chatscene.build.place import CHANGES
+from chatscene.build.sideways import seconds_over
+from chatscene.build.timing import Body
+from chatscene.build.towards import done_to
+from chatscene.errors import NotBuilt
+from chatscene.terms.situation import EGO, Other, Situation
+from chatscene.terms.vocabulary import Act, Part, Role, Where
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+
+LEAVES = (1.0, 6.0)  # [m], from and to, that somebody leaves who comes in before the ego
+AVOIDED = (
+    0.35,
+    12.0,
+)  # [s], [m/s²]: a lane keeping system avoids whom it reaches after 0.35 s + closing / 12 m/s² (R157)
+KEEPS = 0.75  # of the ego's speed, the least of who comes in before it
+WITHIN = 1.0  # [m] of the room that it is to have
+TOP = 40.0  # [m/s] that it wants at most
+PACES = 0.8  # [1/s] by which who keeps a place beside another is faster, for each metre that it lacks
+FARTHEST, _STEP = 240.0, 0.1  # [m] that the ego drives at most while somebody gets before it; [s], followed in such
+AHEAD = 0.8  # of how far the two are apart where they no more are level, that somebody is ahead at most who is beside
+NEAR_BEHIND = 4.0  # [m] that somebody is behind the ego at most who is to get before it
+_COMES_IN = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.ENTER))
+_LEVEL = frozenset((Where.BESIDE, Where.BEHIND_BESIDE, Where.ON_RAMP))
+
+
+def comes_before(actor: Actor, k: int) -> bool:
+    """Whether somebody who is not ahead yet comes in before the ego in its k-th deed, and is not to strike its side."""
+    drives = not (actor.stand.rolls or actor.ego.stands) and actor.stand.meets is Meets.ALONG
+    return drives and _is_to(actor.ledger.situation, actor.one, k)
+
+
+def _is_to(situation: Situation, one: Other, k: int) -> bool:
+    """The same, as far as what was said tells it."""
+    deed = one.does[k]
+    over = deed.act in _COMES_IN and (deed.act is not Act.LANE_CHANGE or lane_after(one, one.does, k) == 0)
+    first = not any(before.act in _COMES_IN | {Act.OVERTAKE, Act.CUT_OUT} for before in one.does[:k])
+    meets = one.role is Role.ADVERSARY and done_to(deed) == EGO and situation.ego.route not in CHANGES
+    there = one.starts.where in _LEVEL and not stands_first(one)
+    return over and first and meets and there and not _strikes_side(situation, one)
+
+
+def _strikes_side(situation: Situation, one: Other) -> bool:
+    """Whether somebody is to touch the ego, and not in the way of who is before it."""
+    contact = situation.contact
+    if contact is None or not touches(situation, one):
+        return False
+    return contact.ego is not Part.FRONT and contact.other is not Part.REAR
+
+
+def begins_beside(situation: Situation, one: Other, middles: float) -> tuple[float, float] | None:
+    """How far [m] ahead of the ego, or behind it, somebody in the next lane begins who is to come in before it.
+
+    Args:
+        situation: What was said.
+        one: Who.
+        middles: How far [m] its middle and the ego's are apart where they touch, one behind the other.
+
+    Returns:
+        From and to, so near as its place lets it be; None of who does not, or is elsewhere.
+    """
+    if not any(_is_to(situation, one, k) for k in range(len(one.does))):
+        return None
+    near = {Where.BESIDE: (0.0, AHEAD * middles), Where.BEHIND_BESIDE: (middles, middles + NEAR_BEHIND)}
+    return near.get(one.starts.where)
+
+
+def set_speed(actor: Actor, k: int) -> None:
+    """Let who comes in before the ego, and does nothing then, be as fast, or so much slower as can just be avoided.
+
+    Raises:
+        NotBuilt: It is too slow to get before an ego of which no speed was said.
+    """
+    if not comes_before(actor, k):
+        return
+    too_slow = seconds_to_get_before(actor, k) * actor.ego_speed >= FARTHEST
+    if too_slow and actor.ledger.situation.ego.speed is None and actor.one.starts.where is not Where.ON_RAMP:
+        kmh = 3.6 * Body(actor.limits, actor.walks).fastest
+        raise NotBuilt(
+            f"{actor.path}.does.{k}: a {actor.one.kind}, which holds {kmh:.0f} km/h, does not get before an ego"
+            f" at {3.6 * actor.ego_speed:.0f} km/h within {FARTHEST:g} m"
+        )
+    free = actor.deeds[k].speed is None and not actor.numbers.is_said("SPEED")
+    if free and k == len(actor.deeds) - 1 and not misses(actor.ledger.situation, actor.one):
+        delay, hard = AVOIDED
+        slower = 0.5 * (math.sqrt((hard * delay) ** 2 + 2.0 * hard * sum(LEAVES)) - hard * delay)
+        ego, most = actor.ego_speed, actor.along_speed
+        actor.numbers.narrow("SPEED", min(max(ego - slower, KEEPS * ego), most), most)
+
+
+def room_to_avoid(slower: float) -> float:
+    """How near [m] somebody may be, nose to tail, who is so much slower [m/s] and can still be avoided."""
+    delay, hard = AVOIDED
+    return slower * (delay + slower / hard)
+
+
+def leaves(actor: Actor) -> tuple[float, float]:
+    """How much room [m] somebody leaves, from and to: more by what it takes to avoid who cannot be as fast."""
+    more = room_to_avoid(actor.ego_speed - actor.along_speed)
+    return LEAVES[0] + more, LEAVES[1] + more
+
+
+def gets_before(actor: Actor, k: int, way: str, room: str) -> str:
+    """The phase in which somebody gets so far ahead that it leaves a room once it is over the line.
+
+    Args:
+        actor: Who.
+        k: The number of its deed.
+        way: The line it goes along.
+        room: Between the middles of the two then [m].
+    """
+    slower = f"{seconds_over(actor, k)[0]} * max(0, {actor.ego_speed:.4g} - $SPEED)"
+    least = KEEPS * actor.ego_speed
+    there = f"abs(headway(egoRoute, ego, self) - ({room} + {slower})) < {WITHIN:g}"
+    return f"PaceOnPath({way}, ego, {room} + {slower}, {TOP:g}, {least:.4g}) until {there}"
+
+
+def seconds_to_get_before(actor: Actor, k: int) -> float:
+    """How long [s] it takes at most to be as far ahead of the ego as it must be."""
+    body, ego = Body(actor.limits, actor.walks), actor.ego_speed
+    low, high, *_ = actor.numbers.range_of("Y")
+    least = actor.numbers.range_of("SPEED")[0]
+    middles = 0.5 * (actor.limits.length + actor.ego_limits.length)
+    left = (
+        middles
+        + leaves(actor)[1]
+        + seconds_over(actor, k)[1] * max(0.0, ego - least)
+        + (high if actor.stand.behind else -low)
+    )
+    seconds, speed = 0.0, actor.along_speed
+    while left > WITHIN and seconds * ego < FARTHEST:
+        speed = body.after(speed, min(TOP, ego + PACES * left))
+        left, seconds = left - (speed - ego) * _STEP, seconds + _STEP
+    return seconds

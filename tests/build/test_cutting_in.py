@@ -1,0 +1,89 @@
+"""Who comes in from beside the ego is ahead of its nose then, so that the ego can avoid it: any kind, from any side."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from test_building import drive
+
+from chatscene.build.build import Built, build
+from chatscene.situations.form import from_plain
+from chatscene.terms.episode import Episode, Track
+
+
+def comes_in(kind: str, where: str, act: str = "cut-in", **said: Any) -> Built:
+    side = {} if where == "on-ramp" else {"side": said.pop("side", "left")}
+    one = {"id": "A", "kind": kind, "starts": {"where": where, **side}, "does": [{"act": act}]}
+    return build(from_plain({"others": [one], **said}))
+
+
+def tracks(built: Built, seed: int) -> tuple[Episode, Track, Track]:
+    episode = drive(built, seed=seed)
+    assert isinstance(episode, Episode), episode
+    return episode, episode.ego_track, next(one for one in episode.tracks if one.actor == "A")
+
+
+def room_over_the_line(built: Built, seed: int) -> tuple[float, float]:
+    """From nose to tail [m] when the two first are in each other's way, and how fast the ego comes up [m/s]."""
+    _, ego, other = tracks(built, seed)
+    dx, dy, cos, sin = other.x - ego.x, other.y - ego.y, np.cos(ego.heading), np.sin(ego.heading)
+    over = int(np.argmax(np.abs(dy * cos - dx * sin) < 0.5 * (ego.width + other.width)))
+    assert over > 0
+    along = float(dx[over] * cos[over] + dy[over] * sin[over])
+    return along - 0.5 * (ego.length + other.length), float(ego.speed[over] - other.speed[over])
+
+
+MOTORWAY: dict[str, Any] = {"road": {"kind": "motorway"}}
+CASES = [
+    ("car", "beside", {"side": "left"}),
+    ("car", "beside", {"side": "left", **MOTORWAY}),
+    ("car", "beside", {"side": "right", **MOTORWAY}),
+    ("car", "behind-beside", {"side": "left", **MOTORWAY}),
+    ("truck", "beside", {"side": "right", **MOTORWAY}),
+    ("bus", "behind-beside", {"side": "left"}),
+    ("motorcycle", "beside", {"side": "right"}),
+    ("truck", "ahead-beside", {"side": "left", **MOTORWAY}),
+    ("car", "beside", {"act": "merge", **MOTORWAY}),
+    ("motorcycle", "behind-beside", {"act": "lane-change", **MOTORWAY}),
+    ("truck", "on-ramp", {"act": "merge", **MOTORWAY}),
+    ("car", "on-ramp", {"act": "merge", **MOTORWAY}),
+]
+
+
+@pytest.mark.parametrize(("kind", "where", "said"), CASES)
+def test_who_comes_in_is_ahead_of_the_ego_by_then_and_near(kind: str, where: str, said: dict[str, Any]) -> None:
+    built = comes_in(kind, where, **said)
+    for seed in (1, 2):
+        room, closing = room_over_the_line(built, seed)
+        assert 0.3 < room < 17.0
+        assert closing < 9.0
+
+
+def test_the_room_that_it_leaves_is_searched() -> None:
+    names = {one.name: one for one in comes_in("car", "beside", **MOTORWAY).program.parameters}
+    assert (names["OPT_A_AHEAD_0"].low, names["OPT_A_AHEAD_0"].high) == (1.0, 6.0)
+    assert names["OPT_A_SPEED"].low < names["OPT_A_SPEED"].high == pytest.approx(110 / 3.6, abs=0.01)
+
+
+@pytest.mark.parametrize("ego", ["left", "left-rear"])
+def test_who_is_to_touch_the_ego_s_side_stays_level_with_it(ego: str) -> None:
+    built = comes_in("car", "beside", contact={"ego": ego})
+    assert tracks(built, 1)[0].collision is not None
+
+
+def test_who_is_too_slow_to_get_ahead_is_met_by_a_slower_ego_and_that_is_told() -> None:
+    built = comes_in("bus", "beside", **MOTORWAY)
+    assert built.program.wanted_speed is not None
+    assert built.program.wanted_speed < 20.0
+    assert any("since at 110 this cannot be built" in one for one in built.assumed)
+
+
+def test_somebody_who_goes_on_before_the_ego_is_far_enough_ahead_of_who_comes_in_between() -> None:
+    between = {"id": "A", "kind": "car", "starts": {"where": "ahead-beside"}, "does": [{"act": "cut-in"}]}
+    before = {"id": "B", "kind": "car", "starts": {"where": "ahead"}, "does": [{"act": "brake"}]}
+    episode = drive(build(from_plain({"others": [between, before]})))
+    assert isinstance(episode, Episode)
+    one, other = (next(track for track in episode.tracks if track.actor == name) for name in "AB")
+    assert np.hypot(other.x[0] - one.x[0], other.y[0] - one.y[0]) > 1.3 * 50 / 3.6
