@@ -206,7 +206,12 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         if (anchor := anchors.get(one.id)) is not None and anchor[0].id in built:
             first, room = built[anchor[0].id], built[anchor[0].id].room + anchor[1]
             first = first.first or first
-        if first is not None and (kept := room_kept(latest[place][0], one)) is not None:
+        if (
+            first is not None
+            and anchor is None
+            and place in latest
+            and (kept := room_kept(latest[place][0], one)) is not None
+        ):
             room = latest[place][1] + kept
         actor = Actor(ledger, found, one, met_by(one.id, ego.coming, ego.orders), room, first)
         built[one.id] = actor

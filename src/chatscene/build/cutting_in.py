@@ -14,7 +14,7 @@ from chatscene.build.timing import Body
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Other, Situation
-from chatscene.terms.vocabulary import Act, Part, Role, Where
+from chatscene.terms.vocabulary import Act, Part, Role, Striker, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -56,7 +56,8 @@ def _strikes_side(situation: Situation, one: Other) -> bool:
     contact = situation.contact
     if contact is None or not touches(situation, one):
         return False
-    return contact.ego is not Part.FRONT and contact.other is not Part.REAR
+    runs_into = contact.striker is Striker.EGO and contact.ego is None and contact.other is None
+    return not runs_into and contact.ego is not Part.FRONT and contact.other is not Part.REAR
 
 
 def begins_beside(situation: Situation, one: Other, middles: float) -> tuple[float, float] | None:
