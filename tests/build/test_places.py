@@ -69,3 +69,14 @@ def test_a_bus_stop_is_a_shelter_once_and_parked_cars_are_a_row() -> None:
     shelter = {"id": "B", "kind": "bus-shelter", "role": "hides", "starts": {"where": "roadside"}}
     hidden = CROSSES | {"hidden_by": "B"}
     assert made(hidden, shelter, road={"has": ["bus-stop"]}).program.source.count("new BusStop at") == 1
+
+
+@pytest.mark.parametrize(("feature", "cones"), [("school", 0), ("roadworks", 8)])
+def test_a_sign_stands_before_who_is_met_and_cones_where_nobody_comes_over_the_edge(feature: str, cones: int) -> None:
+    built = made(CROSSES, road={"has": [feature]})
+    assert built.left_out == ()
+    assert any(line.startswith(f"{feature}: a sign") for line in built.assumed)
+    lines = [line for line in built.program.source.splitlines() if "with role 'background'" in line]
+    assert sum("new WarningSign" in line for line in lines) == 1
+    assert sum("new Cone" in line for line in lines) == cones
+    assert all('"left"' in line for line in lines if "new Cone" in line)

@@ -15,7 +15,7 @@ from chatscene.read.kinds import kind_named
 from chatscene.read.phrases import kind_in, road_user
 from chatscene.sentences.grammar.who import NOUNS
 from chatscene.simulate.confined.words import world_words
-from chatscene.terms.actors import BY_CLASS, AdversaryKind
+from chatscene.terms.actors import AIR_DRAG, BY_CLASS, AdversaryKind
 from chatscene.terms.actors import named as called
 from places import ROOT
 
@@ -105,3 +105,12 @@ def test_an_id_of_a_situation_is_told_as_what_it_is() -> None:
     assert called("B-2", "Pedestrian", {"B-1": "Pedestrian", "B-2": "Pedestrian"}) == "pedestrian B-2"
     assert called("adversary", "Car", {"adversary": "Car"}) == "the adversary (car)"
     assert called("bus-stop", "BusStop", {}) == "the bus-stop"
+
+
+@pytest.mark.parametrize(("kind", "held"), [(AdversaryKind.TRUCK, 90.0), (AdversaryKind.BUS, 100.0)])
+def test_lorries_and_buses_hold_the_speed_of_their_limiters(kind: AdversaryKind, held: float) -> None:
+    body, speed = kind.row.limits, 0.0
+    for _ in range(3000):
+        force = body.throttle * (1.0 - speed / body.top_speed) - body.drag - AIR_DRAG * speed * speed
+        speed += 0.1 * force
+    assert speed * 3.6 == pytest.approx(held, abs=0.1)

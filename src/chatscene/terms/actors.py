@@ -3,6 +3,7 @@
 A row may be *like* another (`RoadUser.like`): then snippets that name the other serve it too, and whoever was trained
 before there was such a kind hears it as the other. It differs in what it is: size, limits, words, drawing.
 
+Lorries and buses hold 90 and 100 km/h, at which their limiters are set (Directive 92/6/EEC, articles 2 and 3).
 Sizes are those of typical road users, accelerations mid-size production figures; the car is CARLA's Lincoln MKZ
 2017. How long pedals and the yaw rate take is for the physics ``lagged`` alone, where the sources stand
 (`chatscene.simulate.embedded.lagged`). Walkers: sprint starts reach about 4 m/s²; 8 m/s is a fast adult's sprint. The
@@ -122,6 +123,17 @@ class RoadUser:
     driven: float = math.inf
 
 
+def fading(holds: float, throttle: float, drag: float = 0.2) -> float:
+    """The speed [m/s] towards which throttle fades of a body that holds a speed with its foot down.
+
+    Args:
+        holds: That speed [m/s].
+        throttle: Its acceleration at full throttle and standstill [m/s²].
+        drag: Its deceleration when coasting [m/s²] at standstill.
+    """
+    return holds / (1.0 - (drag + AIR_DRAG * holds * holds) / throttle)
+
+
 class AdversaryKind(StrEnum):
     """What kind of road user the adversary is.
 
@@ -194,7 +206,7 @@ class AdversaryKind(StrEnum):
                 width=2.5,
                 throttle=2.2,
                 brake=6.0,
-                top_speed=30.0,
+                top_speed=fading(90 / 3.6, 2.2),
                 wheelbase=4.5,
                 wheel_angle=0.8,
                 wheel_rate=1.0,
@@ -236,7 +248,7 @@ class AdversaryKind(StrEnum):
                 width=2.5,
                 throttle=1.8,
                 brake=5.5,
-                top_speed=28.0,
+                top_speed=fading(100 / 3.6, 1.8),
                 wheelbase=6.0,
                 wheel_angle=0.8,
                 wheel_rate=1.0,
@@ -738,6 +750,7 @@ PROPS: dict[str, Limits] = {
     "Container": Limits(length=3.0, width=1.8),
     "Hedge": Limits(length=5.0, width=0.8),
     "Billboard": Limits(length=2.0, width=0.6),
+    "WarningSign": Limits(length=0.1, width=0.9),
 }
 """Things that stand beside the road, by their class; nobody meets them."""
 LOOSE: dict[str, Limits] = {

@@ -237,3 +237,7 @@ class Hedge(Prop):
 class Billboard(Prop):
     length: _PROPS['Billboard'].length
     width: _PROPS['Billboard'].width
+
+class WarningSign(Prop):
+    length: _PROPS['WarningSign'].length
+    width: _PROPS['WarningSign'].width

@@ -12,6 +12,7 @@ PROPS = {
     "Container": "static.prop.container",
     "Hedge": "static.prop.plantpot04",  # there is no hedge; this trough has its length and width, but not its height
     "Billboard": "static.prop.advertisement",
+    "WarningSign": "static.prop.streetsign",
 }
 OTHER_PROP = "static.prop.barrel"
 
