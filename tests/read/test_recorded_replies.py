@@ -21,9 +21,7 @@ ROWS = [json.loads(line) for line in (BENCHMARKS / "reading" / "replies.jsonl").
 SENT_BACK = {  # the first replies that have faults of form, with what the model is told
     "kept/142": "others.A.does.0.distance: keep-level has no distance",
     "kept-second/91": "ego.does.0.whom: brake is done to nobody",
-    "kept-third/147": "others.C.does.0.act: object only lies there (a ball rolls), and cannot cross",
     "kept-third/151": "ego.speed: 'about 20 mph' is no speed",
-    "kept-fourth/76": "others.C.does.0.act: object only lies there (a ball rolls), and cannot cross",
     "kept-fourth/77": "ego.speed: 'about 110 km/h' is no speed",
 }
 

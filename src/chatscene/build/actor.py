@@ -41,6 +41,7 @@ from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, PROPS, Limits
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.rolling import rolls
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other
 from chatscene.terms.vocabulary import Act, Breach, Role, Side, UserKind, Where
@@ -123,7 +124,10 @@ class Actor:
             self.ledger.take(f"{at}.starts.facing")
         if self.one.starts.where in AT_CROSSWALKS and not (is_marked(self.found) or has_crosswalks(self.found)):
             self.ledger.assume(f"{self.one.id} crosses where no crosswalk is marked, since the map has none there")
-        if self.one.kind.row.general:
+        told = self.ledger.told
+        if told is not None and any(rolls(one) for one in told.others if one.id == self.one.id):
+            self.ledger.assume(f"{self.one.id} rolls, and is built as a ball, which may be smaller")
+        elif self.one.kind.row.general:
             built = self.one.kind.row.body.row.scenic.lower()
             self.ledger.assume(f"{self.one.id} is built as a {built}, since its kind was not said")
         if self.one.count == SEVERAL:

@@ -29,6 +29,7 @@ from chatscene.build.towards import at_distance, done_to, in_one_row, in_rows, p
 from chatscene.errors import MapError, NotBuilt
 from chatscene.situations.faults import dotted
 from chatscene.terms.backing import as_it_backs, backs
+from chatscene.terms.rolling import as_it_rolls
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import EGO, Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
@@ -76,7 +77,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
     situation = replace(situation, others=tuple(along_the_road(wrong_way(one)) for one in situation.others))
-    said, situation = situation, at_a_corner(as_it_backs(out_of_bay(over_rails(situation))))
+    said, situation = situation, at_a_corner(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation)))))
     check_met(situation)
     speeds, refused = speeds_to_try(situation), list[NotBuilt]()
     for speed in speeds:

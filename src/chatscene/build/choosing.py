@@ -19,6 +19,7 @@ from chatscene.build.deeds import (
     INTO_NEXT,
     LOSES_SLOWLY,
     OFF,
+    SHIES,
     Steps,
     gets_by,
     passes_against,
@@ -49,6 +50,7 @@ if TYPE_CHECKING:
 CLEAR, OUT = 0.2, 2.8  # [m] between two of whom one has pulled out; that it is aside at most for that
 TURNS_AT = 3.0  # [m/s²], sideways, of who turns round
 _ASIDE = frozenset((Act.WEAVE, Act.DRIFT, Act.SWERVE, Act.LANE_CHANGE, Act.CUT_OUT))
+_ON_THE_ROAD = NEXT_LANE | {Where.AHEAD}
 _COMES_BACK = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE))
 
 
@@ -79,6 +81,8 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         yield from _changing_lanes(actor, k)
     if deed.act is Act.ENTER and meets is Meets.THROUGH and where not in ROUNDABOUT_PLACES:
         yield Act.ENTER, ALONG[Act.CROSS]  # its way leads onto the ego's road
+    if deed.act is Act.SWERVE and actor.walks and where in _ON_THE_ROAD:
+        yield Act.SWERVE, SHIES
     if deed.act in OFF and along and where in (Where.AHEAD, Where.BEHIND):
         yield deed.act, turning_off(deed.act, junction=at_junction(actor.ledger.situation))
     if deed.act is Act.U_TURN and meets in (Meets.ALONG, Meets.KERB):

@@ -8,7 +8,7 @@ from dataclasses import replace
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Length
 from chatscene.terms.situation import Lateral, Other, Situation
-from chatscene.terms.vocabulary import COMES_IN, Act, EgoRoute, Part, Role, Side, Striker, Where
+from chatscene.terms.vocabulary import COMES_IN, SIDES_OF, Act, EgoRoute, Part, Role, Side, Striker, Where
 
 _LOSES = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP, Act.HESITATE, Act.REVERSE))
 _STANDS = frozenset((Act.STAND, Act.STOP, Act.FALL))
@@ -112,6 +112,7 @@ def parts_in_line(situation: Situation) -> Iterator[str]:
     if contact.other is Part.REAR and any(touches(situation, one) and _backs_first(one) for one in situation.others):
         yield "contact.other"  # which is what comes first
     if whom is None:
+        yield from _turns_round(situation)
         return
     ego, other = _IN_LINE[whom.starts.where]
     aside = whom.starts.lateral is not None and _CORNERS.get(contact.ego or ego, (None, None))[0] is ego
@@ -120,6 +121,22 @@ def parts_in_line(situation: Situation) -> Iterator[str]:
     if contact.other is other or (aside and contact.other is _FACES.get(contact.ego or ego)):
         yield "contact.other"
     if contact.striker in _strikers(situation, whom):
+        yield "contact.striker"
+
+
+def _turns_round(situation: Situation) -> Iterator[str]:
+    """The same, where somebody before the ego turns round to the left: across its way, that side faces the ego."""
+    contact = situation.contact
+    whom = next((one for one in situation.adversaries if touches(situation, one)), None)
+    if contact is None or whom is None or whom.starts.where not in (Where.AHEAD, Where.KERB):
+        return
+    if not whom.does or whom.does[-1].act is not Act.U_TURN:
+        return
+    if contact.ego is Part.FRONT:
+        yield "contact.ego"
+    if contact.other is not None and str(Side.LEFT) in SIDES_OF[contact.other]:
+        yield "contact.other"
+    if contact.striker is Striker.EGO:
         yield "contact.striker"
 
 

@@ -424,6 +424,11 @@ ACROSS: dict[Act, Steps] = {
     ),
 }
 """Of somebody who heads over the road."""
+SHIES = Steps(
+    does=tuple(f"MoveAhead($SPEED, {{aside}} * {turn}) for $SWERVE_TIME seconds" for turn in (1.2, -1.2)),
+    binds={"speed": "SPEED", "time": "SWERVE_TIME"},
+)
+"""Of somebody on foot, or an animal, who goes along the road and leaves its line abruptly: aside, and on along it."""
 LOSES_SLOWLY = ACROSS[Act.SLOW_DOWN]
 _BACK_OVER = "ReverseStraight($SPEED) until "
 ACROSS_RIDING = {

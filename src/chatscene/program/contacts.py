@@ -95,7 +95,9 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
             yield Finding(path="contact.happens", shown=None, told="said a contact, there is none")
         return
     if not said.happens:
-        yield Finding(path="contact.happens", shown=False, told="said that there is no contact, there is one")
+        another = said.whom is not None and not is_with(collision.other, said.whom)
+        told = f"said that there is no contact, there is one{f' with {collision.other}' if another else ''}"
+        yield Finding(path="contact.happens", shown=None if another else False, told=told)
         return
     whom = said.whom or next(one.id for one in situation.adversaries)
     right = is_with(collision.other, whom)

@@ -44,6 +44,7 @@ from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.backing import as_it_backs, backs, drive_as_it_backs, turned_about
 from chatscene.terms.episode import Episode, Track
+from chatscene.terms.rolling import as_it_rolls
 from chatscene.terms.route import Route
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation
 from chatscene.terms.vocabulary import COMES_IN, LETS_GO, Breach, EgoRoute, Manner, Side, Where
@@ -67,6 +68,7 @@ def judge(situation: Situation, episode: Episode, route: Route, *, through: bool
         route: The ego's route.
         through: Judge to the end a drive that went on through a collision.
     """
+    situation = as_it_rolls(situation)
     if not backs(situation):
         return tuple(_Judge(situation, episode, route, through).findings())
     judged = _Judge(as_it_backs(situation), drive_as_it_backs(episode), route, through).findings()

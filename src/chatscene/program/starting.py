@@ -36,8 +36,9 @@ def _comes_toward(s: Seen) -> bool:
 
 
 def _rides_beside(s: Seen) -> bool:
-    """Level with the ego: in the next lane, or on two wheels at the edge of its own."""
-    return abs(s.along[0]) < 8.0 and 1.0 < abs(s.across[0]) < 6.0
+    """Level with the ego: in the next lane, or on two wheels at the edge of its own; on foot where it comes by."""
+    comes_by = s.along[0] > 0.0 and manner_of(s.track.kind) is Manner.WALKS
+    return (abs(s.along[0]) < 8.0 or comes_by) and 1.0 < abs(s.across[0]) < 6.0
 
 
 def _goes_along(s: Seen) -> bool:

@@ -118,7 +118,7 @@ def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
     for k, deed in enumerate(one.does):
         if deed.act in COMES_OVER and deed.to is not None and deed.to is side:
             yield Fault((*at, "does", k, "to"), f"it is on the {deed.to} at first, and comes to the other side")
-        if one.kind.moves not in deed.act.row.by:
+        if not one.kind.can(deed.act):
             yield Fault((*at, "does", k, "act"), f"{one.kind!s} {_WAYS[one.kind.moves]}, and cannot {deed.act!s}")
         yield from _of_deed(situation, deed, (*at, "does", k))
 

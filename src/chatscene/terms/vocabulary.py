@@ -165,11 +165,13 @@ class KindRow:
         body: The kind of the world that is built.
         general: Whether the word leaves open what it is.
         prop: The class of the world that is built in place of that of its body, which says how it moves.
+        rolls: Whether it is a thing that may roll or be blown.
     """
 
     body: AdversaryKind
     general: bool = False
     prop: str = ""
+    rolls: bool = False
 
 
 def _is(kind: AdversaryKind) -> KindRow:
@@ -207,8 +209,12 @@ class UserKind(RowWord):
     DEER = ("deer", "a deer or another large wild animal", _is(AdversaryKind.DEER))
     ANIMAL = ("animal", "an animal, not said of which kind", KindRow(body=AdversaryKind.DEER, general=True))
     BALL = ("ball", "a ball that rolls", KindRow(body=AdversaryKind.DOG, prop="Ball"))
-    OBJECT = ("object", "a thing on the road, not said which", KindRow(body=AdversaryKind.BOX, general=True))
-    DEBRIS = ("debris", "a lost load, a branch, rubble", _is(AdversaryKind.DEBRIS))
+    OBJECT = (
+        "object",
+        "a thing on the road, not said which",
+        KindRow(body=AdversaryKind.BOX, general=True, rolls=True),
+    )
+    DEBRIS = ("debris", "a lost load, a branch, rubble", KindRow(body=AdversaryKind.DEBRIS, rolls=True))
     CONE = ("cone", "a traffic cone or a barrier", _is(AdversaryKind.CONE))
     BUS_SHELTER = ("bus-shelter", "a bus stop with a roof", _thing("BusStop"))
     VENDING_MACHINE = ("vending-machine", "a vending machine, a cabinet", _thing("VendingMachine"))
@@ -227,6 +233,10 @@ class UserKind(RowWord):
     def may_be_ego(self) -> bool:
         """Whether an ego may be said to be one: it drives or rides, and the word says what it is."""
         return self.moves in _WHEELS and not self.row.general
+
+    def can(self, act: Act) -> bool:
+        """Whether one of the kind can do something."""
+        return self.moves in act.row.by or (self.row.rolls and act in ROLLING)
 
     @property
     def scenic(self) -> str:
@@ -402,7 +412,7 @@ class Act(RowWord):
     SWERVE = (
         "swerve",
         "leaves its line abruptly",
-        _act(_WHEELS, "speed time distance", ego=True, sided=True, placed=True),
+        _act(_ALL, "speed time distance", ego=True, sided=True, placed=True),
     )
     WEAVE = ("weave", "swings from side to side", _act(_ALL, "speed time"))
     KEEP_LEVEL = ("keep-level", "stays level with somebody", _act(_WHEELS, "time", whom=True, lasting=True))
@@ -429,6 +439,8 @@ LETS_GO = {Act.OPEN_DOOR: "door", Act.DROP_LOAD: "load"}
 """Acts by which somebody lets go of a body of its own, which is named after it: ``A-door``."""
 SLOWS = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
 """What is done to be slower, or to stand."""
+ROLLING = frozenset((Act.CROSS, Act.ENTER))
+"""What a thing does that rolls or is blown."""
 COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
 """What is done by whoever is outside the ego's lane and comes into it: begun before, and done when it is in."""
 
