@@ -9,8 +9,9 @@ import pytest
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import AHEAD, OBSERVATIONS, OWN, PER_ACTOR, ROAD
-from chatscene.ego.planner import HARDENED, SHIFT, Caution, Planner, carried_out
+from chatscene.ego.planner import ACCELERATION, HARDENED, HARDENED_AT_SPEED, SHIFT, Caution, Planner, carried_out
 from chatscene.ego.policy import load_ego
+from chatscene.terms.actors import LIMITS
 
 Array = NDArray[np.float64]
 
@@ -118,4 +119,22 @@ def test_the_hardened_driver_is_one_of_its_kind_by_another_name() -> None:
     one = load_ego("hardened")
     assert isinstance(one, Planner)
     assert (one.name, one.caution) == ("hardened", HARDENED)
+    assert one.wanting(20.0).caution == replace(HARDENED_AT_SPEED, speed=20.0)
     assert one.act(street(speed=WISH))[0] > Planner().act(street(speed=WISH))[0]  # it is the faster of the two
+
+
+def test_what_ways_are_weighed_by_at_speed_is_used_where_a_speed_is_wanted_and_nowhere_else() -> None:
+    usual, swift = Caution(), Caution(crash=40.0, speed=3.0)
+    one = Planner(usual, swift=swift)
+    assert one.caution == usual
+    told = one.driving(LIMITS["Bus"]).wanting(20.0)
+    assert told.caution == Caution(crash=40.0, speed=20.0)
+    assert told.wanting(10.0).driving(LIMITS["Bus"]).caution == Caution(crash=40.0, speed=10.0)
+    assert Planner(usual).wanting(20.0).caution == Caution(speed=20.0)
+
+
+def test_the_way_that_is_chosen_costs_least() -> None:
+    seen = street(walker(12.0, -1.0), car(20.0, 0.0, 2.0))
+    costs = Planner().costs(seen)
+    assert costs.shape == ACCELERATION.shape
+    assert costs[Planner().choose(seen)] == costs.min()

@@ -62,3 +62,10 @@ HARDENED = Caution(
 )  # fmt: skip
 """Found by CMA-ES against adversaries that were searched for again after each round (decision 0106), but for
 `crossing`, which came after (decision 0110)."""
+
+HARDENED_AT_SPEED = Caution(
+    crash=22.9, graze=0.0703, patience=2.2, braking=(4.16, 1.13), starting=(1.07, 0.24), stepping=(0.978, 0.0864),
+    crossing=1.44, room=0.658, side=0.314, widening=0.105, berth=0.876, haste=1.16, offset=0.0483, astray=0.166,
+    jerk=0.0204, resolve=0.0878, agility=0.999, drift=1.54,
+)  # fmt: skip
+"""Found likewise at the speed of traffic, 50 to 110 km/h, where its speed is what is wanted (decision 0128)."""

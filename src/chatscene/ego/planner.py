@@ -18,7 +18,7 @@ import numpy as np
 
 from chatscene.ego import at_speed
 from chatscene.ego.at_speed import slower, softness_of, steered
-from chatscene.ego.caution import HARDENED, Caution
+from chatscene.ego.caution import HARDENED, HARDENED_AT_SPEED, Caution
 from chatscene.ego.expectations import DT, MOVING, TIMES, Array, Others, expected
 from chatscene.ego.intelligent_driver import CAR, curve_speed, pressed
 from chatscene.ego.observation import AHEAD, ALLOWED, OWN, PER_ACTOR, ROAD, Observation, scale_of
@@ -47,9 +47,10 @@ class Planner:
         name: How it is called in tables.
         body: What the vehicle can do that it drives.
         wants: The speed that is wanted of it [m/s]; None where nothing is, and its caution has its speed.
+        swift: What its ways are weighed by where a speed is wanted; None for the same as else.
 
     Attributes:
-        caution: As it was given, with the speed that is wanted.
+        caution: What its ways are weighed by, with the speed that is wanted.
         body: As it was given.
         wants: As it was given.
         discount: (T,) what a crash that is expected then counts.
@@ -64,21 +65,22 @@ class Planner:
         name: str = "planner",
         body: Limits = CAR,
         wants: float | None = None,
+        swift: Caution | None = None,
     ) -> None:
         self.name, self.body, self.wants = name, body, wants
+        self._usual, self._swift = caution or Caution(), swift
         self.observation = "road" if wants is None else "traffic"
         self._acceleration = np.minimum(np.maximum(ACCELERATION, -body.brake), body.throttle)  # of each way
-        caution = caution or Caution()
-        self.caution = caution if wants is None else replace(caution, speed=wants)
+        self.caution = self._usual if wants is None else replace(swift or self._usual, speed=wants)
         self.discount = np.array([math.exp(-time / self.caution.patience) for time in TIMES.tolist()])
 
     def wanting(self, speed: float) -> Planner:
         """The same driver with another wanted speed [m/s]."""
-        return Planner(self.caution, name=self.name, body=self.body, wants=speed)
+        return Planner(self._usual, name=self.name, body=self.body, wants=speed, swift=self._swift)
 
     def driving(self, body: Limits) -> Planner:
         """The same driver in another vehicle."""
-        return Planner(self.caution, name=self.name, body=body, wants=self.wants)
+        return Planner(self._usual, name=self.name, body=body, wants=self.wants, swift=self._swift)
 
     def act(self, observation: Observation) -> tuple[float, float]:
         """Acceleration and steering in [-1, 1] for one step."""
@@ -86,6 +88,10 @@ class Planner:
 
     def choose(self, observation: Observation) -> int:
         """The way that costs least, an index into `ACCELERATION` and `SHIFT`."""
+        return int(self.costs(observation).argmin())
+
+    def costs(self, observation: Observation) -> Array:
+        """What each way costs, (ways,)."""
         c, swift = self.caution, self.wants is not None
         speed, offset = float(observation[0]), float(observation[1])
         k, acceleration = scale_of(speed) if swift else 1.0, self._acceleration
@@ -109,7 +115,7 @@ class Planner:
             cost += danger
             if swift:
                 cost += lost
-        return int(cost.argmin())
+        return cost
 
     def _danger(self, others: Others, offset: float, speeds: Array, gone: Array, beside: Array) -> tuple[Array, Array]:
         """(ways,) what the crashes cost that each way may come to, and passing by too near; what is not driven then."""
@@ -145,7 +151,7 @@ class Planner:
 
 def hardened() -> Planner:
     """The driver that was hardened against its own adversaries."""
-    return Planner(HARDENED, name="hardened")
+    return Planner(HARDENED, name="hardened", swift=HARDENED_AT_SPEED)
 
 
 def carried_out(observation: Observation, way: int, at_most: float, body: Limits = CAR) -> tuple[float, float]:

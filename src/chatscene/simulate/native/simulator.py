@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -138,7 +139,8 @@ class NativeSession:
 class NativeSimulator:
     """Runs in the engine what it covers; see `chatscene.simulate.simulator.Simulator` for the contract.
 
-    A scene that is opened again and again, to be driven otherwise, is placed by Scenic once.
+    A scene that is opened again and again, to be driven otherwise, is placed by Scenic once, as long as no more than
+    `keeps` others were placed since.
 
     Args:
         map_path: The map everything runs on.
@@ -147,14 +149,17 @@ class NativeSimulator:
     Attributes:
         identity: What it is: the physics of the embedded simulator.
         missing: Why there is no engine on this machine; empty if there is one.
+        keeps: How many of the scenes that were placed last are kept.
     """
+
+    keeps = 1
 
     def __init__(self, map_path: Path, settings: SimulationSettings) -> None:
         self._embedded: Simulator = load_simulator(map_path, replace(settings, simulator=REFERENCE))
         self.identity = replace(self._embedded.identity, name=NAME, confinable=False)
         self.missing = ""
         self._engine: Engine | None = None
-        self._placed: tuple[tuple[object, ...], SteppedSession, Bound] | None = None
+        self._placed: OrderedDict[tuple[object, ...], tuple[SteppedSession, Bound]] = OrderedDict()
         try:
             self._engine = load_engine()
         except NoEngine as error:
@@ -182,9 +187,10 @@ class NativeSimulator:
         through_collisions: bool = False,
     ) -> Session | Rejected:
         """Start a session: Scenic places the scene, the engine steps it if it can, and the episode says why if not."""
-        key = (program, scene, observation, through_collisions)
-        if self._placed is not None and self._placed[0] == key:
-            return self._session(*self._placed[1:], pedals)
+        key = (program, scene.id, scene.route, scene.seed, tuple(scene.values.items()), observation, through_collisions)
+        if key in self._placed:
+            self._placed.move_to_end(key)
+            return self._session(*self._placed[key], pedals)
         opened = self._embedded.open(
             program, scene, observation=observation, pedals=pedals, through_collisions=through_collisions
         )
@@ -200,7 +206,9 @@ class NativeSimulator:
             opened.close()
             raise
         opened.close()
-        self._placed = (key, opened, bound)
+        self._placed[key] = opened, bound
+        while len(self._placed) > self.keeps:
+            self._placed.popitem(last=False)
         return self._session(opened, bound, pedals)
 
     def _session(self, reference: SteppedSession, bound: Bound, pedals: str) -> NativeSession:
