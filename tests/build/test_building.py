@@ -155,12 +155,11 @@ def test_bounds_and_differences_to_the_ego_narrow_what_is_searched() -> None:
 @pytest.mark.parametrize(
     ("changed", "told"),
     [
-        ({"road": {"kind": "parking-lot"}}, "road.kind: parking-lot"),
         (
             {"others": [{"id": "A", "kind": "car", "starts": {"where": "off-ramp"}}]},
             "others.A.starts.where: off-ramp; the nearest is ahead-beside, on the right",
         ),
-        ({"road": {"kind": "rail-crossing"}}, "road.kind: rail-crossing"),
+        ({"road": {"kind": "rail-crossing", "ego_light": "turns-red"}}, "road.ego_light: turns-red"),
         ({"road": {"lanes": 7}}, "no map has such a place"),
         ({"others": []}, "nobody meets the ego"),
         (ahead({"act": "stop", "distance": "2 m"}), "others.A.does.0.distance: 2 m"),

@@ -186,18 +186,18 @@ def test_a_text_that_cannot_be_told_gives_the_verdict_with_the_models_reason(ver
 
 
 def test_what_cannot_be_built_is_told_and_mended() -> None:
-    rails = changed(lambda said: said.update(road={"kind": "rail-crossing"}))
+    rails = changed(lambda said: said.update(road={"kind": "rail-crossing", "ego_light": "turns-red"}))
     reader, script = asked(rails, ANSWER, cannot_build=unbuilt)
     assert reader.read(TEXT).ranked[0].situation.road.kind is not RoadKind.RAIL_CROSSING
-    assert "it cannot be built: nothing builds yet: road.kind: rail-crossing" in told_again(script)
+    assert "it cannot be built: nothing builds yet: road.ego_light: turns-red" in told_again(script)
 
 
 def test_what_can_never_be_built_is_given_as_it_was_said() -> None:
-    rails = changed(lambda said: said.update(road={"kind": "rail-crossing"}))
+    rails = changed(lambda said: said.update(road={"kind": "rail-crossing", "ego_light": "turns-red"}))
     reader, _ = asked(rails, rails, rails, cannot_build=unbuilt)
     read = reader.read(TEXT)
     assert read.verdict is Verdict.SITUATION
-    with pytest.raises(NotBuilt, match=r"road\.kind: rail-crossing"):
+    with pytest.raises(NotBuilt, match=r"road\.ego_light: turns-red"):
         build(read.ranked[0].situation)
 
 

@@ -33,6 +33,7 @@ NEAR_POINT = 0.1  # of the ego's width: how near to the point that was said some
 _TICK = 0.1  # [s]; who waits for a moment sets off half of it later, on average
 _SPARE = 0.5  # [s] sooner and later than at right angles that somebody may be there whose way does not leave the ego's
 _LOOKS, _STEPS = 3.0, 121  # [s] sooner and later that is looked at, and in how many steps
+_FINER = 5  # times as many, where a point is to be met
 _CORNER = 0.3  # of half its length ahead of its middle: from there on it is a corner that is met
 _END = 0.8  # of half its length: from there on it is its end that is met, as good as that can be of who crosses
 _ENDS = frozenset(("front", "rear"))
@@ -87,12 +88,13 @@ def aimed(actor: Actor, usual: Window) -> tuple[float, float, *tuple[str, ...]]:
         How much sooner than the ego it is there, from and to, then the paths of what is aimed at. A part that cannot be
         met together with what stands before it is not aimed at.
     """
-    sooner = np.linspace(min(usual[0], -_LOOKS), max(usual[1], _LOOKS), _STEPS)
-    found = touching(_ego(actor), way, sooner) if (way := _other(actor)) is not None else []
+    contact = actor.ledger.situation.contact
+    pointed = contact is not None and contact.at is not None and contact.whom in (None, actor.one.id)
+    sooner = np.linspace(min(usual[0], -_LOOKS), max(usual[1], _LOOKS), _STEPS * (_FINER if pointed else 1))
+    found = touching(_ego(actor, turning=pointed), way, sooner) if (way := _other(actor)) is not None else []
     if not any(found):  # along each other
         found = [_FRONTAL if usual[0] <= one <= usual[1] else None for one in sooner.tolist()]
-    contact = actor.ledger.situation.contact
-    if contact is not None and contact.at is not None and contact.whom in (None, actor.one.id) and way is not None:
+    if contact is not None and pointed and way is not None:
         return _at_point(actor, contact, sooner.tolist(), found)
     met = [one is not None for one in found]
     low, high = (float(sooner[one]) for one in _longest(met))
@@ -126,7 +128,13 @@ def _at_point(
     width = actor.ego_limits.width
     sign = 1.0 if _from_left(actor) else -1.0
     low, high = contact.at.within(0.0, 1.0)
-    shares = [0.5 - sign * one.across / width if one is not None and one.ego == "front" else math.nan for one in found]
+    behind = None if contact.behind_nose is None else 0.5 * sum(contact.behind_nose.within(0.0, 1.0))
+
+    def share(one: Touch) -> float:
+        aside = one.across if behind is None else one.across + _to_point(actor, behind, one)
+        return 0.5 - sign * aside / width
+
+    shares = [share(one) if one is not None and one.ego == "front" else math.nan for one in found]
     there = [max(low - share, share - high, 0.0) for share in shares]
     nearest = min((far for far in there if not math.isnan(far)), default=1.0)
     if nearest > NEAR_POINT:
@@ -137,8 +145,25 @@ def _at_point(
     taken = [path for path in ("contact.happens", "contact.striker") if is_said(actor.ledger.situation, path)]
     if contact.ego is Part.FRONT:
         taken.append("contact.ego")
+    if behind is not None:
+        taken.append("contact.behind_nose")
+    part = contact.other
+    if part is not None and any(one is not None and _is(part, one.other, one.other_along) for one in found):
+        taken.append("contact.other")
     late = 0.0 if actor.stand.rolls else 0.5 * _TICK
     return min(least, most) + late, max(least, most) + late, "contact.at", *taken
+
+
+def _to_point(actor: Actor, behind: float, touch: Touch) -> float:
+    """How far [m] to the left of the middle of somebody, as the ego sees it, a point lies on its side facing the ego.
+
+    Args:
+        actor: Who.
+        behind: How far behind its nose the point is, as a share of its length.
+        touch: How the two touch.
+    """
+    ahead, aside = (0.5 - behind) * actor.limits.length, 0.5 * actor.limits.width
+    return ahead * math.sin(touch.turned) + (aside if touch.left else -aside) * math.cos(touch.turned)
 
 
 def _when(sooner: Sequence[float], shares: Sequence[float], share: float) -> float:
@@ -219,10 +244,19 @@ def _speed(actor: Actor) -> float:
     return speed
 
 
-def _ego(actor: Actor) -> Moving:
+def _ego(actor: Actor, *, turning: bool = False) -> Moving:
+    """The ego on its way; if it is to be met at a point in a junction, as far turned out of its bend as a car is there.
+
+    Who is at a crosswalk behind the junction is so far from it that the ego has come about.
+    """
     line, limits = actor.found.route.line, actor.ego_limits
     speed = actor.ego.table.speed_at(actor.meets_at)
-    return Moving(line=line, meets_at=actor.meets_at, speed=speed, length=limits.length, width=limits.width)
+    size = {
+        "length": limits.length,
+        "width": limits.width,
+        "wheelbase": limits.wheelbase if turning and actor.stand.found is not None else 0.0,
+    }
+    return Moving(line=line, meets_at=actor.meets_at, speed=speed, **size)
 
 
 def _other(actor: Actor) -> Moving | None:

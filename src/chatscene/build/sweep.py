@@ -12,6 +12,7 @@ from chatscene.terms.vocabulary import NOSE
 
 _AROUND = 6.0  # [s] before and after the ego is where the ways meet
 _STEP = 0.05  # [s]
+_NEAR = 0.75  # [m] before and behind a place, between which a line bends there
 _PARTS = 25  # into which the step of a first touch is cut
 
 Array = NDArray[np.float64]
@@ -28,6 +29,7 @@ class Moving:
         length: [m].
         width: [m].
         ends_at: How far along it [m] it comes at most.
+        wheelbase: [m]; in a bend a body on wheels, whose middle is on the line, looks so much out of it as that asks.
     """
 
     line: Polyline
@@ -36,6 +38,7 @@ class Moving:
     length: float
     width: float
     ends_at: float = np.inf
+    wheelbase: float = 0.0
 
     def poses(self, seconds: Array) -> tuple[Array, Array, Array]:
         """Where it is [m] and which way it faces [rad], so many seconds after it is where the ways meet."""
@@ -44,7 +47,15 @@ class Moving:
         at = np.clip(np.searchsorted(s, along, side="right") - 1, 0, len(hx) - 1)
         on = along - s[at]
         headings: Array = np.arctan2(hy[at], hx[at])
+        if self.wheelbase:
+            headings = headings - np.arctan(0.5 * self.wheelbase * self._bend(along))
         return x[at] + on * hx[at], y[at] + on * hy[at], headings
+
+    def _bend(self, along: Array) -> Array:
+        """How much its line bends to the left [1/m], so far along it [m]."""
+        _, _, s, hx, hy = (np.asarray(one, np.float64) for one in self.line.columns)
+        turned: Array = np.interp([along - _NEAR, along + _NEAR], s[: len(hx)], np.unwrap(np.arctan2(hy, hx)))
+        return (turned[1] - turned[0]) / (2 * _NEAR)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +69,8 @@ class Touch:
         other_along: How far ahead of its middle.
         by_ego: Whether the ego runs into the other.
         across: How far to the left of the ego's line the middle of the other then is [m].
+        turned: Which way the other faces, seen from the ego [rad].
+        left: Whether the ego's middle is on the left of the other.
     """
 
     ego: str
@@ -66,6 +79,8 @@ class Touch:
     other_along: float
     by_ego: bool
     across: float = 0.0
+    turned: float = 0.0
+    left: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -77,6 +92,7 @@ class _Lying:
         across: How far to its left.
         own_along: How far ahead of the other's middle the ego's is.
         own_across: How far to its left.
+        turned: Which way the other faces, seen from the ego [rad].
         deep: How far they overlap along and across the ego, and along and across the other.
     """
 
@@ -84,6 +100,7 @@ class _Lying:
     across: Array
     own_along: Array
     own_across: Array
+    turned: Array
     deep: tuple[Array, Array, Array, Array]
 
     @property
@@ -106,7 +123,7 @@ def _lying(ego: Moving, other: Moving, seconds: Array, sooner: Array) -> _Lying:
         0.5 * (other.length + ego.length * c + ego.width * s) - np.abs(own_along),
         0.5 * (other.width + ego.length * s + ego.width * c) - np.abs(own_across),
     )
-    return _Lying(along, across, own_along, own_across, deep)
+    return _Lying(along, across, own_along, own_across, turned, deep)
 
 
 def touches(ego: Moving, other: Moving, sooner: Array) -> list[Touch | None]:
@@ -135,7 +152,8 @@ def touches(ego: Moving, other: Moving, sooner: Array) -> list[Touch | None]:
         going = ego.speed * np.cos(np.arctan2(e[1], e[0])), other.speed * np.cos(np.arctan2(o[1], o[0]))
         by_ego = noses[0] if noses[0] != noses[1] else bool(going[0] >= going[1])
         shares = _share(e[0], ego.length), _share(o[0], other.length)
-        found.append(Touch(sides[0], shares[0], sides[1], shares[1], by_ego, float(e[1])))
+        turned = float(lying.turned[row, first])
+        found.append(Touch(sides[0], shares[0], sides[1], shares[1], by_ego, float(e[1]), turned, bool(o[1] > 0.0)))
     return found
 
 

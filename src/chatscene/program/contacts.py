@@ -12,7 +12,7 @@ from chatscene.program.deeds import MOVING
 from chatscene.program.finding import Finding
 from chatscene.simulate.contact import side_touched, sides_touched
 from chatscene.terms.episode import Episode, Track, contact_point
-from chatscene.terms.situation import Situation
+from chatscene.terms.situation import Contact, Situation
 from chatscene.terms.vocabulary import LETS_GO, NOSE, SIDES_OF, Act, Striker
 
 AT_SLACK = 0.15  # of the ego's width
@@ -109,11 +109,7 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
         yield Finding(path="contact.ego", shown=right, told=f"said {said.ego}, it is the {collision.side}")
     if other is None:
         return
-    if said.at is not None:
-        share = _on_width(episode.ego_track, other, collision.step)
-        low, high = said.at.within(0.0, 1.0)
-        right = low - AT_SLACK <= share <= high + AT_SLACK
-        yield Finding(path="contact.at", shown=right, told=f"said {said.at}, it is {100 * share:.0f} % of the width")
+    yield from _at_point(said, episode, other)
     if said.other is not None:
         whose = next((t for t in episode.tracks if _is_door_of(other.actor, t.actor)), other)  # it is a part of it
         sides = sides_touched(whose, episode.ego_track, collision.step, collision.earlier)
@@ -126,13 +122,34 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
         yield Finding(path="contact.striker", shown=right, told=f"said {said.striker}, it is {striker}")
 
 
-def _on_width(ego: Track, other: Track, step: int) -> float:
-    """Where on the ego's width the middle of the other is, as a share from the side that it comes from."""
+def _at_point(said: Contact, episode: Episode, other: Track) -> Iterator[Finding]:
+    """Whether the point of the other that was said is where on the ego's width it was said to be."""
+    if said.at is None or episode.collision is None:
+        return
+    behind = None if said.behind_nose is None else 0.5 * sum(said.behind_nose.within(0.0, 1.0))
+    share = _on_width(episode.ego_track, other, episode.collision.step, behind)
+    low, high = said.at.within(0.0, 1.0)
+    right = low - AT_SLACK <= share <= high + AT_SLACK
+    for path in ("contact.at", *(["contact.behind_nose"] if behind is not None else [])):
+        yield Finding(path=path, shown=right, told=f"said {said.at}, it is {100 * share:.0f} % of the width")
+
+
+def _on_width(ego: Track, other: Track, step: int, behind: float | None = None) -> float:
+    """Where on the ego's width a point of the other is, as a share from the side that it comes from.
+
+    The point is its middle, or lies on its side that faces the ego so far behind its nose, as a share of its length.
+    """
     steps = np.arange(min(step, len(other.x) - 1) + 1)
     heading = ego.heading[steps]
     left = (other.y[steps] - ego.y[steps]) * np.cos(heading) - (other.x[steps] - ego.x[steps]) * np.sin(heading)
     from_left = left[np.abs(left).argmax()] > 0.0
-    return 0.5 - (1.0 if from_left else -1.0) * float(left[-1]) / ego.width
+    at, aside = int(steps[-1]), float(left[-1])
+    if behind is not None:
+        its, turned = float(other.heading[at]), float(other.heading[at] - ego.heading[at])
+        dx, dy = float(ego.x[at] - other.x[at]), float(ego.y[at] - other.y[at])
+        facing = math.copysign(0.5 * other.width, dy * math.cos(its) - dx * math.sin(its))
+        aside += (0.5 - behind) * other.length * math.sin(turned) + facing * math.cos(turned)
+    return 0.5 - (1.0 if from_left else -1.0) * aside / ego.width
 
 
 def _is_door_of(door: str, actor: str) -> bool:

@@ -67,8 +67,17 @@ def faults_of(situation: Situation) -> Iterator[Fault]:
             yield Fault(("ego", "does", i, "act"), f"the ego cannot be told to {deed.act!s}; it can be told to {acts}")
         yield from _of_deed(situation, deed, ("ego", "does", i))
     yield from _of_road(situation)
-    if (contact := situation.contact) and contact.whom is not None:
+    yield from _of_contact(situation)
+
+
+def _of_contact(situation: Situation) -> Iterator[Fault]:
+    contact = situation.contact
+    if contact is None:
+        return
+    if contact.whom is not None:
         yield from _somebody(situation, contact.whom, ("contact", "whom"), ego=False)
+    if contact.behind_nose is not None and contact.at is None:
+        yield Fault(("contact", "behind_nose"), "say where on the ego's width that point is met, with contact.at")
 
 
 def _against_itself(situation: Situation) -> Iterator[Fault]:

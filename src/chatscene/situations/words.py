@@ -399,7 +399,11 @@ class _Telling:
         mine, its = (_word(f"contact.{one}", getattr(contact, one), PARTS) for one in ("ego", "other"))
         ends = Words(f", but {none}").tells("contact.happens") if none else Words()
         if contact.at is not None:
-            ends = Words(", at ") + self._amount(contact.at, "contact.at") + f" of {self._me.own} width" + ends
+            point = Words()
+            if contact.behind_nose is not None:
+                behind = self._amount(contact.behind_nose, "contact.behind_nose")
+                point = Words(" with a point ") + behind + " of its length behind its nose"
+            ends = Words(", at ") + self._amount(contact.at, "contact.at") + f" of {self._me.own} width" + point + ends
         by_other = contact.striker is Striker.OTHER
         form = form if by_other else self._my_form
         verb = self._filled(STRIKERS[contact.striker], form if contact.happens else Form.WOULD)

@@ -224,6 +224,7 @@ class Contact(_Closed):
         striker: Who runs into whom.
         happens: False where there is said to be none.
         at: Where on the ego's width, from the other's side.
+        behind_nose: Of the point that is there, as a share of the other's length; its middle if left out.
     """
 
     whom: str | None = None
@@ -232,6 +233,7 @@ class Contact(_Closed):
     striker: Striker | None = None
     happens: bool = True
     at: Share | None = None
+    behind_nose: Share | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
