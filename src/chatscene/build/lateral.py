@@ -26,6 +26,7 @@ _INTO_OURS = frozenset((Act.CUT_IN, Act.MERGE, Act.ENTER, Act.PULL_OUT, Act.LANE
 _ASIDE = frozenset((Act.DRIFT, Act.SWERVE))
 _LEAST, _MOST = {"overlap": 0.05, "clearance": 0.2}, {"overlap": 0.95, "clearance": 2.0}
 """Where a bound of a number is left open: from and to; of a length within the lane, from 0 to its edge."""
+_FARTHEST = 10.0  # [m] beside the lanes that somebody is, where only a least was said
 _MEANING = "how far to the left of the middle of its lane it is"
 
 
@@ -40,7 +41,10 @@ def placed(asked: Asked, stand: Stand) -> tuple[Stand, str]:
         The start, then what was chosen, in words; empty for nothing.
     """
     lateral, one = asked.one.starts.lateral, asked.one
-    if lateral is None or one.starts.where not in _LANES:
+    if lateral is not None and lateral.beyond is not None and "$X" in stand.point:
+        ends = lateral.beyond.within(0.0, max(_FARTHEST, lateral.beyond.low))
+        asked.numbers.measure("X", *ends, "m", "how far beside the lanes it starts", f"others.{one.id}.starts.lateral")
+    if lateral is None or lateral.beyond is not None or one.starts.where not in _LANES:
         return stand, ""
     side, chosen = _side(lateral, one)
     middle = {Side.LEFT: LANE, Side.RIGHT: -LANE}.get(one.starts.side or Side.LEFT, 0.0)

@@ -12,7 +12,7 @@ from chatscene.program.watching import Seen, moved_over
 from chatscene.terms.amount import Amount
 from chatscene.terms.episode import Array
 from chatscene.terms.lateral import seen_of_ego
-from chatscene.terms.situation import Deed, Lateral, Other, Start
+from chatscene.terms.situation import LATERALS, Deed, Lateral, Other, Start
 from chatscene.terms.vocabulary import Act as Said
 from chatscene.terms.vocabulary import Side, Where
 
@@ -35,11 +35,10 @@ def of_lateral(
     said: Lateral, one: Other, path: str, seen: Seen, deed: Deed | None = None, once: Act | None = None
 ) -> Iterator[Finding]:
     """Whether somebody starts, or goes on after a deed, where it was said to be across the road."""
-    name, amount = next(
-        (name, said_so)
-        for name in ("offset", "edge", "overlap", "clearance")
-        if (said_so := getattr(said, name)) is not None
-    )
+    name, amount = next((name, said_so) for name in LATERALS if (said_so := getattr(said, name)) is not None)
+    if name == "beyond":
+        yield _finding(f"{path}.{name}", amount, _beside_lanes(float(seen.offset[0])), share=False)
+        return
     passes = name == "clearance" and (deed is None or deed.act is Said.OVERTAKE)
     left = _where_it_passes(seen) if passes else None
     if passes and left is None and deed is None and seen.line.length and bool(np.ptp(moved_over(seen.line)) > LANE / 2):
@@ -55,6 +54,12 @@ def of_lateral(
             (np.abs(left - middle) < LEAST_ASIDE).any()
         )
         yield Finding(path=f"{path}.side", shown=right, told=f"said {said.side}, it is {left[-1] - middle:.1f} m left")
+
+
+def _beside_lanes(offset: float) -> Array:
+    """How far [m] beside the lanes somebody is, with none or some of them between its side and the ego's lane."""
+    aside = abs(offset) - 0.5 * LANE
+    return aside - LANE * np.arange(max(1, int(aside // LANE) + 1))
 
 
 def _lane(one: Other, deed: Deed | None) -> float:

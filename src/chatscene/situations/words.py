@@ -323,6 +323,7 @@ class _Telling:
             return Words()
         amounts = {
             "offset": lateral.offset, "edge": lateral.edge, "overlap": lateral.overlap, "clearance": lateral.clearance,
+            "beyond": lateral.beyond,
         }  # fmt: skip
         slots = {name: self._amount(one, f"{at}.{name}") for name, one in amounts.items()}
         slots["side"] = _word(f"{at}.side", lateral.side, SIDES)

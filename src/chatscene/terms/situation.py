@@ -68,7 +68,7 @@ class When(_Closed):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lateral(_Closed):
-    """Where across the road, by one of four.
+    """Where across the road, by one of five.
 
     Attributes:
         side: Of its lane.
@@ -76,6 +76,7 @@ class Lateral(_Closed):
         edge: From the lane's edge; 0 is on the line.
         overlap: With the ego's width.
         clearance: Room beside the ego.
+        beyond: Outside the lanes.
     """
 
     side: Side | None = None
@@ -83,9 +84,10 @@ class Lateral(_Closed):
     edge: Length | None = None
     overlap: Share | None = None
     clearance: Length | None = None
+    beyond: Length | None = None
 
 
-LATERALS = ("offset", "edge", "overlap", "clearance")
+LATERALS = ("offset", "edge", "overlap", "clearance", "beyond")
 """The fields of `Lateral` of which one is said."""
 
 
