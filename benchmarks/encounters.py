@@ -11,7 +11,8 @@ read offline and searched as a run does. Prints, for each ego,
   below 2 m or 1.5 s (`time_headway` behind it or time to collision), which who only follows closely has, too; in how
   many the two are on the way to a collision: one, or a time to collision below 1.5 s; in how many the ego collides;
 - of all scenes, per 1,000 simulations: crashes, those that a careful driver would have avoided, and the distinct of
-  these, as `avoidable.py` counts them: each kind of crash once per sentence, route and seed.
+  these, as `avoidable.py` counts them: each kind of crash once per sentence, route and seed; and how many of these come
+  up first in each block of a search, so that it is seen whether a longer one would find more.
 
 `--half 1` takes every second sentence, which nothing that is trained or tuned at speed has learned from.
 """
@@ -55,6 +56,7 @@ class Found:
         crashes: Of these, with a collision.
         avoidable: Of these, one that a careful driver would have avoided.
         distinct: The kinds of those, each once per sentence, route and seed.
+        new: How many of those come up first in each block of a search.
         closing: The speeds of approach of all collisions [m/s].
     """
 
@@ -68,6 +70,7 @@ class Found:
     crashes: int = 0
     avoidable: int = 0
     distinct: set[tuple[str, int, int, str]] = field(default_factory=set[tuple[str, int, int, str]])
+    new: Counter[int] = field(default_factory=Counter[int])
     closing: list[float] = field(default_factory=list[float])
 
 
@@ -100,7 +103,9 @@ def search(found: Found, name: str, text: str, ego: str, settings: SearchSetting
         before = found.encounters
         for route in routes_of(world, program, settings.routes):
             for block in explore(program, said, route, simulator=world, ego=load_ego(ego), settings=settings):
+                known = len(found.distinct)
                 _count(found, block.ran, (name, route, settings.seed), first=block.number == 0)
+                found.new[block.number] += len(found.distinct) - known
         if found.encounters == before:
             found.unmet[name] += 1
     except EgoError:
@@ -146,6 +151,7 @@ def told(found: Found, ego: str) -> Iterator[str]:
         f"{ego}: per 1,000 of {found.driven} simulations: {found.crashes * per:.0f} crashes{middle}, "
         f"{found.avoidable * per:.1f} avoidable, {len(found.distinct) * per:.1f} distinct avoidable"
     )
+    yield f"{ego}: new ones by block: {', '.join(str(found.new[block]) for block in sorted(found.new))}"
 
 
 @click.command()
