@@ -2,7 +2,7 @@
 
     python benchmarks/brackets.py [--scenes 10] [--seed 0] [--each]
 
-Twenty situations of others with one adversary of whom no number was said (`chosen`): the first of each kind among the
+Situations of others with one adversary of whom no number was said (`chosen`): the first of each kind among the
 plain sentences (`texts/plain.jsonl`, read offline), then among those that language models read (`reading/`). Each is
 built for an ego at 30, 50, 80 and 100 km/h, as it was said of it, and driven with the values of the first block of a
 run. The ego goes along its route as fast as that lets it, whoever comes (`Oblivious`). A drive is
