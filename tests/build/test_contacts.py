@@ -104,8 +104,11 @@ def test_an_animal_that_the_ego_goes_round_lies_where_it_swings_out(seed: int) -
             "others": [{"id": "A", "kind": "animal", "starts": {"where": "ahead"}, "does": [{"act": "stand"}]}],
         }
     )
-    episode = driven(said, seed)
-    assert episode.route_completion > 0.9
+    episode, ego = (one := driven(said, seed)), one.ego_track
+    lies = track(episode, "A")
+    ahead = np.array([lies.x[-1] - ego.x[-1], lies.y[-1] - ego.y[-1]])
+    assert episode.collision is None
+    assert ahead @ [np.cos(ego.heading[-1]), np.sin(ego.heading[-1])] < 0.0  # it is past
 
 
 def cuts(said: Situation, seed: int) -> list[str]:
