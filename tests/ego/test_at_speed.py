@@ -111,6 +111,14 @@ def test_it_follows_a_slower_car_and_stops_behind_one_that_brakes(name: str) -> 
     assert driven(name, 50.0, Told(ahead(12.0, 50.0 * KMH, braking=2.0))).impact is None
 
 
+@pytest.mark.parametrize(("name", "slow"), [("planner", 30.0), ("planner", 60.0), ("hardened", 60.0)])
+def test_it_does_not_stay_slower_than_whom_it_follows(name: str, slow: float) -> None:
+    follows = driven(name, 100.0, Told(ahead(60.0, slow * KMH)), seconds=24.0)
+    assert follows.impact is None
+    assert follows.speed[-40:].min() > (slow - 1.0) * KMH
+    assert 60.0 + (slow * KMH - follows.speed).sum() * 0.1 < 45.0
+
+
 @pytest.mark.parametrize("name", ALL_AROUND)
 def test_it_yields_to_who_cuts_in_and_brakes_for_who_crosses(name: str) -> None:
     assert driven(name, 110.0, Told(cuts_in(30.0, 80.0 * KMH, 1.0)), seconds=12.0).impact is None

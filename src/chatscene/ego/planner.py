@@ -41,6 +41,8 @@ class Planner:
 
     Of one of which a speed is wanted the preset is ``traffic``. It drives no faster than is allowed, counts on no more
     than its engine gives at that speed, and is where a way ends to be able to stop behind somebody with `LEFT` m/s².
+    A way on which it speeds up does so for one step and then keeps its speed, since it looks again by then: else what
+    another may do in four seconds would keep it slower than whom it follows.
 
     Args:
         caution: What its ways are weighed by.
@@ -98,7 +100,10 @@ class Planner:
         if swift:
             acceleration = np.minimum(acceleration, at_speed.able(speed, self.body))
         wish = _wish(observation, c.speed)
-        speeds = np.maximum(speed + TIMES[:, None] * acceleration, 0.0)
+        times = TIMES[:, None]
+        if swift:
+            times = np.where(acceleration > 0.0, DT, times)
+        speeds = np.maximum(speed + times * acceleration, 0.0)
         speeds = np.minimum(speeds, max(wish, speed - 3.0 * DT))  # (T, ways)
         gone = speeds.cumsum(axis=0) * DT
         reach = np.minimum(c.drift, c.agility * speeds).cumsum(axis=0) * DT

@@ -1542,7 +1542,9 @@ static void planner(const Policy *policy, const double *seen, double *accelerati
         ways.furthest[t] = ways.leftmost[t] = -INFINITY;
         ways.rightmost[t] = INFINITY;
         for (int w = 0; w < WAYS; w++) {
-            double v = smaller(larger(speed + (t + 1) * STRIDE * smaller(acceleration_of(car, w), able), 0.0), most);
+            double a = smaller(acceleration_of(car, w), able), time = (t + 1) * STRIDE;
+            if (swift && a > 0.0) time = STRIDE; /* then it keeps it, until it looks again */
+            double v = smaller(larger(speed + time * a, 0.0), most);
             ways.speed[t][w] = v;
             gone[w] += v;
             reach[w] += smaller(c->drift, c->agility * v);
