@@ -306,7 +306,7 @@ class Adding:
 
 
 def _lateral(rng: Draw) -> Lateral:
-    name = rng.choice(LATERALS)
+    name = rng.choice([name for name in LATERALS if name in SAID])
     return Lateral(side=rng.choice((*Side, None)), **{name: SAID[name](rng)})  # type: ignore[arg-type]
 
 

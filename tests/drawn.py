@@ -69,7 +69,7 @@ def amounts(draw: st.DrawFn, kind: type[Amount], of_ego: bool = False) -> Amount
 @st.composite
 def laterals(draw: st.DrawFn) -> Lateral:
     """Where across the road somebody is."""
-    kinds = {"offset": Length, "edge": Length, "clearance": Length, "overlap": Share}
+    kinds = dict.fromkeys(LATERALS, Length) | {"overlap": Share}
     name = draw(st.sampled_from(LATERALS))
     made: dict[str, Any] = {name: draw(amounts(kinds[name]))}
     return Lateral(side=draw(maybe(st.sampled_from(Side))), **made)

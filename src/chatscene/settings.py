@@ -16,6 +16,7 @@ SIMULATOR = "native"  # what a run's scenes drive in where no simulator is named
 EXECUTOR = "processes"  # who works on the parts of a run where nobody is named
 READERS = ("facts", "paper")
 OFFLINE = "offline"  # the project's own reader, in place of a language model
+LEARNED = "learned"  # the reader of one learned model
 
 
 def check_settings(settings: object, limits: Mapping[str, tuple[float, float]]) -> None:
@@ -132,7 +133,8 @@ class RetrievalSettings:
         embedder: Who measures the wording of behaviors.
         language_model: Who reads sentences; ``offline`` stands for the project's own reader.
         reader: How a triple is found for a text: ``facts``, by typed facts, and refused where they are doubtful;
-            ``paper``, by the wording of a sub-description per component alone (paper, section 3.3).
+            ``paper``, by the wording of a sub-description per component alone (paper, section 3.3). ``learned``: one
+            model writes the whole situation, and no triple is chosen.
         reading: Which of the likeliest readings is taken, from 1; 0 for the likeliest, if it is likely enough.
         stated: Facts that the user says beside the text, such as ``side=left actions=brake,stop``.
     """
@@ -150,6 +152,11 @@ class RetrievalSettings:
         check_settings(self, {"candidates": (1, 1_000), "refuse_below": (0.0, 1.0), "reading": (0, MOST_READINGS)})
         if self.reader not in READERS:
             raise SettingsError(no_such("reader", self.reader, READERS))
+        if self.reader == LEARNED and (self.library or self.stated or self.language_model != OFFLINE):
+            raise SettingsError(
+                "the reader 'learned' writes a whole situation by itself: it takes no library, no language model, and "
+                "facts by their paths alone, as in others.A.starts.side"
+            )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -91,7 +91,7 @@ def fit(
     steps = epochs * -(-len(sentences) // BATCH)
     rates = torch.optim.lr_scheduler.LambdaLR(optimizer, lambda step: _rate(step / steps))
     model.train()
-    for step, rows in enumerate((rows for _ in range(epochs) for rows in _batches([len(x) for x in lower], rng)), 1):
+    for step, rows in enumerate((rows for _ in range(epochs) for rows in batches([len(x) for x in lower], rng)), 1):
         odds = model([lower[i] for i in rows])
         loss = torch.zeros(())
         for head, z in zip(classes, odds, strict=True):
@@ -146,7 +146,7 @@ def _loss_of(torch: Any, head: str, odds: Any, right: Any) -> Any:
     return -odds.log_softmax(1).masked_fill(right == 0, -1e4).logsumexp(1)
 
 
-def _batches(lengths: Sequence[int], rng: random.Random) -> list[list[int]]:
+def batches(lengths: Sequence[int], rng: random.Random) -> list[list[int]]:
     """Rows in random order, in batches whose texts are of similar length."""
     order = rng.sample(range(len(lengths)), len(lengths))
     span = BATCH * ALIKE

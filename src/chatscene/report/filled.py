@@ -13,11 +13,12 @@ from chatscene.interpret.stated import FACTS, in_text
 from chatscene.models.language.protocol import load_language_model
 from chatscene.read.by_model import LIMITS, ModelReader
 from chatscene.read.edit_by_model import edited_by
+from chatscene.read.learned.reader import LearnedReader
 from chatscene.read.quotes import words_of
 from chatscene.read.reader import Reader
 from chatscene.report.stated import Editor, Stated, built_of, stated, with_edits
 from chatscene.report.understood import Understood, understand
-from chatscene.settings import OFFLINE, READERS, RetrievalSettings, Settings
+from chatscene.settings import LEARNED, OFFLINE, READERS, RetrievalSettings, Settings
 from chatscene.situations.edited import Edited
 from chatscene.situations.facts import NO_FACTS
 from chatscene.situations.words import told
@@ -76,7 +77,7 @@ def filled(
 
 def is_filled(text: str, settings: RetrievalSettings) -> bool:
     """Whether a situation is read in a text; a library of one's own and the paper's way choose snippets for it."""
-    return bool(text) and settings.reader == READERS[0] and not settings.library
+    return bool(text) and settings.reader in (READERS[0], LEARNED) and not settings.library
 
 
 def explain_text(
@@ -143,6 +144,8 @@ def read_already(settings: RetrievalSettings) -> RetrievalSettings:
 
 
 def _reader(settings: RetrievalSettings, named: str, cannot_build: Callable[[Situation], str]) -> Reader:
+    if settings.reader == LEARNED:
+        return LearnedReader()
     if settings.language_model == OFFLINE:
         facts = " ".join(filter(None, (settings.stated, named)))
         return OfflineReader(replace(settings, stated=facts), cannot_build)
@@ -152,7 +155,7 @@ def _reader(settings: RetrievalSettings, named: str, cannot_build: Callable[[Sit
 
 def _facts(facts: Mapping[str, object], settings: RetrievalSettings) -> tuple[str, dict[str, object]]:
     """Facts that the offline reader takes by their names, as it takes them, and those that stand at a path."""
-    offline = settings.language_model == OFFLINE
+    offline = settings.language_model == OFFLINE and settings.reader != LEARNED
     wholes = {one.name for one in fields(Situation)}
     for name in facts:
         if "." not in name and name not in wholes and not (offline and _name(name) in FACTS):

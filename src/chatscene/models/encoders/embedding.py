@@ -145,10 +145,17 @@ class MiniLM:
         Raises:
             ValueError: What was trained further is not of the upper layers.
         """
+        return self.states_of(tokenize(plain(text), self.LONGEST))
+
+    def states_of(self, tokens: Sequence[int]) -> Vectors:
+        """(tokens, D) states of a text whose pieces are numbered already.
+
+        Raises:
+            ValueError: What was trained further is not of the upper layers.
+        """
         if self._upper is None:
             self._upper = _Layers(self._shared.file.part(_STATES, (_MIDDLE,), self._changes))
-        tokens = tuple(tokenize(plain(text), self.LONGEST))
-        return self._upper.run({_MIDDLE: self._shared.states(tokens)})[0]
+        return self._upper.run({_MIDDLE: self._shared.states(tuple(tokens))})[0]
 
 
 _WORDS, _MIDDLE, _STATES = "embedding", "layer_norm_6", "last_hidden_state"  # of the weights' file, from below

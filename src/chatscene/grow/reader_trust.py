@@ -1,0 +1,61 @@
+"""How sure the learned reader may be: two numbers, fitted on texts of writers that it did not learn from."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import minimize
+
+from chatscene.read.learned.reader import LearnedReader
+from chatscene.read.learned.sequence import with_plain_names
+from chatscene.read.learned.weights import load, save
+from chatscene.situations.form import from_plain
+
+_RIDGE = 1e-2
+_LEAST = 1e-6  # of a probability
+
+
+def calibrate(weights: Path, texts: Sequence[Path]) -> tuple[int, int]:
+    """Fit how sure the reader is on situations with texts, and write it into its file.
+
+    Returns:
+        How many texts there were, and of how many each fact was read rightly.
+    """
+    save(replace(load(weights), scale=1.0, offset=0.0), weights)
+    load.cache_clear()
+    sure: list[tuple[float, bool]] = []
+    reader = LearnedReader(weights)
+    for path in texts:
+        for row in map(json.loads, path.read_text(encoding="utf-8").splitlines()):
+            ranked = reader.read(row["text"]).ranked
+            if ranked:
+                right = ranked[0].situation == with_plain_names(from_plain(row["situation"]))
+                sure.append((ranked[0].probability, right))
+    scale, offset = trust_of(sure)
+    save(replace(load(weights), scale=scale, offset=offset), weights)
+    load.cache_clear()
+    return len(sure), sum(right for _, right in sure)
+
+
+def trust_of(sure: Sequence[tuple[float, bool]]) -> tuple[float, float]:
+    """Factor and offset of the log-odds by which probabilities are as often right as they say (Platt scaling).
+
+    Args:
+        sure: Probabilities, and whether what they were of was right.
+    """
+    x = np.array([math.log(p / (1 - p)) for p in (min(max(one, _LEAST), 1 - _LEAST) for one, _ in sure)])
+    y = np.array([float(right) for _, right in sure])
+
+    def unlikely(w: NDArray[np.float64]) -> float:
+        z = w[0] * x + w[1]
+        pull = _RIDGE * ((w[0] - 1.0) ** 2 + w[1] ** 2)  # toward the probabilities as they are
+        return float((np.logaddexp(0, z) - y * z).sum() + pull)
+
+    scale, offset = minimize(unlikely, np.array([1.0, 0.0]), method="BFGS").x
+    return float(scale), float(offset)

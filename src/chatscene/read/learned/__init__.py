@@ -1,0 +1,1 @@
+"""One learned model from a text to ranked situations."""

@@ -1,0 +1,98 @@
+"""The file of the learned reader: what was trained of the encoder, and its decoder."""
+
+from __future__ import annotations
+
+import zipfile
+import zlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from chatscene.errors import SnippetError
+from chatscene.files.bounded import check_archive
+from chatscene.read.learned.grammar import Place, Token
+
+NAME = "reader.npz"
+PACKAGED = Path(__file__).parent / NAME
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Weights:
+    """What was learned.
+
+    Attributes:
+        changes: What to add to the bytes of the encoder's file, by where they stand.
+        text: The graph of what the decoder takes from a text.
+        following: The graph of what comes next.
+        tokens: Those that it was trained for, in their order.
+        places: The places that it was trained for, in their order.
+        never: Tokens that texts with slots alone do not teach.
+        scale: What the log-odds of a reading are multiplied with, so that it is as often right as it says.
+        offset: What is added then.
+    """
+
+    changes: Mapping[int, bytes]
+    text: bytes
+    following: bytes
+    tokens: tuple[Token, ...]
+    places: tuple[Place, ...]
+    never: tuple[int, ...]
+    scale: float = 1.0
+    offset: float = 0.0
+
+
+def save(weights: Weights, path: Path) -> None:
+    """Write the file."""
+    packer = zlib.compressobj(strategy=zlib.Z_HUFFMAN_ONLY)  # small numbers without repeats (decision 0042)
+    changes = b"".join(weights.changes.values())
+    np.savez_compressed(
+        path,
+        at=np.array(list(weights.changes), np.int64),
+        lengths=np.array([len(new) for new in weights.changes.values()], np.int64),
+        changes=np.frombuffer(packer.compress(changes) + packer.flush(), np.uint8),
+        text=np.frombuffer(weights.text, np.uint8),
+        following=np.frombuffer(weights.following, np.uint8),
+        never=np.array(weights.never, np.int64),
+        tokens=np.array("\n".join("\t".join(token) for token in weights.tokens)),
+        places=np.array("\n".join(weights.places)),
+        trust=np.array([weights.scale, weights.offset]),
+    )
+
+
+@lru_cache(maxsize=2)
+def load(path: Path = PACKAGED) -> Weights:
+    """Read the file.
+
+    Raises:
+        SnippetError: It is missing or damaged.
+    """
+    try:
+        check_archive(path)
+        with np.load(path, allow_pickle=False) as arrays:
+            ends = np.cumsum(arrays["lengths"]).tolist()
+            most = ends[-1] if ends else 0
+            changes = zlib.decompressobj().decompress(arrays["changes"].tobytes(), most)
+            places = zip(arrays["at"].tolist(), [0, *ends[:-1]], ends, strict=False)
+            return Weights(
+                changes={at: changes[low:high] for at, low, high in places},
+                text=arrays["text"].tobytes(),
+                following=arrays["following"].tobytes(),
+                tokens=tuple(_token(line) for line in str(arrays["tokens"]).split("\n")),
+                places=tuple(str(arrays["places"]).split("\n")),
+                never=tuple(arrays["never"].tolist()),
+                scale=float(arrays["trust"][0]),
+                offset=float(arrays["trust"][1]),
+            )
+    except (OSError, ValueError, KeyError, TypeError, MemoryError, zipfile.BadZipFile, zlib.error) as error:
+        raise SnippetError(
+            f"the learned reader {path} cannot be read ({error}); "
+            "train it again with: python -m chatscene.grow.fit_reader"
+        ) from error
+
+
+def _token(line: str) -> Token:
+    key, _, word = line.partition("\t")
+    return key, word

@@ -1,0 +1,88 @@
+"""What the learned reader learns from, and how it is trained."""
+
+from __future__ import annotations
+
+import json
+import random
+from pathlib import Path
+
+import pytest
+
+from chatscene.grow.reader_texts import Known, example, of_replies, of_situations, of_slots, with_open_ends
+from chatscene.grow.reader_trust import trust_of
+from chatscene.read.learned.grammar import COPIED, grammar
+from chatscene.situations.form import from_plain
+from chatscene.terms.reading import Verdict
+
+VAN = {"others": [{"id": "A", "kind": "van", "starts": {"where": "ahead"},
+                   "does": [{"act": "brake", "acceleration": "6 m/s²"}]}]}  # fmt: skip
+
+
+def written(path: Path, *rows: object) -> Path:
+    path.write_text("".join(json.dumps(row) + "\n" for row in rows), encoding="utf-8")
+    return path
+
+
+def test_an_amount_points_to_its_words() -> None:
+    one = example("The van ahead brakes at 6 m/s².", Known.WHOLE, Verdict.SITUATION, from_plain(VAN))
+    (at,) = [i for i, step in enumerate(one.steps) if step.place.endswith(COPIED)]
+    assert one.read.amounts[one.copied[at]].amount == from_plain(VAN).others[0].does[0].acceleration
+
+
+def test_an_amount_that_the_text_lacks_is_neither_learned_nor_unlearned() -> None:
+    one = example("The van ahead brakes hard.", Known.WHOLE, Verdict.SITUATION, from_plain(VAN))
+    assert not [step for step in one.steps if step.place.endswith(COPIED)]
+    assert one.barred == {grammar().number["Deed.acceleration", ""]}
+
+
+def test_slots_teach_nothing_that_they_never_say(tmp_path: Path) -> None:
+    row = {"text": "The car ahead brakes.", "slots": {"adversary": "car", "actions": ["brake"], "position": "ahead"}}
+    (one,) = with_open_ends(of_slots(written(tmp_path / "a.jsonl", row)))
+    number = grammar().number
+    assert {number["Situation.contact", ""], number["Deed.speed", ""]} <= one.barred
+    assert not {number[step.token] for step in one.steps if step.token} & one.barred
+
+
+def test_a_text_out_of_scope_has_no_situation(tmp_path: Path) -> None:
+    (one,) = of_slots(written(tmp_path / "a.jsonl", {"text": "What is a tram?", "in_scope": False}))
+    assert [step.place for step in one.steps] == ["verdict.not", ""]
+
+
+def test_a_mirrored_reply_is_not_learned(tmp_path: Path) -> None:
+    reply = {"verdict": "situation", "situation": VAN | {"evidence": {"quoted": {}, "mirrored": True}}}
+    assert not list(of_replies(written(tmp_path / "a.jsonl", {"text": "A van brakes.", "replies": [reply]})))
+
+
+def test_situations_are_told_in_our_words_or_in_those_of_a_writer(tmp_path: Path) -> None:
+    file = written(tmp_path / "a.jsonl", {"text": "van stops, 6 m/s²", "situation": VAN})
+    (theirs,), (ours,) = of_situations(file, in_words=False), of_situations(file, in_words=True)
+    assert theirs.read.text == "van stops, 6 m/s²"
+    assert "brake" in ours.read.text
+    assert theirs.steps == ours.steps
+
+
+def test_trust_is_as_often_right_as_it_says() -> None:
+    rng = random.Random(0)
+    said = [rng.random() for _ in range(4000)]
+    scale, offset = trust_of([(p, rng.random() < p) for p in said])
+    assert scale == pytest.approx(1.0, abs=0.1)
+    assert offset == pytest.approx(0.0, abs=0.1)
+    lower, _ = trust_of([(p, rng.random() < 0.3) for p in said])
+    assert lower < 0.2
+
+
+def test_training_is_the_same_after_a_stop(tmp_path: Path) -> None:
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("onnx")
+    from chatscene.grow.fit_reader import Learning, fit
+
+    some = [example(f"van brakes, {i} m/s²", Known.WHOLE, Verdict.SITUATION, from_plain(VAN)) for i in (6, 5)]
+    for name in ("one", "two"):
+        (tmp_path / name).mkdir()
+    learning = Learning(some, 0, None, 6)
+    fit(learning, epochs=2, seed=0, out=tmp_path / "one", minutes=1e9)
+    again = Learning(some, 0, None, 6)
+    fit(again, epochs=2, seed=0, out=tmp_path / "two", minutes=0.0)
+    fit(again, epochs=2, seed=0, out=tmp_path / "two", minutes=0.0)
+    for name, value in learning.network.state_dict().items():
+        assert torch.equal(value, again.network.state_dict()[name]), name
