@@ -11,9 +11,9 @@ ordinary drives and at no less than 6.1 m/s in these; then the adversaries of ea
 against it, and one crash of each is learned from as well. Writes the caution of each round. The same seed gives the
 same, with any number of jobs. Needs the extra `search`.
 
-With `--at-speed`, scenes are those of `lessons_at_speed.py`, `hardened` with the weights of 8 m/s takes part in what is
-hard, ordinary drives are to be as fast as the first driver's (within 2 %), and of what adversaries find only crashes
-are learned from that a careful driver would have avoided.
+With `--at-speed`, scenes are those of `lessons_at_speed.py`, the search begins with the weights of `hardened` at 8 m/s,
+`planner` takes part in what is hard, ordinary drives are to be as fast as the first driver's (within 2 %), and of what
+adversaries find only crashes are learned from that a careful driver would have avoided.
 """
 
 from __future__ import annotations
@@ -208,12 +208,12 @@ def cost(sums: Array, slowest: float) -> float:
     return float(scenes + 2.0 * ordinary[0] + ordinary[1] + 0.6 * ordinary[2] + 0.3 * max(0.0, slowest - ordinary[3]))
 
 
-def moved(x: Array) -> Caution:
+def moved(x: Array, start: Caution) -> Caution:
     """The start, each number times e to the power of one of `x`; what is believed of others at most twice over."""
     numbers = iter(np.exp(np.clip(x, -3.0, 3.0)).tolist())
     values: dict[str, float | tuple[float, float]] = {}
-    for field in fields(START):
-        value = getattr(START, field.name)
+    for field in fields(start):
+        value = getattr(start, field.name)
         if isinstance(value, tuple):
             how, belief = value
             values[field.name] = (how * next(numbers), min(belief * next(numbers), 2.0))
@@ -256,7 +256,8 @@ def main(
     rng, workers = np.random.default_rng(seed), Workers(jobs)
     courses = list(encounters_at_speed(0)) if at_speed else of_the_benchmark()
     ordinary = ordinary_at_speed() if at_speed else map(Placed, ordinary_courses(simulator("town")))
-    egos = [load_ego("idm"), Planner(START), *([Planner(HARDENED)] if at_speed else [])]
+    start = HARDENED if at_speed else START
+    egos = [load_ego("idm"), Planner(start), *([Planner()] if at_speed else [])]
     lessons = first_lessons(courses, list(ordinary), egos, draws, rng)
 
     def judged(cautions: tuple[Caution, ...]) -> Array:
@@ -266,17 +267,17 @@ def main(
 
     slowest = SLOWEST
     if at_speed:
-        began = judged((START,))[:, 0]
+        began = judged((start,))[:, 0]
         slowest = AS_FAST * began[KINDS.index("ordinary"), 4] / began[KINDS.index("ordinary"), 0]
         print(f"to begin with: {in_words(began)}", flush=True)
-    mean = np.zeros(sum(2 if isinstance(getattr(START, f.name), tuple) else 1 for f in fields(START)))
+    mean = np.zeros(sum(2 if isinstance(getattr(start, f.name), tuple) else 1 for f in fields(start)))
     for number in range(rounds):
         search = CMA(mean=mean, sigma=0.1 if number else 0.25, seed=seed + number, population_size=population)
         for _ in range(generations):
             asked = [search.ask() for _ in range(population)]
-            sums = judged(tuple(moved(x) for x in asked))
+            sums = judged(tuple(moved(x, start) for x in asked))
             search.tell([(x, cost(sums[:, i], slowest)) for i, x in enumerate(asked)])
-        mean, caution = search.mean, moved(search.mean)
+        mean, caution = search.mean, moved(search.mean, start)
         (out / f"round-{number}.json").write_text(json.dumps(asdict(caution), indent=2))
         print(f"round {number}: {in_words(judged((caution,))[:, 0])}", flush=True)
         seeds = np.random.SeedSequence((seed, number)).generate_state(len(courses)).tolist()

@@ -64,8 +64,8 @@ HARDENED = Caution(
 `crossing`, which came after (decision 0110)."""
 
 HARDENED_AT_SPEED = Caution(
-    crash=22.9, graze=0.0703, patience=2.2, braking=(4.16, 1.13), starting=(1.07, 0.24), stepping=(0.978, 0.0864),
-    crossing=1.44, room=0.658, side=0.314, widening=0.105, berth=0.876, haste=1.16, offset=0.0483, astray=0.166,
-    jerk=0.0204, resolve=0.0878, agility=0.999, drift=1.54,
+    crash=14.5, graze=0.0915, patience=2.7, braking=(4.52, 0.384), starting=(1.42, 2.0), stepping=(0.995, 0.0562),
+    crossing=1.73, room=3.01, side=0.0537, widening=0.479, berth=0.181, haste=16.0, offset=0.0411, astray=0.124,
+    jerk=0.0375, resolve=0.0926, agility=0.344, drift=1.57,
 )  # fmt: skip
 """Found likewise at the speed of traffic, 50 to 110 km/h, where its speed is what is wanted (decision 0128)."""
