@@ -30,7 +30,7 @@ KEPT = ("kept", "kept-second", "kept-third", "kept-fourth", "narratives-kept")
 @click.command()
 @click.option("--narratives", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 @click.argument("names", nargs=-1)
-@click.option("--reader", type=click.Choice(READERS), default=READERS[0])
+@click.option("--reader", type=click.Choice(READERS[:2]), default=READERS[0])
 @click.option("--styles", is_flag=True, help="Of each style right, wrong and refused, too.")
 def main(narratives: Path | None, names: tuple[str, ...], reader: str, styles: bool) -> None:
     generator, settings = Retrieved(), RetrievalSettings(reader=reader)

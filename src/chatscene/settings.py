@@ -14,7 +14,7 @@ MOST_READINGS = 2  # how many readings of a text are offered
 EGO = "planner"  # who drives where no ego is named: it sees everybody and has the whole brake (decision 0077)
 SIMULATOR = "native"  # what a run's scenes drive in where no simulator is named (decision 0081)
 EXECUTOR = "processes"  # who works on the parts of a run where nobody is named
-READERS = ("facts", "paper")
+READERS = ("facts", "paper", "learned")
 OFFLINE = "offline"  # the project's own reader, in place of a language model
 LEARNED = "learned"  # the reader of one learned model
 

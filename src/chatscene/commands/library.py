@@ -97,7 +97,8 @@ READER = click.option(
     type=click.Choice(READERS),
     default=READERS[0],
     show_default=True,
-    help="By typed facts, or by wording alone, as in the paper, where snippets serve and nothing is refused.",
+    help="By typed facts; by wording alone, as in the paper, where snippets serve and nothing is refused; or by one "
+    "learned model that writes the whole situation.",
 )
 
 

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from chatscene.errors import LanguageModelError
+from chatscene.errors import LanguageModelError, SettingsError
 from chatscene.files.caches import cache_folder
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.models.language.protocol import load_language_model
 from chatscene.read.by_model import LIMITS, ModelReader
 from chatscene.read.reading import read
-from chatscene.settings import OFFLINE, RetrievalSettings
+from chatscene.settings import LEARNED, OFFLINE, RetrievalSettings
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.frame import About, Frame, Note, certain
 from chatscene.terms.scenario import Slots, Why
@@ -26,9 +26,11 @@ def heard(text: str, settings: RetrievalSettings) -> Frame:
     readers differ.
 
     Raises:
-        SettingsError: The text is empty or too long, or there is no such language model.
+        SettingsError: The text is empty or too long, there is no such model, or the reader chooses no snippets.
         MissingExtra: The language model's package is missing.
     """
+    if settings.reader == LEARNED:
+        raise SettingsError(f"the reader {LEARNED!r} writes situations, for run and explain; it chooses no snippets")
     frame = read(text, settings)
     if settings.language_model == OFFLINE:
         return frame

@@ -58,7 +58,7 @@ def filled(
     if taken > len(read.ranked):
         raise SettingsError(f"there is no reading {taken}; {read.reader} gives {len(read.ranked)}")
     one = read.ranked[max(taken, 1) - 1]
-    if one.probability < settings.refuse_below:
+    if not taken and one.probability < settings.refuse_below:
         raise _unsure(read, one)
     made = stated(one.situation, by_path, map_name, speed)
     try:

@@ -1,0 +1,119 @@
+"""The learned reader: what it makes of a text, and what it refuses."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from chatscene.errors import SettingsError, SnippetError
+from chatscene.interpret.asked import heard
+from chatscene.read.learned.decoder import WIDTH, Decoder
+from chatscene.read.learned.reader import LearnedReader
+from chatscene.read.learned.sequence import steps_of
+from chatscene.read.learned.text import prepared
+from chatscene.read.learned.weights import PACKAGED, load, save
+from chatscene.read.reader import Reader
+from chatscene.report.filled import filled, is_filled
+from chatscene.settings import LEARNED, RetrievalSettings
+from chatscene.situations.check import faults_of
+from chatscene.terms.amount import Acceleration
+from chatscene.terms.reading import Verdict
+from chatscene.terms.vocabulary import Act, Where
+
+TEXT = "The van ahead brakes at 6 m/s²."
+
+
+@pytest.fixture(scope="module")
+def reader() -> Reader:
+    return LearnedReader()
+
+
+def test_a_text_becomes_ranked_situations(reader: Reader) -> None:
+    made = reader.read(TEXT)
+    assert (made.reader, made.verdict) == (LEARNED, Verdict.SITUATION)
+    first = made.ranked[0].situation
+    assert (first.others[0].starts.where, first.others[0].does[-1].act) == (Where.AHEAD, Act.BRAKE)
+    sure = [one.probability for one in made.ranked]
+    assert sure == sorted(sure, reverse=True)
+    assert sum(sure) <= 1.0 + 1e-6
+
+
+def test_an_amount_is_that_of_the_text_and_its_words_are_quoted(reader: Reader) -> None:
+    first = reader.read(TEXT).ranked[0].situation
+    (path,) = [path for path, words in first.evidence.quoted.items() if words == "6 m/s²"]
+    assert path == f"others.A.does.{len(first.others[0].does) - 1}.acceleration"
+    assert first.others[0].does[-1].acceleration == Acceleration.of("6 m/s²")
+
+
+def test_no_situation_is_against_itself(reader: Reader) -> None:
+    for one in reader.read("A pedestrian overtakes a parked tree, a dog opens its door, and the ego is a ball.").ranked:
+        assert not list(faults_of(one.situation))
+
+
+def test_the_same_text_is_read_the_same(reader: Reader) -> None:
+    assert reader.read(TEXT) == reader.read(TEXT)
+
+
+@pytest.mark.parametrize("text", ["", "   ", "x" * 2001])
+def test_a_text_that_is_empty_or_too_long_is_refused(reader: Reader, text: str) -> None:
+    with pytest.raises(SettingsError):
+        reader.read(text)
+
+
+def test_a_question_is_no_situation(reader: Reader) -> None:
+    made = reader.read("How long is the braking distance of a tram?")
+    assert made.verdict is not Verdict.SITUATION
+    assert made.reason
+    assert not made.ranked
+
+
+def test_the_beam_is_sorted_and_as_wide_as_it_may_be() -> None:
+    written = Decoder(load()).written(prepared(TEXT))
+    assert 0 < len(written) <= WIDTH
+    assert [one.likely for one in written] == sorted((one.likely for one in written), reverse=True)
+
+
+def test_the_file_holds_what_was_saved(tmp_path: Path) -> None:
+    weights = load()
+    save(weights, tmp_path / "again.npz")
+    for one in dataclasses.fields(weights):
+        assert getattr(load(tmp_path / "again.npz"), one.name) == getattr(weights, one.name)
+
+
+def test_a_damaged_file_is_refused(tmp_path: Path) -> None:
+    with np.load(PACKAGED) as arrays:
+        np.savez(tmp_path / "old.npz", **{name: value for name, value in arrays.items() if name != "text"})
+    with pytest.raises(SnippetError, match="cannot be read"):
+        load(tmp_path / "old.npz")
+
+
+def test_a_missing_file_is_told_with_how_to_make_it(tmp_path: Path) -> None:
+    with pytest.raises(SnippetError, match="fit_reader"):
+        load(tmp_path / "none.npz")
+
+
+def test_a_text_is_filled_by_it_and_built() -> None:
+    settings = RetrievalSettings(reader=LEARNED, refuse_below=0.0)
+    assert is_filled(TEXT, settings)
+    made = filled(TEXT, settings)
+    assert made.reader == LEARNED
+    assert "brake" in str(steps_of(Verdict.SITUATION, made.situation))
+
+
+def test_it_chooses_no_snippets() -> None:
+    with pytest.raises(SettingsError, match="learned"):
+        RetrievalSettings(reader=LEARNED, library="somewhere")
+    with pytest.raises(SettingsError, match="chooses no snippets"):
+        heard(TEXT, RetrievalSettings(reader=LEARNED))
+
+
+def test_what_the_vocabulary_has_gained_since_is_not_written() -> None:
+    old = load()
+    gone = ("Deed.act", "brake")
+    tokens = tuple(("Deed.act", "of another time") if one == gone else one for one in old.tokens)
+    written = Decoder(dataclasses.replace(old, tokens=tokens)).written(prepared(TEXT))
+    assert written
+    assert not [step for one in written for step in one.steps if step.token in (gone, ("Deed.act", "of another time"))]
