@@ -63,8 +63,8 @@ def test_a_text_that_is_empty_or_too_long_is_refused(reader: Reader, text: str) 
         reader.read(text)
 
 
-def test_a_question_is_no_situation(reader: Reader) -> None:
-    made = reader.read("How long is the braking distance of a tram?")
+def test_what_is_not_about_traffic_is_no_situation(reader: Reader) -> None:
+    made = reader.read("Please book a table for two at seven tonight.")
     assert made.verdict is not Verdict.SITUATION
     assert made.reason
     assert not made.ranked
