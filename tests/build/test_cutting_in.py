@@ -74,7 +74,7 @@ def test_who_is_to_touch_the_ego_s_side_stays_level_with_it(ego: str) -> None:
 
 
 def test_who_is_too_slow_to_get_ahead_is_met_by_a_slower_ego_and_that_is_told() -> None:
-    built = comes_in("bus", "beside", **MOTORWAY)
+    built = comes_in("tractor", "beside", **MOTORWAY)
     assert built.program.wanted_speed is not None
     assert built.program.wanted_speed < 20.0
     assert any("since at 110 this cannot be built" in one for one in built.assumed)

@@ -114,3 +114,8 @@ def test_who_comes_too_fast_for_one_road_is_looked_for_on_another() -> None:
     plain = said(fast, "oncoming", "stand", kind="truck", ego={"route": "left-turn", "speed": "15 km/h"})
     _, comes, _ = driven(plain | {"road": {"kind": "junction"}})
     assert comes.speed[0] == pytest.approx(60 / 3.6, rel=0.02)
+
+
+def test_who_goes_on_ahead_of_the_ego_does_not_stand_beside_the_road_to_hide_somebody() -> None:
+    with pytest.raises(NotBuilt, match="of who stands beside the road and hides A"):
+        build(from_plain(said(WALKS, "ahead", "go-along")))

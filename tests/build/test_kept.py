@@ -9,6 +9,7 @@ from test_contacts import driven
 from test_towards import car, deed, others, track
 
 from chatscene.build.build import build
+from chatscene.errors import NotBuilt
 from chatscene.situations.form import from_plain
 from chatscene.terms.episode import Episode
 
@@ -72,3 +73,9 @@ def test_an_ego_that_brakes_hard_has_the_firm_brake(manner: str) -> None:
     made = build(said)
     assert not made.left_out
     assert "braking=6" in made.program.source or "braking=7" in made.program.source
+
+
+def test_nobody_comes_up_where_there_is_no_lane_on_that_side_of_the_ego() -> None:
+    passes = car("A", "behind-beside", deed("go-along"), deed("keep-level"), side="right")
+    with pytest.raises(NotBuilt, match="no lane to the right of ours"):
+        build(others(passes, ego={"route": "enter-driveway", "does": [{"act": "lane-change", "to": "left"}]}))

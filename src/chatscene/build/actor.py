@@ -337,6 +337,9 @@ class Actor:
         phases = self.phases()
         named = self._lines(hidden, screen)
         body = "\n".join(phases)
+        if hidden is not None and screen is None and f"way{one}" in body:
+            stands = f"who stands beside the road and hides {hidden.one.id}"
+            raise NotBuilt(f"nothing builds yet: {self.path}.does, of {stands}")
         if any(f"own{one}" in text for text in (body, *named)):
             named.insert(0, f"own{one} = ownWay(egoRoute)")
         named += self._named(body)

@@ -59,6 +59,7 @@ def of_deed(phases: Phases, k: int, text: str, steps: Steps) -> str:
         text = renamed(text, "LEVEL", "Y")  # as level as it begins
     if deed.act is Act.FOLLOW and k == 0 and actor.one.starts.where is Where.BEHIND and actor.first is None:
         text = text.replace("-(ego.length + self.length) / 2 - $ROOM", "-$Y")  # as far behind as it begins
+        actor.ledger.take(f"{at}.distance")  # which is that, too
     if deed.act is Act.KEEP_LEVEL and numbers.is_said("SPEED"):
         text = text.replace(", 25, 2)", ", $SPEED, 0.97 * $SPEED)")  # which it does not give up
     level = LEVEL_WITH * speed_of(actor.ledger.situation, done_to(deed), actor.ego_speed)

@@ -170,7 +170,13 @@ def _at_junction(actor: Actor, hidden: Actor) -> Screen:
 
 
 def _come_in_time(actor: Actor, hidden: Actor) -> None:
-    """Let somebody be so slow that it has stopped before the other comes out, however near the ego begins to that."""
+    """Let somebody be so slow that it has stopped before the other comes out, however near the ego begins to that.
+
+    The other comes out in the later half of its times, or there would be none to come driving in.
+    """
+    soonest, latest, *_ = hidden.numbers.range_of("OFFSET")
+    if not hidden.numbers.is_said("OFFSET"):
+        hidden.numbers.narrow("OFFSET", soonest, 0.5 * (soonest + latest))
     met = meeting_of(hidden).metres / hidden.numbers.middle("SPEED") + hidden.numbers.range_of("OFFSET")[1]
     left = hidden.ego.time_at(hidden.numbers.range_of("Y")[0]) - met - STOOD
     stops = left * EASES[1] * LIMITS[actor.one.kind.scenic].brake

@@ -37,6 +37,7 @@ from chatscene.terms.route import Beside
 from chatscene.terms.scenario import Site
 from chatscene.terms.situation import EGO, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Role, Side, Striker, Where
+from chatscene.world.places import lanes_beside
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
 DRIVES = 1.5  # [s] that the ego is longer on its way to whom somebody hides who comes driving and stops there
@@ -206,6 +207,8 @@ def _next_lane(asked: Asked) -> Stand:
     if asked.rides:
         sign = "-" if asked.side == Side.RIGHT else ""
         return Stand(meets=Meets.ALONG, way=f"extended(straightOn(egoRoute), 60).offset({sign}2.3)", at=at, behind=back)
+    if asked.side not in lanes_beside(asked.found.route):
+        raise NotBuilt(f"no map has such a place: others.{asked.one.id} has no lane to the {asked.side} of ours")
     way = lane_beside(asked.side)
     if _filters(asked):
         way = _within(way, between_lanes(asked.side))
