@@ -24,12 +24,12 @@ from chatscene.terms.vocabulary import Side, UserKind
 WRITTEN = """\
 about: a van pulls out in front of us
 ego: {speed: 25 km/h}
-road: {has: [school]}
+road: {has: [hill]}
 others: [{id: A, kind: van, starts: {where: kerb}, does: [{act: stand}, {act: pull-out, manner: sudden}]}]
 """
 TOLD = (
     "A is on the right, which was not said",
-    "left out, since nothing builds it yet: road.has.0: school",
+    "left out, since nothing builds it yet: road.has.0: hill",
 )
 
 
@@ -102,7 +102,7 @@ def test_a_situation_is_explained_without_running_and_its_facts_are_set_by_path(
 
 
 WORDS = (
-    "We drive at 25 km/h. The road has a school beside it. A van is at the kerb. "
+    "We drive at 25 km/h. The road has a hill. A van is at the kerb. "
     "It stands still, then suddenly pulls out into our lane."
 )
 

@@ -470,6 +470,7 @@ def benchmark(
 @click.option("--seed", default=20_000, show_default=True, help="Of the traffic.")
 @click.option(
     "--speed",
+    default=None,
     callback=_road_speed,
     metavar="KMH|road",
     help="What egos want to drive at, and everybody in proportion, within the limits of the roads: km/h, or 'road' for "
@@ -527,6 +528,7 @@ def drive(
 )
 @click.option(
     "--speed",
+    default=None,
     callback=_road_speed,
     metavar="KMH|road",
     help="What the ego is to drive at, and everybody in proportion, within the limits of the roads: km/h, or 'road' "

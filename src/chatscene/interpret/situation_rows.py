@@ -52,6 +52,7 @@ SITES: dict[Site, Road] = {
     Site.CROSSWALK: Road(has=(Feature.CROSSWALK,)),
     Site.PARKING: Road(has=(Feature.PARKING_PLACES,)),
     Site.BUS_BAY: Road(has=(Feature.BUS_BAY,)),
+    Site.RAIL_CROSSING: Road(kind=RoadKind.RAIL_CROSSING),
 }
 WAYS_OF_SITES = {Site.ROUNDABOUT: EgoRoute.ROUNDABOUT, Site.ON_RAMP: EgoRoute.MERGE, Site.OFF_RAMP: EgoRoute.EXIT}
 RULES = {

@@ -292,7 +292,7 @@ LATERAL_PHRASES = (
     "{offset} from the middle of its lane< on {egos} {side}>",
     "{edge} inside the edge of its lane< on {egos} {side}>",
     "in line with {overlap} of {egos} width< on {egos} {side}>",
-    "{beyond} beside the lanes",
+    "{beyond} beside the lanes< on {egos} {side}>",
     "with {clearance} between it and {egos} side< on {egos} {side}>",
 )
 """Where across the road somebody is."""
