@@ -75,3 +75,10 @@ def test_aisles_of_a_car_park_cross() -> None:
     built = made(comes, road={"kind": "parking-lot"})
     assert "has=('bays',)" in built.program.source
     assert "crossed=('right',)" in built.program.source
+
+
+def test_who_stands_at_the_edge_of_a_car_park_backs_out_of_its_bay_across_the_way() -> None:
+    backs = {"id": "A", "kind": "car", "starts": {"where": "kerb"}, "does": [{"act": "stand"}, {"act": "reverse"}]}
+    built = build(from_plain({"road": {"kind": "parking-lot"}, "others": [backs]}))
+    assert "crossingDirection" in built.program.source
+    assert not built.left_out
