@@ -16,6 +16,8 @@ NOSE = 80.0  # [m], over which the hard shoulder gives way to a ramp
 TAPER = (10.0, 70.0)  # [m], from where to where a fourth lane comes into being
 SPEEDING_UP = (250.0, 320.0)  # [m] in it, from where to where it tapers out
 SHIFT = 1200.0  # [m], radius of the bends by which the carriageways part
+GORE = 5.0  # [m] from the middle of the junction of a ramp to where its streets end
+SLOW = Surroundings.MOTORWAY_END  # where they begin and end
 RAMP = RampDesign(edge=EDGE, turn=math.radians(60), radius=150.0, foot_at=250.0, foot=100.0)
 OFF_EAST, ON_EAST = RAMP.leaves(1280.0, -1), RAMP.joins(1990.0, -1)
 ON_WEST, OFF_WEST = RAMP.joins(1660.0, 1), RAMP.leaves(2280.0, 1)
@@ -35,7 +37,6 @@ def carriageways(ring: Node, out: float, end: Node) -> list[Street]:
         end: The junction in which they end in the east.
     """
     east, west = -MEDIAN, MEDIAN
-    slow = Surroundings.MOTORWAY_END
     at_ring, at_end = (out, 0.0), (end.x - end.setback, end.y)
     eastbound = (
         Street(
@@ -46,43 +47,9 @@ def carriageways(ring: Node, out: float, end: Node) -> list[Street]:
             start_at=at_ring,
             end_at=(180.0, east),
             via=((90.0, 0.0, SHIFT), (145.0, east, SHIFT)),
-            surroundings=slow,
+            surroundings=SLOW,
         ),
-        Street(
-            id=12,
-            start=11,
-            end=13,
-            lanes=3,
-            start_at=(180.0, east),
-            end_at=(300.0, east),
-            begins=TAPER,
-            surroundings=slow,
-        ),
-        Street(id=13, start=12, end=14, lanes=3, start_at=(300.0, east), end_at=(950.0, east)),
-        Street(id=14, start=13, end=DIVERGE_EAST, lanes=4, start_at=(950.0, east), end_at=(1270.0, east), begins=TAPER),
-        Street(
-            id=15,
-            start=DIVERGE_EAST,
-            end=MERGE_EAST,
-            lanes=3,
-            start_at=(1280.0, east),
-            end_at=(1990.0, east),
-            nose=(NOSE, NOSE),
-        ),
-        Street(
-            id=16, start=MERGE_EAST, end=17, lanes=4, start_at=(2000.0, east), end_at=(2330.0, east), ceases=SPEEDING_UP
-        ),
-        Street(id=17, start=16, end=18, lanes=3, start_at=(2330.0, east), end_at=(3260.0, east)),
-        Street(
-            id=18,
-            start=17,
-            end=19,
-            lanes=3,
-            start_at=(3260.0, east),
-            end_at=(3400.0, east),
-            ceases=(20.0, 120.0),
-            surroundings=slow,
-        ),
+        *_past_ramps(12, east, (DIVERGE_EAST, MERGE_EAST), (180.0, 300.0, 950.0, 2330.0, 3260.0, 3400.0)),
         Street(
             id=19,
             start=18,
@@ -91,7 +58,7 @@ def carriageways(ring: Node, out: float, end: Node) -> list[Street]:
             start_at=(3400.0, east),
             end_at=at_end,
             via=((3440.0, east, SHIFT), (3500.0, 0.0, SHIFT)),
-            surroundings=slow,
+            surroundings=SLOW,
         ),
     )
     westbound = (
@@ -103,45 +70,9 @@ def carriageways(ring: Node, out: float, end: Node) -> list[Street]:
             start_at=at_end,
             end_at=(3400.0, west),
             via=((3500.0, 0.0, SHIFT), (3440.0, west, SHIFT)),
-            surroundings=slow,
+            surroundings=SLOW,
         ),
-        Street(
-            id=22,
-            start=21,
-            end=23,
-            lanes=3,
-            start_at=(3400.0, west),
-            end_at=(3260.0, west),
-            begins=TAPER,
-            surroundings=slow,
-        ),
-        Street(id=23, start=22, end=24, lanes=3, start_at=(3260.0, west), end_at=(2610.0, west)),
-        Street(
-            id=24, start=23, end=DIVERGE_WEST, lanes=4, start_at=(2610.0, west), end_at=(2290.0, west), begins=TAPER
-        ),
-        Street(
-            id=25,
-            start=DIVERGE_WEST,
-            end=MERGE_WEST,
-            lanes=3,
-            start_at=(2280.0, west),
-            end_at=(1660.0, west),
-            nose=(NOSE, NOSE),
-        ),
-        Street(
-            id=26, start=MERGE_WEST, end=27, lanes=4, start_at=(1650.0, west), end_at=(1320.0, west), ceases=SPEEDING_UP
-        ),
-        Street(id=27, start=26, end=28, lanes=3, start_at=(1320.0, west), end_at=(400.0, west)),
-        Street(
-            id=28,
-            start=27,
-            end=29,
-            lanes=3,
-            start_at=(400.0, west),
-            end_at=(260.0, west),
-            ceases=(20.0, 120.0),
-            surroundings=slow,
-        ),
+        *_past_ramps(22, west, (DIVERGE_WEST, MERGE_WEST), (3400.0, 3260.0, 2610.0, 1320.0, 400.0, 260.0)),
         Street(
             id=29,
             start=28,
@@ -150,7 +81,7 @@ def carriageways(ring: Node, out: float, end: Node) -> list[Street]:
             start_at=(260.0, west),
             end_at=at_ring,
             via=((145.0, west, SHIFT), (90.0, 0.0, SHIFT)),
-            surroundings=slow,
+            surroundings=SLOW,
         ),
     )
     return [
@@ -159,7 +90,72 @@ def carriageways(ring: Node, out: float, end: Node) -> list[Street]:
             back=0,
             shoulder=HARD_SHOULDER,
             sidewalk=0.0,
-            surroundings=slow if part.surroundings is slow else Surroundings.SLOWER_MOTORWAY,
+            surroundings=SLOW if part.surroundings is SLOW else Surroundings.SLOWER_MOTORWAY,
         )
         for part in (*eastbound, *westbound)
     ]
+
+
+def _past_ramps(first: int, y: float, ramps: tuple[Node, Node], cuts: tuple[float, ...]) -> tuple[Street, ...]:
+    """One carriageway from where a third lane begins to where it has ceased, past an off-ramp and an on-ramp.
+
+    Args:
+        first: Id of its first street; those before and after it have the ids before and after its own.
+        y: Of the carriageway [m].
+        ramps: The junctions of the off-ramp and of the on-ramp.
+        cuts: Where it is cut [m] beside these junctions, in driving order.
+    """
+    third, wide, fourth, merged, narrow, last = cuts
+    diverge, merge = ramps
+    gore = math.copysign(GORE, last - third)
+    return (
+        Street(
+            id=first,
+            start=first - 1,
+            end=first + 1,
+            lanes=3,
+            start_at=(third, y),
+            end_at=(wide, y),
+            begins=TAPER,
+            surroundings=SLOW,
+        ),
+        Street(id=first + 1, start=first, end=first + 2, lanes=3, start_at=(wide, y), end_at=(fourth, y)),
+        Street(
+            id=first + 2,
+            start=first + 1,
+            end=diverge,
+            lanes=4,
+            start_at=(fourth, y),
+            end_at=(diverge.x - gore, y),
+            begins=TAPER,
+        ),
+        Street(
+            id=first + 3,
+            start=diverge,
+            end=merge,
+            lanes=3,
+            start_at=(diverge.x + gore, y),
+            end_at=(merge.x - gore, y),
+            nose=(NOSE, NOSE),
+        ),
+        Street(
+            id=first + 4,
+            start=merge,
+            end=first + 5,
+            lanes=4,
+            start_at=(merge.x + gore, y),
+            end_at=(merged, y),
+            ceases=SPEEDING_UP,
+        ),
+        Street(id=first + 5, start=first + 4, end=first + 6, lanes=3, start_at=(merged, y), end_at=(narrow, y)),
+        Street(
+            id=first + 6,
+            start=first + 5,
+            end=first + 7,
+            lanes=3,
+            start_at=(narrow, y),
+            end_at=(last, y),
+            ceases=(20.0, 120.0),
+            surroundings=SLOW,
+        ),
+    )
