@@ -13,8 +13,9 @@ MEDIAN = 2.0  # [m], half of what lies between the carriageways
 EDGE = MEDIAN + 3 * LANE  # [m] from the middle of the motorway to where a fourth lane begins
 HARD_SHOULDER = 2.5  # [m]
 NOSE = 80.0  # [m], over which the hard shoulder gives way to a ramp
-TAPER = (10.0, 70.0)  # [m], from where to where a fourth lane comes into being
+TAPER = (10.0, 70.0)  # [m], from where to where a third or fourth lane comes into being
 SPEEDING_UP = (250.0, 320.0)  # [m] in it, from where to where it tapers out
+DROP = (20.0, 120.0)  # [m], from where to where a third lane tapers out
 SHIFT = 1200.0  # [m], radius of the bends by which the carriageways part
 GORE = 5.0  # [m] from the middle of the junction of a ramp to where its streets end
 SLOW = Surroundings.MOTORWAY_END  # where they begin and end
@@ -105,57 +106,18 @@ def _past_ramps(first: int, y: float, ramps: tuple[Node, Node], cuts: tuple[floa
         ramps: The junctions of the off-ramp and of the on-ramp.
         cuts: Where it is cut [m] beside these junctions, in driving order.
     """
-    third, wide, fourth, merged, narrow, last = cuts
+    third, wide, fourth, merged, narrow, last = ((x, y) for x in cuts)
     diverge, merge = ramps
-    gore = math.copysign(GORE, last - third)
-    return (
-        Street(
-            id=first,
-            start=first - 1,
-            end=first + 1,
-            lanes=3,
-            start_at=(third, y),
-            end_at=(wide, y),
-            begins=TAPER,
-            surroundings=SLOW,
-        ),
-        Street(id=first + 1, start=first, end=first + 2, lanes=3, start_at=(wide, y), end_at=(fourth, y)),
-        Street(
-            id=first + 2,
-            start=first + 1,
-            end=diverge,
-            lanes=4,
-            start_at=(fourth, y),
-            end_at=(diverge.x - gore, y),
-            begins=TAPER,
-        ),
-        Street(
-            id=first + 3,
-            start=diverge,
-            end=merge,
-            lanes=3,
-            start_at=(diverge.x + gore, y),
-            end_at=(merge.x - gore, y),
-            nose=(NOSE, NOSE),
-        ),
-        Street(
-            id=first + 4,
-            start=merge,
-            end=first + 5,
-            lanes=4,
-            start_at=(merge.x + gore, y),
-            end_at=(merged, y),
-            ceases=SPEEDING_UP,
-        ),
-        Street(id=first + 5, start=first + 4, end=first + 6, lanes=3, start_at=(merged, y), end_at=(narrow, y)),
-        Street(
-            id=first + 6,
-            start=first + 5,
-            end=first + 7,
-            lanes=3,
-            start_at=(narrow, y),
-            end_at=(last, y),
-            ceases=(20.0, 120.0),
-            surroundings=SLOW,
-        ),
+    gore = math.copysign(GORE, cuts[-1] - cuts[0])
+    leaves, left = (diverge.x - gore, y), (diverge.x + gore, y)
+    joins, joined = (merge.x - gore, y), (merge.x + gore, y)
+    parts = (
+        Street(id=first, start=first - 1, end=first + 1, lanes=3, start_at=third, end_at=wide, begins=TAPER),
+        Street(id=first + 1, start=first, end=first + 2, lanes=3, start_at=wide, end_at=fourth),
+        Street(id=first + 2, start=first + 1, end=diverge, lanes=4, start_at=fourth, end_at=leaves, begins=TAPER),
+        Street(id=first + 3, start=diverge, end=merge, lanes=3, start_at=left, end_at=joins, nose=(NOSE, NOSE)),
+        Street(id=first + 4, start=merge, end=first + 5, lanes=4, start_at=joined, end_at=merged, ceases=SPEEDING_UP),
+        Street(id=first + 5, start=first + 4, end=first + 6, lanes=3, start_at=merged, end_at=narrow),
+        Street(id=first + 6, start=first + 5, end=first + 7, lanes=3, start_at=narrow, end_at=last, ceases=DROP),
     )
+    return (replace(parts[0], surroundings=SLOW), *parts[1:-1], replace(parts[-1], surroundings=SLOW))
