@@ -161,6 +161,14 @@ def test_who_backs_up_covers_the_way_that_was_said(way: str) -> None:
     assert -speed[speed < 0].sum() * 0.1 == pytest.approx(float(way.split(maxsplit=1)[0]), abs=0.6)
 
 
+@pytest.mark.parametrize("where", ["driveway", "kerb", "ahead"])
+@pytest.mark.parametrize("act", ["stop", "brake"])
+def test_who_backs_and_then_stops_does_not_set_off_forwards_for_that(where: str, act: str) -> None:
+    said = somebody("car", where, deed("stand"), deed("reverse"), deed(act))
+    assert unseen(said) == ()
+    assert track(driven(said)).speed.max() < 0.1
+
+
 def test_who_brakes_to_a_speed_goes_on_at_it() -> None:
     speed = track(driven(somebody("car", "ahead", deed("brake", speed="10 km/h")))).speed
     assert speed[-1] == pytest.approx(10 / 3.6, abs=0.3)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.aim import STOOD, set_offset
 from chatscene.build.aside import avoids, comes_aside, goes_by, grazes, line_aside, must_avoid, sign_of_side
-from chatscene.build.asked import Meets, stands_first, stops_in_the_way, stops_on_its_way
+from chatscene.build.asked import STOPS, Meets, stands_first, stops_in_the_way, stops_on_its_way
 from chatscene.build.choosing import is_in_ours, steps_of
 from chatscene.build.contact import misses, parts_of_door, touches
 from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, RESTS_THERE, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
@@ -45,6 +45,7 @@ if TYPE_CHECKING:
 GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 AS_SAID, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
+ENDS_BACKING = STOPS | {Act.FALL}  # by which who backs comes to a stand: it does not set off forwards for that
 STAYS = frozenset((Act.ACCELERATE, Act.DRIFT))  # it goes on so, whatever time that took
 OPENS_BEFORE, OPENS_INTO = (-1.1, -0.5), (-1.4, -1.1)  # [s] later than one could stop for it that a door is opened
 OUT_AGAIN = frozenset((Act.U_TURN, Act.PULL_OUT, Act.SET_OFF, Act.LANE_CHANGE, Act.CUT_IN, Act.ENTER))
@@ -255,7 +256,8 @@ class Phases:
         twice = k > 0 and self.actor.deeds[k].act is self.actor.deeds[k - 1].act is Act.BRAKE
         if twice and self.actor.stand.meets is not Meets.ACROSS:
             return True
-        if self.goes_on_braking(k) or not steps.going or (steps.pace is Pace.GAINS and before.high <= CRAWLS):
+        backs = k > 0 and self.actor.deeds[k - 1].act is Act.REVERSE and self.actor.deeds[k].act in ENDS_BACKING
+        if self.goes_on_braking(k) or backs or not steps.going or (steps.pace is Pace.GAINS and before.high <= CRAWLS):
             return False
         return still or (bool(before.name) and steps.pace is not Pace.GAINS)
 
