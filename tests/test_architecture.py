@@ -74,7 +74,10 @@ def test_a_sentence_goes_through_the_doors_that_the_page_tells_and_through_no_mo
     assert len(files) <= int(re.findall(r"(\d+) files", page)[0])
 
 
-HEAVY = ("scenic", "trimesh", "scipy", "shapely", "PIL", "pyarrow", "matplotlib", "jinja2", "networkx", "torch", "onnx")
+HEAVY = (
+    "scenic", "trimesh", "scipy", "shapely", "PIL", "pyarrow", "matplotlib", "jinja2", "networkx", "torch", "onnx",
+    "chatscene.read.learned",
+)  # fmt: skip
 OF_MAPS = ("scenic", "trimesh", "scipy", "shapely", "networkx", "PIL")  # which comes with Scenic
 """What a text that is explained may load: its program is built on a map that has such a place."""
 TEXT = "A cyclist rides out from the left and stops in front of us."

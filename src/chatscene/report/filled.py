@@ -13,7 +13,6 @@ from chatscene.interpret.stated import FACTS, in_text
 from chatscene.models.language.protocol import load_language_model
 from chatscene.read.by_model import LIMITS, ModelReader
 from chatscene.read.edit_by_model import edited_by
-from chatscene.read.learned.reader import LearnedReader
 from chatscene.read.quotes import words_of
 from chatscene.read.reader import Reader
 from chatscene.report.stated import Editor, Stated, built_of, stated, with_edits
@@ -145,6 +144,8 @@ def read_already(settings: RetrievalSettings) -> RetrievalSettings:
 
 def _reader(settings: RetrievalSettings, named: str, cannot_build: Callable[[Situation], str]) -> Reader:
     if settings.reader == LEARNED:
+        from chatscene.read.learned.reader import LearnedReader
+
         return LearnedReader()
     if settings.language_model == OFFLINE:
         facts = " ".join(filter(None, (settings.stated, named)))
