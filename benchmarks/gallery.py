@@ -85,7 +85,7 @@ It sees vehicles ahead in its lane only, and so crashes often ([egos](egos.md)):
 and `planner`, who drives in `run` where no ego is named, avoids many of them. Shown is the first scene of the report.
 The ego is blue, adversaries are orange, what hides or blocks is brown.
 Lines are the ways that they came, a star is the contact.
-`python benchmarks/gallery.py --out runs/gallery` makes this page (seed 0, commit `803b47d`).
+`python benchmarks/gallery.py --out runs/gallery` makes this page (seed 0).
 [Coverage](coverage.md) has longer lists.
 
 [All of these scenes as OpenSCENARIO](gallery/openscenario.zip): everybody on the track as driven, with the maps,

@@ -23,6 +23,7 @@ from pages import Written, steps_of
 from places import ROOT
 
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
+OF_OTHERS = {"dec2269"}  # commits that pages name of SafeBench
 CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
 
 
@@ -85,6 +86,14 @@ def test_a_tutorial_holds_what_its_cells_print(path: Path, tmp_path: Path, monke
     monkeypatch.delenv("PYTEST_ADDOPTS", raising=False)  # a cell runs pytest, and what that prints is held
     notebook = json.loads(path.read_text())
     assert printed(notebook, tmp_path) == held(notebook)
+
+
+def test_pages_for_users_name_no_commit_of_ours() -> None:
+    ours = [page for page in PAGES if not {"decisions", "lab", "results"} & set(page.relative_to(ROOT).parts)]
+    for page in ours:
+        words = re.findall(r"\b[0-9a-f]{7,40}\b", page.read_text())
+        named = {word for word in words if re.search(r"\d", word) and re.search(r"[a-f]", word)}
+        assert not named - OF_OTHERS, f"{page.name}: name it in docs/lab/commits.md"
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
