@@ -31,6 +31,9 @@ from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Share
         ("doing 85 on the slip road", Speed.of("85 km/h")),
         ("we were doing forty", Speed.of("40 mph")),
         ("at walking pace", Speed(1.4, 1.4)),
+        ("f\u0131ve metre\u017f", Length.of("5 m")),
+        ("60 M\u0130LES PER HOUR", Speed.of("60 mph")),
+        ("at mo\u017ft 12 m", Length.of("at most 12 m")),
     ],
 )
 def test_an_amount_is_found(text: str, amount: Amount) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from enum import IntEnum
 
@@ -47,8 +47,8 @@ _AFTER = {
 }
 
 
-def _either(words: object) -> str:
-    return "|".join(re.escape(word) for word in sorted(words, key=len, reverse=True))  # type: ignore[call-overload]
+def _either(words: Iterable[str]) -> str:
+    return "|".join(re.escape(word) for word in sorted(words, key=len, reverse=True))
 
 
 _NUMBER = rf"(?:(?<![\d.,\w])\d+(?:,\d{{3}}(?!\d))*(?:[.,]\d+)?|(?<!\w)(?:{_either(FIGURES)})(?!\w))"
@@ -64,6 +64,7 @@ _ALL = re.compile(
 )
 _BARE = re.compile(rf"{_NUMBER}(?![\w.,]*\d)", re.IGNORECASE)
 _SLOWEST, _FASTEST = 5.0, 250.0  # of a number without a unit that is taken for a speed
+_ODD = str.maketrans("\u0131\u0130\u017f", "iis")  # letters that patterns which ignore case take for these
 _WALKING = re.compile(r"(?i)walking[ -](?:pace|speed)")
 WALKING_PACE = Speed(1.4, 1.4)
 
@@ -103,6 +104,7 @@ MOST_FOUND = 24
 
 def amounts_in(text: str) -> tuple[Found, ...]:
     """The amounts that the words of a text may mean, in their order; of a bound or a range, its number as well."""
+    text = text.translate(_ODD)
     matches = tuple(_ALL.finditer(text))
     found = [one for match in matches for one in _meant(match)]
     found += [Found(match.start(), match.end(), WALKING_PACE) for match in _WALKING.finditer(text)]
