@@ -51,5 +51,11 @@ def test_where_there_is_no_amount_none_is_found(text: str) -> None:
     assert not amounts_in(text)
 
 
+def test_a_bound_is_the_same_as_no_other_amount() -> None:
+    bound = Length.of("at most 12 m")
+    assert same(bound, Length.of("at most 12.1 m"))
+    assert not any(same(bound, Length.of(other)) for other in ("12 m", "at least 12 m", "5 to 12 m", "at most 20 m"))
+
+
 def test_a_range_that_goes_down_is_none() -> None:
     assert not any(one.amount == Length.of("5 to 10 m") for one in amounts_in("10 to 5 m"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -177,4 +178,4 @@ def same(one: Amount, other: Amount) -> bool:
     if type(one) is not type(other) or one.than_ego is not other.than_ego:
         return False
     pairs = ((one.low, other.low), (one.high, other.high))
-    return all(a == b or abs(a - b) <= _NEAR * max(abs(a), abs(b)) for a, b in pairs)
+    return all(math.isclose(a, b, rel_tol=_NEAR) for a, b in pairs)
