@@ -52,13 +52,18 @@ def test_an_ego_by_rule_keeps_the_speed_that_is_wanted_and_else_its_own(name: st
     assert last_speed(simulator, program(""), name) < 9.5
 
 
-def test_a_network_that_was_trained_for_less_than_is_wanted_says_so(simulator: Simulator) -> None:
-    layers = ((np.zeros((2, OBSERVATIONS["traffic"]), np.float32), np.zeros(2, np.float32)),)
-    ego = NetworkEgo(Network(layers=layers), name="slow", observation="traffic", trained_for=10.0)
+@pytest.mark.parametrize(
+    ("observation", "why"),
+    [("traffic", "was trained for up to 10 m/s and drives no faster"), ("actors", "drives at a speed of its own")],
+)
+def test_a_network_that_was_trained_for_less_than_is_wanted_says_so(
+    simulator: Simulator, observation: str, why: str
+) -> None:
+    layers = ((np.zeros((2, OBSERVATIONS[observation]), np.float32), np.zeros(2, np.float32)),)
+    ego = NetworkEgo(Network(layers=layers), name="slow", observation=observation, trained_for=10.0)
     ran = drive(program(), Slots(), SCENE, simulator=simulator, ego=ego)
     assert isinstance(ran, Ran)
-    told = "the ego is to drive at 12 m/s, and slow was trained for up to 10 m/s and drives no faster"
-    assert ran.unplayed == (told,)
+    assert ran.unplayed == (f"the ego is to drive at 12 m/s, and slow {why}",)
 
 
 def test_an_ego_that_is_told_a_speed_is_another_and_keeps_its_name() -> None:

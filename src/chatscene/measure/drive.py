@@ -112,14 +112,12 @@ def _not_kept_to(program: ScenicProgram, ego: EgoPolicy) -> list[str]:
     if program.as_written:
         return []
     told: list[str] = []
-    if program.wanted_speed is not None and not takes_speed(ego):
-        told = [f"the ego is to drive at {program.wanted_speed:g} m/s, and {name_of(ego)} drives at a speed of its own"]
-    trained_for = getattr(ego, "trained_for", 0.0)
-    if program.wanted_speed is not None and 0.0 < trained_for < program.wanted_speed and not program.keeps_limits:
-        told = [
-            f"the ego is to drive at {program.wanted_speed:g} m/s, and {name_of(ego)} was trained for up to "
-            f"{trained_for:.4g} m/s and drives no faster"
-        ]
+    if (wanted := program.wanted_speed) is not None:
+        so, trained_for = f"the ego is to drive at {wanted:g} m/s, and {name_of(ego)}", getattr(ego, "trained_for", 0.0)
+        if not takes_speed(ego):
+            told = [f"{so} drives at a speed of its own"]
+        elif 0.0 < trained_for < wanted and not program.keeps_limits:
+            told = [f"{so} was trained for up to {trained_for:.4g} m/s and drives no faster"]
     if program.ego_kind != CAR and not knows_body(ego):
         told.append(f"the ego is no car ({noun_of(program.ego_kind)}), and {name_of(ego)} drives it as if it were one")
     return told
