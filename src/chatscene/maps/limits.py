@@ -29,7 +29,7 @@ _KINDS = {
     "motorway": (MOTORWAY, MOTORWAY),
     **dict.fromkeys(("lowSpeed", "townPlayStreet", "pedestrian"), (SLOW, SLOW)),
 }
-_KINDS["bicycle"] = (SLOW, SLOW)
+_KINDS["bicycle"] = (SLOW, SLOW)  # on its own: lists of several road users are one table (decision 0034)
 # Of any other kind. `town` is what netconvert and the maps of CARLA say of every road, motorways too: where such a
 # one has a limit of its own, that is the better witness.
 _OTHER = (TOWN, MOTORWAY)
