@@ -1,4 +1,4 @@
-"""What the printed tables of docs/results.md say beyond their cells; nothing is simulated.
+"""What the printed tables of docs/lab/paper-tables.md say beyond their cells; nothing is simulated.
 
     python benchmarks/printed_tables.py
 
@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-RESULTS = Path(__file__).parents[1] / "docs" / "results.md"
+RESULTS = Path(__file__).parents[1] / "docs" / "lab" / "paper-tables.md"
 METHODS = ("chatscene", "adversarial-trajectory", "advsim", "learning-to-collide", "carla-scenario-generator")
 BASES = 8
 Table = dict[str, list[float]]

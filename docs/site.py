@@ -13,6 +13,7 @@ from pathlib import Path
 import click
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
+from mkdocs.structure.pages import Page
 
 from chatscene.commands.main import main
 
@@ -41,8 +42,10 @@ def on_files(files: Files, *, config: MkDocsConfig) -> Files:
     return files
 
 
-def on_page_markdown(markdown: str, **_: object) -> str:
-    """Lead to the page of a tutorial, not to its notebook."""
+def on_page_markdown(markdown: str, *, page: Page, **_: object) -> str:
+    """Lead to the page of a tutorial, not to its notebook; keep decisions and logs out of the search."""
+    if page.file.src_uri.startswith(("decisions/", "lab/")):
+        page.meta["search"] = {"exclude": True}
     return re.sub(r"(tutorials/[\w-]+)\.ipynb\)", r"\1.md)", markdown)
 
 

@@ -58,11 +58,16 @@ class Loaded(HTMLParser):
 
 def test_the_navigation_names_every_page_once() -> None:
     named = list(leaves(yaml.safe_load((ROOT / "mkdocs.yml").read_text())["nav"]))
-    pages = {str(page.relative_to(DOCS)) for page in DOCS.rglob("*.md") if page.parent.name != "decisions"}
-    made = {"index.md", "contributing.md", "changelog.md", "security-policy.md"}
-    made |= {"decisions/index.md", "reference/commands.md"}
+    pages = {str(page.relative_to(DOCS)) for page in DOCS.rglob("*.md") if page.parent.name not in ("decisions", "lab")}
+    made = {"index.md", "contributing.md", "changelog.md", "security-policy.md", "lab/index.md"}
+    made |= {"reference/commands.md"}
     made |= {f"tutorials/{path.stem}.md" for path in TUTORIALS}
     assert sorted(named) == sorted(pages | made)
+
+
+def test_the_page_of_the_laboratory_leads_to_every_log() -> None:
+    linked = set(re.findall(r"\]\(([\w-]+\.md)\)", (DOCS / "lab" / "index.md").read_text()))
+    assert linked == {page.name for page in DOCS.glob("lab/*.md")} - {"index.md"}
 
 
 def test_the_page_of_python_has_every_public_name() -> None:
@@ -109,6 +114,9 @@ def test_the_site_is_built_without_a_warning_and_asks_nobody_for_anything(tmp_pa
     assert all(f'id="chatscene-{verb}"' in commands for verb in main.commands)
     decisions = (site / "decisions" / "index.html").read_text()
     assert all(f"{page.stem}.html" in decisions for page in DOCS.glob("decisions/*.md"))
+    found = {entry["location"] for entry in json.loads((site / "search" / "search_index.json").read_text())["docs"]}
+    assert "tour.html" in found
+    assert not [place for place in found if place.startswith(("decisions/", "lab/"))]
 
 
 def test_the_button_of_a_block_copies_its_commands_without_prompts_and_answers() -> None:

@@ -1,4 +1,4 @@
-"""The egos that ship with the package, trained here; `docs/results/egos.md` has commands, seeds, curves and figures."""
+"""The egos that ship with the package, trained here; `docs/lab/egos.md` has commands, seeds, curves and figures."""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@
 Paper: section 3.3, step iii, an index of faiss per component. Exact search takes a time in proportion to the rows;
 below `EXACT_UP_TO` that is little beside encoding the sentence, so nothing is gained by guessing. Above it the rows are
 put into lists around centres (`IndexIVFFlat`), and only the nearest lists are read. HNSW searches faster still, but
-takes four times as long to build and cannot be asked for everything (docs/results/encoders.md).
+takes four times as long to build and cannot be asked for everything (docs/lab/encoders.md).
 """
 
 from __future__ import annotations
