@@ -52,6 +52,12 @@ def test_one_point_is_no_line() -> None:
         Polyline([(1, 2), (1, 2.0005)])
 
 
+def test_a_point_within_a_millimetre_of_the_one_kept_before_it_is_dropped() -> None:
+    line = Polyline([(0.0, 0.0), (0.0006, 0.0), (0.0012, 0.0), (1.0, 0.0), (1.0, 0.0005)])
+    assert line.points.tolist() == [[0.0, 0.0], [0.0012, 0.0], [1.0, 0.0]]
+    assert line.length == pytest.approx(1.0)
+
+
 def test_points_may_carry_a_height_that_is_ignored() -> None:
     assert Polyline([(0, 0, 7), (3, 4, 9)]).length == 5.0
 

@@ -9,6 +9,7 @@ import shapely
 
 from chatscene.maps.car_parks import car_parks
 from chatscene.maps.furniture import furniture_of
+from chatscene.maps.kept import kept
 from chatscene.terms.route import Equipment, Route
 
 NEAR = 10.0  # [m] before or beyond a junction: a crosswalk that is nearer is one of its own
@@ -35,13 +36,20 @@ def _road(network: Any, route: Route) -> int:
 def _crosswalks(network: Any, route: Route) -> bool:
     if route.junction is None:
         return False
-    inside = network.elements[route.junction].polygons
-    before, beyond = (
-        [area for road, area in furniture_of(network).crosswalks if road == arm]
-        for arm in (_road(network, route), network.elements[route.lane_ids[-1]].road.id)
-    )
+    junction = network.elements[route.junction]
+    near = kept(junction, "crosswalks", lambda junction: _crosswalks_near(network, junction))
+    arms = (_road(network, route), network.elements[route.lane_ids[-1]].road.id)
+    before, beyond = ([area for road, area in near if road == arm] for arm in arms)
+    if not (before and beyond):
+        return False
     line = shapely.LineString(route.line.points)
-    return all(any(line.intersects(area) and inside.distance(area) < NEAR for area in on) for on in (before, beyond))
+    return all(any(line.intersects(area) for area in on) for on in (before, beyond))
+
+
+def _crosswalks_near(network: Any, junction: Any) -> list[tuple[int, shapely.Polygon]]:
+    """The crosswalks at a junction, each with the road it lies on."""
+    inside = junction.polygons
+    return [(road, area) for road, area in furniture_of(network).crosswalks if inside.distance(area) < NEAR]
 
 
 def _cycle_lane(network: Any, route: Route) -> bool:

@@ -8,6 +8,7 @@ from typing import Any
 
 from chatscene.errors import MapError
 from chatscene.maps.furniture import furniture_of
+from chatscene.maps.kept import kept
 from chatscene.terms.scenario import Control
 
 STOP_SIGN = "206"  # OpenDRIVE's catalogue follows the German one, as do CARLA's maps
@@ -45,6 +46,10 @@ def junction_control(junction: Any) -> Control:
 
     Signals stand on the roads through it or, as some maps have them, at the end of the roads into it.
     """
+    return kept(junction, "control", _control)
+
+
+def _control(junction: Any) -> Control:
     if any(_lights(maneuver) for maneuver in junction.maneuvers):
         return Control.SIGNAL
     return _strongest(list(junction.signals))

@@ -10,6 +10,7 @@ from functools import lru_cache
 from itertools import accumulate
 from typing import Any
 
+from chatscene.maps.kept import kept
 from chatscene.terms.polyline import Polyline
 
 _SEAM = 0.5  # [m]; roads of a map that follow one another do not quite touch
@@ -78,6 +79,10 @@ def centre_line(lane: Any) -> Polyline:
     Without the points at which Scenic's own line steps back by some centimetres, which it does where pieces of a
     reference line or sections of a lane join: a heading taken there would be reversed.
     """
+    return kept(lane, "centre_line", _centre_line)
+
+
+def _centre_line(lane: Any) -> Polyline:
     return Polyline(forward(lane.centerline.points))
 
 
@@ -89,9 +94,9 @@ def _run(lanes: list[Any]) -> LaneRun:
 
 def forward(points: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
     """The points [m] of a line without those that step back; see `centre_line`."""
-    kept = [(float(x), float(y)) for x, y, *_ in points[:2]]
+    onward = [(float(x), float(y)) for x, y, *_ in points[:2]]
     for x, y, *_ in points[2:]:
-        (x0, y0), (x1, y1) = kept[-2:]
+        (x0, y0), (x1, y1) = onward[-2:]
         if (x - x1) * (x1 - x0) + (y - y1) * (y1 - y0) > 0:
-            kept.append((float(x), float(y)))
-    return kept
+            onward.append((float(x), float(y)))
+    return onward

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 import shapely
 
+from chatscene.maps.kept import kept
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import opposes, section_beside
 
@@ -82,6 +83,10 @@ class Weave:
 
 def arms(junction: Any) -> int:
     """How many arms one of Scenic's intersections has; a road for each direction makes one arm of two."""
+    return kept(junction, "arms", _arms)
+
+
+def _arms(junction: Any) -> int:
     ways = _approaches(junction)
     of_road: dict[str, list[tuple[float, float, float]]] = {}
     for road, pose in ways:

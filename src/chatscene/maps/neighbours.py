@@ -7,6 +7,7 @@ from typing import Any
 import shapely
 
 from chatscene.errors import MapError
+from chatscene.maps.kept import kept
 from chatscene.maps.lane_runs import lane_runs
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
@@ -30,7 +31,7 @@ def section_beside(section: Any, side: int) -> Any:
         return own
     edge = section.leftEdge.lineString
     begin, end = (shapely.Point(edge.coords[i]) for i in (0, -1))
-    begins, innermost = _innermost_of_one_way(section.network)
+    begins, innermost = kept(section.network, "innermost", _innermost_of_one_way)
     for i in sorted(begins.query(end, predicate="dwithin", distance=_TOGETHER).tolist()):
         other = innermost[i].leftEdge.lineString
         back = shapely.Point(other.coords[-1]).distance(begin) < _TOGETHER
@@ -49,17 +50,10 @@ def _one_way(road: Any) -> bool:
 
 
 def _innermost_of_one_way(network: Any) -> tuple[Any, list[Any]]:
-    """Where the left edges of the innermost lanes of one-way roads begin, to be searched, and their sections.
-
-    Kept on the network: what a lane knows of its network is a weak reference, by which nothing can be remembered.
-    """
-    kept = getattr(network, "innermost", None)
-    if kept is None:
-        lanes = [lane for road in network.roads if _one_way(road) for lane in road.lanes]
-        found = [section for lane in lanes for section in lane.sections if section._laneToLeft is None]
-        kept = shapely.STRtree([shapely.Point(s.leftEdge.lineString.coords[0]) for s in found]), found
-        setattr(network, "innermost", kept)  # noqa: B010 - a class of somebody else's
-    return kept
+    """Where the left edges of the innermost lanes of one-way roads begin, to be searched, and their sections."""
+    lanes = [lane for road in network.roads if _one_way(road) for lane in road.lanes]
+    found = [section for lane in lanes for section in lane.sections if section._laneToLeft is None]
+    return shapely.STRtree([shapely.Point(s.leftEdge.lineString.coords[0]) for s in found]), found
 
 
 def neighbour_line(network: Any, route: Route, side: str) -> Polyline:

@@ -240,8 +240,10 @@ def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: 
         maneuvers = [m for m in intersection.maneuvers if TURNS.get(m.type.name) is query.maneuver]
         for maneuver in sorted(maneuvers, key=lambda m: (m.startLane.uid, m.endLane.uid)):
             approach = APPROACHES[variant] * (1.0 if query.approach is None else query.approach / APPROACHES[0])
-            route = _junction_route(network, maneuver, map_name, place, control, approach)
-            if route is None or not _offers(network, maneuver.startLane, query):
+            if not _offers(network, maneuver.startLane, query):
+                continue
+            route = _junction_route(network, maneuver, map_name, approach)
+            if route is None:
                 continue
             if not query.conflicting_from or set(query.conflicting_from) <= {
                 path.from_side for path in conflicting_paths(network, route)
@@ -249,9 +251,8 @@ def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: 
                 yield _Candidate(variant, str(intersection.uid), route)
 
 
-def _junction_route(
-    network: Any, maneuver: Any, map_name: str, place: Place, control: Control, approach: float
-) -> Route | None:
+@lru_cache(maxsize=1024)
+def _junction_route(network: Any, maneuver: Any, map_name: str, approach: float) -> Route | None:
     runs = lane_runs(network)
     before, after = runs[maneuver.startLane.uid], runs[maneuver.endLane.uid]
     start, end = before.line.length - approach, min(EXIT, after.line.length)
@@ -268,8 +269,8 @@ def _junction_route(
         id="",
         map_name=map_name,
         maneuver=TURNS[maneuver.type.name],
-        place=place,
-        control=control,
+        place=place_of(maneuver.intersection),
+        control=junction_control(maneuver.intersection),
         line=line.resampled(1.0),
         lane_ids=(
             *before.ids_between(start, before.line.length),

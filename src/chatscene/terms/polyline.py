@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from itertools import pairwise
+from itertools import accumulate
+from operator import sub
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import SettingsError
+
+_APART = 1e-3  # [m] between neighbours at least
 
 
 class Polyline:
@@ -29,26 +32,23 @@ class Polyline:
     __slots__ = ("_hx", "_hy", "_s", "_segments", "_x", "_y", "length", "points")
 
     def __init__(self, points: Iterable[Iterable[float]]) -> None:
-        kept: list[tuple[float, float]] = []
-        for x, y, *_ in points:
-            if not kept or math.hypot(x - kept[-1][0], y - kept[-1][1]) > 1e-3:
-                kept.append((float(x), float(y)))
+        listed: Any = points.tolist() if isinstance(points, np.ndarray) else points  # plain floats are the quicker ones
+        kept = [(float(x), float(y)) for x, y, *_ in listed]
+        x, y, steps = _columns(kept)
+        if not all(step > _APART for step in steps):
+            kept = _apart(kept)
+            x, y, steps = _columns(kept)
         if len(kept) < 2:
             raise SettingsError("a polyline needs at least two distinct points")
         self.points: NDArray[np.float64] = np.array(kept)
         self.points.setflags(write=False)
-        self._x = [x for x, _ in kept]
-        self._y = [y for _, y in kept]
-        self._s = [0.0]
-        self._hx: list[float] = []
-        self._hy: list[float] = []
-        for (x0, y0), (x1, y1) in pairwise(kept):
-            step = math.hypot(x1 - x0, y1 - y0)
-            self._hx.append((x1 - x0) / step)
-            self._hy.append((y1 - y0) / step)
-            self._s.append(self._s[-1] + step)
+        self._x, self._y = x, y
+        self._s = list(accumulate(steps, initial=0.0))
+        self._hx = [(b - a) / step for a, b, step in zip(x, x[1:], steps, strict=False)]
+        self._hy = [(b - a) / step for a, b, step in zip(y, y[1:], steps, strict=False)]
         self.length: float = self._s[-1]
-        (x0, y0), (dx, dy) = self.points[:-1].T, np.diff(self.points, axis=0).T
+        x0, y0 = self.points[:-1].T
+        dx, dy = self.points[1:, 0] - x0, self.points[1:, 1] - y0
         self._segments = x0, y0, dx, dy, dx * dx + dy * dy
 
     def __len__(self) -> int:
@@ -172,3 +172,18 @@ class Polyline:
     def join(*lines: Polyline) -> Polyline:
         """Several lines, end to end."""
         return Polyline(np.concatenate([line.points for line in lines]))
+
+
+def _columns(points: list[tuple[float, float]]) -> tuple[list[float], list[float], list[float]]:
+    """X, y and the distances between neighbours [m]."""
+    x, y = [x for x, _ in points], [y for _, y in points]
+    return x, y, list(map(math.hypot, map(sub, x[1:], x), map(sub, y[1:], y)))
+
+
+def _apart(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """The points without those that lie too close to the one kept before."""
+    kept = points[:1]
+    for x, y in points[1:]:
+        if math.hypot(x - kept[-1][0], y - kept[-1][1]) > _APART:
+            kept.append((x, y))
+    return kept
