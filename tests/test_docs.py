@@ -45,39 +45,76 @@ def test_no_page_installs_from_an_index_that_has_no_such_package() -> None:
     assert "\nwheel:" in (ROOT / "Makefile").read_text()
 
 
-def ran(code: str, folder: Path) -> None:
-    """Run code in a process of its own, which fails where the code does."""
-    done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, f"{code}\n{done.stdout}\n{done.stderr}"
+WITH_PYTHON = ("docs/edit.md", "docs/situation.md", "README.md", "docs/python.md", "docs/howto/rl-researcher.md")
+NOTEBOOK = "docs/notebook.ipynb"
+# Each page on its own: in its folder, with its names. One process for all, since to begin takes seconds.
+_EACH = """
+import json, os, sys, traceback
+pages = json.load(sys.stdin)
+for name, (folder, code) in pages.items():
+    os.chdir(folder)
+    try:
+        exec(compile(code, name, "exec"), {"__name__": "__main__"})
+    except BaseException:
+        pages[name] = traceback.format_exc()
+    else:
+        pages[name] = ""
+with open(sys.argv[1], "w") as file:
+    json.dump(pages, file)
+"""
 
 
-@pytest.mark.parametrize(
-    "page", ["README.md", "docs/python.md", "docs/edit.md", "docs/situation.md", "docs/howto/rl-researcher.md"]
-)
-def test_the_python_of_a_page_runs(page: str, tmp_path: Path) -> None:
+def python_of(page: str) -> str:
+    """All Python of a page, or of the notebook."""
+    if page == NOTEBOOK:
+        *before, last = cells_of_the_notebook()
+        return "\n".join([*map(shown, before), last])
+    return "\n".join(re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), re.DOTALL))
+
+
+@pytest.fixture(scope="module")
+def failed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """For each page with Python how it fails where it is run; empty where it does not."""
     pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
-    for step in steps_of(ROOT / page):
-        if isinstance(step, Written):
-            (tmp_path / step.name).write_text(step.content, encoding="utf-8")
-    blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), re.DOTALL)
-    assert any("import chatscene" in block for block in blocks)
-    ran("\n".join(blocks), tmp_path)
+    told, pages = tmp_path_factory.mktemp("told") / "told.json", dict[str, tuple[str, str]]()
+    for page in (*WITH_PYTHON, NOTEBOOK):
+        folder = tmp_path_factory.mktemp("page")
+        for step in steps_of(ROOT / page) if page != NOTEBOOK else ():
+            if isinstance(step, Written):
+                (folder / step.name).write_text(step.content, encoding="utf-8")
+        pages[page] = str(folder), python_of(page)
+    done = subprocess.run(
+        [sys.executable, "-c", _EACH, str(told)], input=json.dumps(pages), capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, f"{done.stdout}\n{done.stderr}"
+    return json.loads(told.read_text())
 
 
-def test_the_notebook_goes_from_a_sentence_to_a_step_in_ten_lines(tmp_path: Path) -> None:
-    pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
-    cells = json.loads((ROOT / "docs" / "notebook.ipynb").read_text())["cells"]
+@pytest.mark.parametrize("page", WITH_PYTHON)
+def test_the_python_of_a_page_runs(page: str, failed: dict[str, str]) -> None:
+    assert "import chatscene" in python_of(page)
+    assert not failed[page]
+
+
+def shown(cell: str) -> str:
+    """A cell that prints what a notebook shows: what its last line gives, if that does not print."""
+    *before, last = cell.splitlines()
+    return "\n".join([*before, last if last.startswith("print(") else f"({last})._repr_html_()"])
+
+
+def cells_of_the_notebook() -> list[str]:
+    """Its code, cell by cell."""
+    cells = json.loads((ROOT / NOTEBOOK).read_text())["cells"]
     code = [cell for cell in cells if cell["cell_type"] == "code"]
     assert not any(cell["outputs"] for cell in code)
-    lines = ["".join(cell["source"]) for cell in code]
+    return ["".join(cell["source"]) for cell in code]
+
+
+def test_the_notebook_goes_from_a_sentence_to_a_step_in_ten_lines(failed: dict[str, str]) -> None:
+    lines = cells_of_the_notebook()
     assert sum(bool(line.strip()) for cell in lines for line in cell.splitlines()) <= 10
     assert "env.step(" in lines[-1]
-
-    def shown(cell: str) -> str:  # a notebook shows what the last line of a cell gives, if that does not print
-        *before, last = cell.splitlines()
-        return "\n".join([*before, last if last.startswith("print(") else f"({last})._repr_html_()"])
-
-    ran("\n".join([*map(shown, lines[:-1]), lines[-1]]), tmp_path)
+    assert not failed[NOTEBOOK]
 
 
 @pytest.mark.parametrize("path", TUTORIALS, ids=lambda path: path.stem)
