@@ -4,8 +4,8 @@
 
 runs each sentence (ten scenes on one route, seed 0, with the surrogate ego of the paper, `sac`) and writes
 `docs/gallery.md` and the pictures in `docs/gallery/`: the first scene of each report, at the moment of contact, or
-where ego and adversary are nearest. One of them moves, as `docs/crash.gif`. `docs/gallery/openscenario.zip` has the
-same scenes for players of others, and the maps. Runs that are there already are resumed.
+where ego and adversary are nearest. `docs/gallery/openscenario.zip` has the same scenes for players of
+others, and the maps. Runs that are there already are resumed.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import zipfile
 from pathlib import Path
 
 import chatscene
-from chatscene.report.animation import animate, still
+from chatscene.report.animation import still
 from chatscene.runs import open_run, read_drawing
 
 PAGES = Path(__file__).parents[1] / "docs"
@@ -90,7 +90,6 @@ Lines are the ways that they came, a star is the contact.
 
 [All of these scenes as OpenSCENARIO](gallery/openscenario.zip): everybody on the track as driven, with the maps,
 for esmini or any other [player](exports.md#openscenario)."""
-ANIMATED = "A pedestrian steps out from behind a parked car on the right and stops in front of us."
 FIGURE = """<figure>
 <img src="gallery/{picture}" alt="{sentence}" width="426" height="240" loading="lazy">
 <figcaption>{sentence} <small>{what}</small></figcaption>
@@ -125,8 +124,6 @@ def figure(sentence: str, out: Path, files: zipfile.ZipFile) -> str:
     picture.parent.mkdir(exist_ok=True)
     drawing = read_drawing(open_run(folder))
     picture.write_bytes(still(episode, drawing))
-    if sentence == ANIMATED:
-        (PAGES / "crash.gif").write_bytes(animate(episode, drawing, said=sentence, ego="sac"))
     pack(files, name, folder, run.best.id)
     crash = episode.collision
     what = f"contact after {crash.step * episode.dt:.1f} s, at {crash.impact_speed:.1f} m/s" if crash else "no contact"
