@@ -18,7 +18,7 @@ from red_team.attempt import LIMITS, SECRET, Canaries, Listener, attempt
 from red_team.corpus import ATTACKS, Attack
 
 OUTCOMES = Path(__file__).with_name("outcomes.json")
-PAGE = Path(__file__).parents[2] / "docs" / "security.md"
+PAGE = Path(__file__).parents[2] / "docs" / "lab" / "red-team.md"
 BEGIN, END = "<!-- table begins -->", "<!-- table ends -->"
 
 
