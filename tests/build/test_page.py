@@ -13,7 +13,7 @@ from chatscene.errors import NotBuilt, SituationError
 from chatscene.situations.form import from_plain
 from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RoadKind, Setting, Side, UserKind, Where
 
-PAGE = Path(__file__).parents[2] / "docs" / "situation.md"
+PAGE = Path(__file__).parents[2] / "docs" / "reference" / "words.md"
 BEGINS, ENDS = "<!-- tried: UPDATE_GOLDEN=1 pytest tests/build/test_page.py writes this -->\n", "<!-- end of it -->\n"
 LEAD: dict[str, Any] = {"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": [{"act": "brake"}]}
 HIDERS = (Where.KERB, Where.ROADSIDE, Where.AHEAD, Where.AHEAD_BESIDE, Where.ONCOMING)

@@ -251,10 +251,11 @@ def test_the_schema_says_what_every_word_and_field_means() -> None:
 
 
 PAGE = ROOT / "docs" / "situation.md"
+WORDS = ROOT / "docs" / "reference" / "words.md"
 
 
 def test_the_page_says_every_word_with_its_meaning() -> None:
-    page = PAGE.read_text(encoding="utf-8")
+    page = WORDS.read_text(encoding="utf-8")
     tables = [one for one in vars(vocabulary).values() if isinstance(one, type) and issubclass(one, Word) and len(one)]
     for words in tables:
         for word in words:
@@ -264,7 +265,7 @@ def test_the_page_says_every_word_with_its_meaning() -> None:
 
 
 def test_the_page_says_of_every_act_which_amounts_it_takes_and_who_can_do_it() -> None:
-    page = PAGE.read_text(encoding="utf-8")
+    page = WORDS.read_text(encoding="utf-8")
     for act in Act:
         assert set(amounts_of(act)) == act.row.takes
         amounts = "; ".join(f"`{name}`: {says}" for name, says in amounts_of(act).items())
@@ -277,7 +278,7 @@ def test_the_page_says_of_every_act_which_amounts_it_takes_and_who_can_do_it() -
 
 
 def test_the_page_says_of_every_place_on_which_sides_it_can_be() -> None:
-    page = PAGE.read_text(encoding="utf-8")
+    page = WORDS.read_text(encoding="utf-8")
     for where in Where:
         sides = "left or right" if where.row.sided else " or ".join(where.row.sides)
         assert f"| `{where}` | {where.meaning} | {sides} |" in page, where
