@@ -80,16 +80,15 @@ SITUATIONS = {
 }
 HEAD = """# Gallery
 
-Some of what can be said, each run once: ten scenes on one route, driven by `sac`, the surrogate ego of the paper.
-It sees vehicles ahead in its lane only, and so crashes often ([egos](egos.md)): this page is about situations,
-and `planner`, who drives in `run` where no ego is named, avoids many of them. Shown is the first scene of the report.
-The ego is blue, adversaries are orange, what hides or blocks is brown.
-Lines are the ways that they came, a star is the contact.
+**What can I say, and what does it look like?** Forty sentences, each run once: ten scenes on one route,
+driven by `sac`. It sees only vehicles ahead in its lane, so it crashes often; `planner`, the default ego of `run`,
+avoids many of these crashes ([egos](egos.md)). Each picture is the first scene of the report: the ego blue, adversaries
+orange, whatever hides or blocks brown, a star at the contact. The hardest crashes come first.
 `python benchmarks/gallery.py --out runs/gallery` makes this page (seed 0).
 [Coverage](coverage.md) has longer lists.
 
-[All of these scenes as OpenSCENARIO](gallery/openscenario.zip): everybody on the track as driven, with the maps,
-for esmini or any other [player](exports.md#openscenario)."""
+[All of these scenes as OpenSCENARIO](gallery/openscenario.zip), with the maps, for esmini or another
+[player](exports.md#openscenario)."""
 FIGURE = """<figure>
 <img src="gallery/{picture}" alt="{sentence}" width="426" height="240" loading="lazy">
 <figcaption>{sentence} <small>{what}</small></figcaption>
@@ -103,16 +102,16 @@ def main() -> None:
     page = [HEAD]
     with zipfile.ZipFile(PAGES / "gallery" / "openscenario.zip", "w") as files:
         for heading, sentences in SITUATIONS.items():
-            figures = [figure(sentence, out, files) for sentence in sentences]
-            page += [f"## {heading}", '<div class="gallery">', *figures, "</div>"]
+            figures = sorted((figure(sentence, out, files) for sentence in sentences), reverse=True)
+            page += [f"## {heading}", '<div class="gallery">', *(shown for _, shown in figures), "</div>"]
     (PAGES / "gallery.md").write_text("\n\n".join(page) + "\n")
 
 
-def figure(sentence: str, out: Path, files: zipfile.ZipFile) -> str:
+def figure(sentence: str, out: Path, files: zipfile.ZipFile) -> tuple[float, str]:
     """Run a sentence, draw its first scene, and put that among the files.
 
     Returns:
-        The picture with the sentence, and what happened, below it.
+        The speed of the impact [m/s], 0 without a contact, and the picture with the sentence and what happened.
     """
     name = "-".join("".join(c for c in sentence.lower() if c.isalnum() or c == " ").split())
     folder = out / name
@@ -128,7 +127,8 @@ def figure(sentence: str, out: Path, files: zipfile.ZipFile) -> str:
     crash = episode.collision
     what = f"contact after {crash.step * episode.dt:.1f} s, at {crash.impact_speed:.1f} m/s" if crash else "no contact"
     print(f"{sentence}  {what}", flush=True)
-    return FIGURE.format(sentence=sentence, picture=picture.name, what=what)
+    shown = FIGURE.format(sentence=sentence, picture=picture.name, what=what)
+    return crash.impact_speed if crash else 0.0, shown
 
 
 def pack(files: zipfile.ZipFile, name: str, run: Path, scene: str) -> None:

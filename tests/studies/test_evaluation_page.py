@@ -88,7 +88,7 @@ def test_who_drives_in_a_run_where_nobody_is_named_is_first_among_those_who_are_
             for name, verb in main.commands.items() if name in ("run", "evaluate")}  # fmt: skip
     assert ", ".join(COMPARED) in told["evaluate"]
     assert f"driven by `{SURROGATE}`" in (page := (ROOT / "docs" / "gallery.md").read_text())
-    assert f"`{EGO}`, who drives in `run` where no ego is named" in page
+    assert f"`{EGO}`, the default ego of `run`" in page
 
 
 def test_an_ego_that_nothing_was_kept_for_has_an_interval(tmp_path: Path) -> None:
