@@ -25,7 +25,7 @@ from chatscene.commands.library import JSON, MAP_WITH_SITE, READING, WORKERS, Re
     "--scenes",
     type=click.IntRange(min=1),
     default=None,
-    help="Of each entry.  [default: 10 with --drive, 50 in a run of --fill]",
+    help="Scenes per entry.  [default: 10 with --drive, 50 with --fill]",
 )
 @click.option(
     "--ego",
@@ -34,14 +34,16 @@ from chatscene.commands.library import JSON, MAP_WITH_SITE, READING, WORKERS, Re
     help="By name, file or package.module:factory; repeat. Runs have the first.  [default: sac, idm]",
 )
 @MAP_WITH_SITE
-@click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
+@click.option("--seed", default=0, show_default=True, help="Seed of everything random.")
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),
     default=None,
-    help="For a page with a picture of each entry, JSON, and runs.",
+    help="Folder for the page, JSON and runs.",
 )
-@click.option("--fill", is_flag=True, help="Run what is served and has no run under --out yet; goes on after a kill.")
+@click.option(
+    "--fill", is_flag=True, help="Make a run of each served entry that has none under --out yet; can be interrupted."
+)
 @WORKERS
 @READING
 @JSON

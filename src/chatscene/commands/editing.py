@@ -32,14 +32,18 @@ if TYPE_CHECKING:
     from chatscene.talk import Shown, Undone
 
 EDITS = click.option(
-    "--edit", multiple=True, default=(), metavar="EDIT", help="What is to be another than TEXT says; repeat, in order."
+    "--edit",
+    multiple=True,
+    default=(),
+    metavar="EDIT",
+    help="Apply an edit to TEXT, such as 'at night'. Repeatable; applied in order.",
 )
 
 
 @click.command()
 @click.argument("folder", metavar="RUN", type=click.Path(path_type=Path))
 @click.argument("text", metavar="EDIT", required=False)
-@click.option("--undo", is_flag=True, help="Name the run of which RUN is an edit, in place of an EDIT.")
+@click.option("--undo", is_flag=True, help="Print the run that RUN is an edit of.")
 @click.option("--dry-run", is_flag=True, help="Only show the difference.")
 @click.option(
     "--out",
@@ -95,8 +99,8 @@ def edit(
 @click.command()
 @MAP_WITH_SITE
 @click.option("--ego", default=EGO, show_default=True, help="An ego by name, file or package.module:factory.")
-@click.option("--scenes", default=50, show_default=True, help="Simulations of a run.")
-@click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
+@click.option("--scenes", default=50, show_default=True, help="Simulations per run.")
+@click.option("--seed", default=0, show_default=True, help="Seed of everything random.")
 @READING
 def chat(map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpack[Reading]) -> None:
     """Talk about a situation: the first line says it, each further line changes it.

@@ -19,24 +19,28 @@ if TYPE_CHECKING:
 _SHOWN = {"collision_rate": "collision rate", "overall_score": "overall score", "completion": "completion"}
 
 PHYSICS_THERE = click.option(
-    "--physics", type=click.Choice(PHYSICS), default=None, help="How bodies answer there.  [default: that of the runs]"
+    "--physics", type=click.Choice(PHYSICS), default=None, help="Physics of the drives.  [default: that of the runs]"
 )
 
 
 @click.command()
 @click.argument("sources", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--ego", default="sac", show_default=True, help="sac, the file of an SAC policy, or its folder.")
-@click.option("--teacher", default="", help="An ego to learn from, from nothing, instead of by reward: planner, idm, …")
+@click.option("--teacher", default="", help="Learn a new policy from this ego instead of by reward: planner, idm, …")
 @click.option("--preset", default="paper", show_default=True, help="Gradient steps: paper, one per step; released.")
-@click.option("--choice", default="paper", show_default=True, help="Who chooses the checkpoint: paper or held-out.")
+@click.option(
+    "--choice", default="paper", show_default=True, help="Routes that choose the checkpoint: paper or held-out."
+)
 @click.option("--episodes", default=500, show_default=True, help="Scenes driven.")
-@click.option("--train-routes", default=8, show_default=True, help="The first so many routes train, the rest test.")
-@click.option("--reward", default="safebench", show_default=True, help="What it is paid for: safebench or progress.")
+@click.option("--train-routes", default=8, show_default=True, help="Number of routes to train on; the rest test.")
+@click.option("--reward", default="safebench", show_default=True, help="safebench or progress.")
 @click.option("--ordinary-share", default=0.0, show_default=True, help="Share of the episodes on ordinary routes.")
-@click.option("--simulator", default="", help="In what they are driven.  [default: that of the runs]")
+@click.option("--simulator", default="", help="Simulator.  [default: that of the runs]")
 @PHYSICS_THERE
 @click.option("--seed", default=0, show_default=True)
-@click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
+@click.option(
+    "--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="A new folder, or one to continue."
+)
 @JSON
 def finetune(
     sources: tuple[Path, ...],

@@ -53,21 +53,21 @@ EXECUTOR_OPTION = click.option(
     "--executor",
     default=EXECUTOR,
     show_default=True,
-    help="Who works: processes of this machine, or ray:HOST:PORT, a cluster; any gives the same.",
+    help="Where parts run: processes of this machine, or ray:HOST:PORT, a cluster. Results are the same.",
 )
 PHYSICS_OPTION = click.option(
     "--physics",
     type=click.Choice(PHYSICS),
     default=SimulationSettings().physics,
     show_default=True,
-    help="How bodies answer to pedals and wheel: this, or lagged (build-up, yaw lag, a friction circle).",
+    help="How vehicles answer to pedals and wheel: kinematic, or lagged (delays and a friction circle).",
 )
 
 
 def WORKERS(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - a decorator, like those of click
     """Options that say who works."""
     jobs = click.option(
-        "--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="How many work at a time."
+        "--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Number of parts that run at a time."
     )
     return jobs(EXECUTOR_OPTION(command))
 
@@ -83,9 +83,9 @@ class Reading(TypedDict):
 def READING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - a decorator, like those of click
     """Options that say how sentences are read."""
     own = click.option(
-        "--library", default="", metavar="DIR", help="Folder of your own snippets; with it, snippets serve TEXT."
+        "--library", default="", metavar="DIR", help="Folder of your own snippets. TEXT is then served by snippets."
     )
-    embedder = click.option("--embedder", default="minilm", show_default=True, help="Measures wording.")
+    embedder = click.option("--embedder", default="minilm", show_default=True, help="Text encoder.")
     model = click.option(
         "--language-model", default="offline", show_default=True, help="openai:MODEL, gguf:FILE, or offline."
     )
@@ -97,8 +97,8 @@ READER = click.option(
     type=click.Choice(READERS),
     default=READERS[0],
     show_default=True,
-    help="By typed facts; by wording alone, as in the paper, where snippets serve and nothing is refused; or by one "
-    "learned model that writes the whole situation.",
+    help="How TEXT is read: facts; paper, by wording alone, with snippets and without refusals; or learned, one model "
+    "that writes the whole situation.",
 )
 
 
@@ -116,7 +116,7 @@ def CHOOSING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 -
         "--reading",
         type=click.IntRange(0, MOST_READINGS),
         default=0,
-        help="Take the reading of this number whole, of those that a refusal offers.",
+        help="Use reading N of those that a refusal offers.",
     )
     stated = click.option(
         "--set",
@@ -124,7 +124,7 @@ def CHOOSING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 -
         default=(),
         metavar="FACT=VALUE",
         callback=_facts,
-        help="A fact beside TEXT, by its path: others.A.starts.side=left; or, offline, by its name: side=left. Repeat.",
+        help="Force a fact, by path (others.A.starts.side=left) or, offline, by short name (side=left). Repeatable.",
     )
     return READER(taken(stated(command)))
 
@@ -141,15 +141,15 @@ def _facts(_context: click.Context, _option: click.Parameter, said: tuple[str, .
 
 
 # What the user says again of what a run names beyond what is packaged (`chatscene.runs.trust.Repeated`).
-_AGAIN = "again, if the run names one: that its files say so is not enough."
-LIBRARY_AGAIN = click.option("--library", multiple=True, metavar="DIR", help=f"The folder of snippets {_AGAIN}")
+_AGAIN = "that the run uses, to confirm that you trust it."
+LIBRARY_AGAIN = click.option("--library", multiple=True, metavar="DIR", help=f"The snippet folder {_AGAIN}")
 GENERATOR_AGAIN = click.option("--generator", multiple=True, help=f"The generator {_AGAIN}")
 SAMPLER_AGAIN = click.option("--sampler", multiple=True, help=f"The sampler {_AGAIN}")
 SIMULATOR_AGAIN = click.option("--simulator", multiple=True, help=f"The simulator {_AGAIN}")
 EMBEDDER_AGAIN = click.option("--embedder", multiple=True, help=f"The embedder {_AGAIN}")
 MODEL_AGAIN = click.option("--language-model", multiple=True, help=f"The language model {_AGAIN}")
 EGO_AGAIN = click.option(
-    "--ego", multiple=True, help="The ego again, if the run names one that may run code of its own; repeat for several."
+    "--ego", multiple=True, help="The ego that the run uses, to confirm that you trust its code. Repeatable."
 )
 
 
@@ -277,7 +277,7 @@ def search(text: str, component: str, top: int, own: str, as_json: bool) -> None
 
 @library.command()
 @OWN
-@click.option("--scenes", default=10, show_default=True, help="Of each program.")
+@click.option("--scenes", default=10, show_default=True, help="Scenes per program.")
 @WORKERS
 @JSON
 def lint(own: str, scenes: int, jobs: int, executor: str, as_json: bool) -> None:
@@ -306,7 +306,7 @@ def lint(own: str, scenes: int, jobs: int, executor: str, as_json: bool) -> None
 
 @library.command()
 @click.option("--sentences", default="held-out", show_default=True, help="A packaged set, or a file of JSON lines.")
-@click.option("--ablation", is_flag=True, help="Also what each part of the retrieval brings.")
+@click.option("--ablation", is_flag=True, help="Also measure what each part of the retrieval contributes.")
 @click.option("--no-drive", is_flag=True, help="Do not run the programs.")
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and sentences.")
 @WORKERS
@@ -355,19 +355,19 @@ def evaluate(
 @library.command()
 @OWN
 @click.option("--count", default=4000, show_default=True, help="Sentences to compose.")
-@click.option("--epochs", default=4, show_default=True, help="How often each sentence is seen.")
+@click.option("--epochs", default=4, show_default=True, help="Passes over the sentences.")
 @click.option("--seed", default=0, show_default=True)
-@click.option("--anew", is_flag=True, help="Begin with the encoder as it came: some two hours.")
+@click.option("--anew", is_flag=True, help="Start from the original encoder; takes some two hours.")
 @click.option(
     "--texts",
     multiple=True,
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    help="Texts of others with their facts, to learn from too; a file for each writer.",
+    help="Texts by others with their facts, to learn from too; one file per writer.",
 )
 @click.option(
     "--left-out",
     type=click.Path(file_okay=False, path_type=Path),
-    help="Folder for the classifiers that left out some of the texts, to tell how far one is right on new ones.",
+    help="Folder for classifiers that left out some texts, to estimate how good one is on new texts.",
 )
 def fit(
     own: str, count: int, epochs: int, seed: int, anew: bool, texts: tuple[Path, ...], left_out: Path | None

@@ -48,6 +48,7 @@ from chatscene.commands.rate import rate
 from chatscene.commands.refusal import REFUSED, complain, going_on, refusing
 from chatscene.commands.reports import REPORT, explain_report, found_in
 from chatscene.commands.reproduce import reproduce, say_reproduced
+from chatscene.commands.sections import write_sections
 from chatscene.commands.serve_carla import serve_carla
 from chatscene.commands.situations import say_stated, schema, situation_file
 from chatscene.commands.sql import runs_below, sql
@@ -72,7 +73,7 @@ def _sampler(default: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]
         "--sampler",
         default=default,
         show_default=True,
-        help="Where to look next: paper, random, grid, policy-gradient, cross-entropy, tpe, cma-es, "
+        help="How to search: paper, random, grid, policy-gradient, cross-entropy, tpe, cma-es, "
         "quality-diversity, or package.module:factory.",
     )
 
@@ -84,7 +85,7 @@ def _speed(command: Callable[..., Any]) -> Callable[..., Any]:
         type=click.FloatRange(1.0, 300.0),
         default=None,
         metavar="KMH",
-        help="What the ego drives at [km/h] if that is not said.  [default: the speed of the road]",
+        help="Speed of the ego [km/h] where the text says none.  [default: the speed of the road]",
     )(command)
 
 
@@ -106,8 +107,8 @@ def _simulator(default: str) -> Callable[[Callable[..., Any]], Callable[..., Any
         "--simulator",
         default=default,
         show_default=True,
-        help="What scenes run in: embedded, native (what it knows in C, with the same numbers, all else embedded), "
-        "confined (behind the sandbox's walls), carla[:HOST[:PORT]] (a CARLA server), or package.module:factory.",
+        help="Simulator: native (C, same numbers as embedded, which takes over where needed), embedded, "
+        "confined (in the sandbox), carla[:HOST[:PORT]] (a CARLA server), or package.module:factory.",
     )
 
 
@@ -127,6 +128,10 @@ class _Errors(click.Group):
         if odd := next((one for one in args if "\0" in one), None):
             raise click.UsageError(f"{odd!r} holds a NUL character")
         return super().make_context(info_name, args, *more, **extra)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002 - as in click
+        """List the commands by what one wants to do."""
+        write_sections(self.commands, formatter)
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
@@ -153,7 +158,7 @@ class _Errors(click.Group):
 @click.group(cls=_Errors, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(package_name="chatscene")
 def main() -> None:
-    """Turn a sentence about a dangerous traffic situation into scenes worth testing on.
+    """Turn a sentence about a dangerous traffic situation into crash scenes to test on.
 
     \b
     chatscene run "a cyclist cuts across from the left while we turn right" --out runs/cyclist
@@ -175,7 +180,7 @@ goes into looking through what has just been loaded and stays."""
     "--program",
     type=click.Path(path_type=Path, exists=True),
     default=None,
-    help="Your own .scenic program, or a folder of them, in place of TEXT.",
+    help="Your own .scenic program, or a folder of them, instead of TEXT.",
 )
 @REPORT
 @click.option("--trust", is_flag=True, help="Run the program with all of Python, outside the sandbox.")
@@ -185,8 +190,8 @@ goes into looking through what has just been loaded and stays."""
 @click.option("--ego", default=EGO, show_default=True, help="An ego by name, file or package.module:factory.")
 @click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
 @click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
-@click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
-@click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
+@click.option("--seed", default=0, show_default=True, help="Seed of everything random.")
+@click.option("--avoidable", is_flag=True, help="Keep only crashes that a careful driver would have avoided.")
 @_speed
 @_sampler(SearchSettings().sampler)
 @_simulator(SIMULATOR)
@@ -201,7 +206,7 @@ goes into looking through what has just been loaded and stays."""
     "--jobs",
     default=None,
     type=click.IntRange(min=1),
-    help="How many work at a time; default: as many as pay.",
+    help="Number of worker processes. Default: chosen automatically.",
 )
 @EXECUTOR_OPTION
 @READING
@@ -298,7 +303,7 @@ def run(
 
 @main.command()
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
-@click.option("--jobs", default=None, type=click.IntRange(min=1), help="How many work at a time.  [default: 1]")
+@click.option("--jobs", default=None, type=click.IntRange(min=1), help="Number of worker processes.  [default: 1]")
 @EXECUTOR_OPTION
 @AGAIN
 @JSON
@@ -351,7 +356,7 @@ def resume(
 )
 @_speed
 @click.option("--all", "every_scene", is_flag=True, help="Every scene that ran, not only the kept ones.")
-@click.option("--simulator", default="", help="In what they are driven.  [default: that of the runs]")
+@click.option("--simulator", default="", help="Simulator.  [default: that of the runs]")
 @PHYSICS_THERE
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Default: under runs/.")
 @WORKERS
@@ -398,22 +403,24 @@ def evaluate(
 
 
 @main.command()
-@click.option("--generator", default="chatscene", show_default=True, help="Who makes the scenes.")
+@click.option("--generator", default="chatscene", show_default=True, help="Generator of the scenes.")
 @click.option(
     "--budget",
     default="small",
     show_default=True,
-    help="'paper': 20,000 simulations; 'small': minutes; 'reference': as the reference lets each generator try.",
+    help="'paper': 20,000 simulations; 'small': minutes; 'reference': each generator's own number of tries.",
 )
-@click.option("--ego", "egos", multiple=True, help="Who is measured; repeat.  [default: sac, ppo, td3]")
+@click.option("--ego", "egos", multiple=True, help="Ego to measure. Repeatable.  [default: sac, ppo, td3]")
 @click.option("--surrogate", default="sac", show_default=True, help="The ego that scenes are searched against.")
 @MAP
-@click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
+@click.option("--avoidable", is_flag=True, help="Keep only crashes that a careful driver would have avoided.")
 @_sampler(PAPER.sampler)
 @_simulator(SIMULATOR)
 @PHYSICS_OPTION
 @click.option("--seed", default=0, show_default=True)
-@click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
+@click.option(
+    "--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="A new folder, or one to continue."
+)
 @WORKERS
 @JSON
 def benchmark(
@@ -467,13 +474,13 @@ def benchmark(
 @_simulator(SIMULATOR)
 @PHYSICS_OPTION
 @click.option("--scenes", default=5, show_default=True, help="Draws of traffic per course.")
-@click.option("--seed", default=20_000, show_default=True, help="Of the traffic.")
+@click.option("--seed", default=20_000, show_default=True, help="Seed of the traffic.")
 @click.option(
     "--speed",
     default=None,
     callback=_road_speed,
     metavar="KMH|road",
-    help="What egos want to drive at, and everybody in proportion, within the limits of the roads: km/h, or 'road' for "
+    help="Speed of the egos, and of everybody in proportion, within the limits of the roads: km/h, or 'road' for "
     "these alone.  [default: egos are told nothing]",
 )
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and GIFs.")
@@ -522,7 +529,7 @@ def drive(
     default=None,
     help="What the ego sees: safebench, actors, road or traffic.  [default: safebench; with --speed, traffic]",
 )
-@click.option("--reward", default="progress", show_default=True, help="What it is paid for: progress or safebench.")
+@click.option("--reward", default="progress", show_default=True, help="progress or safebench.")
 @click.option(
     "--pedals", default=None, help="safebench, or full-brake.  [default: safebench; with --speed, full-brake]"
 )
@@ -531,7 +538,7 @@ def drive(
     default=None,
     callback=_road_speed,
     metavar="KMH|road",
-    help="What the ego is to drive at, and everybody in proportion, within the limits of the roads: km/h, or 'road' "
+    help="Speed of the ego, and of everybody in proportion, within the limits of the roads: km/h, or 'road' "
     "for these alone.  [default: SafeBench's speed]",
 )
 @click.option("--steps", default=60_000, show_default=True, help="Steps of 0.1 s, rounded up to whole rounds.")
@@ -540,7 +547,9 @@ def drive(
 @MAP
 @_simulator(SIMULATOR)
 @PHYSICS_OPTION
-@click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
+@click.option(
+    "--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="A new folder, or one to continue."
+)
 def train(
     algorithm: str,
     observation: str | None,
@@ -588,7 +597,7 @@ def train(
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.argument("scene_id", required=False)
 @DRIVEN_AGAIN
-@click.option("--watch", is_flag=True, help="Let the window of a CARLA server look down on the ego.")
+@click.option("--watch", is_flag=True, help="Keep a CARLA server's spectator above the ego.")
 @click.option("--record", is_flag=True, help="Let a CARLA server's recorder write a file to DIR/recordings.")
 @JSON
 def replay(
@@ -770,7 +779,7 @@ main.add_command(why)
 
 
 @main.command()
-@click.option("--simulator", default="", help="Check this one instead, such as carla:HOST:PORT, beside the default.")
+@click.option("--simulator", default="", help="Check this simulator against the default one, such as carla:HOST:PORT.")
 @MAP
 @JSON
 def doctor(simulator: str, map_name: str, as_json: bool) -> None:

@@ -32,7 +32,7 @@ FOLDER = click.option(
     type=click.Path(path_type=Path, file_okay=False),
     help="Folder of your own snippets; made if it is not there.",
 )
-SCENES = click.option("--scenes", default=10, show_default=True, type=click.IntRange(min=1), help="Of each program.")
+SCENES = click.option("--scenes", default=10, show_default=True, type=click.IntRange(min=1), help="Scenes per program.")
 PROPOSAL = click.argument("proposal_id", metavar="ID")
 
 
@@ -177,7 +177,7 @@ def accept(proposal_id: str, own: Path, scenes: int) -> None:
 
 @click.command()
 @PROPOSAL
-@click.option("--why", required=True, help="Remembered, and told to models that are asked for more.")
+@click.option("--why", required=True, help="The reason; models see it with later requests.")
 @FOLDER
 def reject(proposal_id: str, why: str, own: Path) -> None:
     """Remove a proposal.
@@ -223,7 +223,7 @@ def edit(proposal_id: str, own: Path, scenes: int) -> None:
 @click.command()
 @click.option("--base", type=BASES, default=None, help="Only scenarios of this base scenario.")
 @click.option("--n", "count", default=10, show_default=True, type=click.IntRange(min=1), help="How many.")
-@click.option("--instruction", default="", metavar="TEXT", help="What they are to be about.")
+@click.option("--instruction", default="", metavar="TEXT", help="What the sentences are about.")
 @click.option("--seed", default=0, show_default=True, help="Another seed, other sentences.")
 @READING
 @JSON

@@ -14,13 +14,19 @@ from chatscene.settings import EGO
 
 @click.command()
 @click.argument("what", metavar="DIR|TEXT")
-@click.option("--scenes", default=200, show_default=True, type=click.IntRange(min=0), help="To draw for this.")
-@click.option("--seed", default=0, show_default=True, type=click.IntRange(min=0), help="Of these.")
+@click.option(
+    "--scenes",
+    default=200,
+    show_default=True,
+    type=click.IntRange(min=0),
+    help="Scenes to draw in addition to the run's.",
+)
+@click.option("--seed", default=0, show_default=True, type=click.IntRange(min=0), help="Seed of these scenes.")
 @click.option(
     "--exposure",
     metavar="FILE",
     type=click.Path(path_type=Path),
-    help="How often values occur on the road, a table per parameter; else every value of a range does alike.",
+    help="TOML file with a density per parameter. Without it, all values of a range are equally frequent.",
 )
 @WORKERS
 @DRIVEN_AGAIN

@@ -22,14 +22,16 @@ ALL = "all"
     "--budget",
     default="small",
     show_default=True,
-    help="'small': minutes; 'paper': every method as many simulations as the paper's; 'reference': each its own.",
+    help="'small': minutes; 'paper': as many simulations per method as in the paper; 'reference': each method's own.",
 )
-@click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
+@click.option("--avoidable", is_flag=True, help="Keep only crashes that a careful driver would have avoided.")
 @PHYSICS_OPTION
 @click.option("--preset", default="released", show_default=True, help="Gradient steps of table 3: released, or paper.")
 @click.option("--choice", default="paper", show_default=True, help="Checkpoints of table 3: paper, or held-out.")
 @click.option("--seed", default=0, show_default=True)
-@click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
+@click.option(
+    "--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="A new folder, or one to continue."
+)
 @WORKERS
 @JSON
 def reproduce(

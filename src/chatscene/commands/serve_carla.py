@@ -28,21 +28,23 @@ PORTS = click.IntRange(1, 65534)  # streams are on the next
     help="The packaged 'town', 'outskirts' or 'region', or an .xodr file; the first is loaded, clients can load "
     "the others.",
 )
-@click.option("--port", default=2000, show_default=True, type=PORTS, help="Of calls; streams are on the next.")
-@click.option("--host", default=LOOPBACK, show_default=True, help="Anybody who reaches it has the world in hand.")
+@click.option("--port", default=2000, show_default=True, type=PORTS, help="Port for calls; streams use the next one.")
+@click.option("--host", default=LOOPBACK, show_default=True, help="Whoever reaches this address controls the world.")
 @click.option(
     "--files",
     metavar="DIR",
     type=click.Path(exists=True, file_okay=False, path_type=Path),
-    help="Below which clients may have recordings written and read. [default: a private temporary folder]",
+    help="Folder for clients' recordings. [default: a private temporary folder]",
 )
-@click.option("--simulator", default=SimulationSettings().simulator, show_default=True, help="Whose bodies move in it.")
+@click.option(
+    "--simulator", default=SimulationSettings().simulator, show_default=True, help="Simulator that moves the bodies."
+)
 @click.option(
     "--physics",
     type=click.Choice(PHYSICS),
     default=SimulationSettings().physics,
     show_default=True,
-    help="How bodies answer to pedals and wheel: this, or lagged (build-up, yaw lag, a friction circle).",
+    help="How vehicles answer to pedals and wheel: kinematic, or lagged (delays and a friction circle).",
 )
 def serve_carla(maps: tuple[str, ...], port: int, host: str, files: Path | None, simulator: str, physics: str) -> None:
     """Speak CARLA 0.9.16's protocol over our own world, for clients without a CARLA server.
