@@ -21,7 +21,7 @@ def test_where_everything_is_as_it_was_said_nothing_is_told() -> None:
 
 def test_a_road_user_that_is_shown_as_another_kind_is_told_and_words_that_were_not_read_come_first() -> None:
     lines = told(understand("a delivery van ahead of us brakes hard"))
-    assert lines == ["words that were not read, and may not be shown: 'delivery'", "'a van' is shown as a car"]
+    assert lines == ["not understood, so possibly missing from the scenes: 'delivery'", "'a van' is shown as a car"]
 
 
 def test_what_was_chosen_after_a_better_choice_failed_is_told_with_all_that_it_adds() -> None:
@@ -53,4 +53,4 @@ def test_what_somebody_beside_the_adversary_is_said_to_do_and_does_is_not_told_a
 def test_the_head_of_the_page_tells_it_before_what_was_read() -> None:
     text = "a delivery van ahead of us brakes hard"
     page = heading(asked_run(text), understand(text).as_dict(), "")
-    assert page.index("not read, and may not be shown") < page.index("is shown as a car") < page.index("Read as")
+    assert page.index("possibly missing from the scenes") < page.index("is shown as a car") < page.index("Read as")

@@ -111,7 +111,7 @@ def test_a_person_reads_the_marks_in_words() -> None:
 
 def test_a_run_says_in_one_line_what_it_does_not_show() -> None:
     told = [one.as_dict() for one in words(CLAIM)]
-    assert unread_in_words(CLAIM, told) == "words that were not read, and may not be shown: 'pigeon flew away'"
+    assert unread_in_words(CLAIM, told) == "not understood, so possibly missing from the scenes: 'pigeon flew away'"
     assert not unread_in_words("A cyclist crosses from the left.", [])
 
 

@@ -73,7 +73,7 @@ def in_words(parts: Sequence[Part]) -> str:
 def unread_in_words(text: str, words: Sequence[Mapping[str, Any]]) -> str:
     """One line: which words of a text were not read; empty if every one was."""
     unread = [repr(part.text) for part in parts_of(text, words) if part.unread]
-    return f"words that were not read, and may not be shown: {', '.join(unread)}" if unread else ""
+    return f"not understood, so possibly missing from the scenes: {', '.join(unread)}" if unread else ""
 
 
 def told_first(explanation: Mapping[str, Any], record: RunRecord | None = None) -> list[str]:

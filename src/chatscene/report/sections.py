@@ -156,7 +156,7 @@ def _shown(ran: Sequence[Row]) -> str:
     every = [bool(row["meaning_ok"]) for row in ran]
     return (
         f"{sum(kept)} of {_scenes(len(kept), 'kept scene')} and {sum(every)} of all {len(every)} that were driven show "
-        "all that was read; a drive that ended early is judged as far as it went."
+        "all that was read. Drives that ended early are judged up to that point."
     )
 
 

@@ -99,10 +99,10 @@ def _told(share: Share) -> str:
         return f"{share.probability:.2%} (95 %: {share.low:.2%} to {share.high:.2%})"
     if share.seen:
         return (
-            f"cannot be told: its {share.seen} tell as much as {share.effective:.1f} would without weights, and it "
-            f"takes {FEWEST}; ask for more with --scenes"
+            f"too few crashes for an estimate: {share.seen}, {share.effective:.1f} after weighting, "
+            f"of at least {FEWEST}; add scenes with --scenes"
         )
-    return f"none was seen; below {share.high:.2%} with 95 %"
+    return f"none seen; below {share.high:.2%} (95 %)"
 
 
 @dataclass(frozen=True, slots=True)

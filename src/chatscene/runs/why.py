@@ -167,36 +167,36 @@ class Why:
         for thing in self.things:
             told = self._all_named(thing)
             if thing.needed is None:
-                lines.append(f"Whether it takes {told} cannot be told: {thing.why}.")
+                lines.append(f"It is unknown whether {told} matters: {thing.why}.")
             elif thing.needed:
-                lines.append(f"It takes {told}; without: {thing.why}.")
+                lines.append(f"The crash needs {told}; without: {thing.why}.")
         if spare := [self._all_named(thing) for thing in self.things if thing.needed is False]:
-            lines.append(f"It does not take {', nor '.join(spare)}; without, it is still the same crash.")
+            lines.append(f"Irrelevant: {', '.join(spare)}. Without, the same crash happens.")
         return lines
 
     def _of_values(self) -> list[str]:
         if not self.ranges:
             return ["The program has no parameters."]
         if self.back is None:
-            return ["Whether it takes any value cannot be told: in the middle of the ranges the scene is rejected."]
+            return ["It is unknown which parameters matter: in the middle of the ranges the scene is rejected."]
         if self.back.came.crashed:
             return [
-                "It takes no value in particular: no scene without a crash was found to set values back to, and with "
-                "every parameter in the middle of its range it is the same crash."
+                "No parameter decides: no scene without a crash was found to compare with, and with every parameter in "
+                "the middle of its range the same crash happens."
             ]
-        where = f"those of {self.back.name}, the nearest scene without a crash"
+        where = f"as in {self.back.name}, the nearest scene without a crash"
         if self.back.name == MIDDLE:
-            where = "the middle of their ranges, since no scene without a crash was found"
+            where = "in the middle of their ranges (no scene without a crash was found)"
             if self.back.came.other:
-                where += f" (there it is a crash with {with_whom(self.back.came)})"
-        these = "this value" if len(self.values) == 1 else f"these {len(self.values)} values"
-        lines = [f"It takes {these}; with all other parameters set back to {where}, it is still the same crash:"]
+                where += f", where it is a crash with {with_whom(self.back.came)}"
+        these = "One parameter decides" if len(self.values) == 1 else f"{len(self.values)} parameters decide together"
+        lines = [f"{these}: with all others {where}, the same crash happens:"]
         for one in self.values:
             unit = "" if (given := self.ranges[one.name].unit) == "1" else f" {given}"
             meaning = f" ({text})" if (text := self.ranges[one.name].meaning) else ""
-            then = f"set back as well, to {one.back:.4g}{unit}: {in_words(one.came)}"
+            then = f"with {one.back:.4g}{unit}: {in_words(one.came)}"
             lines.append(f"  {one.name} = {one.value:.4g}{unit}{meaning}; {then}")
-        return [*lines, f"It does not take the values of {', '.join(self.free)}."] if self.free else lines
+        return [*lines, f"Irrelevant: {', '.join(self.free)}."] if self.free else lines
 
     def _of_ego(self) -> list[str]:
         if not self.changeable:
