@@ -59,15 +59,15 @@ class Loaded(HTMLParser):
 def test_the_navigation_names_every_page_once() -> None:
     named = list(leaves(yaml.safe_load((ROOT / "mkdocs.yml").read_text())["nav"]))
     pages = {str(page.relative_to(DOCS)) for page in DOCS.rglob("*.md") if page.parent.name not in ("decisions", "lab")}
-    made = {"index.md", "contributing.md", "changelog.md", "security-policy.md", "lab/index.md"}
+    made = {"index.md", "contributing.md", "changelog.md", "security-policy.md", "lab/logs.md"}
     made |= {"reference/commands.md"}
     made |= {f"tutorials/{path.stem}.md" for path in TUTORIALS}
     assert sorted(named) == sorted(pages | made)
 
 
 def test_the_page_of_the_laboratory_leads_to_every_log() -> None:
-    linked = set(re.findall(r"\]\(([\w-]+\.md)\)", (DOCS / "lab" / "index.md").read_text()))
-    assert linked == {page.name for page in DOCS.glob("lab/*.md")} - {"index.md"}
+    linked = set(re.findall(r"\]\(([\w-]+\.md)\)", (DOCS / "lab" / "logs.md").read_text()))
+    assert linked == {page.name for page in DOCS.glob("lab/*.md")} - {"logs.md"}
 
 
 def test_the_page_of_python_has_every_public_name() -> None:
