@@ -81,7 +81,7 @@ _TOGETHER = {
 """Facts that the same words may have given, where the first was not decided on."""
 _LISTED = {
     Why.BESIDES: "no scene shows it",
-    Why.REACTION: "how the ego reacts is its own affair",
+    Why.REACTION: "the ego under test decides how it reacts",
     Why.DEGREE: "there is only one of it",
 }
 _WORD = re.compile(r"[^\W_]+(?:['\u2019.,:/-][^\W_]+)*")

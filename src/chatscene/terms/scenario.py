@@ -272,13 +272,13 @@ class Why(StrEnum):
     WEATHER = "no scene has this; there are rain, snowfall or fog, and roads that are dry, wet, snowy or icy all over"
     LIGHT = "no scene has this; there are day, dusk and night"
     MANEUVER = "no ego does this; it goes straight on, turns, changes lanes or gets round what stands in its lane"
-    DEGREE = "there is one rain, one snowfall and one fog"
-    REACTION = "how the ego reacts is its own affair"
+    DEGREE = "rain, snowfall and fog have no degrees here"
+    REACTION = "the ego under test decides how it reacts"
     ROAD_USER = "another road user; one adversary is searched with"
-    SITE = "served only where every word of a text is understood, and some of this one is not"
-    NUMBER = "nothing in the program can be set to it"
-    BESIDES = "tells nothing that a scene could show"
-    WORDS = "no rule knows these words; only the classifier may have gone by them"
+    SITE = "served only if every word of the text is understood, and some are not"
+    NUMBER = "no parameter of the program fits it"
+    BESIDES = "no scene can show it"
+    WORDS = "unknown words; only the classifier may have used them"
 
 
 REFUSED = (Why.LANGUAGE, Why.WEATHER, Why.LIGHT, Why.MANEUVER)  # without these a scene is another than was asked for
