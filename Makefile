@@ -41,7 +41,7 @@ check: .venv/test
 	$(PY) -c "import sys; from importlinter.cli import lint_imports; sys.exit(lint_imports())"
 
 docs: .venv/docs
-	NO_MKDOCS_2_WARNING=1 $(PY) -m mkdocs build --quiet
+	NO_MKDOCS_2_WARNING=1 $(PY) -m mkdocs build  # with --quiet, broken links would not count
 
 wheel: .venv/bin/python
 	$(PY) -m pip wheel --quiet --no-deps --disable-pip-version-check --wheel-dir dist .
