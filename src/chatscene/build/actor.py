@@ -19,7 +19,7 @@ from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
 from chatscene.build.over_lanes import is_lane, lane_line
-from chatscene.build.paces import AT_ONE_SPEED
+from chatscene.build.paces import AT_ONE_SPEED, SIDEWAYS, check_held
 from chatscene.build.parts import parts_of
 from chatscene.build.phases import Phases
 from chatscene.build.place import (
@@ -184,8 +184,8 @@ class Actor:
     def _lane_ends(self) -> bool:
         """Whether the lane in which the ego begins ends on its way straight on, so that it goes on in another."""
         route, straight = self.found.route, self.found.query["maneuver"] == Maneuver.STRAIGHT
-        on_road = straight and not at_roundabout(self.ledger.situation)
-        return on_road and ownLane(route).length < route.line.length - LANE
+        onward = straight or at_roundabout(self.ledger.situation)
+        return onward and ownLane(route).length < route.line.length - LANE
 
     @property
     def nearest(self) -> float:
@@ -228,6 +228,7 @@ class Actor:
             numbers.narrow("SPEED", KEEPS_UP * self.along_speed, self.along_speed)
         if (start := self.one.starts.speed) is not None and not stands_first(self.one):
             numbers.bind("SPEED", start, self.ego_speed, f"{self.path}.starts.speed")
+            check_held(self, numbers.range_of("SPEED")[0], f"{self.path}.starts.speed: {start}")
         for k, deed in enumerate(deeds):
             if deed.speed is not None and self.one_speed and self.moves_first(k) and deed.act in AT_ONE_SPEED:
                 numbers.bind("SPEED", deed.speed, self.ego_speed, f"{self.path}.does.{k}.speed")
@@ -254,7 +255,9 @@ class Actor:
             self._texts = phases.texts()
             self.begins = tuple(phases.due_after)
             if self.careful:
-                self._texts = tuple(_GOES.sub(r"FollowTraffic(\1, \2)\3", text) for text in self._texts)
+                heedless = self._leaves_before_who_stands()
+                careful = (_GOES.sub(r"FollowTraffic(\1, \2)\3", text) for text in self._texts[heedless:])
+                self._texts = (*self._texts[:heedless], *careful)
             elif self._comes_behind_another:
                 self._texts = tuple(_GOES_ON_IN_OURS.sub(r"FollowTraffic(\1, \2)\3", text) for text in self._texts)
             if self.first is not None and self.stand.behind and self.first.stand.behind:
@@ -270,6 +273,15 @@ class Actor:
         comes_in = ahead > 0 and any(deed.act is Act.CUT_IN for deed in self.deeds)
         follows = self.one.role is Role.SUPPORTING or queues or comes_in
         return self.stand.meets is Meets.ALONG and not self.walks and follows
+
+    def _leaves_before_who_stands(self) -> int:
+        """In how many of its phases it is not careful, since it is about to leave the lane in which somebody stands."""
+        others = (one for one in self.ledger.situation.others if one.id != self.one.id)
+        stands = any(one.starts.where is Where.AHEAD and stands_first(one) for one in others)
+        if not stands or self.one.starts.where is not Where.AHEAD:
+            return 0
+        leaves = (k for k, deed in enumerate(self.deeds) if deed.act in SIDEWAYS)
+        return next((self.begins[k] + 1 for k in leaves if k < len(self.begins)), 0)
 
     @property
     def _comes_behind_another(self) -> bool:
@@ -304,7 +316,9 @@ class Actor:
         for mark in ("next", "beside", "ours", "home", "own"):
             text = text.replace(f"{{{mark}}}", f"{mark}{one}")
         row = name_of(self.first.one.id) if self.first is not None else one
-        text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first).replace("{row}", row)
+        marks = {"p": f"way{one}", "i": one, "first": first, "row": row, "we": EGO}
+        for mark, name in marks.items():
+            text = text.replace(f"{{{mark}}}", name)
         if self.first is not None and self._goes_alike(self.first):
             text = re.sub(r"\$SPEED(?![A-Z0-9_])", self.first.numbers.value("SPEED"), text)  # in a row they go alike
         if self.first is not None and "$Y" in text:
@@ -458,11 +472,8 @@ class Actor:
             return self.filled(", with speed $SPEED")
         if own := _DRIVES.match(phases[0]):
             return f", with speed {own[1]}"
-        return (
-            self.filled(", with speed $SPEED")
-            if not self.one.kind.row.body.row.motorised
-            else f", with speed {self.along_speed:g}"
-        )
+        keeps = self.one.kind.row.body.row.motorised or self.deeds[0].act is Act.KEEP_LEVEL
+        return f", with speed {self.along_speed:g}" if keeps else self.filled(", with speed $SPEED")
 
     def role(self) -> str:
         """What it is there for, as a program says it."""

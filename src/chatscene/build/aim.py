@@ -9,9 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from chatscene.build.arriving import way_through
 from chatscene.build.asked import Meets, stops_in_the_way
 from chatscene.build.chain import meeting_of
-from chatscene.build.contact import touches
+from chatscene.build.contact import is_braked_for, touches
+from chatscene.build.numbers import Numbers
+from chatscene.build.place import ROUNDABOUT_PLACES
 from chatscene.build.sweep import Moving, Touch
 from chatscene.build.sweep import touches as touching
 from chatscene.build.timing import Body
@@ -26,6 +29,8 @@ if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 NEAR_MISS = 0.5  # [s] before the ego at most that somebody has gone by where there is no contact
+BEFORE = 3.0  # [m] before the junction that who lets another by stands
+LETS_GO = 1.0  # [s] at most that somebody stands until another is by whom it lets by
 LETS_BY = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
 STOOD = 1.0  # [s] that somebody has stood in the ego's way when the ego comes, so that it is seen to stop
 GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
@@ -56,7 +61,12 @@ def set_offset(actor: Actor) -> None:
     else:
         late, early, *taken = aimed(actor, (late, early))
         actor.ledger.take(*taken)
-    if actor.one.role is Role.SUPPORTING and not yields:  # not met: before the ego, which can still brake for it
+    if (let_by := _let_by(actor)) is not None:
+        late, early = let_by
+    elif is_braked_for(actor.ledger.situation, actor.one) and actor.one.role is Role.SUPPORTING:
+        late = 0.5 * (late + early)  # it is half over: whoever drives the ego brakes, and need not touch it
+        early = 0.5 * (late + early)
+    elif actor.one.role is Role.SUPPORTING and not yields:  # not met: before the ego, which can still brake for it
         late, early = early + 0.5 * speed / GENTLE, early + speed / GENTLE
     if actor.stand.meets is Meets.THROUGH and stops_in_the_way(Meets.THROUGH, actor.deeds):
         stops = 0.5 * actor.numbers.middle("SPEED") / actor.limits.brake + STOOD
@@ -64,6 +74,25 @@ def set_offset(actor: Actor) -> None:
     elif actor.ledger.situation.contact is None and actor.one.role is Role.ADVERSARY and not yields:
         late, early = _just_missed(actor, late, early)
     actor.numbers.narrow("OFFSET", late, early)
+
+
+def _let_by(actor: Actor) -> Window | None:
+    """When somebody who is not met is there whom another lets by at a junction, which the ego meets then.
+
+    That one has just come to a stand, and has the time left that it needs from there.
+    """
+    if actor.one.role is not Role.SUPPORTING or actor.stand.meets is not Meets.THROUGH:
+        return None
+    for one in actor.ledger.situation.adversaries:
+        waits = any(deed.act is Act.YIELD and deed.whom == actor.one.id for deed in one.does)
+        goes = waits and one.starts.where.row.junction and one.starts.where not in ROUNDABOUT_PLACES
+        way = way_through(actor.ledger.situation, actor.found, one) if goes else None
+        if way is not None:
+            row = one.kind.row.body.row
+            metres = way.meets_at - way.entry + 0.5 * row.limits.length + BEFORE
+            takes = Body(row.limits, walks=False).covers(metres, Numbers(one.id, row).middle("SPEED"))
+            return takes - 0.5 * LETS_GO, takes + 0.5 * LETS_GO
+    return None
 
 
 def _just_missed(actor: Actor, late: float, early: float) -> Window:

@@ -15,9 +15,9 @@ from chatscene.build.deeds import GO, OWN
 from chatscene.build.flank import level_as_said, parts_at_flank
 from chatscene.build.gaps import GOES_ON, LOSES
 from chatscene.build.numbers import MOST
-from chatscene.build.place import CHANGES, GOES_OVER, NEXT_LANE
+from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.timing import Body
-from chatscene.terms.vocabulary import Act, Role, Where
+from chatscene.terms.vocabulary import CHANGES, Act, Role, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor

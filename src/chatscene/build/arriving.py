@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Asked, Meets, Stand
 from chatscene.build.chain import in_terms_of
+from chatscene.build.coming import Coming
 from chatscene.build.deeds import GO
-from chatscene.build.numbers import MOST
+from chatscene.build.numbers import MOST, Numbers
 from chatscene.build.place import Found, arm_of, at_roundabout, from_left, ring_arms, room_against, way_of
 from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.errors import NotBuilt
@@ -18,6 +21,9 @@ from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Side, Where
 from chatscene.world.control import curve_speeds
 from chatscene.world.places import lastLane, ringTraffic, trafficFrom, wayOf
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
 
 EARLIEST, LATEST = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
 FAR_OFF = 1.4, 1.8  # of the ego's speed: who comes so fast is so far off that who waits before it hides it
@@ -110,7 +116,7 @@ def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> S
         if low > most:
             return stand
         asked.numbers.narrow("SPEED", low, most)
-    return replace(so_far_back(asked, stand, _way_back(asked, found)), rolls=True)
+    return replace(so_far_back(asked, stand, way_back(asked.one, asked.numbers, asked.ego, found)), rolls=True)
 
 
 def so_far_back(asked: Asked, stand: Stand, metres: str) -> Stand:
@@ -121,10 +127,18 @@ def so_far_back(asked: Asked, stand: Stand, metres: str) -> Stand:
     return replace(stand, at="back{i}", lines=(*stand.lines, back))
 
 
-def _way_back(asked: Asked, found: CrossingPath) -> str:
-    """How far [m] somebody has to where it meets the ego, as fast as it is on its way: slower in curves and in time."""
-    numbers, body = asked.numbers, Body(asked.one.kind.row.body.row.limits, walks=False)
-    seconds = asked.ego.time_at(found.ego_meets_at) + asked.ego.late_at(found.ego_meets_at)
+def way_back(one: Other, numbers: Numbers, ego: Coming, found: CrossingPath, does: Sequence[str] = (GO,)) -> str:
+    """How far [m] somebody has to where it meets the ego, as fast as it is on its way: slower in curves and in time.
+
+    Args:
+        one: Who.
+        numbers: Its parameters.
+        ego: How the ego gets on.
+        found: Its way.
+        does: The phases in which it comes.
+    """
+    body = Body(one.kind.row.body.row.limits, walks=False)
+    seconds = ego.time_at(found.ego_meets_at) + ego.late_at(found.ego_meets_at)
     caps = curve_speeds(found.line)
 
     def later() -> float:
@@ -135,12 +149,25 @@ def _way_back(asked: Asked, found: CrossingPath) -> str:
             meeting = Meeting(
                 metres=metres, beyond=MEETING, allowed=lambda gone, at=begins: caps[found.line.segment_at(at + gone)]
             )
-            takes = course((GO,), numbers, body, Course(speed=speed), meeting).met
+            takes = course(does, numbers, body, Course(speed=speed), meeting).met
+            if takes < 0.0:  # it stands before it is there
+                return metres / speed - seconds
             metres = max(metres + speed * (seconds - takes), 1.0)
         return metres / speed - seconds
 
-    slower = in_terms_of(numbers, ("$SPEED",), later)
-    return f"$SPEED * ({asked.ego.seconds('egoMeet{i}', found.ego_meets_at)} {slower} - $OFFSET)"
+    slower = in_terms_of(numbers, ("$SPEED", *(text for text in does if text != GO)), later)
+    return f"$SPEED * ({ego.seconds('egoMeet{i}', found.ego_meets_at)} {slower} - $OFFSET)"
+
+
+def back_by_deeds(actor: Actor, bodies: Sequence[Sequence[str]]) -> None:
+    """Let who comes through a junction and changes its speed on the way begin so far back that it is there in time."""
+    found = actor.stand.found
+    kept = [line for line in actor.stand.lines if not line.startswith("back{i} = ")]
+    if found is None or not actor.stand.rolls or len(kept) == len(actor.stand.lines):
+        return
+    does = (*(text for body in bodies for text in body), GO)
+    back = f"back{{i}} = backFrom(meet{{i}}, {way_back(actor.one, actor.numbers, actor.ego, found, does)})"
+    actor.stand = replace(actor.stand, lines=(*kept, back))
 
 
 def _in_time(asked: Asked, found: CrossingPath, seconds: float) -> bool:

@@ -100,9 +100,9 @@ def _aside(actor: Actor, phases: tuple[str, ...], by: tuple[float, float], at: f
     actor.numbers.measure("BY", middles + by[0], middles + by[1], "m", "how far aside of the ego it goes by")
     *before, last = phases
     found = _DRIVES.match(last)
-    assert found is not None
-    near = f"gap(self, ego) < (self.pose[3] + ego.pose[3]) * {at:g} + {NEAR:g}"
-    return (*before, f"{last} until {near}", f"DrivePath({found[1]}, {found[2]}, {'-' if left else ''}$BY)")
+    way, speed = (found[1], found[2]) if found is not None else ("{p}", "$SPEED")
+    near = f"gap(self, {{we}}) < (self.pose[3] + {{we}}.pose[3]) * {at:g} + {NEAR:g}"  # whomever it follows
+    return (*before, f"{last} until {near}", f"DrivePath({way}, {speed}, {'-' if left else ''}$BY)")
 
 
 def sign_of_side(actor: Actor, k: int) -> str:

@@ -254,7 +254,7 @@ def goes_slowly(one: Other) -> bool:
 
 _OVER = {
     Meets.ACROSS: (frozenset((Act.CROSS,)), frozenset((Act.STOP, Act.BRAKE, Act.FALL))),
-    Meets.THROUGH: (frozenset((Act.GO_STRAIGHT, Act.CROSS)), frozenset((Act.STOP, Act.FALL))),
+    Meets.THROUGH: (frozenset((Act.GO_STRAIGHT, Act.CROSS)), frozenset((Act.STOP, Act.BRAKE, Act.FALL))),
 }
 """What leads somebody over the ego's way, and what ends that in it."""
 

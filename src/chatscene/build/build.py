@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from chatscene.build.actor import SOME, Actor
 from chatscene.build.anchors import anchor_of
-from chatscene.build.asked import ROOM, Meets, between, stands_first
+from chatscene.build.asked import Meets, between, stands_first
 from chatscene.build.awaiting import in_phases, met_by
 from chatscene.build.backing import check_met
 from chatscene.build.bays import out_of_bay
@@ -17,21 +16,23 @@ from chatscene.build.contact import at_a_corner, parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of, ordered
 from chatscene.build.finding import find, started
 from chatscene.build.keeping import as_kept, take_kept
+from chatscene.build.lane_order import check_hidden, set_in_order
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
+from chatscene.build.passing import come_after_who_passes
 from chatscene.build.place import Found, along_the_road, wrong_way
 from chatscene.build.possible import OFF_ROAD, impossible
 from chatscene.build.rails import over_rails
 from chatscene.build.relations import check_passed_by_ego
 from chatscene.build.roadside import beside_road
 from chatscene.build.screening import from_its_lane
-from chatscene.build.towards import at_distance, done_to, in_one_row, in_rows, passes, room_kept, screens
+from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, room_kept, screens
 from chatscene.errors import MapError, NotBuilt
 from chatscene.situations.faults import dotted
 from chatscene.terms.backing import as_it_backs, backs
 from chatscene.terms.rolling import as_it_rolls
 from chatscene.terms.scene import ScenicProgram
-from chatscene.terms.situation import EGO, Other, Situation
+from chatscene.terms.situation import Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
 from chatscene.terms.vocabulary import Act, Role, Where
 
@@ -39,8 +40,6 @@ _SAME = {Where.DRIVEWAY: "roadside", Where.IN_ROUNDABOUT: "roundabout-entry"}
 """Where those stand in one row who are said to be in two places."""
 NOBODY = "nobody meets the ego: others: nobody has the role adversary"
 """Why a situation is refused in which nobody does."""
-HEADWAY = 1.3  # [s] that somebody is behind another who comes in between that and the ego
-COMES_OVER = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.ENTER))
 SLOWEST = 4.0  # [m/s] that an ego wants of which no speed was said
 
 
@@ -170,9 +169,10 @@ def _cast_there(
     soon = min(actor.met for actor, _ in everybody if actor.one.role is Role.ADVERSARY)
     for actor, _ in everybody:
         actor.soon = soon if actor.one.role is Role.SUPPORTING else None
+    come_after_who_passes([actor for actor, _ in everybody])
     lines = [line for actor, hidden in everybody for line in (*actor.code(hidden), "")]
     body = "\n".join((*lines, *beside_road(ledger, [actor for actor, _ in everybody])))
-    _check_hidden(ledger, everybody)
+    check_hidden([actor for actor, _ in everybody])
     return ledger, ego, everybody, body
 
 
@@ -221,23 +221,8 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
             long = abreast if actor.stand.meets is Meets.ACROSS else actor.count * apart
             rows[place], latest[place] = (first or actor, room + long), (one, room)
         order.append((actor, built[hidden] if hidden is not None else None))
-    for actor, by in _behind_leaders(order):
-        if actor.one.starts.distance is None and actor.first is None:
-            actor.numbers.move("Y", max(0.0, by.farthest + ROOM - actor.nearest))
-    for actor, one in _with_whoever_comes_between(order):
-        actor.numbers.move("Y", max(0.0, one.farthest + HEADWAY * ego.coming.speed - actor.nearest))
+    set_in_order([actor for actor, _ in order])
     return order
-
-
-def _with_whoever_comes_between(everybody: Sequence[tuple[Actor, Actor | None]]) -> Iterator[tuple[Actor, Actor]]:
-    """Those who drive before the ego, from no distance that was said, with who comes in between from beside it."""
-    actors = [actor for actor, _ in everybody]
-    before = [one for one in actors if one.one.starts.where is Where.AHEAD and one.stand.meets is Meets.ALONG]
-    free = [one for one in before if one.one.starts.distance is None and not stands_first(one.one)]
-    for one in actors:
-        over = any(deed.act in COMES_OVER and done_to(deed) == EGO for deed in one.deeds)
-        if over and one.one.starts.where is Where.AHEAD_BESIDE:
-            yield from ((actor, one) for actor in free if actor.first is None)
 
 
 def _on_arm_unmet(one: Other) -> bool:
@@ -255,27 +240,6 @@ def _comes_driving(one: Other) -> bool:
     free = one.starts.distance is None and one.hidden_by is None and not stands_first(one)
     when = one.does[0].when if one.does else None
     return free and when is None and all(deed.act.row.lasting for deed in one.does[:-1])
-
-
-def _behind_leaders(everybody: Sequence[tuple[Actor, Actor | None]]) -> Iterator[tuple[Actor, Actor]]:
-    """Those who are hidden by somebody nearer in the ego's lane, with whom hides each."""
-    actors = [actor for actor, _ in everybody]
-    yield from ((actor, by) for actor in actors for by in actors if screens(by.one, actor.one))
-
-
-def _check_hidden(ledger: Ledger, everybody: Sequence[tuple[Actor, Actor | None]]) -> None:
-    """Those who are hidden in the ego's lane are farther away there than who hides them.
-
-    Raises:
-        NotBuilt: Somebody is not.
-    """
-    for actor, by in _behind_leaders(everybody):
-        if actor.nearest <= by.farthest:
-            raise NotBuilt(
-                f"this cannot be: {actor.path}.hidden_by: {by.one.id} is not nearer; {actor.one.id} would have to be"
-                f" {by.farthest + ROOM:.0f} m ahead at least"
-            )
-        ledger.take(f"{actor.path}.hidden_by")
 
 
 def _hides(situation: Situation, one: Other) -> str | None:

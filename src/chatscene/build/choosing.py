@@ -24,6 +24,7 @@ from chatscene.build.deeds import (
     gets_by,
     passes_against,
     pulls_out,
+    seen_to_pass,
     sideswipes,
     steps_for,
     turning_off,
@@ -68,7 +69,16 @@ def steps_of(actor: Actor, k: int) -> Steps:
         along = "; who goes along the road is ahead, beside or behind" if across and deed.act in ALONG else ""
         raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}{along}")
     steps = at_a_rate(actor, k, _by_numbers(actor, k, table[deed.act]), across=across)
+    if deed.act is Act.OVERTAKE and not across and _ego_waits_for(actor, k):
+        steps = seen_to_pass(steps)
     return takes_long(actor, k, steps)
+
+
+def _ego_waits_for(actor: Actor, k: int) -> bool:
+    """Whether the ego does something while somebody does its k-th deed."""
+    situation = actor.ledger.situation
+    named = (deed.when.during for deed in situation.ego.does if deed.when is not None and deed.when.during)
+    return any(name.partition(".")[0] == actor.one.id and situation.number_of(name) == k for name in named)
 
 
 def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
@@ -158,7 +168,10 @@ def _to_another(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         yield Act.OVERTAKE, passes_against(comes_back=actor.then(k) not in _COMES_BACK)
     elif deed.act is Act.YIELD and actor.stand.meets is not Meets.ACROSS:
         against = actor.stand.meets is Meets.TOWARD and actor.ledger.situation[done_to(deed)].starts.where in ALONG_EGO
-        yield Act.YIELD, yielding_to(name_of(done_to(deed)), against=against)
+        to = actor.ledger.situation[done_to(deed)].starts.where
+        junction = at_junction(actor.ledger.situation) and to in (Where.ARM, Where.ONCOMING)
+        through = actor.stand.meets is Meets.THROUGH and junction
+        yield Act.YIELD, yielding_to(name_of(done_to(deed)), against=against, through=through)
 
 
 def _by_numbers(actor: Actor, k: int, steps: Steps) -> Steps:

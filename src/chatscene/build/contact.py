@@ -192,12 +192,20 @@ def is_held_up(situation: Situation) -> bool:
     )
 
 
+def is_braked_for(situation: Situation, one: Other) -> bool:
+    """Whether the ego is to brake for somebody: by what was said of it, or as another is to run into its rear then."""
+    answered = [name[1].partition(".")[0] for deed in situation.ego.does if (name := situation.answered(deed))]
+    struck = any(strikes_from_behind(situation, other) for other in situation.others)
+    return one.id in answered or (struck and not answered)
+
+
 def comes_to_stand(situation: Situation) -> bool:
-    """Whether the ego drives at first and stands then, by what was said of it or since somebody stands in its lane."""
-    acts = [deed.act for deed in situation.ego.does]
-    if acts and acts[0] is Act.STAND:
+    """Whether the ego drives at first and stands then, whoever drives it: by an order, or as somebody is in its way."""
+    does = situation.ego.does
+    if does and does[0].act is Act.STAND:
         return False
-    return not {Act.STOP, Act.BRAKE}.isdisjoint(acts) or _stands_ahead(situation)
+    ordered = {deed.act for deed in does if situation.answered(deed) is None}
+    return not {Act.STOP, Act.BRAKE}.isdisjoint(ordered) or _stands_ahead(situation)
 
 
 def _stands_ahead(situation: Situation) -> bool:

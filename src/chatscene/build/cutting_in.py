@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.contact import misses, touches
 from chatscene.build.over_lanes import lane_after
-from chatscene.build.place import CHANGES
 from chatscene.build.sideways import seconds_over
 from chatscene.build.timing import Body
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Other, Situation
-from chatscene.terms.vocabulary import Act, Part, Role, Striker, Where
+from chatscene.terms.vocabulary import CHANGES, Act, Part, Role, Striker, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor

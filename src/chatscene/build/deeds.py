@@ -272,6 +272,14 @@ def pulls_out(clear: float) -> Steps:
     return replace(row, does=(out, *row.does))
 
 
+def seen_to_pass(steps: Steps) -> Steps:
+    """The same; it comes up first, so that the phase in which it passes begins when it is beside whom it passes."""
+    comes = (
+        steps.does[0].partition(" until ")[0] + " until headway(egoRoute, ego, self) > -(ego.length + self.length) / 2"
+    )
+    return replace(steps, does=(comes, *steps.does), last=(comes, *steps.last) if steps.last else ())
+
+
 COMES_OVER = 1.2  # [s] from when somebody turns the wheel until it is where the ego's side is
 
 
@@ -316,15 +324,24 @@ COMES_BACK = Steps(
 """Of somebody who comes against the ego in its lane, and goes back to the lane that it came from."""
 
 
-def yielding_to(name: str, *, against: bool = False) -> Steps:
-    """How somebody lets another by: until that came over its line, and is off it, or came by from against it."""
+def yielding_to(name: str, *, against: bool = False, through: bool = False) -> Steps:
+    """How somebody lets another by: until that came over its line and is off it, or came by from against it.
+
+    Through a junction, who comes onto its line may go on along that: then until it is beyond where the ego comes.
+    """
     past = f"headway(egoRoute, self, {name}) > (self.length + {name}.length) / 2"
     if against:
         return Steps(does=(BRAKES, f"Halt() until {past}"), still=True, going=True, pace=Pace.STANDS)
-    by = tuple(f"Halt() until abs(offsetFrom({{p}}, {name})) {sign}" for sign in ("< 2.5", "> 3"))
+    *on, off = (f"Halt() until abs(offsetFrom({{p}}, {name})) {sign}" for sign in ("< 2.5", "> 3"))
+    if through:
+        by_before = f" or distanceLeft(way{name}, {name}, meet{name}) < 0"
+        on = f"Halt() for {SEEN_TO_STAND:g} seconds", on[0] + by_before
+        off = f"{off} or distanceLeft({{p}}, {name}, meet{{i}}) < 0"
+    by = (*on, off)
     return Steps(does=(BRAKES, *by), last=(BRAKES, *by, GO), still=True, going=True, pace=Pace.STANDS)
 
 
+SEEN_TO_STAND = 0.5  # [s]
 BEHIND_ANOTHER = Steps(
     does=("PaceOnPath({p}, ego, -(ego.length + self.length) / 2 - $ROOM, 25) for $PACE_TIME seconds",),
     last=("PaceOnPath({p}, ego, -(ego.length + self.length) / 2 - $ROOM, 25)",),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 
 from chatscene.build.awaiting import awaited, waiting
@@ -11,7 +11,7 @@ from chatscene.build.coming import Coming, coming, keeps_limits, wanted_by
 from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import FIRM, MOST
 from chatscene.build.own import KEEPS, is_own, own_orders
-from chatscene.build.place import Found, at_junction
+from chatscene.build.place import GOES_OVER, Found, at_junction
 from chatscene.errors import NotBuilt
 from chatscene.maps.routes import TO_LINE
 from chatscene.terms.actors import LIMITS
@@ -23,7 +23,7 @@ from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.scene import CAR
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Breach, EgoLight, EgoRoute, Manner, UserKind
+from chatscene.terms.vocabulary import CHANGES, Act, Breach, EgoLight, EgoRoute, Manner, Side, UserKind
 
 LINE = 3.5  # [m] before the junction the centre of a car stands whose nose is at the line
 STAND = 4.0  # [s] that somebody stands who sets off again
@@ -32,6 +32,9 @@ SLOW = 3.0  # [m/s]
 GOES_THROUGH, THROUGH = 5.0, 14.0  # [m/s], [m] before and beyond where it is to give way, that an ego goes on
 OVER_LANE, INTO_TURN = 3.0, 9.0  # [m] on its way into a lane, or through a turn, that an ego is across a lane
 BACKS = 20.0  # [m] at most that an ego backs, if only a bound was said
+_DRIVES = frozenset((Act.SET_OFF, Act.GO_ALONG, Act.FOLLOW, Act.ACCELERATE))
+_SETS_OFF = frozenset((Act.SET_OFF, Act.GO_ALONG, Act.ACCELERATE, Act.LANE_CHANGE))
+"""What an ego does that has stood."""
 EASILY = 0.9  # of a brake, the most that an ego is braked with of which it was not said how hard
 
 
@@ -76,7 +79,7 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
         ledger.take("ego.speed")
     ledger.take("ego.kind")
     keeps = keeps_limits(situation)
-    if held := [one.at_most for one in _orders(Ledger(situation), ego.does, 0.0, speed) if _all_along(one)]:
+    if held := [one.at_most for one in _orders(Ledger(situation), ego.does, 0.0, speed, {}) if _all_along(one)]:
         speed, keeps = min(speed, *held), False  # which is as fast as it ever is
     elif ego.speed is None:  # others are timed by it, so that it is wanted of every ego
         ledger.take("road.speed_limit")
@@ -84,17 +87,19 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
         ledger.assume(kmh + (f", since at {3.6 * usual:.0f} this cannot be built here" if speed < usual - 0.01 else ""))
     wanted = f", with wantedSpeed {speed:.4g}" + (", with keepsLimits True" if keeps else "")
     longer = 0.5 * (body.length - LIMITS[CAR].length)  # its nose is so much nearer than a car's
+    stands = bool(ego.does) and ego.does[0].act in (Act.STAND, Act.SET_OFF)
+    at_line = stands and junction
     stop = found.route.eventAt - (LINE + longer if junction else 0.0)
+    if at_line:  # it begins there, and stops again with its nose in the junction
+        stop = TO_LINE + longer
     if stops_across(ego.does) and (across := _across(found, junction=junction)) is not None:
         stop = across
-    orders = tuple(_orders(ledger, ego.does, stop, speed))
-    stands = bool(ego.does) and (ego.does[0].act is Act.STAND or _waits_to_set_off(ego.does[0]))
+    orders = tuple(_orders(ledger, ego.does, stop, speed, found.sides))
     back = backs(situation)
     if (ego.route in BEGINS or back) and not stands:  # others are to come meanwhile
         stands, orders = True, (Order(at_most=0, till=BESIDE), *orders)
         where = "" if ego.route is EgoRoute.REVERSE else " beside its lane"
         ledger.assume(f"the ego stands{where} for {BESIDE:g} s, which was not said")
-    at_line = stands and junction
     params = ["param egoStart = 'at-line'"] if at_line else []
     params += _lights(ledger, found)
     at_first = f"speedOn(egoRoute, 0, {speed:.4g})" if keeps else f"{speed:.4g}"
@@ -157,7 +162,9 @@ def _lights(ledger: Ledger, found: Found) -> list[str]:
     return [f"param signals = 'ego-{said or EgoLight.GREEN}'"]
 
 
-def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) -> Iterator[Order]:
+def _orders(
+    ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float, sides: Mapping[str, Side]
+) -> Iterator[Order]:
     begins = 0.0  # [s], when what was said with times has gone by
     stops = [k for k, deed in enumerate(deeds) if deed.act is Act.STOP]
     for k, deed in enumerate(deeds):
@@ -167,12 +174,16 @@ def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) 
             if k == 0 and deed.act is Act.GO_ALONG:
                 ledger.assume(f"the ego goes along before {reference} as well")
             else:
-                yield waiting(Order(at_most=0, ends=True), name, reference)
+                drives = any(one.act in _DRIVES for one in deeds[:k])  # and so waits where it then stops
+                yield waiting(Order(at_most=0, ends=True, place=stop if drives else -math.inf), name, reference)
             ledger.take(f"{at}.when.{name}")
+        if deed.act is Act.LANE_CHANGE and ledger.situation.ego.route in CHANGES:  # which is its way
+            ledger.take(f"{at}.act", f"{at}.manner", *_to_its_side(ledger, deed, at))
+            continue
         if is_own(deed):  # with all that follow it
             if k == 0 or not is_own(deeds[k - 1]):
                 count = next((n for n, one in enumerate(deeds[k:]) if not is_own(one)), len(deeds) - k)
-                yield from own_orders(ledger, deeds[k : k + count], k, speed)
+                yield from own_orders(ledger, deeds[k : k + count], k, speed, sides)
             continue
         ledger.take(f"{at}.act", *_in_a_row(deed, at))
         if deed.breaks is not None:
@@ -187,6 +198,13 @@ def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) 
         if k in stops and len(stops) > 1:  # one after the other
             there = stop * (stops.index(k) + 1) / len(stops)
         begins = yield from _pedals(ledger, deed, at, _then(deeds, k), there, begins, speed)
+
+
+def _to_its_side(ledger: Ledger, deed: Deed, at: str) -> Iterator[str]:
+    """The path of the side to which the ego changes lanes, if its way does."""
+    route = ledger.situation.ego.route
+    if route is not None and deed.to is GOES_OVER[route]:
+        yield f"{at}.to"
 
 
 def _breaks(ledger: Ledger, deed: Deed, at: str, stop: float, speed: float) -> Iterator[Order]:
@@ -208,7 +226,7 @@ def _pedals(
 ) -> Generator[Order, None, float]:
     """Orders for a deed at the pedals; gives when [s] what was said with times has gone by."""
     then = None if follows is None else follows.act
-    again = then in (Act.SET_OFF, Act.GO_ALONG, Act.ACCELERATE)
+    again = then in _SETS_OFF
     match deed.act:
         case Act.STAND:
             if follows is not None and _waits_to_set_off(follows):

@@ -13,6 +13,7 @@ from chatscene.build.fitting import lacking_for, too_short
 from chatscene.build.holding import as_said, lanes_there
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import (
+    GOES_OVER,
     Found,
     beside_lane,
     from_left,
@@ -31,7 +32,7 @@ from chatscene.terms.pace import NOMINAL
 from chatscene.terms.routing import MANEUVERS
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, RightOfWay, RoadKind, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, RightOfWay, RoadKind, Role, Side, Where
 from chatscene.world.places import EgoRoute as Route
 from chatscene.world.places import choose_route, lanesBeside, timetable
 
@@ -157,9 +158,20 @@ def _open_sides(situation: Situation) -> Iterator[dict[str, Side]]:
     told = {one.id: side for one in others if (side := side_hidden(situation, one)) is not None}
     told |= {one.id: side for one in others if (side := comes_from(one)) is not None}
     told |= {one.id: Side.LEFT for one in others if from_left(situation, one)}
+    told |= {one.id: side for one in others if (side := _out_of_the_way(situation, one)) is not None}
     told = {name: side for name, side in told.items() if name in open_ones}
     for first in (Side.RIGHT, Side.LEFT) if len(open_ones) > len(told) else (Side.RIGHT,):
         yield dict.fromkeys(open_ones, first) | told
+
+
+def _out_of_the_way(situation: Situation, one: Other) -> Side | None:
+    """On which side somebody beside the ego is who is not met, if the ego goes over to one side."""
+    if one.role is not Role.SUPPORTING or one.starts.where is not Where.BESIDE:
+        return None
+    over = [deed.to for deed in situation.ego.does if deed.act in (Act.LANE_CHANGE, Act.DRIFT, Act.SWERVE)]
+    over.append(GOES_OVER.get(situation.ego.route) if situation.ego.route is not None else None)
+    to = next((side for side in over if side is not None), None)
+    return {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT, None: None}[to]
 
 
 def comes_from(one: Other) -> Side | None:

@@ -13,6 +13,7 @@ from chatscene.build.over_lanes import lane_after
 from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.relations import speed_of
 from chatscene.build.sideways import seconds_over
+from chatscene.build.timing import Body
 from chatscene.build.towards import done_to, to_whom
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import SLOWS, Act, Manner, Role, Side, Where
@@ -240,7 +241,8 @@ def seconds_to_get_by(actor: Actor, k: int) -> float:
         length, row = other.kind.row.body.row.limits.length, actor.room
     elif actor.stand.behind and "Y" in numbers.ranges:
         row = numbers.middle("Y")
-    faster = numbers.middle(f"FAST_{k}") - speed_of(actor.ledger.situation, whom, actor.ego_speed)
+    passed = speed_of(actor.ledger.situation, whom, actor.ego_speed)
+    faster = min(numbers.middle(f"FAST_{k}"), Body(actor.limits, actor.walks).fastest) - passed
     metres = row + 0.5 * (actor.limits.length + length) + numbers.middle(f"AHEAD_{k}")
     if passes_where_it_goes_over(actor) and whom == EGO:
         metres = row

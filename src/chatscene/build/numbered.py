@@ -31,6 +31,7 @@ USUAL_TOP, KEEPS_UP = 25.0, 5.0  # [m/s] of who keeps a distance, at most; faste
 LEVEL_WITH = 1.1  # times the speed of whom it keeps level with, the most that somebody then has
 SWINGS = 0.8  # of a wave, the least that is seen
 SOONEST = 2.0  # [s] in which somebody drifts at least
+SLOWER = 2.0  # times as long, of who drifts slowly
 BACK, DRIFTS = 1.5, 8.0  # [m] that somebody goes back; that it goes on while it drifts by a third
 
 
@@ -97,10 +98,14 @@ def _lasts(phases: Phases, k: int, text: str, speed: Speed) -> str:
         low, high = ((one - SETS_OUT) / PIECES for one in deed.time.within(SOONEST, max(8.0, deed.time.low)))
         phases.actor.numbers.measure(f"DRIFT_TIME_{k}", low, high, "s", "how long a piece of its drift takes", at)
         text = text.replace("{drift} seconds", f"$DRIFT_TIME_{k} seconds")
+    slow = deed.act is Act.DRIFT and deed.manner is Manner.SLOW
+    if slow:
+        phases.actor.ledger.take(f"{phases.actor.path}.does.{k}.manner")
     goes = 0.5 * (speed.low + speed.high) if speed.name else phases.actor.numbers.middle("SPEED")
     period = max(3.0, WAVE / goes)
     text = text.replace("{period}", f"{period:.2g}").replace("{weaves}", f"{1.5 * period:.2g}")
-    return text.replace("{back}", f"{1.0 + BACK / goes:.2g}").replace("{drift}", f"{max(0.9, DRIFTS / goes):.2g}")
+    drift = (SLOWER if slow else 1.0) * max(0.9, DRIFTS / goes)
+    return text.replace("{back}", f"{1.0 + BACK / goes:.2g}").replace("{drift}", f"{drift:.2g}")
 
 
 def _bound(phases: Phases, k: int, text: str, steps: Steps, changed: str | None) -> str:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.alongside import goes_on_beside, until_it_comes
+from chatscene.build.arriving import back_by_deeds
 from chatscene.build.aside import avoids, must_avoid
 from chatscene.build.asked import STOPS, Meets, stands_first, stops_ahead
 from chatscene.build.chain import in_terms_of, meeting_of
@@ -23,7 +25,9 @@ from chatscene.build.sideways import CLEARS, over_at_speed
 from chatscene.build.timing import Course, Meeting, course
 from chatscene.build.towards import done_to
 from chatscene.build.waiting import when_of
+from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import MEETING
+from chatscene.terms.amount import Length
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import EGO, Other
 from chatscene.terms.vocabulary import Act, Facing, Role, Where
@@ -31,6 +35,7 @@ from chatscene.terms.vocabulary import Act, Facing, Role, Where
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
+EGO_FIRST = 1.0  # [s] before somebody that the ego is by at most where it still meets it
 BEHIND_IT = 3.0  # [m] behind whom it stops somebody stands
 LASTS = 3.0  # [s] in which the last of what somebody does is seen
 SPARE = 30.0  # [m] of road behind who comes against the ego, for those behind it
@@ -79,7 +84,7 @@ class Opening:
         actor, steps = self.phases.actor, self.phases.steps
         deed, when = actor.deeds[self.first], actor.deeds[self.first].when
         waits = self._waits()
-        if actor.stand.rolls and actor.stand.meets is Meets.TOWARD:
+        if actor.stand.rolls:
             self._come_from_afar()
         if (before := avoids(actor, self.first)) is not None:
             yield f"{waits} until {must_avoid(actor, before)}"
@@ -87,6 +92,7 @@ class Opening:
             return
         if when is not None:
             yield from when_of(actor, self.first, when, waits)
+            self._check_in_time()
             if when.ego_within is not None or when.delay is not None or actor.stand.ego_meets == "egoRoute.eventAt":
                 return
         if goes_on_beside(actor) and actor.one.role is Role.ADVERSARY and when is None:
@@ -105,6 +111,28 @@ class Opening:
             yield f"{waits} for {STANDS:g} seconds"
         yield from self._goes_on(waits, soon=soon)
         yield from self._comes_to_meet()
+
+    def _check_in_time(self) -> None:
+        """Hold that who sets out once the ego is so near can still be in its way.
+
+        Raises:
+            NotBuilt: It would be there long after the ego.
+        """
+        actor, when = self.phases.actor, self.phases.actor.deeds[self.first].when
+        over = actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) and not actor.stand.rolls
+        if when is None or when.ego_within is None or when.of not in (None, actor.one.id) or not over:
+            return
+        metres = isinstance(when.ego_within, Length)
+        near = actor.numbers.range_of(f"NEAR_{self.first}")[1]
+        takes = self._until_met() - 0.5 * actor.limits.length / self._wish()  # until its nose is there
+        least = takes - EGO_FIRST
+        if least > (near / actor.ego_speed if metres else near) and actor.one.role is Role.ADVERSARY:
+            say = f"{math.ceil(least * actor.ego_speed)} m" if metres else f"{least:.1f} s"
+            raise NotBuilt(
+                f"this cannot be: {actor.path}.does.{self.first}.when.ego_within: {when.ego_within}: from where"
+                f" {actor.one.id} stands it comes into our way {takes:.1f} s after it sets out, and we are by;"
+                f" say {say} at least"
+            )
 
     def _goes_on(self, waits: str, *, soon: bool) -> Iterator[str]:
         """It goes on, or waits, until its first deed is due, if that is not seen by how near it is to the ego."""
@@ -220,8 +248,13 @@ class Opening:
         return first > self.first and waits.partition(".")[0] not in ("", EGO, actor.one.id)
 
     def _come_from_afar(self) -> None:
-        """Let who comes driving against the ego be so far off that it does all before they meet."""
+        """Let who comes driving be so far off that it does all before it meets the ego, or as it does."""
         actor = self.phases.actor
+        changes = any(one.pace in (Pace.GAINS, Pace.LOSES) for one in self.phases.steps)
+        if actor.stand.meets is Meets.THROUGH and changes:
+            back_by_deeds(actor, self.bodies)
+        if actor.stand.meets is not Meets.TOWARD:
+            return
         first = actor.first or actor
         if first.one.starts.distance is not None or "$Y" not in first.stand.at:
             return
@@ -334,6 +367,11 @@ class Opening:
 
     def _keeps_pace(self) -> str:
         """It goes as fast as the ego, or at a speed that the ego has not."""
+        actor, fast = self.phases.actor, f"FAST_{self.first}"
+        passes = actor.deeds[self.first].act is Act.OVERTAKE and done_to(actor.deeds[self.first]) == EGO
+        beside = actor.one.starts.where is Where.BEHIND_BESIDE
+        if passes and beside and fast in actor.numbers.ranges and self._begins_soon():
+            return GO.replace("$SPEED", f"${fast}")
         speed = self.phases.paces.before[self.first]
         if speed.name and keeps_distance(self.phases.actor):
             return GO.replace("$SPEED", f"${speed.name}")

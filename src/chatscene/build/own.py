@@ -7,17 +7,18 @@ is there; where nobody is ahead, at a time or a place.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from chatscene.build.asked import stands_first
 from chatscene.build.awaiting import awaited, waiting
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import LANE
+from chatscene.build.relations import AGAINST, falls_behind, speed_of
 from chatscene.terms.amount import Length
 from chatscene.terms.order import Order
-from chatscene.terms.situation import EGO, Deed, Other, When
-from chatscene.terms.vocabulary import Act, Side, Where
+from chatscene.terms.situation import EGO, Deed, Other, Situation, When
+from chatscene.terms.vocabulary import COMES_IN, Act, Role, Side, Where
 
 ASIDE = {Act.SWERVE: 2.6, Act.DRIFT: 1.7, Act.LANE_CHANGE: LANE, Act.PARK: 2.6}
 """How far [m] the ego leaves its line by a deed, if that was not said."""
@@ -26,13 +27,15 @@ TAKES = {Act.SWERVE: 1.6, Act.DRIFT: 2.5, Act.LANE_CHANGE: 3.0, Act.PARK: 4.0}
 _OVER = {Act.SWERVE: 0.0, Act.DRIFT: 2.2, Act.LANE_CHANGE: 1.5, Act.PARK: 1.5}
 _SIDES = {Act.PARK: Side.RIGHT, Act.DRIFT: Side.LEFT}
 KEEPS = 0.95  # of its speed that it keeps while it is steered, as far as nothing slows it
-SOON = {Act.SWERVE: 1.4, Act.DRIFT: 1.6, Act.LANE_CHANGE: 2.6, Act.PARK: 3.4}
+SOON = {Act.SWERVE: 1.4, Act.DRIFT: 2.2, Act.LANE_CHANGE: 2.6, Act.PARK: 3.4}
 """How long [s] before they would meet the last of its deeds begins."""
 SPARES = 0.8  # [s] sooner, where they are said not to touch
 BY = 3.0  # [m] of which somebody who is passed at its side is to be left, beside the ego's own way
 GAINS = 2.0  # [m/s²] by which an ego gains speed
 SLOWER = 0.6  # of its speed that an ego has that is to gain speed, if no speed was said
 FIRST = 2.0  # [s] after which it does
+CREEPS = 2.0  # [m/s]: an ego that drifts more slowly is told how fast it comes aside
+SAME = 1.0  # [m/s] by which two go as fast
 NOT_AHEAD = frozenset((Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE))
 
 
@@ -67,7 +70,9 @@ def is_own(deed: Deed) -> bool:
     return deed.act in ASIDE or deed.act is Act.ACCELERATE
 
 
-def own_orders(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) -> Iterator[Order]:
+def own_orders(
+    ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float, sides: Mapping[str, Side]
+) -> Iterator[Order]:
     """Orders for deeds of the ego that follow each other, of which all are its own.
 
     Args:
@@ -75,6 +80,7 @@ def own_orders(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) 
         deeds: The deeds.
         first: The number of the first.
         speed: At which it drives [m/s].
+        sides: Those of others that were chosen.
     """
     begins = _begins(ledger, deeds, first, speed)
     for k, deed in enumerate(deeds, start=first):
@@ -89,21 +95,27 @@ def own_orders(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) 
         yield from (
             _gains(ledger, deed, at, begins, speed)
             if deed.act is Act.ACCELERATE
-            else _aside(ledger, does, at, begins, lasts, speed)
+            else _aside(ledger, does, at, begins, lasts, speed, sides)
         )
         begins = replace(begins, since=round(begins.since + lasts, 2))
 
 
-def _aside(ledger: Ledger, deed: Deed, at: str, begins: Near, lasts: float, speed: float) -> Iterator[Order]:
+def _aside(
+    ledger: Ledger, deed: Deed, at: str, begins: Near, lasts: float, speed: float, sides: Mapping[str, Side]
+) -> Iterator[Order]:
     far = ASIDE[deed.act]
     if deed.distance is not None:
         ledger.take(f"{at}.distance")
         far = deed.distance.within(0.2, max(far, deed.distance.low))[0]
-    left = far if (deed.to or _SIDES.get(deed.act, Side.LEFT)) is Side.LEFT else -far
-    since, over = round(begins.since, 2), min(_OVER[deed.act], lasts)
+    left = far if _side_of(ledger.situation, deed, sides) is Side.LEFT else -far
+    aside = deed.speed if deed.act is Act.DRIFT and deed.speed is not None and deed.speed.high < CREEPS else None
+    if aside is not None:  # how fast it comes aside, and not along
+        lasts = max(lasts, far / aside.high)
+    since, over = round(begins.since, 2), min(_OVER[deed.act] if aside is None else far / aside.high, lasts)
     keeps = 0.0 if deed.act is Act.PARK else round(KEEPS * speed, 2)
     if deed.speed is not None:
         ledger.take(f"{at}.speed")
+    if deed.speed is not None and aside is None:
         keeps = deed.speed.low if deed.speed.low > 0.0 else deed.speed.high
     stays = deed.act in (Act.PARK, Act.LANE_CHANGE)
     yield begins.order(aside=left, over=over, since=since, till=math.inf if stays else round(since + lasts, 2))
@@ -155,9 +167,11 @@ def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) -> 
     named = (when.after or when.during or "").partition(".")[0]
     who = when.of or (named if named not in ("", EGO) else None)
     others = [one for one in situation.others if one.starts.where not in NOT_AHEAD]
-    whom = next((one for one in others if one.id == who), None) if who else next(iter(_ahead(others)), None)
+    whom = next((one for one in others if one.id == who), None) if who else next(iter(_in_the_way(others)), None)
     if whom is None or (deeds[0].act is Act.ACCELERATE and when.ego_within is None and not named):
-        return Near(since=0.0 if deeds[0].act is Act.ACCELERATE else FIRST)
+        level = (one for one in situation.others if one.starts.where is Where.BESIDE)  # who cannot be so for long
+        soon = deeds[0].act is Act.ACCELERATE or any(falls_behind(one, speed) > SAME for one in level)
+        return Near(since=0.0 if soon else FIRST)
     ledger.take(*(f"{at}.{name}" for name in ("after", "during", "of", "ego_within") if getattr(when, name)))
     middles = 0.5 * (situation.ego.body.row.limits.length + whom.kind.row.body.row.limits.length)
     if isinstance(when.ego_within, Length):
@@ -167,23 +181,43 @@ def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) -> 
         seconds += SPARES
     if when.ego_within is not None:
         seconds = when.ego_within.high
-    comes = closing(whom, speed)
-    ahead = whom.starts.where is Where.AHEAD
+    comes = closing(situation, whom, speed)
+    ahead = _is_ahead(whom)
     return Near(whom=whom.id, within=comes * seconds + middles, by=seconds + 2 * middles / comes if ahead else 0.0)
 
 
-def _ahead(others: Sequence[Other]) -> list[Other]:
-    """Those whom the ego does so for: first who meets it."""
-    return sorted(others, key=lambda one: one.role.value != "adversary")
+def _in_the_way(others: Sequence[Other]) -> list[Other]:
+    """Those whom the ego does so for: first who stands in its lane, then who meets it."""
+    return sorted(others, key=lambda one: (not (_is_ahead(one) and stands_first(one)), one.role is not Role.ADVERSARY))
 
 
-def closing(whom: Other, speed: float) -> float:
+def _is_ahead(one: Other) -> bool:
+    return one.starts.where is Where.AHEAD
+
+
+def _side_of(situation: Situation, deed: Deed, sides: Mapping[str, Side]) -> Side:
+    """To which side the ego goes by a deed: if none was said, to where somebody is met beside its lane."""
+    usual = _SIDES.get(deed.act, Side.LEFT)
+    round_another = any(_is_ahead(one) and stands_first(one) for one in situation.others)
+    if deed.to is not None or not (deed.act is Act.DRIFT or (deed.act is Act.SWERVE and round_another)):
+        return deed.to or usual
+    met = (one for one in situation.adversaries if not any(done.act in COMES_IN for done in one.does))
+    named = (one.starts.side or sides.get(one.id) for one in met if one.starts.where.row.sided)
+    return next((side for side in named if side is not None), usual)
+
+
+def closing(situation: Situation, whom: Other, speed: float) -> float:
     """How fast [m/s] the ego and somebody come nearer to each other."""
     row = whom.kind.row.body.row
-    said = next((one for one in (whom.starts.speed, *(deed.speed for deed in whom.does)) if one is not None), None)
-    own = 0.0 if stands_first(whom) else 0.7 * row.fast if said is None else max(said.low, 0.0) or said.high
+    if stands_first(whom):
+        own = 0.0
+    elif row.motorised and whom.starts.where in AGAINST:
+        own = speed_of(situation, whom.id, speed)
+    else:
+        said = next((one for one in (whom.starts.speed, *(deed.speed for deed in whom.does)) if one is not None), None)
+        own = 0.7 * row.fast if said is None else max(said.low, 0.0) or said.high
     match whom.starts.where:
-        case Where.ONCOMING | Where.ONCOMING_IN_OUR_LANE:
+        case where if where in AGAINST:
             return speed + own
         case Where.AHEAD | Where.AHEAD_BESIDE:
             return max(speed - own, 0.3 * speed)

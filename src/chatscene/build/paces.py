@@ -19,7 +19,7 @@ from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.seeing import LOST, SHARE_LOST, gain_of, loss_of
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Manner
+from chatscene.terms.vocabulary import Act
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -28,10 +28,12 @@ if TYPE_CHECKING:
 SEEN = 1.1  # times what a watcher must see at least
 HELD_FROM = 0.95  # of the speed that a pedal holds, from which on it is held
 CREEPS = 0.3  # [m/s], nobody goes slower on purpose
+ABOUT = 0.85  # of a speed that was said, the least that a watcher takes for it
 FOLLOWS = 0.64  # of the ego's speed, the least of who goes with it
 CRAWLS = 1.0  # [m/s]: who must be slower before it gains speed gains it from a stand
 AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
-_OVER_LANES = frozenset((Act.CUT_IN, Act.CUT_OUT, Act.LANE_CHANGE, Act.MERGE))
+SIDEWAYS = frozenset((Act.CUT_IN, Act.CUT_OUT, Act.LANE_CHANGE, Act.MERGE, Act.DRIFT, Act.SWERVE, Act.WEAVE))
+"""What is slow or fast in how it leads aside, and not along the road."""
 
 
 class Pace(StrEnum):
@@ -232,12 +234,14 @@ def _said_speed(actor: Actor, k: int, steps: Steps, body: Body) -> tuple[str, tu
         own = general if general == "SPEED" and actor.one_speed and actor.moves_first(k) else own
         numbers.bind(own, deed.speed, actor.ego_speed, f"{at}.speed")
         low, high, *_ = numbers.ranges[own]
+        if steps.pace is Pace.KEEPS:
+            check_held(actor, low, f"{at}.speed: {deed.speed}")
         if steps.pace is Pace.KEEPS and body.falls_short(low):
             low, high = body.wish_for(low), body.wish_for(high)
             numbers.narrow(own, low, high)
         return own, (low, high)
-    if deed.manner is Manner.FAST and deed.act in _OVER_LANES:
-        return own, None  # it goes over at the speed that it has, so the manner is left out, and told
+    if deed.manner in PACES and deed.act in SIDEWAYS:
+        return own, None  # it goes aside at the speed that it has
     if deed.manner in PACES and deed.speed is None and bound and steps.pace is Pace.KEEPS:
         actor.ledger.take(f"{at}.manner")
         low, high, *_ = numbers.ranges[PACES[deed.manner]]
@@ -247,6 +251,17 @@ def _said_speed(actor: Actor, k: int, steps: Steps, body: Body) -> tuple[str, tu
         numbers.narrow(own, low, high)
         return own, (low, high)
     return own, None
+
+
+def check_held(actor: Actor, speed: float, said: str) -> None:
+    """Hold that somebody on wheels is about as fast as was said, once it is under way.
+
+    Raises:
+        NotBuilt: Its engine does not hold so much.
+    """
+    most = Body(actor.limits, actor.walks).fastest if actor.one.kind.row.body.row.motorised else speed
+    if most < ABOUT * speed:
+        raise NotBuilt(f"{said} is more than a {actor.one.kind} holds: {_kmh(most)} at most")
 
 
 def in_one_manner(actor: Actor) -> bool:

@@ -55,6 +55,7 @@ OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 
 
 _ALONG = re.compile(r"^MoveAhead\([^,]+\) for")
+_FOR = re.compile(r" for \S+ seconds$")
 _FOR_TIME = re.compile(r" for \$(?:PACE|GO)_TIME seconds$")
 
 
@@ -67,7 +68,8 @@ class Phases:
         steps: For each deed, how it is done.
         paces: How fast it is before and after each.
         body: What its body can do.
-        due_after: For each deed, how many phases come before the last of its own, in which it is done.
+        due_after: For each deed, how many phases come before that in which it is done, the last of its own; of who
+            passes another, before that in which it is beside it.
     """
 
     actor: Actor
@@ -131,7 +133,9 @@ class Phases:
         self.due_after = [0] * first
         for body in bodies:
             before = sum(map(len, bodies[: len(self.due_after) - first]))
-            self.due_after.append(len(opening) + before + len(body) - 1)
+            passes = actor.deeds[len(self.due_after)].act is Act.OVERTAKE
+            done = next((n for n, text in enumerate(body) if passes and "$AHEAD" in text), len(body) - 1)
+            self.due_after.append(len(opening) + before + done)
             yield from body
 
     def _without_way_along(self, first: int, bodies: list[list[str]]) -> list[list[str]]:
@@ -158,6 +162,8 @@ class Phases:
         for body in bodies[:-1]:
             ahead = course(body, actor.numbers, self.body, ahead, meeting)
         gains = [text for text in bodies[-1] if "until self.pose[3] >" in text][:1]
+        if actor.stand.meets is Meets.TOWARD and actor.deeds[-1].act is Act.DRIFT:  # it is over as they meet
+            gains = [text for text in bodies[-1] if _FOR.search(text)]
         begins = course(gains, actor.numbers, self.body, ahead, meeting)
         if actor.deeds[-1].speed is not None and self.steps[-1].pace in (Pace.KEEPS, Pace.GAINS):
             wish = self.paces.after[-1]
@@ -363,9 +369,10 @@ class Phases:
         """The last phases, of somebody on foot who is not to touch an ego that stands where it is to go on."""
         if grazes(self.actor) and phases[-1].startswith("DrivePath(") and "{home}" not in phases[-1]:
             return comes_aside(self.actor, phases)
-        if not misses(self.actor.ledger.situation, self.actor.one):
+        against = self.actor.stand.meets is Meets.TOWARD and self.actor.one.role is Role.SUPPORTING
+        if not (misses(self.actor.ledger.situation, self.actor.one) or against):  # who is not met is not struck
             return phases
-        drives = phases[-1].startswith("DrivePath(") and "{home}" not in phases[-1]
+        drives = phases[-1].startswith(("DrivePath(", "PaceOnPath(")) and "{home}" not in phases[-1]
         if drives and is_in_ours(self.actor, len(self.actor.deeds)):
             return goes_by(self.actor, phases)
         if not self.actor.walks or phases[-1] != MOVE:

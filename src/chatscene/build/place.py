@@ -20,6 +20,7 @@ from chatscene.world.places import lanes_beside, neighbourPath, ownLane
 
 ONWARD = 100.0  # [m] past the end of a lane, in which somebody goes straight on
 LANE = 3.5  # [m], a lane's width
+CHANGED = 0.9  # of a lane's width aside of its lane, from where on somebody is in the next
 NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
 AT_CROSSWALKS = frozenset((Where.CROSSING, Where.EXIT_CROSSING))
 ROUNDABOUT_PLACES = frozenset((Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
@@ -27,7 +28,6 @@ WAYS = {Act.TURN_LEFT: Maneuver.LEFT_TURN, Act.TURN_RIGHT: Maneuver.RIGHT_TURN}
 PACKAGED = ("town", "outskirts", "region")
 _STOPS = frozenset((Act.STAND, Act.STOP, Act.SET_OFF, Act.YIELD))
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
-CHANGES = frozenset((EgoRoute.LANE_CHANGE_LEFT, EgoRoute.LANE_CHANGE_RIGHT))
 GOES_OVER = _TO_SIDE | {
     EgoRoute.LANE_CHANGE_LEFT: Side.LEFT,
     EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT,
@@ -217,6 +217,13 @@ def between_lanes(side: str) -> float:
 def lane_beside(side: str) -> str:
     """The lane on a side of the ego's, as a program says it: from behind the ego's start to beyond where it ends."""
     return f'onward(extended(neighbourPath(egoRoute, "{side}"), 60), {ONWARD:g})'
+
+
+def changed_at(route: Route) -> float:
+    """How far [m] along its way an ego that changes lanes is in the other lane."""
+    own, metres = ownLane(route), range(round(route.eventAt), round(route.line.length))
+    over = (at for at in metres if abs(own.project(*route.line.point_at(at))[1]) > CHANGED * LANE)
+    return float(next(over, round(route.line.length)))
 
 
 def room_against(route: Route) -> float:

@@ -55,12 +55,14 @@ _GOES = SLOWS | {Act.GO_ALONG, Act.GO_STRAIGHT, Act.CROSS, Act.ACCELERATE, Act.F
 _OFF = frozenset(
     (Act.SET_OFF, Act.GO_ALONG, Act.GO_STRAIGHT, Act.ACCELERATE, Act.REVERSE, Act.CROSS, Act.ENTER, Act.PULL_OUT)
 ) | {Act.TURN_LEFT, Act.TURN_RIGHT, Act.U_TURN, Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.TURN_BACK, Act.STAND}
+_UNDER_WAY = frozenset((Act.SWERVE, Act.DRIFT))
 _WHERE_IT_STANDS = frozenset(LETS_GO)
 """What is done standing, too."""
 
 
 def impossible(situation: Situation) -> Iterator[Fault]:
     """Each deed that cannot be done from where somebody is, or after what was done before."""
+    yield from _of_ego(situation)
     for one in situation.others:
         at = f"others.{one.id}.does"
         stood = False
@@ -81,6 +83,14 @@ def impossible(situation: Situation) -> Iterator[Fault]:
         for k, (before, after) in enumerate(pairwise(one.does), 1):
             if before.act in _TURNED and after.act not in _GOES:
                 yield Fault((f"{at}.{k}.act",), f"after {before.act} it is elsewhere, and cannot {after.act}")
+
+
+def _of_ego(situation: Situation) -> Iterator[Fault]:
+    """Each deed of an ego that stands for which it would have to set off first."""
+    for k, (before, after) in enumerate(pairwise(situation.ego.does), 1):
+        stays = before.act in _STILL and before.time is None and situation.answered(before) is None
+        if stays and after.act in _UNDER_WAY:
+            yield Fault((f"ego.does.{k}.act",), f"who stands must set off before it can {after.act}")
 
 
 def _from(deed: Deed) -> frozenset[Where]:

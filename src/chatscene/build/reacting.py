@@ -15,7 +15,7 @@ REACTS = 0.85  # of the speed that the ego wants: who is behind it sees it brake
 REACTS_CLOSE = 0.93  # the same, of who is close to it
 LOCKS = (0.3, 0.5)  # [s] that somebody brakes who then swerves round an ego that brakes harder
 SLOWED = 0.5  # of its speed, that somebody has left who brakes and then swerves
-_ANSWERS = LOSES | {Act.SWERVE}
+_ANSWERS = LOSES | {Act.SWERVE, Act.LANE_CHANGE}
 
 
 def ego_slows(actor: Actor) -> str:

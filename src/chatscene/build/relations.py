@@ -12,6 +12,7 @@ from enum import Enum
 
 from chatscene.build.contact import is_held_up, strikes_from_behind
 from chatscene.build.place import NEXT_LANE
+from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.maps.routes import PASSING, SWING
 from chatscene.terms.amount import Speed
@@ -147,6 +148,15 @@ def speed_of(situation: Situation, name: str, ego: float) -> float:
         return said
     beside = speed_beside(situation, one, ego)
     return beside[1] if beside is not None else ego
+
+
+def falls_behind(one: Other, ego: float) -> float:
+    """By how much [m/s] the ego is faster than somebody can be who goes along on wheels with a motor."""
+    row = one.kind.row.body.row
+    if not row.motorised:
+        return 0.0
+    most = Body(row.limits, walks=False).fastest
+    return max(0.0, ego - min(most, said_speed(one, ego) or most))
 
 
 def check_passed_by_ego(situation: Situation, ego: float) -> None:

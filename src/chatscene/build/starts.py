@@ -16,19 +16,19 @@ from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.flank import level_as_said
 from chatscene.build.parts import into_lane
 from chatscene.build.place import (
-    CHANGES,
     LANE,
     NEXT_LANE,
     at_junction,
     at_roundabout,
     beside_lane,
     between_lanes,
+    changed_at,
     filters,
     has_crosswalks,
     is_marked,
     lane_beside,
 )
-from chatscene.build.relations import said_speed, slows_on_its_way, speed_of
+from chatscene.build.relations import falls_behind, said_speed, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
@@ -36,7 +36,7 @@ from chatscene.terms.backing import backs
 from chatscene.terms.route import Beside
 from chatscene.terms.scenario import Site
 from chatscene.terms.situation import EGO, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Feature, Role, Side, Striker, Where
+from chatscene.terms.vocabulary import CHANGES, Act, EgoRoute, Facing, Feature, Role, Side, Striker, Where
 from chatscene.world.places import lanes_beside
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
@@ -51,6 +51,7 @@ OFF_LANE = 5.0  # [m] on its way off the road, at which the ego goes over that o
 ENDS_BESIDE = (Beside.DRIVEWAY, Beside.KERB)
 SHORT_OF = 3.0  # [m] of a junction
 IN_QUEUE = 1.5, 4.0  # [m], nose to tail, between two who stand, from and to
+PASSED_WITHIN = 10.0  # [m] of where it has changed lanes, that the ego passes who stood in its own
 CAREFUL = 1.5, 2.5  # [s] behind the ego, from and to, is who is careful, and lets it into its lane
 
 
@@ -74,33 +75,46 @@ def _ahead(asked: Asked) -> Stand:
     if bolts(asked.one):
         return _over(asked, EDGE, Side.RIGHT)
     if asked.walks:
-        passed = asked.swings_out and asked.stands
-        asked.reach(-2, 2, "how far beyond where the ego swings out it is") if passed else asked.ahead(30, 50)
-        return Stand(
-            meets=Meets.ACROSS,
-            point=f"pointOn({'ownLane(egoRoute)' if passed else 'egoRoute'}, level{{i}})",
-            facing=faces(asked, "level{i}", Facing.ALONG, Side.RIGHT),
-            lines=(f"level{{i}} = {'egoRoute.eventAt + ' if passed else ''}$Y{asked.more}",),
-            ego_meets="progressOn(egoRoute, self)[0]",
-            faces=True,
-            anywhere=not passed,
-        )
+        return _ahead_on_foot(asked)
     aside = -0.9 if asked.rides else 0.0
-    if asked.swings_out and asked.stands:
-        asked.reach(-2, 2, "how far beyond where the ego swings out it stands")
-        queue = sum(one.kind.row.body.row.limits.length + ROOM for one in asked.situation.others if stops_ahead(one))
-        more = asked.more + (f" + {queue:g}" if queue else "")  # of whom it swings out round first
-        way = _within("ownLane(egoRoute)", aside)
-        return Stand(meets=Meets.ALONG, way=way, at=f"egoRoute.eventAt + $Y{more}")
+    if asked.stands and (asked.swings_out or asked.ego.stands or asked.situation.ego.route in CHANGES):
+        return _stands_ahead(asked, aside)
     if asked.swings_out:  # who is passed while it goes: it is there when the ego is
         asked.ahead(22, 30)
         return Stand(meets=Meets.ALONG, way=_within("ownLane(egoRoute)", aside), at=f"$Y{asked.more}")
-    if asked.stands and asked.ego.stands and not asked.swings_out:
+    # who stands is so far that it has done what it does when the ego is there
+    asked.ahead(38, 56) if asked.stands else asked.headway(*HEADWAY, caught_up=_caught_up(asked))
+    return Stand(meets=Meets.ALONG, way=_within(asked.lane, aside), at=f"$Y{asked.more}", anywhere=asked.stands)
+
+
+def _ahead_on_foot(asked: Asked) -> Stand:
+    passed = asked.swings_out and asked.stands
+    asked.reach(-2, 2, "how far beyond where the ego swings out it is") if passed else asked.ahead(30, 50)
+    return Stand(
+        meets=Meets.ACROSS,
+        point=f"pointOn({'ownLane(egoRoute)' if passed else 'egoRoute'}, level{{i}})",
+        facing=faces(asked, "level{i}", Facing.ALONG, Side.RIGHT),
+        lines=(f"level{{i}} = {'egoRoute.eventAt + ' if passed else ''}$Y{asked.more}",),
+        ego_meets="progressOn(egoRoute, self)[0]",
+        faces=True,
+        anywhere=not passed,
+    )
+
+
+def _stands_ahead(asked: Asked, aside: float) -> Stand:
+    """Who stands before an ego that stands, swings out round it, or changes to the lane beside it."""
+    way = _within("ownLane(egoRoute)", aside)
+    if asked.swings_out:
+        asked.reach(-2, 2, "how far beyond where the ego swings out it stands")
+        queue = sum(one.kind.row.body.row.limits.length + ROOM for one in asked.situation.others if stops_ahead(one))
+        more = asked.more + (f" + {queue:g}" if queue else "")  # of whom it swings out round first
+        return Stand(meets=Meets.ALONG, way=way, at=f"egoRoute.eventAt + $Y{more}")
+    if asked.ego.stands:
         asked.reach(asked.middles + IN_QUEUE[0], asked.middles + IN_QUEUE[1])
         return Stand(meets=Meets.ALONG, way=_within(asked.lane, aside), at=f"$Y{asked.more}")
-    far = asked.stands and not asked.ego.stands  # so that it has done what it does when the ego is there
-    asked.ahead(38, 56) if far else asked.headway(*HEADWAY, caught_up=_caught_up(asked))
-    return Stand(meets=Meets.ALONG, way=_within(asked.lane, aside), at=f"$Y{asked.more}", anywhere=far)
+    over = changed_at(asked.found.route) + 0.5 * asked.numbers.row.limits.length
+    asked.reach(over, over + PASSED_WITHIN)
+    return Stand(meets=Meets.ALONG, way=way, at=f"$Y{asked.more}", anywhere=True)
 
 
 def _caught_up(asked: Asked) -> float:
@@ -251,12 +265,15 @@ def _beside(asked: Asked) -> tuple[float, float]:
         return level
     contact = asked.situation.contact
     if contact is None or contact.striker is None or not touches(asked.situation, asked.one):
-        return -2.0, 4.5
+        ahead = min(falls_behind(asked.one, asked.ego.speed) * LEVEL_FOR, LEVEL - 4.5)
+        return -2.0 + ahead, 4.5 + ahead
     low, high = BESIDE_TO_STRIKE[contact.striker]
     longer = asked.longer if contact.striker is Striker.EGO else 0.0
     return low + longer, high + longer
 
 
+LEVEL = 7.5  # [m] ahead of the ego, middle to middle, that somebody is at most who is beside it
+LEVEL_FOR = 2.0  # [s] after which who cannot be as fast as the ego has fallen back to be level with it
 POINTED = 3.5, 4.5  # [m] behind the junction, of whom a point of the ego's width meets: there it has come about
 ON_CROSSWALK = (0.7, 3.3)  # [m] from where a crosswalk begins
 ON_RAILS = (0.6, 0.8)  # [m] from where a track begins

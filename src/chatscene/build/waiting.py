@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import HALTS, stands_first
+from chatscene.build.deeds import OWN
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, Numbers
 from chatscene.build.own import ASIDE
@@ -15,13 +16,14 @@ from chatscene.build.possible import OFF_ROAD
 from chatscene.build.relations import AGAINST
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed, Other, When
-from chatscene.terms.vocabulary import NOSE_TO_TAIL, Act, Where
+from chatscene.terms.vocabulary import CHANGES, NOSE_TO_TAIL, Act, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 
 LONGEST_DELAY = 5.0  # [s], where it was only said how long at least
+TURNS_OUT = 1.2  # [s] in which somebody at speed is clear of what stands in the lane that it leaves
 UNDER_WAY = 0.3  # [m/s]
 SEEN_BEFORE = 1.5  # [s] for which somebody is seen before the ego is as near as was said
 CLOSES_IN = 0.9  # of the ego's speed: on who is slower the ego closes in
@@ -96,7 +98,17 @@ def when_of(actor: Actor, k: int, when: When, meanwhile: str) -> Iterator[str]:
     if when.ego_within is not None:
         near = _near(actor, k, when)
         _start_far_enough(actor, k, when)
-        yield f"{meanwhile} until {near}"
+        yield f"{meanwhile} until {near}{_or_must(actor, k, when)}"
+
+
+def _or_must(actor: Actor, k: int, when: When) -> str:
+    """Who leaves the ego's lane before somebody who stands there does so in time, however the ego comes."""
+    leaves = actor.deeds[k].act in (Act.CUT_OUT, Act.LANE_CHANGE) and actor.one.starts.where is Where.AHEAD
+    if when.of is None or not leaves or not stands_first(actor.ledger.situation[when.of]):
+        return ""
+    name = name_of(when.of)
+    room = f"(self.length + {name}.length) / 2 + {TURNS_OUT:g} * self.pose[3]"
+    return f" or headway(egoRoute, self, {name}) < {room}"
 
 
 def _start_far_enough(actor: Actor, k: int, when: When) -> None:
@@ -192,14 +204,16 @@ def _seen(actor: Actor, k: int, name: str, reference: str) -> str:
     text = (sign.begun if name == "during" else sign.done or sign.begun).format(
         who=called, whom=whom, usual=f"{_usual(actor, who):.3g}", k=situation.number_of(reference)
     )
-    return f"{text} and progressOn(egoRoute, ego)[0] > 4" if who == EGO and deed.act in HALTS else text
+    return f"{text} and progressOn(egoRoute, ego)[0] > 1" if who == EGO and deed.act in HALTS else text
 
 
 def _sign_of(actor: Actor, who: str, deed: Deed) -> Sign | None:
     """What is seen of a deed; None where it cannot be told from what goes before."""
     if who == EGO:
-        if deed.act in ASIDE:  # of its way
-            return Sign("abs(offsetFrom(egoRoute, ego)) > 0.5", "abs(offsetFrom(egoRoute, ego)) > 1")
+        if deed.act in ASIDE:  # of its way, or of its lane if its way leads to another
+            changes = deed.act is Act.LANE_CHANGE and actor.ledger.situation.ego.route in CHANGES
+            line, over = (OWN, 2) if changes else ("egoRoute", 1)
+            return Sign(f"abs(offsetFrom({line}, ego)) > 0.5", f"abs(offsetFrom({line}, ego)) > {over}")
         return SIGNS[deed.act] if "offset" not in SIGNS.get(deed.act, _IN).begun else None
     where = actor.ledger.situation[who].starts.where
     if deed.act is Act.STOP and stands_first(actor.ledger.situation[who]):

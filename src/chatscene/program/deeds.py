@@ -300,10 +300,17 @@ def _overtakes(s: Seen) -> Iterator[Act]:
         yield Act(lowest if pulls_out is None else pulls_out, done)
 
 
+def before(s: Seen) -> Array:
+    """How far [m] before another somebody is, along the ego's way or against it, as it goes."""
+    way = s.line.heading_at(float(s.at[0].clip(0.0, s.line.length)))
+    return -s.lead if math.cos(float(s.track.heading[0]) - way) < 0.0 else s.lead
+
+
 def _tailgates(s: Seen) -> Iterator[Act]:
-    between = -s.lead - (s.ego.length + s.track.length) / 2
+    lead = before(s)
+    between = -lead - (s.ego.length + s.track.length) / 2
     near = between < np.maximum(8.0, CLOSE * s.ego.speed)
-    close = (s.lead < 0.0) & near & (np.abs(s.offset) < 1.3) & (s.ego.speed > 1.0) & (_speed(s) > 1.0)
+    close = (lead < 0.0) & near & (np.abs(s.offset) < 1.3) & (s.ego.speed > 1.0) & (_speed(s) > 1.0)
     return _lasting(close, 15)
 
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, Act, comes_in
+from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, Act, before, comes_in
 from chatscene.program.lateral import LANE
 from chatscene.program.watching import Seen
 from chatscene.terms.actors import BY_CLASS, AdversaryKind
@@ -246,7 +246,8 @@ FOLLOWED = 15  # [steps] that somebody must be behind another to be seen to foll
 
 def _follows(s: Seen) -> Iterator[Act]:
     """It goes behind somebody for a while."""
-    behind = (s.lead < 0.0) & (s.lead > -FOLLOWS) & (_speed(s) > STANDING)
+    lead = before(s)
+    behind = (lead < 0.0) & (lead > -FOLLOWS) & (_speed(s) > STANDING)
     run = np.flatnonzero(behind)
     if run.size >= FOLLOWED:
         yield Act(int(run[0]), int(run[FOLLOWED - 1]))

@@ -16,7 +16,7 @@ from chatscene.terms.episode import Array, Episode, EventKind
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import EgoState
 from chatscene.terms.situation import Deed, Situation
-from chatscene.terms.vocabulary import Act, Breach, Side
+from chatscene.terms.vocabulary import CHANGES, Act, Breach, Side
 
 OVER = 5  # [steps] at the end of which an ego that is hit is seen to lose speed
 LOST_AT_ONCE = 0.5  # [m/s] that it has lost then, if it was losing speed when it was hit
@@ -40,7 +40,9 @@ def of_ego(situation: Situation, episode: Episode, route: Route, contact: int | 
     speed = np.abs(episode.ego_track.speed[:until])
     for k, deed in enumerate(situation.ego.does):
         path = f"ego.does.{k}"
-        if deed.act in _ASIDE:
+        if deed.act is Act.LANE_CHANGE and situation.ego.route in CHANGES:
+            yield not_judged(f"{path}.act")  # which its way is, and is judged as that
+        elif deed.act in _ASIDE:
             yield from _aside(path, deed, episode, route, contact)
         else:
             left = situation.answered(deed) is not None  # to whoever drives it

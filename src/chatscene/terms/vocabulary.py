@@ -90,6 +90,10 @@ class EgoRoute(Word):
     LEAVE_DRIVEWAY = ("leave-driveway", "comes out of a driveway; with reverse, backwards")
 
 
+CHANGES = frozenset((EgoRoute.LANE_CHANGE_LEFT, EgoRoute.LANE_CHANGE_RIGHT))
+"""Ways that lead into the next lane."""
+
+
 class RoadKind(Word):
     """What kind of road it is where the danger is."""
 

@@ -1,0 +1,107 @@
+"""Who is before whom in one lane: where that follows from what each does, and no distance was said."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from chatscene.build.actor import Actor
+from chatscene.build.asked import ROOM, Meets, stands_first
+from chatscene.build.paces import SIDEWAYS
+from chatscene.build.towards import done_to, screens
+from chatscene.errors import NotBuilt
+from chatscene.terms.situation import EGO
+from chatscene.terms.vocabulary import Act, Role, Where
+from chatscene.world.places import FOLLOWING_BRAKE
+
+HEADWAY = 1.3  # [s] that somebody is behind another who comes in between that and the ego
+COMES_OVER = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.ENTER))
+GOES_ON = 5.0  # [s] that somebody goes on before it brakes for who stands in its lane
+_AHEAD = frozenset((Where.AHEAD, Where.AHEAD_BESIDE))
+
+
+def set_in_order(actors: Sequence[Actor]) -> None:
+    """Let each be as far ahead as others ask for who are in its lane before it or behind it."""
+    free = [actor for actor in actors if _is_free(actor)]
+    for actor in free * len(free):  # who has been moved may move another
+        nearest = max((_tail(other, actor) for other in actors if other is not actor), default=0.0)
+        if nearest > actor.nearest:
+            actor.numbers.move("Y", nearest - actor.nearest)
+
+
+def _is_free(actor: Actor) -> bool:
+    return actor.one.starts.where in _AHEAD and actor.one.starts.distance is None and actor.first is None
+
+
+def _tail(by: Actor, one: Actor) -> float:
+    """How far ahead of the ego [m] the tail of somebody must be to be before another; 0 if that does not matter."""
+    situation, speed = one.ledger.situation, one.ego.speed
+    if screens(by.one, one.one):  # who is hidden by it
+        return by.farthest + ROOM
+    if _goes_along(one) and one.one.starts.where is Where.AHEAD and _comes_between(by):
+        return by.farthest + HEADWAY * speed
+    if any(by.one.id == other.hidden_by for other in situation.others):
+        return 0.0
+    if _waits(one):
+        return _beyond(by, one, speed)
+    only_goes = one.one.role is Role.SUPPORTING and all(deed.act.row.lasting for deed in one.deeds)
+    passed = by.lies and _goes_along(one) and only_goes
+    return by.farthest + ROOM if passed and _in_one_lane(by, one) else 0.0
+
+
+def _beyond(by: Actor, one: Actor, speed: float) -> float:
+    """The same, of who stands in the lane in which another drives, which is not to brake for it before all is done.
+
+    Who comes against the ego, and over into its lane, has come by.
+    """
+    if by.one.starts.where is Where.ONCOMING and by.stand.meets is Meets.TOWARD and not _stays(by):
+        by.phases()  # which say from how far it comes
+        return by.farthest + ROOM if one.one.starts.where is Where.AHEAD and "$Y" in by.stand.at else 0.0
+    if _goes_along(by) and _stays(by) and _in_one_lane(by, one):
+        return by.farthest + GOES_ON * speed + speed * speed / (2.0 * FOLLOWING_BRAKE)
+    return 0.0
+
+
+def _waits(actor: Actor) -> bool:
+    """Whether somebody stands in a lane, and is not met there."""
+    stands = stands_first(actor.one) and not actor.lies and actor.one.starts.where in _AHEAD
+    return stands and actor.one.role is not Role.ADVERSARY and actor.one.hidden_by is None
+
+
+def _in_one_lane(by: Actor, one: Actor) -> bool:
+    return by.one.starts.where is one.one.starts.where and by.one.starts.side is one.one.starts.side
+
+
+def _goes_along(actor: Actor) -> bool:
+    """Whether somebody drives along before the ego."""
+    ahead = actor.one.starts.where in _AHEAD and actor.stand.meets is Meets.ALONG
+    return ahead and not (stands_first(actor.one) or actor.walks)
+
+
+def _stays(actor: Actor) -> bool:
+    return SIDEWAYS.isdisjoint(deed.act for deed in actor.deeds)
+
+
+def _comes_between(actor: Actor) -> bool:
+    """Whether somebody comes over from beside the ego, in between it and who drives before it."""
+    over = any(deed.act in COMES_OVER and done_to(deed) == EGO for deed in actor.deeds)
+    return over and actor.one.starts.where is Where.AHEAD_BESIDE
+
+
+def behind_leaders(actors: Sequence[Actor]) -> Iterator[tuple[Actor, Actor]]:
+    """Those who are hidden by somebody nearer in the ego's lane, with whom hides each."""
+    yield from ((actor, by) for actor in actors for by in actors if screens(by.one, actor.one))
+
+
+def check_hidden(actors: Sequence[Actor]) -> None:
+    """Those who are hidden in the ego's lane are farther away there than who hides them.
+
+    Raises:
+        NotBuilt: Somebody is not.
+    """
+    for actor, by in behind_leaders(actors):
+        if actor.nearest <= by.farthest:
+            raise NotBuilt(
+                f"this cannot be: {actor.path}.hidden_by: {by.one.id} is not nearer; {actor.one.id} would have to be"
+                f" {by.farthest + ROOM:.0f} m ahead at least"
+            )
+        actor.ledger.take(f"{actor.path}.hidden_by")
