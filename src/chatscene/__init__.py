@@ -36,6 +36,7 @@ if TYPE_CHECKING:
         run,
         sql,
         train,
+        verify,
         why,
     )
     from chatscene.ego.policy import load_ego
@@ -71,6 +72,7 @@ __all__ = [
     "scene",
     "sql",
     "train",
+    "verify",
     "why",
 ]
 

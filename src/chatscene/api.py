@@ -29,6 +29,7 @@ from chatscene.settings import (
     RetrievalSettings,
     Settings,
     SimulationSettings,
+    VerifySettings,
 )
 from chatscene.terms.conflict import Conflict
 from chatscene.terms.description import Description
@@ -55,6 +56,7 @@ if TYPE_CHECKING:
     from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.evaluation import Evaluated
     from chatscene.studies.reproduce import Reproduced
+    from chatscene.verdict.verdict import Verdict
 
 Name = str | Path
 Names = Name | Sequence[Name]
@@ -849,6 +851,95 @@ def rate(
         progress=progress,
         repeated=repeated,
     )
+
+
+def verify(
+    what: Name | Run,
+    said: str | Path | Situation | None = None,
+    *,
+    draws: int | None = None,
+    seed: int | None = None,
+    least: float | None = None,
+    ego: Name | None = None,
+    map: Name | None = None,  # noqa: A002 - the word of the command line
+    trust: bool = False,
+    ego_id: str | None = None,
+    scene: str | None = None,
+    page: Name | None = None,
+    library: Name | None = None,
+    embedder: str | None = None,
+    language_model: str | None = None,
+    reader: str | None = None,
+    reading: int | None = None,
+    set: Mapping[str, object] | None = None,  # noqa: A002 - the word of the command line
+) -> Verdict:
+    """Whether a program, a run or a recording shows what was said, fact by fact, from its tracks.
+
+    Args:
+        what: A Scenic program (``.scenic``) or a file of OpenSCENARIO (``.xosc``), which run in the sandbox; a run; or
+            a table of tracks (``.csv``).
+        said: A sentence, a situation, or the file of a situation or of a report; None for what a run was made of.
+        draws: How many drives of a program are judged, or scenes of a run.
+        seed: What their values are drawn by.
+        least: The share of the drives that must show a fact, of those that came to it.
+        ego: Who drives a program; None for its own ego, or the usual one where it has none.
+        map: The map of a program that names none.
+        trust: Whether a program may use all of Scenic and Python, in this process.
+        ego_id: Whose track of a recording is the ego's; None for the one that is marked.
+        scene: Which scene of a run; None for those that it keeps.
+        page: Where a page with the moment of each fact is written; None for none.
+        library: As `explain`, where it is refused: snippets have no facts to be judged by.
+        embedder: As `explain`.
+        language_model: As `explain`.
+        reader: As `explain`.
+        reading: As `explain`.
+        set: Facts beside what was said, by their paths; beside a text also by their names.
+
+    Raises:
+        NothingFits: Nothing, or nothing for sure, is read in the text.
+        ChatSceneError: It cannot be read or driven.
+    """
+    from chatscene.verdict.page import write_page
+    from chatscene.verdict.said import asked
+    from chatscene.verdict.sources import watching
+    from chatscene.verdict.verify import weighed
+
+    settings = _changed(
+        VerifySettings(trust=trust),
+        draws=draws,
+        seed=seed,
+        least=least,
+        ego=None if ego is None else str(ego),
+        map_name=None if map is None else str(map),
+        ego_id=ego_id,
+        scene_id=scene,
+    )
+    path = what.folder if isinstance(what, Run) else _path(what)
+    chosen = _reading(RetrievalSettings(), library, embedder, language_model, reader, reading)
+    wanted = asked(_made_of(path) if said is None else said, chosen, set)
+    found = watching(path, settings)
+    verdict = weighed(found, str(path), wanted, settings)
+    if page is not None:
+        write_page(_path(page), verdict, found.drawing)
+    return verdict
+
+
+def _made_of(folder: Path) -> Situation:
+    """The situation that a run was made of.
+
+    Raises:
+        SettingsError: It is no run, or one that was made of none.
+    """
+    from chatscene.situations.file import read_text
+    from chatscene.verdict.sources import check_there
+
+    check_there(folder)
+    if not folder.is_dir():
+        raise SettingsError(f"say what {folder} is to show: a sentence, a situation or a report")
+    record = runs.read_record(runs.open_run(folder, runs.RunRecord))
+    if record.situation is None:
+        raise SettingsError(f"{folder} was made of no situation; say what it is to show")
+    return read_text(record.situation.text)
 
 
 def export(folder: Name, scenes: Names = (), *, to: str, out: Name | None = None) -> Exported:

@@ -123,6 +123,34 @@ class SimulationSettings:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class VerifySettings:
+    """How what somebody else wrote or recorded is held against what was said.
+
+    Attributes:
+        draws: How many drives of a program are judged, or scenes of a run.
+        seed: What their values are drawn by.
+        least: The share of the drives that must show a fact, of those that came to it.
+        ego: Who drives a program; empty for its own ego, or the usual one where it has none.
+        map_name: The map of a program that names none; empty for the first packaged one that has what it asks for.
+        trust: Whether a program may use all of Scenic and Python, in this process.
+        ego_id: Whose track of a recording is the ego's; empty for the one that is marked.
+        scene_id: Which scene of a run; empty for those that it keeps.
+    """
+
+    draws: int = 10
+    seed: int = 0
+    least: float = 0.5
+    ego: str = ""
+    map_name: str = ""
+    trust: bool = False
+    ego_id: str = ""
+    scene_id: str = ""
+
+    def __post_init__(self) -> None:
+        check_settings(self, {"draws": (1, 1_000), "seed": (0, 2**63 - 1), "least": (0.0, 1.0)})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class RetrievalSettings:
     """How a triple of snippets is chosen.
 

@@ -51,14 +51,15 @@ def write_gif(folder: Path, scene_id: str | None = None) -> Path:
     return path
 
 
-def still(episode: Episode, drawing: Mapping[str, Any]) -> bytes:
-    """The moment of a drive at which the ego crashes, or comes nearest to its adversary, as a small WebP picture.
+def still(episode: Episode, drawing: Mapping[str, Any], step: int | None = None) -> bytes:
+    """A moment of a drive as a small WebP picture.
 
     Args:
         episode: The drive.
         drawing: The map around it, as `chatscene.maps.drawing.map_drawing` makes it.
+        step: Which; None for that at which the ego crashes, or comes nearest to its adversary.
     """
-    step = span(episode).moment
+    step = span(episode).moment if step is None else step
     camera = Camera.on(episode, range(max(0, step - BEFORE), step + 1), WIDEST)
     frame = draw_frame(camera, draw_ground(camera, drawing), episode, step)
     sink = io.BytesIO()

@@ -48,17 +48,8 @@ def filled(
         SituationError: A fact has no place in it.
         LanguageModelError: The model gave no usable reply.
     """
-    named, by_path = _facts(facts or {}, settings)
-    reader = _reader(settings, named, _unbuilt(by_path, map_name, speed))
-    read = reader.read(text)
-    if read.verdict is not Verdict.SITUATION:
-        raise NothingFits(f"{read.reader} says that {read.verdict.said}: “{read.reason}”", reasons=(read.reason,))
-    taken = settings.reading if reader.name != OFFLINE else 0  # which the offline reader takes itself
-    if taken > len(read.ranked):
-        raise SettingsError(f"there is no reading {taken}; {read.reader} gives {len(read.ranked)}")
-    one = read.ranked[max(taken, 1) - 1]
-    if not taken and one.probability < settings.refuse_below:
-        raise _unsure(read, one)
+    _, by_path = _facts(facts or {}, settings)
+    read, one = read_in(text, settings, facts, _unbuilt(by_path, map_name, speed))
     made = stated(one.situation, by_path, map_name, speed)
     try:
         built = built_of(made)
@@ -72,6 +63,39 @@ def filled(
         editor=editor_of(settings.language_model),
         readings=_offered(read, one),
     )
+
+
+def read_in(
+    text: str,
+    settings: RetrievalSettings,
+    facts: Mapping[str, object] | None = None,
+    cannot_build: Callable[[Situation], str] = lambda _: "",
+) -> tuple[SituationReading, Ranked]:
+    """What a text is read as, and which of the readings is taken.
+
+    Args:
+        text: The text.
+        settings: Who reads, and which reading is taken.
+        facts: Facts that the user states, of which those count that a reader takes by their names.
+        cannot_build: Why nothing can be built of a situation; empty where that is no matter.
+
+    Raises:
+        SettingsError: The text is empty or too long, or there is no such model, reading or fact.
+        NothingFits: The reader says that it tells no situation, none that can be told here, or it is not sure enough.
+        LanguageModelError: The model gave no usable reply.
+    """
+    named, _ = _facts(facts or {}, settings)
+    reader = _reader(settings, named, cannot_build)
+    read = reader.read(text)
+    if read.verdict is not Verdict.SITUATION:
+        raise NothingFits(f"{read.reader} says that {read.verdict.said}: “{read.reason}”", reasons=(read.reason,))
+    taken = settings.reading if reader.name != OFFLINE else 0  # which the offline reader takes itself
+    if taken > len(read.ranked):
+        raise SettingsError(f"there is no reading {taken}; {read.reader} gives {len(read.ranked)}")
+    one = read.ranked[max(taken, 1) - 1]
+    if not taken and one.probability < settings.refuse_below:
+        raise _unsure(read, one)
+    return read, one
 
 
 def is_filled(text: str, settings: RetrievalSettings) -> bool:

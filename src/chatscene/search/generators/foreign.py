@@ -21,6 +21,7 @@ from chatscene.simulate.confined.allow_list import check_foreign, model_of, pars
 from chatscene.simulate.confined.asked_map import map_of
 from chatscene.simulate.confined.plain_text import MAX_CHARACTERS, Refusal
 from chatscene.simulate.confined.rules import OTHERS
+from chatscene.terms.episode import Role
 from chatscene.terms.scene import OWN_MODEL, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
 from chatscene.world.models import STANDS_IN
@@ -79,13 +80,16 @@ def _beginning(file: Path) -> str:
         return ""
 
 
-def read_foreign(path: Path, *, trusted: bool = False, as_written: bool = False) -> ForeignProgram:
+def read_foreign(
+    path: Path, *, trusted: bool = False, as_written: bool = False, searched_with: bool = True
+) -> ForeignProgram:
     """Read a program.
 
     Args:
         path: Its file.
         trusted: Whether it may use all of Scenic and Python; else it is held against the allow-list.
         as_written: Whether its own ego drives.
+        searched_with: Whether it must say who is the adversary, which a search asks for; else there may be none.
 
     Raises:
         ForeignCodeRefused: It cannot be read, uses what strangers may not use, or lacks an ego, a route or an
@@ -103,7 +107,8 @@ def read_foreign(path: Path, *, trusted: bool = False, as_written: bool = False)
         raise ForeignCodeRefused(f"{path} cannot be read: {error.strerror}") from error
     except UnicodeDecodeError as error:
         raise ForeignCodeRefused(f"{path} is no text in UTF-8: {error.reason} at byte {error.start}") from error
-    program, renamed, asked = _made(path.stem, text.replace("\r\n", "\n"), trusted, as_written, own=str(path))
+    text = text.replace("\r\n", "\n")
+    program, renamed, asked = _made(path.stem, text, trusted, as_written, own=str(path), searched_with=searched_with)
     # Not Path.resolve(), which raises where links lead round in a circle.
     map_path = None if asked is None else Path(os.path.realpath(path.parent / asked))
     return ForeignProgram(path=path, program=program, renamed=renamed, map_path=map_path)
@@ -125,7 +130,7 @@ def foreign_program(name: str, source: str, *, trusted: bool = False, as_written
 
 
 def _made(
-    name: str, source: str, trusted: bool, as_written: bool, *, own: str
+    name: str, source: str, trusted: bool, as_written: bool, *, own: str, searched_with: bool = True
 ) -> tuple[ScenicProgram, str, str | None]:
     """The program, what its adversary's behavior was called if it was renamed, and the map that it asks for."""
     called = f"your program {own}"
@@ -147,7 +152,7 @@ def _made(
     if model != OWN_MODEL:
         _check_ego(called, tree)
     else:
-        behavior = _adversary_behavior(called, tree, as_written)
+        behavior = _adversary_behavior(called, tree, as_written, searched_with)
         if behavior != ADVERSARY_BEHAVIOR:
             source = re.sub(rf"\b{behavior}\b", ADVERSARY_BEHAVIOR, source)
     ranges = (
@@ -186,11 +191,24 @@ def _slug(name: str) -> str:
     return "-".join(re.findall(r"[a-z0-9]+", name.lower()))[:60].strip("-") or "foreign"
 
 
-def _adversary_behavior(called: str, tree: Any, as_written: bool) -> str:
+def drives_itself(source: str) -> bool:
+    """Whether the ego of a program has a behavior of its own; False of what is no program."""
+    tree = parse_foreign(source)
+    nodes: Iterator[Any] = iter(()) if isinstance(tree, Refusal) else ast.walk(tree)
+    return any(
+        type(node).__name__ == "TrackedAssign"
+        and type(node.target).__name__ == "Ego"
+        and "behavior" in dict(_properties(node.value))
+        for node in nodes
+    )
+
+
+def _adversary_behavior(called: str, tree: Any, as_written: bool, searched_with: bool) -> str:
     """The behavior of the program's own that its adversary has.
 
     Raises:
-        ForeignCodeRefused: It has no ego with a route, or not exactly one kind of adversary.
+        ForeignCodeRefused: It has no ego with a route, or, where it is searched with, not exactly one kind of
+            adversary.
     """
     ego = [n for n in tree.body if type(n).__name__ == "TrackedAssign"]
     if not ego:
@@ -211,6 +229,8 @@ def _adversary_behavior(called: str, tree: Any, as_written: bool) -> str:
         return ADVERSARY_BEHAVIOR
     if len(used) == 1 and used <= own and ADVERSARY_BEHAVIOR not in own:
         return used.pop()
+    if not searched_with or any(_plays_adversary(node) for node in _things(tree)):
+        return ADVERSARY_BEHAVIOR
     found = f"found: {', '.join(sorted(used))}" if used else "nothing besides the ego has a behavior"
     raise ForeignCodeRefused(
         f"{called}: which road user is the adversary? Define `behavior {ADVERSARY_BEHAVIOR}():` and give it to "
@@ -222,8 +242,14 @@ def _things(tree: Any) -> Iterator[Any]:
     return (node for node in ast.walk(tree) if type(node).__name__ == "New")
 
 
+def _plays_adversary(new: Any) -> bool:
+    """Whether a thing is given that role, as those of whom a situation says it are."""
+    role = dict(_properties(new)).get("role")
+    return isinstance(role, ast.Constant) and role.value == Role.ADVERSARY
+
+
 def _properties(new: Any) -> Iterator[tuple[str, Any]]:
-    return ((s.prop, s.value) for s in new.specifiers if type(s).__name__ == "WithSpecifier")
+    return ((s.prop, s.value) for s in getattr(new, "specifiers", ()) if type(s).__name__ == "WithSpecifier")
 
 
 def _behaviors(new: Any) -> Iterator[str]:

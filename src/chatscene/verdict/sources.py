@@ -1,0 +1,60 @@
+"""What may be judged, by what it is: each kind has a row, and adding one is a row."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+from chatscene.errors import SettingsError, no_such
+from chatscene.files.bounded import is_there
+from chatscene.imports.recording import recording
+from chatscene.imports.tracks_table import read_table
+from chatscene.settings import VerifySettings
+from chatscene.verdict.programs import watch_openscenario, watch_program
+from chatscene.verdict.recorded import watch_recording
+from chatscene.verdict.runs_of_ours import watch_run
+from chatscene.verdict.watched import Watching
+
+
+def watching(what: Path, settings: VerifySettings) -> Watching:
+    """The drives of what is to be judged.
+
+    Raises:
+        SettingsError: There is no such file, or it is of no kind that is known.
+        ChatSceneError: It cannot be read or driven.
+    """
+    check_there(what)
+    if what.is_dir():
+        return watch_run(what, settings)
+    if (watch := KINDS.get(what.suffix.lower())) is None:
+        raise SettingsError(no_such("kind of file", what.suffix or what.name, KINDS))
+    return watch(what, settings)
+
+
+def check_there(what: Path) -> None:
+    """Hold a path to there being something.
+
+    Raises:
+        SettingsError: There is nothing.
+    """
+    if not (is_there(what) or os.path.isdir(what)):  # noqa: PTH112 - Path.is_dir() raises for what is too long
+        raise SettingsError(f"there is no {what}; give a run, or a file that ends in {', '.join(KINDS)}")
+
+
+def watch_table(path: Path, settings: VerifySettings) -> Watching:
+    """A drive that stands in a table.
+
+    Raises:
+        ScenarioError: It cannot be read.
+    """
+    found = recording(read_table(path), path, settings.ego_id)
+    return Watching(kind="table of tracks", drives=(watch_recording(found, path.stem),), notes=found.notes)
+
+
+KINDS: dict[str, Callable[[Path, VerifySettings], Watching]] = {
+    ".scenic": watch_program,
+    ".xosc": watch_openscenario,
+    ".csv": watch_table,
+}
+"""By how its name ends."""
