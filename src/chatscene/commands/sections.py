@@ -27,6 +27,7 @@ SECTIONS: dict[str, dict[str, str]] = {
         "check": "Find damaged, missing and added files.",
     },
     "Measure": {
+        "verify": "Check whether a scene of anybody shows what was said.",
         "evaluate": "Compare egos on kept scenes.",
         "rate": "Estimate how often a situation ends in a crash.",
         "coverage": "Show which situations of a catalogue are served.",
