@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, overload
 from chatscene import runs
 from chatscene.errors import EditRefused, RunError, SettingsError, no_such
 from chatscene.interpret.stated import in_text
-from chatscene.maps.network import TOWN, map_with
+from chatscene.maps.network import TOWN, check_opendrive, map_with, resolve_map
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
@@ -904,6 +904,8 @@ def verify(
     from chatscene.verdict.sources import watching
     from chatscene.verdict.verify import weighed
 
+    if map is not None:
+        check_opendrive(resolve_map(str(map)))
     settings = _changed(
         VerifySettings(trust=trust),
         draws=draws,

@@ -71,7 +71,7 @@ def test_the_example_of_the_page_drives_fails_what_stands_and_says_all_of_it(pyt
     assert sorted(path.read_bytes()[:3] for path in (pytester.path / "replays").iterdir()) == [b"GIF", b"GIF"]
     cases = Xml.parse(pytester.path / "scenes.xml").getroot().iter("testcase")
     told = [{one.get("name"): one.get("value") for one in case.iter("property")} for case in cases]
-    named = set(re.findall(r"`(\w+)`", PAGE.split("has properties:")[1].split("\n")[0]))
+    named = set(re.findall(r"`(\w+)`", PAGE.split("has the properties ")[1].split("\n")[0]))
     assert all(named - {"replay"} <= set(one) for one in told)
     assert [one["verdict"] for one in told] == ["passed", "passed", "failed", "failed", "passed", "passed"]
     assert {one["sentence"] for one in told} == {BRAKING}
