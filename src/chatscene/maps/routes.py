@@ -19,7 +19,7 @@ import numpy as np
 import shapely
 
 from chatscene.errors import MapError
-from chatscene.maps.crossings import TURNS, CrossingPath, conflicting_paths
+from chatscene.maps.crossings import ALL_LEGS, TURNS, CrossingPath, conflicting_paths
 from chatscene.maps.equipment import is_equipped
 from chatscene.maps.junctions import junction_control
 from chatscene.maps.lane_changes import neighbour, shifted, wide_at
@@ -251,7 +251,7 @@ def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: 
                 yield _Candidate(variant, str(intersection.uid), route)
 
 
-@lru_cache(maxsize=1024)
+@lru_cache(maxsize=ALL_LEGS)
 def _junction_route(network: Any, maneuver: Any, map_name: str, approach: float) -> Route | None:
     runs = lane_runs(network)
     before, after = runs[maneuver.startLane.uid], runs[maneuver.endLane.uid]

@@ -170,7 +170,7 @@ def routes_for(
     return found
 
 
-@lru_cache(maxsize=256)
+@lru_cache(maxsize=1024)  # all catalogues ask for 640
 def _routes(network: Any, map_name: str, query: RouteQuery) -> tuple[Route, ...] | str:
     """The routes, or why there are none, which takes as long to find out and is asked as often."""
     try:
