@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from chatscene.errors import ScenarioError
-from chatscene.terms.actors import BY_CLASS, LIMITS
+from chatscene.terms.actors import BY_CLASS, LIMITS, PROPS
 from chatscene.terms.episode import Array, Role, Track
 from chatscene.terms.vocabulary import UserKind
 
@@ -105,7 +105,7 @@ def _ego(found: Sequence[Poses], path: object, ego_id: str) -> Poses:
 
 def _track(one: Poses, actor: str, role: Role | None, steps: Array, path: object) -> Track:
     kind = _class_of(one.kind, path)
-    limits = LIMITS.get(kind)
+    limits = LIMITS.get(kind) or PROPS.get(kind)
     length, width = one.length or (limits.length if limits else None), one.width or (limits.width if limits else None)
     if length is None or width is None:
         raise ScenarioError(f"{path}: {one.name} is a {one.kind}, whose size is not known; say its length and width")
@@ -129,7 +129,7 @@ def _track(one: Poses, actor: str, role: Role | None, steps: Array, path: object
 
 def _class_of(kind: str, path: object) -> str:
     """The class of our world model for a kind, which may be one, or a word of a situation."""
-    if kind in LIMITS:
+    if kind in LIMITS or kind in PROPS:
         return kind
     named = kind.strip().lower().replace("_", "-").replace(" ", "-")
     if named in _WORDS:

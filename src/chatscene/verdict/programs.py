@@ -12,7 +12,6 @@ from typing import Any
 
 from chatscene.ego.policy import EgoPolicy, fitted, load_ego
 from chatscene.errors import MapError
-from chatscene.imports.import_file import import_scenario
 from chatscene.maps.network import PACKAGED, TOWN, resolve_map
 from chatscene.measure.avoidability import avoidable
 from chatscene.measure.unplayed import unplayed
@@ -50,6 +49,8 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
     Raises:
         ScenarioError: It cannot be read, or says what cannot be said here.
     """
+    from chatscene.imports.import_file import import_scenario
+
     with TemporaryDirectory(prefix="chatscene-") as folder:
         made = import_scenario(path, out=Path(folder) / "scenario.scenic", map_name=settings.map_name or None)
         own = read_foreign(made.program, searched_with=False)

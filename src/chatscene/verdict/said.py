@@ -8,12 +8,9 @@ from pathlib import Path
 
 from chatscene.errors import SettingsError
 from chatscene.files.bounded import is_there
-from chatscene.interpret.conflicts import conflicts_in, read_report
-from chatscene.read.quotes import left_over
-from chatscene.report.filled import is_filled, read_in
-from chatscene.report.stated import stated
 from chatscene.settings import RetrievalSettings
 from chatscene.situations.facts import with_fact
+from chatscene.situations.file import read_file
 from chatscene.terms.situation import Situation
 
 SITUATIONS, REPORTS = (".yaml", ".yml", ".json"), (".txt", ".md")
@@ -48,7 +45,14 @@ def asked(said: str | Path | Situation, reading: RetrievalSettings, facts: Mappi
         NothingFits: Nothing, or nothing for sure, is read in a text.
     """
     if isinstance(said, Situation) or str(said).lower().endswith(SITUATIONS):
-        return Asked(situation=stated(said if isinstance(said, Situation) else Path(said), facts))
+        made = said if isinstance(said, Situation) else read_file(Path(said))
+        for path, value in (facts or {}).items():
+            made = with_fact(made, path, value)
+        return Asked(situation=made)
+    from chatscene.interpret.conflicts import conflicts_in, read_report
+    from chatscene.read.quotes import left_over
+    from chatscene.report.filled import is_filled, read_in
+
     text = str(said)
     if text.lower().endswith(REPORTS) and (isinstance(said, Path) or is_there(Path(text))):
         found, *others = conflicts_in(read_report(Path(text)), reading, Path(text).name)

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from chatscene.errors import SettingsError, no_such
 from chatscene.files.bounded import is_there
-from chatscene.imports.recording import recording
+from chatscene.imports.osi_trace import read_trace
+from chatscene.imports.recording import Poses, recording
 from chatscene.imports.tracks_table import read_table
 from chatscene.settings import VerifySettings
 from chatscene.verdict.programs import watch_openscenario, watch_program
 from chatscene.verdict.recorded import watch_recording
-from chatscene.verdict.runs_of_ours import watch_run
 from chatscene.verdict.watched import Watching
 
 
@@ -26,6 +26,8 @@ def watching(what: Path, settings: VerifySettings) -> Watching:
     """
     check_there(what)
     if what.is_dir():
+        from chatscene.verdict.runs_of_ours import watch_run
+
         return watch_run(what, settings)
     if (watch := KINDS.get(what.suffix.lower())) is None:
         raise SettingsError(no_such("kind of file", what.suffix or what.name, KINDS))
@@ -48,13 +50,28 @@ def watch_table(path: Path, settings: VerifySettings) -> Watching:
     Raises:
         ScenarioError: It cannot be read.
     """
-    found = recording(read_table(path), path, settings.ego_id)
-    return Watching(kind="table of tracks", drives=(watch_recording(found, path.stem),), notes=found.notes)
+    return _recorded(read_table(path), "table of tracks", path, settings)
+
+
+def watch_trace(path: Path, settings: VerifySettings) -> Watching:
+    """A drive that stands in a trace of OSI.
+
+    Raises:
+        ScenarioError: It cannot be read.
+        MissingExtra: The package of the format is not installed.
+    """
+    return _recorded(read_trace(path), "trace of OSI", path, settings)
+
+
+def _recorded(poses: Sequence[Poses], kind: str, path: Path, settings: VerifySettings) -> Watching:
+    found = recording(poses, path, settings.ego_id)
+    return Watching(kind=kind, drives=(watch_recording(found, path.stem),), notes=found.notes)
 
 
 KINDS: dict[str, Callable[[Path, VerifySettings], Watching]] = {
     ".scenic": watch_program,
     ".xosc": watch_openscenario,
     ".csv": watch_table,
+    ".mcap": watch_trace,
 }
 """By how its name ends."""
