@@ -91,8 +91,8 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
     if said is None:
         return
     if collision is None:
-        if said.happens:
-            yield Finding(path="contact.happens", shown=None, told="said a contact, there is none")
+        told = "said a contact, there is none" if said.happens else "there is none"
+        yield Finding(path="contact.happens", shown=None if said.happens else True, told=told)
         return
     if not said.happens:
         another = said.whom is not None and not is_with(collision.other, said.whom)
@@ -101,6 +101,7 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
         return
     whom = said.whom or next(one.id for one in situation.adversaries)
     right = is_with(collision.other, whom)
+    yield Finding(path="contact.happens", shown=True, told="said a contact", at=collision.step * episode.dt)
     yield Finding(path="contact.whom", shown=right, told=f"said {whom}, it is {collision.other}")
     other = next((t for t in episode.tracks if t.actor == collision.other), None)
     if said.ego is not None:

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, Act, before, comes_in
+from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, TURNED, TURNED_MIDWAY, Act, before, comes_in
 from chatscene.program.lateral import LANE
 from chatscene.program.watching import Seen
 from chatscene.terms.actors import BY_CLASS, AdversaryKind
@@ -25,6 +25,13 @@ BACK = 0.5  # [m]
 ON_LINE = 0.3  # [m] aside of its line at most, who is still on that
 BACK_ASIDE = 0.1  # [m] toward its line, from which somebody goes back to that
 MOST_OF = 0.6
+BARELY = math.radians(5)  # by which somebody is turned who does not yet turn off
+TURNED_OFF = math.radians(60)  # who has turned by so much has not gone straight on
+ROUND = math.radians(30)  # from the ego's way, from which somebody is seen to turn round
+GOES_WITH = 0.5  # cosine of the angle to the ego's way up to which somebody goes along that
+FOLLOWS = 40.0  # [m] behind somebody: who is farther does not follow …
+FREE = 5.0  # [s] … if it is also more than this behind, from which drivers are counted as free of whom they follow
+FOLLOWED = 15  # [steps] that somebody must be behind another to be seen to follow
 OUTSIDE = 1.4  # [m] from the ego's line: who is no farther away is not outside its lane
 
 
@@ -39,12 +46,12 @@ def _stands_at_first(s: Seen) -> Iterable[Act]:
         yield Act(0, end - 1)
 
 
-def standing(s: Seen) -> Iterator[Act]:
-    """Every time somebody stands."""
+def standing(s: Seen, since: int = 0) -> Iterator[Act]:
+    """Every time somebody stands, also after a step at which a deed began that was done before."""
     still = np.concatenate(([False], _speed(s) < STANDING, [False])).astype(int)
     edges = np.diff(still)
     for first, end in zip(np.flatnonzero(edges == 1).tolist(), np.flatnonzero(edges == -1).tolist(), strict=True):
-        if end - first >= HALT or end == len(s.track.x):
+        if end == len(s.track.x) or (end - first >= HALT and end - 1 >= since + HALT * (since > 0)):
             yield Act(first, end - 1)
 
 
@@ -81,9 +88,11 @@ def _moves_on(s: Seen) -> Iterable[Act]:
 
 
 def enters(s: Seen) -> Iterable[Act]:
-    """It comes into the ego's lane."""
+    """It comes into the ego's lane, and does not leave it on the other side."""
     inside = np.abs(s.offset) < 1.75
     began = _since_moving(s)
+    if (s.offset * np.sign(s.offset[0]) < -1.75).any():
+        return
     if abs(s.offset[0]) > 1.6 and inside.any():
         yield Act(began, int(np.argmax(inside)))
     elif abs(s.offset[0]) - abs(s.offset[-1]) > 0.3:
@@ -171,6 +180,10 @@ def _backs(came: Array) -> Iterator[Act]:
 def drifts(s: Seen, by: float = DRIFTED) -> Iterable[Act]:
     """It leaves its line, to either side, by so much as is seen [m], or by less if that was said."""
     least = min(DRIFTED, by)
+    yield from _not_turning_off(s, _leaves_line(s, least))
+
+
+def _leaves_line(s: Seen, least: float) -> Iterator[Act]:
     for away in (s.drift, -s.drift):
         if (away > least).any():
             done = int(np.argmax(away > least))
@@ -187,8 +200,33 @@ def _cuts_in(s: Seen) -> Iterable[Act]:
 
 
 def _before(s: Seen, times: Iterable[Act]) -> Iterator[Act]:
-    """The times at whose end its middle is ahead of the ego's."""
-    yield from (once for once in times if once.done is None or s.lead[once.done] > 0.0)
+    """The times at whose end its middle is ahead of the ego's, and it goes the ego's way."""
+    with_ego = np.cos(_from_way(s)) > GOES_WITH
+    yield from (once for once in times if with_ego[-1 if once.done is None else once.done] and _is_ahead(s, once))
+
+
+def _is_ahead(s: Seen, once: Act) -> bool:
+    return once.done is None or bool(s.lead[once.done] > 0.0)
+
+
+def _from_way(s: Seen) -> Array:
+    """(T,) [rad], heading against the ego's way where somebody is, without jumps."""
+    way = np.array([s.line.heading_at(at) for at in s.at.clip(0.0, s.line.length).tolist()])
+    return np.unwrap(s.track.heading - way)
+
+
+def _turned(s: Seen) -> Array:
+    """(T,) [rad], how far somebody has turned, of itself: neither with a way that bends nor against one."""
+    way = _from_way(s)
+    return np.minimum(np.abs(s.track.heading - s.track.heading[0]), np.abs(way - way[0]))
+
+
+def _not_turning_off(s: Seen, times: Iterable[Act]) -> Iterator[Act]:
+    """The times that somebody goes aside that are not a turn into another road, in which it goes aside as well."""
+    turned = _turned(s)
+    off = turned[-1] > (TURNED_MIDWAY if _speed(s)[-1] < STANDING else TURNED)
+    turns = int(np.flatnonzero(turned < BARELY)[-1]) if off else len(turned)
+    yield from (once for once in times if not off or (once.done is not None and once.done <= turns))
 
 
 def _any_change(s: Seen) -> Iterable[Act]:
@@ -203,15 +241,66 @@ def _any_change(s: Seen) -> Iterable[Act]:
             yield Act(int(before[-1]), int(farther[0]))
 
 
+def _goes_straight(s: Seen) -> Iterable[Act]:
+    """It gets on, and does not turn off."""
+    turned = abs(float(s.track.heading[-1] - s.track.heading[0]))
+    yield from () if turned > TURNED_OFF else _moves_on(s)
+
+
+def _turns_round(s: Seen) -> Iterator[Act]:
+    """It turns round; who follows a way that bends has not begun to."""
+    yield from (o for o in ACTIONS[Action.U_TURN](s) if o.done is not None or _turned(s)[-1] > ROUND)
+
+
+def _exits(s: Seen) -> Iterator[Act]:
+    """It ends farther aside of the ego's way than it was, by more than a lane, and not because it crossed that."""
+    away = np.abs(s.offset)
+    if abs(s.offset[0]) > OUTSIDE and s.offset[0] * s.offset[-1] < 0.0:
+        return
+    gone = away > np.minimum.accumulate(away) + LANE
+    if gone[-1]:
+        done = int(np.argmax(gone))
+        yield Act(int(np.argmin(away[:done])), done)
+    elif away[-1] > away.min() + ON_LINE:
+        yield Act(int(np.argmin(away)), None)
+
+
+def exits(s: Seen) -> Iterator[Act]:
+    """It leaves a road that the ego leaves as well: by the same way, or by another."""
+    yield from _exits(s)
+    along = (s.beyond > 0.0) & (np.abs(s.offset) < OUTSIDE)
+    if along.any():
+        yield Act(int(np.argmax(along)), int(np.argmax(along)))
+
+
+def _parks(s: Seen) -> Iterator[Act]:
+    """It comes to stand outside the ego's lane, or aside of the line on which it came."""
+    for once in ACTIONS[Action.STOP](s):
+        at = len(s.drift) - 1 if once.done is None else once.done
+        if once.done is None or abs(s.drift[at]) > DRIFTED or abs(s.offset[at]) > OUTSIDE:
+            yield once
+
+
+def follows(s: Seen) -> Iterator[Act]:
+    """It goes behind somebody for a while; under way at the end if it does so then, after a third of that."""
+    lead = before(s)
+    behind = (lead < 0.0) & (lead > -np.maximum(FOLLOWS, FREE * _speed(s))) & (_speed(s) > STANDING)
+    run = np.flatnonzero(behind)
+    if run.size >= FOLLOWED:
+        yield Act(int(run[0]), int(run[FOLLOWED - 1]))
+    elif 3 * run.size >= FOLLOWED and behind[-1]:
+        yield Act(int(run[0]), None)
+
+
 ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.STAND: _stands_at_first,
     Said.GO_ALONG: _moves_on,
-    Said.GO_STRAIGHT: _moves_on,
-    Said.FOLLOW: _moves_on,
-    Said.EXIT: _moves_on,
+    Said.GO_STRAIGHT: _goes_straight,
+    Said.FOLLOW: follows,
+    Said.EXIT: _exits,
     Said.TURN_LEFT: ACTIONS[Action.TURN_LEFT],
     Said.TURN_RIGHT: ACTIONS[Action.TURN_RIGHT],
-    Said.U_TURN: ACTIONS[Action.U_TURN],
+    Said.U_TURN: _turns_round,
     Said.CROSS: ACTIONS[Action.CROSS],
     Said.ENTER: enters,
     Said.SET_OFF: _sets_off,
@@ -223,34 +312,23 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.REVERSE: ACTIONS[Action.REVERSE],
     Said.PULL_OUT: ACTIONS[Action.PULL_OUT],
     Said.CUT_IN: _cuts_in,
-    Said.LANE_CHANGE: _any_change,
-    Said.CUT_OUT: ACTIONS[Action.CHANGE_LANE],
+    Said.LANE_CHANGE: lambda s: _not_turning_off(s, _any_change(s)),
+    Said.CUT_OUT: lambda s: _not_turning_off(s, ACTIONS[Action.CHANGE_LANE](s)),
     Said.MERGE: _any_change,
     Said.OVERTAKE: ACTIONS[Action.OVERTAKE],
     Said.DRIFT: drifts,
-    Said.SWERVE: ACTIONS[Action.SWERVE],
+    Said.SWERVE: lambda s: _not_turning_off(s, ACTIONS[Action.SWERVE](s)),
     Said.WEAVE: ACTIONS[Action.WEAVE],
     Said.KEEP_LEVEL: ACTIONS[Action.PACE],
     Said.TAILGATE: ACTIONS[Action.TAILGATE],
     Said.TURN_BACK: _turns_back,
-    Said.PARK: ACTIONS[Action.STOP],
+    Said.PARK: _parks,
     Said.YIELD: ACTIONS[Action.STOP],
     Said.FALL: ACTIONS[Action.STOP],  # that it lies then, no track tells
     Said.OPEN_DOOR: _opens,
     Said.DROP_LOAD: ACTIONS[Action.STOP],
 }
 """When somebody is seen to do something; for those that are not here, no track tells."""
-FOLLOWS = 40.0  # [m] behind somebody: who is farther does not follow
-FOLLOWED = 15  # [steps] that somebody must be behind another to be seen to follow
-
-
-def _follows(s: Seen) -> Iterator[Act]:
-    """It goes behind somebody for a while."""
-    lead = before(s)
-    behind = (lead < 0.0) & (lead > -FOLLOWS) & (_speed(s) > STANDING)
-    run = np.flatnonzero(behind)
-    if run.size >= FOLLOWED:
-        yield Act(int(run[0]), int(run[FOLLOWED - 1]))
 
 
 def passes(s: Seen) -> Iterator[Act]:
@@ -271,7 +349,7 @@ def passes(s: Seen) -> Iterator[Act]:
 
 
 TO_SOMEBODY: dict[Said, Callable[[Seen], Iterable[Act]]] = {
-    Said.FOLLOW: _follows,
+    Said.FOLLOW: follows,
     Said.TAILGATE: ACTIONS[Action.TAILGATE],
     Said.KEEP_LEVEL: ACTIONS[Action.PACE],
     Said.OVERTAKE: passes,

@@ -30,6 +30,8 @@ EVERY = 1.0  # [s] after which an ego that goes on evenly is followed anew
 BEFORE = 1.5  # [s] at most by which somebody is there before the ego and still meets it: the usual bound of a conflict
 NEAR = 1.0  # [m] between two bodies that meet, once somebody has begun with what it does
 ASIDE = 1.0  # [m] beside its route an ego is that steers round somebody
+TO_COME = 150.0  # [m] that somebody may still have to come to where the ways meet at a junction
+THROUGH = 30.0  # [m] behind the entry of a junction at which a way has left it
 BACK = 80.0  # [m] behind its start that the ego's way is taken to lead straight
 LETS_BY = frozenset((Act.YIELD, Act.CUT_OUT, Act.EXIT, Act.PARK))
 """What is done so that there is no encounter."""
@@ -82,7 +84,7 @@ def encounter(
     if math.isinf(least.between) and (kept := _not_steered(ego, route.line)) is not None:
         way = _way(kept, route.line)
         least = min((_meeting(kept, way, track, episode.dt, since) for track in later), key=_between)
-    if not _must_meet(situation, one, ego, way, tracks[0], least):
+    if not _must_meet(situation, one, ego, way, tracks[0], least, route):
         return None
     if least.between <= (TOGETHER if least.ego_first else BEFORE):
         told = f"they could meet: {least.between:.1f} s between one and the other"
@@ -117,7 +119,9 @@ def _not_steered(ego: Track, line: Polyline) -> Track | None:
     return replace(ego, x=points[:, 0], y=points[:, 1], heading=heading)
 
 
-def _must_meet(situation: Situation, one: Other, ego: Track, way: Way, track: Track, found: Meeting) -> bool:
+def _must_meet(
+    situation: Situation, one: Other, ego: Track, way: Way, track: Track, found: Meeting, route: Route
+) -> bool:
     """Whether what was said asks for an encounter, as `encounter` has it."""
     contact = situation.contact
     if contact is not None and one.id == (contact.whom or situation.adversaries[0].id):
@@ -129,12 +133,27 @@ def _must_meet(situation: Situation, one: Other, ego: Track, way: Way, track: Tr
     if not _on(way, ego, boxes, 0):
         if acts and acts <= STAYS:
             return False
+        if _on_its_way_in(way, ego, track, route):
+            return True
         return found.between <= LONGEST or any(_on(way, ego, boxes, step) for step in range(0, len(track.x), 5))
     along, x, y, heading = way
     near = int(np.argmin(np.hypot(x - track.x[0], y - track.y[0])))
     against = math.cos(float(track.heading[0] - heading[near])) < 0.0
     ahead = along[near] > 0.0
     return bool(ahead) and (against or bool(acts & LOSES))
+
+
+def _on_its_way_in(way: Way, ego: Track, track: Track, route: Route) -> bool:
+    """Whether somebody is last seen on its way to the ego's way through a junction, straight on from where it is."""
+    if route.junction is None or abs(float(track.speed[-1])) < MOVING:
+        return False
+    far, heading = np.arange(0.0, TO_COME, 1.0), float(track.heading[-1])
+    ones = np.ones_like(far)
+    x, y = track.x[-1] + far * math.cos(heading), track.y[-1] + far * math.sin(heading)
+    boxes = Boxes(x, y, math.cos(heading) * ones, math.sin(heading) * ones, track.length / 2, track.width / 2)
+    there = (way[0] > route.event_at) & (way[0] < route.event_at + THROUGH)
+    through = (way[0][there], way[1][there], way[2][there], way[3][there])
+    return bool(there.any()) and any(_on(through, ego, boxes, step) for step in range(len(far)))
 
 
 def _heads_for(ego: Track, track: Track, since: int) -> bool:

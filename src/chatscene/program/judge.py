@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -23,6 +23,7 @@ from chatscene.program.doing import (
     accelerates,
     drifts,
     enters,
+    exits,
     moved_left,
     passes,
     since,
@@ -32,7 +33,7 @@ from chatscene.program.encounter import encounter
 from chatscene.program.finding import Finding, failures, not_judged
 from chatscene.program.lateral import is_aside, of_lateral
 from chatscene.program.meaning import TOGETHER, in_between, left_of_ego
-from chatscene.program.measured import SLACK_LENGTH, SLACK_SPEED, Measure
+from chatscene.program.measured import SLACK_LENGTH, SLACK_SPEED, Measure, held_at_most
 from chatscene.program.own import of_ego
 from chatscene.program.roads import of_road
 from chatscene.program.said import ASIDE, due, gently, to_side, untold, waits_for_others
@@ -55,7 +56,15 @@ __all__ = ["Finding", "failures", "judge"]
 
 AVOIDS = frozenset((Said.SLOW_DOWN, Said.BRAKE, Said.STOP, Said.SWERVE, Said.LANE_CHANGE))
 """What somebody behind the ego does so as not to run into it."""
+ALONGSIDE = frozenset((Said.LANE_CHANGE, Said.CUT_IN, Said.CUT_OUT, Said.MERGE, Said.SWERVE, Said.DRIFT, Said.WEAVE))
+"""What is done by moving aside."""
+ONCE_DONE = {
+    **dict.fromkeys(ALONGSIDE, ALONGSIDE | COMES_IN),  # of one movement not two are seen
+    **dict.fromkeys((Said.TURN_LEFT, Said.TURN_RIGHT, Said.U_TURN), frozenset((Said.SLOW_DOWN, Said.BRAKE))),
+}
+"""What follows a deed only once that is done: who slows for a turn does not slow after it."""
 _DRIVES_OUT = frozenset((Where.ARM, Where.ONCOMING))
+_EXITS = frozenset((EgoRoute.ROUNDABOUT, EgoRoute.EXIT))
 NEARER = 2.0  # [m] by which an ego comes nearer to somebody whom it is about to overtake
 
 
@@ -107,7 +116,8 @@ class _Judge:
             kind = self.episode.ego_track.kind
             yield Finding(path="ego.kind", shown=kind == ego.kind.scenic, told=f"said {ego.kind}, it is a {kind}")
         if ego.speed is not None:
-            yield self.measure.number("ego.speed", ego.speed, speed, SLACK_SPEED, "drives at", most=True)
+            rises = self.contact is not None and not held_at_most(speed, self.episode.dt)
+            yield self.measure.number("ego.speed", ego.speed, speed, SLACK_SPEED, "drives at", most=True, cut=rises)
         yield from of_ego(self.situation, self.episode, self.route, self.contact)
         done: dict[str, Act] = {}
         for one in sorted(self.situation.others, key=waits_for_others):  # who is waited for first
@@ -226,7 +236,9 @@ class _Judge:
             yield from (not_judged(f"{path}.{name}") for name in untold(deed))
             found = [once for once in self._seen(one, k, seen, latest) if once not in mine or act is Said.STAND]
             lasts = act.row.lasting and act is not Said.STAND
-            after = [once for once in found if lasts or once.began >= latest - TOGETHER / seen.dt]
+            waits = k > 0 and act in ONCE_DONE.get(one.does[k - 1].act, ())
+            free = (mine[-1].done or 0) if waits and mine else 0
+            after = [once for once in found if lasts or once.began >= max(latest, free) - TOGETHER / seen.dt]
             if not after:
                 never = "never does" if self.contact is None else "had not begun to when the ego crashed"
                 told = f"said {act}, but it {never}"
@@ -299,21 +311,29 @@ class _Judge:
                 yield from (once for once in TO_SOMEBODY[act](self._beside(one, whom)) if self._counts(once, seen))
             return
         stands = act is Said.STAND and k > 0
-        sees = standing if stands else ACTS[act]
-        if meets:
-            sees = enters
-        if act is Said.BRAKE and gently(one.does[k]):
-            sees = ACTS[Said.SLOW_DOWN]
-        if act is Said.ACCELERATE and (speed := one.does[k].speed) is not None and not speed.than_ego:
-            sees = partial(accelerates, to=speed.high)
-        if act is Said.DRIFT and (far := one.does[k].distance) is not None:
-            sees = partial(drifts, by=MOST_OF * (far.low if math.isfinite(far.low) else far.high))
-        if act in LETS_GO:
-            parts = self._tracks(f"{one.id}-{LETS_GO[act]}")[sum(deed.act is act for deed in one.does[:k]) :]
-            seen = watch(self.episode, self.route, parts[0], self.contact) if parts else seen
-        for once in sees(seen):
-            if self._counts(once, seen):
-                yield since(once, latest, seen, stands=stands) if stands or act in COMES_IN else once
+        sees = partial(standing, since=latest) if stands else enters if meets else self._watcher(one.does[k])
+        for body in self._lets_go(one, k) if act in LETS_GO else (seen,):
+            for once in sees(body):
+                if self._counts(once, body):
+                    yield since(once, latest, body, stands=stands) if stands or act in COMES_IN else once
+
+    def _watcher(self, deed: Deed) -> Callable[[Seen], Iterable[Act]]:
+        """What sees a deed, as it was said and on such a road."""
+        act = deed.act
+        if act is Said.BRAKE and gently(deed):
+            return ACTS[Said.SLOW_DOWN]
+        if act is Said.ACCELERATE and deed.speed is not None and not deed.speed.than_ego:
+            return partial(accelerates, to=deed.speed.high)
+        if act is Said.DRIFT and (far := deed.distance) is not None:
+            return partial(drifts, by=MOST_OF * (far.low if math.isfinite(far.low) else far.high))
+        return exits if act is Said.EXIT and self.situation.ego.route in _EXITS else ACTS[act]
+
+    def _lets_go(self, one: Other, k: int) -> tuple[Seen, ...]:
+        """What somebody lets go by a deed: one body, or none if there is no more of them."""
+        act = one.does[k].act
+        before = sum(deed.act is act for deed in one.does[:k])
+        parts = self._tracks(f"{one.id}-{LETS_GO[act]}")[before : before + 1]
+        return tuple(watch(self.episode, self.route, part, self.contact) for part in parts)
 
     def _beside(self, one: Other, whom: str) -> Seen:
         """Somebody as who is done something to sees it, in the place of the ego."""

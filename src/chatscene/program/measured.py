@@ -25,6 +25,7 @@ SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 1.0, 0.4  # [m/s], [m], [s]: the le
 SLACK_ACCELERATION = 0.5  # [m/s²]
 BACK_SLACK, SLACK_ASIDE = 0.7, 0.2  # [m]
 HELD = 0.5  # [s] for which somebody holds a speed, within the slack, that it is seen to go at
+LEVEL = 2.0  # [s] about its highest speed, after which somebody is seen to gain no more
 OVER = 5  # [steps] over which somebody is seen to gain speed
 
 
@@ -148,3 +149,8 @@ class Measure:
         found = self.number(f"{path}.time", deed.time, np.array([(end - first) * seen.dt]), SLACK_TIME, "stands for")
         whole = end < len(seen.track.speed)  # else nobody saw the end of it
         return found if whole or found.shown else replace(found, shown=None)
+
+
+def held_at_most(speed: Array, dt: float) -> bool:
+    """Whether somebody holds about its highest speed for a while, so that no more was to come."""
+    return int((speed >= speed.max() - SLACK_SPEED).sum()) * dt >= LEVEL

@@ -8,19 +8,24 @@ from itertools import combinations
 import numpy as np
 
 from chatscene.program.contacts import is_of, is_with
-from chatscene.program.deeds import BRAKES, braking, runs
+from chatscene.program.deeds import BRAKES, LOSING, STANDING, braking, runs
+from chatscene.program.doing import BARELY
 from chatscene.program.finding import Finding
+from chatscene.program.meaning import TOGETHER
 from chatscene.program.own import BROKEN
 from chatscene.program.watching import Seen, headings
 from chatscene.simulate.boxes import Boxes, Pair
 from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import SLOWS, Act, EgoLight, RightOfWay, Role, Where
+from chatscene.terms.vocabulary import LETS_GO, SLOWS, Act, EgoLight, RightOfWay, Role, Where
 
 DEEP = 0.3  # [m] that two bodies are in each other, from which one is seen to drive through the other
+LEFT_PLACE = 1.0  # [m] from where it stood, from which somebody stands there no more
 LEFT_LANE = 2.2  # [m] aside of where it began, from which a road user has left its lane
 STRAIGHT = 0.2  # [rad] that a road turns at most of which lanes are told by how far aside of the ego's way somebody is
+INSIDE = 1.3  # [m] from the ego's line to the nearest of a body that stands in its way
+STAYS = 2.0  # [s] that somebody stands at least who does not just wait
 APART = 0.5  # [s] between two times that somebody brakes, or it is one
 IN_LANE = frozenset((Act.STAND, Act.GO_ALONG, Act.SET_OFF, Act.ACCELERATE, Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
 """What is done without leaving the lane, and by its own will."""
@@ -46,7 +51,22 @@ def unasked(situation: Situation, episode: Episode, until: int | None) -> Iterat
         if chosen and (until is None or event.step < until):
             told = f"the ego runs a {event.kind}, of which nobody said that it has one"
             yield Finding(path=f"unasked.{event.kind}", shown=False, told=told, at=event.step * episode.dt)
+    yield from _let_go(situation, episode, until)
     yield from _through_others(situation, episode, until)
+
+
+def _let_go(situation: Situation, episode: Episode, until: int | None) -> Iterator[Finding]:
+    """A door that opens, or a load that falls, of which nobody said that it does."""
+    for one in situation.others:
+        for act, part in LETS_GO.items():
+            said = sum(deed.act is act for deed in one.does)
+            bodies = [track for track in episode.tracks if is_of(track.actor, f"{one.id}-{part}")]
+            for body in bodies[said:]:
+                moves = np.abs(body.speed[:until]) > STANDING
+                if moves.any():
+                    at, name = int(np.argmax(moves)) * episode.dt, f"{one.id}-{part}"
+                    told = f"{act}, {said} times said, happens once more"
+                    yield Finding(path=f"unasked.{name}", shown=False, told=told, at=at)
 
 
 def _through_others(situation: Situation, episode: Episode, until: int | None) -> Iterator[Finding]:
@@ -76,11 +96,20 @@ def of_somebody(situation: Situation, one: Other, seen: Seen, route: Route) -> I
     Who comes against the ego in its lane leaves that where it was said that the two do not touch.
     """
     acts = [deed.act for deed in one.does]
+    if acts and acts[-1] is Act.CROSS and (stops := _in_the_way(seen)) is not None:
+        told = "it comes to stand in the way of the ego, which nobody said"
+        yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=stops * seen.dt)
     if not acts or not IN_LANE.issuperset(acts):
+        return
+    if set(acts) == {Act.STAND}:
+        gone = np.hypot(seen.track.x - seen.track.x[0], seen.track.y - seen.track.y[0]) > LEFT_PLACE
+        if gone.any():
+            told = f"it goes {'back' if seen.track.speed[int(np.argmax(gone))] < 0.0 else 'off'}, which nobody said"
+            yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=int(np.argmax(gone)) * seen.dt)
         return
     later = one.does[1:]  # who goes on at a speed or comes to stand may have to brake for it
     said = (acts[0] in SLOWS) + sum(deed.act in (*SLOWS, Act.STAND) or deed.speed is not None for deed in later)
-    times = _times_braking(seen)
+    times = _times_braking(seen, turns=route.junction is not None)
     if said and len(times) > said:
         told = f"it brakes {len(times)} times, which was said {said} times"
         yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=times[0] * seen.dt)
@@ -96,12 +125,30 @@ def of_somebody(situation: Situation, one: Other, seen: Seen, route: Route) -> I
             yield Finding(path=f"unasked.{one.id}.lane", shown=False, told=told, at=step * seen.dt)
 
 
-def _times_braking(seen: Seen) -> list[int]:
-    """Since when it brakes hard, every time that it begins to."""
-    times, ended = list[int](), -np.inf
+def _in_the_way(seen: Seen) -> int | None:
+    """Since when somebody who comes to stand before the ego stays in its lane; None if nobody does."""
+    moves = np.flatnonzero(np.abs(seen.track.speed) >= STANDING)
+    first = int(moves[-1]) + 1 if moves.size else 0
+    if not first or (len(seen.track.speed) - first) * seen.dt < STAYS:
+        return None
+    within = abs(seen.offset[first]) < seen.track.width / 2 + INSIDE
+    return first if within and seen.lead[first] > 0.0 else None
+
+
+def _times_braking(seen: Seen, *, turns: bool) -> list[int]:
+    """Since when it brakes hard, every time that it begins to; while it goes on losing speed it is one time.
+
+    Where it may turn at a junction, not those for a turn.
+    """
+    times, ended, speed = list[int](), 0, np.abs(seen.track.speed)
     for first, end in runs(braking(seen)):
-        if end - first >= BRAKES:
-            if first - ended > APART / seen.dt:
-                times.append(first)
-            ended = end
+        if end - first < BRAKES:
+            continue
+        soon = min(end + round(TOGETHER / seen.dt), len(speed) - 1)
+        if turns and abs(seen.track.heading[soon] - seen.track.heading[first]) > BARELY:
+            continue
+        apart = (first - ended) * seen.dt
+        if not times or (apart > APART and speed[ended - 1] - speed[first - 1] < LOSING * apart):
+            times.append(first)
+        ended = end
     return times

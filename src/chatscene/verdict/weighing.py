@@ -13,12 +13,15 @@ from chatscene.program.watching import watch
 from chatscene.situations.facts import said_in, within
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Situation
+from chatscene.terms.vocabulary import LETS_GO, Act
 from chatscene.verdict.verdict import Fact, Seen
 from chatscene.verdict.watched import Watched
 from chatscene.verdict.who import Played
 
 WITHOUT_MAP = ("road", "around")
 """What tracks alone do not tell, where there is no map, no light and nobody who says what surrounds them."""
+GENERAL = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW, *LETS_GO))
+"""What is seen of nearly everybody, or of a body that is let go: it tells nothing of whoever does another deed."""
 _BESIDE = ("encounter.", "unasked.")
 _MOST_INSTEAD = 5  # deeds that are told of somebody who does another than was said
 
@@ -134,7 +137,7 @@ def _seen_of(name: str, situation: Situation, played: Played, route: Route) -> I
     began: Mapping[str, int] = {
         act.value: first.began
         for act, sees in ACTS.items()
-        if moves in act.row.by and (first := next(iter(sees(seen)), None)) is not None
+        if moves in act.row.by and act not in GENERAL and (first := next(iter(sees(seen)), None)) is not None
     }
     for act, step in sorted(began.items(), key=lambda one: one[1])[:_MOST_INSTEAD]:
         yield f"{act} at {played.begin + step * episode.dt:.1f} s"
