@@ -13,6 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from copy import deepcopy
 from dataclasses import replace
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scenic.syntax import ast as scenic
+from scenic.syntax import translator
 
 from chatscene.ego.observation import Observation
 from chatscene.ego.rule_based import RuleBased
@@ -109,6 +111,20 @@ def test_the_snippets_of_the_library_keep_to_the_list() -> None:
 @pytest.mark.parametrize("path", sorted(GOLDEN.glob("*.scenic")), ids=lambda path: path.stem)
 def test_the_programs_we_make_keep_to_the_list(path: Path) -> None:
     assert check_foreign(path.read_text()) == ()
+
+
+def test_the_names_of_the_world_model_are_those_that_scenic_reads_in_it() -> None:
+    source = files("chatscene.world").joinpath("model.scenic").read_text(encoding="utf-8")
+    source += files("chatscene.world").joinpath("behaviors.scenic").read_text(encoding="utf-8")
+    read: set[str] = set()
+    for node in translator.parse_string(source, "exec").body:
+        if isinstance(node, python.ImportFrom) and str(node.module).startswith("chatscene."):
+            read.update(alias.asname or alias.name for alias in node.names)
+        elif isinstance(name := getattr(node, "name", None), str):
+            read.add(name)
+    public = {name for name in read if not name.startswith("_")}
+    assert {name for name in public - world_words() if name.isidentifier()} == {"Driven", "Walking"}
+    assert world_words() <= public
 
 
 def test_every_name_on_the_list_is_a_name_of_the_world_model() -> None:
