@@ -22,6 +22,7 @@ MADE_BEFORE = {  # what pages take for there, as those before them made it
     "runs/left": "an oncoming car turns left across our path at a traffic light",
     "runs/cyclist": "A cyclist cuts across from the left while we turn right.",
 }
+ANYWHERE = ("chatscene doctor", "chatscene map check town", "chatscene schema", "chatscene coverage")
 
 
 def named(page: Path) -> str:
@@ -29,14 +30,20 @@ def named(page: Path) -> str:
 
 
 class Shell:
-    """Says commands in a folder; a run that was made in another one is copied from there."""
+    """Says commands in a folder; a run that was made in another one is copied from there.
+
+    What no folder has a part in is said once.
+    """
 
     def __init__(self, kept: Path) -> None:
         self._kept = kept
         self._runs: dict[str, tuple[Path, str]] = {}
+        self._told: dict[str, tuple[int, str]] = {}
 
     def say(self, command: str) -> tuple[int, str]:
         """The status and all that is printed."""
+        if command in self._told:
+            return self._told[command]
         before, _, own = command.rpartition(" | ")
         if not own.startswith("chatscene "):
             done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
@@ -52,6 +59,8 @@ class Shell:
         if out and done.exit_code == 0 and out.is_dir():
             self._runs[command] = (self._kept / str(len(self._runs)), done.output)
             shutil.copytree(out, self._runs[command][0])
+        if command in ANYWHERE:
+            self._told[command] = done.exit_code, done.output
         return done.exit_code, done.output
 
 

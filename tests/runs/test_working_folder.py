@@ -48,8 +48,10 @@ def folder(tmp_path: Path) -> Strange:
     """One in which a program and tests of the user's lie, too."""
     folder = strange(tmp_path)
     (folder.path / "mine.scenic").write_text(MINE)
-    (folder.path / "theirs.scenic").write_text(THEIRS)
-    shutil.copy(PACKAGED["town"], folder.path / "town.xodr")
+    (folder.path / "both").mkdir()
+    (folder.path / "both" / "mine.scenic").write_text(MINE)
+    (folder.path / "both" / "theirs.scenic").write_text(THEIRS)
+    shutil.copy(PACKAGED["town"], folder.path / "both" / "town.xodr")
     (folder.path / "my_own.py").write_text(EGO)
     (folder.path / "tests").mkdir()
     for place in (folder.path, folder.path / "tests"):
@@ -73,23 +75,20 @@ def test_a_module_that_is_imported_there_leaves_a_mark(folder: Strange) -> None:
 @pytest.mark.parametrize(
     "words",
     [
-        ["run", "a car ahead brakes hard", "--routes", "1", "--scenes", "4", "--jobs", "2", "--out", "out"],
-        ["run", "--program", "mine.scenic", "--routes", "1", "--scenes", "1", "--out", "out"],
-        ["run", "--program", "mine.scenic", "--trust", "--routes", "1", "--scenes", "1", "--out", "out"],
-        ["run", "--program", "theirs.scenic", "--trust", "--scenes", "1", "--out", "out"],
-        ["run", "a car ahead brakes hard", "--ego", "my_own:make", "--routes", "1", "--scenes", "1", "--out", "out"],
+        ["run", "a car ahead brakes hard", "--ego", "my_own:make", "--routes", "1", "--scenes", "4", "--jobs", "2"],
+        ["run", "--program", "mine.scenic", "--routes", "1", "--scenes", "1"],
+        ["run", "--program", "both", "--trust", "--routes", "1", "--scenes", "1"],
     ],
     ids=[
-        "in several processes",
+        "in several processes, of an ego of the user's own, which lies there",
         "in the confined process",
-        "of a program that is trusted",
-        "of one for Scenic's own model that is trusted",
-        "of an ego of the user's own, which lies there",
+        "of programs that are trusted, one of them for Scenic's own model",
     ],
 )
 def test_a_run_imports_no_module_of_the_working_folder(folder: Strange, words: list[str]) -> None:
-    done(folder, *words)
-    assert (folder.path / "out" / "report.html").is_file()
+    done(folder, *words, "--out", "out")
+    reports = [path.parent.name for path in (folder.path / "out").rglob("report.html")]
+    assert sorted(reports) == (["mine", "theirs"] if "both" in words else ["out"])
     assert folder.imported() == []
 
 

@@ -73,16 +73,14 @@ def test_the_explanation_of_a_sentence_does_not_depend_on_the_number_of_threads(
     assert len(said) == 1
 
 
-@pytest.mark.parametrize("first", ["numpy", "torch"])
 def test_what_is_believed_of_a_sentence_does_not_depend_on_what_was_imported_first(
-    first: str, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    if find_spec(first) is None:
-        pytest.skip(f"needs {first}")
     # Kernels whose sums are known to depend on their threads; the newest do not show it.
     monkeypatch.setenv("OPENBLAS_CORETYPE", "Haswell")
     said: set[str] = set()
-    for code in (BELIEVE, f"import {first}\n{BELIEVE}"):
+    for first in filter(find_spec, ("chatscene", "numpy", "torch")):
+        code = f"import {first}\n{BELIEVE}"
         said.add(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout)
     assert len(said) == 1
 
