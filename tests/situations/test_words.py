@@ -231,7 +231,7 @@ def test_a_protocol_speaks_of_a_subject_vehicle_and_of_targets() -> None:
 
 
 @given(situation=situations())
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=60)  # each has some ten facts
 def test_every_fact_that_was_said_is_told_once_and_nothing_else_in_each_voice(situation: Situation) -> None:
     roles = {f"others.{one.id}.role" for one in situation.others if one.role is not Role.ADVERSARY}
     said = Counter({*(path for path, _ in said_in(situation)), *roles})
@@ -247,7 +247,7 @@ def test_every_fact_that_was_said_is_told_once_and_nothing_else_in_each_voice(si
 
 
 @given(situation=situations(), data=st.data())
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=60)  # each has some ten facts
 def test_without_one_of_its_facts_a_situation_is_told_otherwise(situation: Situation, data: st.DataObject) -> None:
     said = [path for path, _ in said_in(situation) if not _follows(situation, path)]
     if not said:

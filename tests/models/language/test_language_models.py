@@ -117,6 +117,12 @@ def make(request: pytest.FixtureRequest) -> Generator[Making]:
     yield from request.param()
 
 
+@pytest.fixture(params=[scripted, openai_against_a_stub])
+def quick(request: pytest.FixtureRequest) -> Generator[Making]:
+    """One that takes no time, for what `CheckedModel` does whatever it asks."""
+    yield from request.param()
+
+
 def checked(make: Making, *, budget: Budget | None = None, cache: Path | None = None) -> CheckedModel:
     return CheckedModel(make(), limits=LIMITS, budget=budget, cache=cache)
 
@@ -150,16 +156,16 @@ def test_a_call_beyond_the_budget_is_not_made(make: Making, budget: Budget) -> N
     assert model.spending.calls == 0
 
 
-def test_a_budget_of_calls_ends_asking_again(make: Making) -> None:
-    model = checked(make, budget=Budget(calls=1))
+def test_a_budget_of_calls_ends_asking_again(quick: Making) -> None:
+    model = checked(quick, budget=Budget(calls=1))
     with pytest.raises(LanguageModelError, match=r"budget .* 1 calls"):
         model.reply(PROMPT, Never)
     assert model.spending.calls == 1
 
 
-def test_a_question_asked_before_makes_no_call(make: Making, tmp_path: Path) -> None:
-    first = checked(make, cache=tmp_path).reply(PROMPT, Seen)
-    later = checked(make, cache=tmp_path, budget=Budget(calls=0))
+def test_a_question_asked_before_makes_no_call(quick: Making, tmp_path: Path) -> None:
+    first = checked(quick, cache=tmp_path).reply(PROMPT, Seen)
+    later = checked(quick, cache=tmp_path, budget=Budget(calls=0))
     again = later.reply(PROMPT, Seen)
     assert again.answer == first.answer
     assert again.cached
@@ -168,12 +174,12 @@ def test_a_question_asked_before_makes_no_call(make: Making, tmp_path: Path) -> 
     assert (later.spending.calls, later.spending.from_cache) == (0, 1)
 
 
-def test_a_damaged_reply_in_the_cache_is_asked_for_again(make: Making, tmp_path: Path) -> None:
-    first = checked(make, cache=tmp_path).reply(PROMPT, Seen)
+def test_a_damaged_reply_in_the_cache_is_asked_for_again(quick: Making, tmp_path: Path) -> None:
+    first = checked(quick, cache=tmp_path).reply(PROMPT, Seen)
     (entry,) = tmp_path.iterdir()
     whole = entry.read_bytes()
     entry.write_bytes(whole[: len(whole) // 2])
-    again = checked(make, cache=tmp_path).reply(PROMPT, Seen)
+    again = checked(quick, cache=tmp_path).reply(PROMPT, Seen)
     assert not again.cached
     assert again.answer == first.answer
     assert entry.read_bytes() == whole
