@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from chatscene.grow.reader_texts import Known, example, of_replies, of_situations, of_slots, with_open_ends
+from chatscene.grow.reader_texts import Known, example, of_filled, of_replies, of_situations, of_slots, with_open_ends
 from chatscene.grow.reader_trust import trust_of
 from chatscene.read.learned.grammar import COPIED, grammar
 from chatscene.situations.form import from_plain
@@ -86,3 +86,34 @@ def test_training_is_the_same_after_a_stop(tmp_path: Path) -> None:
     fit(again, epochs=2, seed=0, out=tmp_path / "two", minutes=0.0)
     for name, value in learning.network.state_dict().items():
         assert torch.equal(value, again.network.state_dict()[name]), name
+
+
+def test_the_words_of_a_fact_are_those_quoted_for_it_or_for_what_it_is_part_of() -> None:
+    quoted = {"others.A": "van ahead", "others.A.does.0": "brakes"}
+    situation = from_plain(VAN | {"evidence": {"quoted": quoted}})
+    one = example("The van ahead brakes at 6 m/s².", Known.WHOLE, Verdict.SITUATION, situation)
+    said = {
+        step.place: " ".join(dict.fromkeys(one.read.text[slice(*one.read.where[i - 1])].strip() for i in words))
+        for step, words in zip(one.steps, one.words, strict=True)
+    }
+    assert said["others.kind"] == said["others.starts.where"] == "van ahead"
+    assert said["others.does.act"] == "brakes"
+    assert said[""] == said["verdict"] == ""
+
+
+def test_what_a_model_filled_is_joined_with_its_text(tmp_path: Path) -> None:
+    written(tmp_path / "set.jsonl", {"text": "A van stops."}, {"text": "The van ahead brakes at 6 m/s²."})
+    reply = {"id": "set/1", "verdict": "situation", "situation": VAN | {"evidence": {"quoted": {"others": "van"}}}}
+    (one,) = of_filled(written(tmp_path / "filled.jsonl", reply))
+    assert one.read.text == "The van ahead brakes at 6 m/s²."
+
+
+def test_dropout_leaves_the_mean_and_nothing_out_of_training() -> None:
+    torch = pytest.importorskip("torch")
+    from chatscene.grow.dropout import Dropout
+
+    drop, x = Dropout(0.1), torch.ones(100, 1000)
+    kept = drop(x)
+    assert (kept == 0).float().mean() == pytest.approx(0.1, abs=0.01)
+    assert kept.mean() == pytest.approx(1.0, abs=0.01)
+    assert torch.equal(drop.eval()(x), x)

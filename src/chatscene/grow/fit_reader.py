@@ -4,14 +4,14 @@
         --told benchmarks/texts/told-first.jsonl --drawn drawn.jsonl --epochs 8 --seed 0 --out FOLDER
 
 Writes `reader.npz`, which the reader loads, and `reader.pt`, from which the next call goes on if it was stopped, in
-FOLDER. One thread. Needs the extra ``train``.
+FOLDER. The same comes out again with as many threads. Needs the extra ``train``.
 """
 
 from __future__ import annotations
 
 import random
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -19,13 +19,14 @@ from typing import Any
 import click
 import torch
 from torch import Tensor
+from torch.nn.attention import SDPBackend, sdpa_kernel
 
 from chatscene.grow.fit import BATCH, batches
 from chatscene.grow.reader_export import exported
 from chatscene.grow.reader_network import Network
-from chatscene.grow.reader_texts import Example, Known, of_replies, of_situations, of_slots, with_open_ends
+from chatscene.grow.reader_texts import Example, Known, of_filled, of_replies, of_situations, of_slots, with_open_ends
 from chatscene.grow.reader_trust import calibrate
-from chatscene.read.learned.grammar import BEGUN, Grammar, grammar
+from chatscene.read.learned.grammar import BEGUN, Grammar, Token, grammar
 from chatscene.read.learned.weights import NAME, Weights, save
 from chatscene.read.slot_classifier import load_classifier
 
@@ -33,6 +34,7 @@ RATE, DECODER_RATE = 1e-4, 8e-4  # of AdamW
 WARM_UP, LEAST = 0.05, 0.02  # share of the steps, and of the rate at the end
 FROZEN = 3  # lower layers of the encoder
 SHOWN = 50  # steps after which the loss is told
+MARKING = 0.1  # weight of a piece that is marked wrongly
 NEVER = -1e9
 
 
@@ -70,7 +72,6 @@ class Learning:
     """A network and the texts that it learns from."""
 
     def __init__(self, examples: Sequence[Example], seed: int, began: Path | None, frozen: int) -> None:
-        torch.set_num_threads(1)
         torch.manual_seed(seed)
         self.grammar, self.tables, self.examples = grammar(), tables(grammar()), examples
         member = load_classifier().members[0]
@@ -80,7 +81,7 @@ class Learning:
             changes=member.changes,
         )  # fmt: skip
         if began is not None:
-            self.network.begin_with(torch.load(began)["network"])
+            self.network.begin_with(_as_now(torch.load(began), self.grammar.tokens, tuple(self.tables.places)))
         texts = {one.read.text: one.read.pieces for one in examples}
         lower = dict(zip(texts, self.network.encoder.lower(list(texts.values())), strict=True))
         self.lower = [lower[one.read.text] for one in examples]
@@ -102,12 +103,28 @@ class Learning:
         for layer in self.network.layers:
             x, _ = layer(x, layer.of_text(memory), mask)
         odds = self.network.odds(x, amounts)
+        marked = self.network.marks(x, self.network.marked(states))
         may_copy = self.tables.copies[given.places][..., kinds].diagonal(dim1=0, dim2=2).permute(2, 0, 1)
         allowed = torch.cat([self.tables.follow[given.places] & ~given.barred[:, None], may_copy], -1)
         z = odds.masked_fill(~allowed, NEVER)
         losses = torch.nn.functional.cross_entropy(z.transpose(1, 2), given.next, reduction="none")
         known = given.learned * allowed.gather(2, given.next[..., None])[..., 0]
-        return (losses * known).sum() / len(rows)
+        words, are_known = words_of(several, *marked.shape[1:])
+        missed = torch.nn.functional.binary_cross_entropy_with_logits(marked, words, reduction="none")
+        missed = (missed * are_known[..., None] * ~padding[:, None]).sum()
+        return ((losses * known).sum() + MARKING * missed) / len(rows)
+
+
+def _as_now(trained: Mapping[str, Any], tokens: Sequence[Token], places: Sequence[str]) -> Mapping[str, Tensor]:
+    """The weights of a network, with rows for the tokens and places of now; what is new begins as the mean."""
+    network = dict(trained["network"])
+    rows = {"token.weight": ("tokens", tokens), "out.weight": ("tokens", tokens), "out.bias": ("tokens", tokens),
+            "place.weight": ("places", places)}  # fmt: skip
+    for name, (kind, now) in rows.items():
+        had = {each: i for i, each in enumerate(trained.get(kind, now))}
+        old = network[name]
+        network[name] = torch.stack([old[had[each]] if each in had else old.mean(0) for each in now])
+    return network
 
 
 class Written:
@@ -147,7 +164,17 @@ def spans(several: Sequence[Example], pieces: int, kinds: Sequence[type[Any]]) -
     return share, forms, which
 
 
-def fit(learning: Learning, *, epochs: int, seed: int, out: Path, minutes: float) -> None:
+def words_of(several: Sequence[Example], steps: int, pieces: int) -> tuple[Tensor, Tensor]:
+    """(N, steps, pieces) whether a piece says the token that went in at a step; (N, steps) whether that is known."""
+    says, known = torch.zeros(len(several), steps, pieces), torch.zeros(len(several), steps)
+    for i, one in enumerate(several):
+        for t, some in enumerate(one.words[: steps - 1]):
+            if some:
+                says[i, t + 1, list(some)], known[i, t + 1] = 1.0, 1.0
+    return says, known
+
+
+def fit(learning: Learning, *, epochs: int, seed: int, out: Path, minutes: float, half: bool = False) -> None:
     """Train, and keep the network after each epoch."""
     network, rng = learning.network, random.Random(seed)
     trained = [p for p in network.encoder.upper.parameters() if p.requires_grad]
@@ -174,7 +201,8 @@ def fit(learning: Learning, *, epochs: int, seed: int, out: Path, minutes: float
         if epoch < first:
             continue
         for step, rows in enumerate(order, 1):
-            loss = learning.loss(rows)
+            with sdpa_kernel(SDPBackend.MATH), torch.autocast("cpu", dtype=torch.bfloat16, enabled=half):
+                loss = learning.loss(rows)
             optimizer.zero_grad()
             loss.backward()
             torch.nn.utils.clip_grad_norm_(network.parameters(), 1.0)
@@ -192,6 +220,8 @@ def fit(learning: Learning, *, epochs: int, seed: int, out: Path, minutes: float
             "rates": rates.state_dict(),
             "random": torch.get_rng_state(),
             "epoch": epoch + 1,
+            "tokens": learning.grammar.tokens,
+            "places": tuple(learning.tables.places),
         }
         torch.save(state, kept.with_suffix(".new"))
         kept.with_suffix(".new").replace(kept)
@@ -215,6 +245,7 @@ _FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
 @click.command()
 @click.option("--slots", "labelled", type=_FILE, multiple=True, help="Texts with slots.")
 @click.option("--replies", type=_FILE, multiple=True, help="Texts with what a language model read.")
+@click.option("--filled", type=_FILE, multiple=True, help="What a language model read in texts of the same folder.")
 @click.option("--told", type=_FILE, multiple=True, help="Situations with the texts of writers.")
 @click.option("--drawn", type=_FILE, multiple=True, help="Situations that are told in our own words.")
 @click.option("--sure", type=_FILE, multiple=True, help="Situations with texts, to fit how sure it may be.")
@@ -223,22 +254,28 @@ _FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
 @click.option("--minutes", default=1e9, help="After which no epoch begins.")
 @click.option("--seed", default=0, show_default=True)
 @click.option("--frozen", default=FROZEN, show_default=True)
+@click.option("--half", is_flag=True, help="In bfloat16 where it may be: for processors that have it.")
+@click.option("--threads", default=1, show_default=True)
 @click.option("--began", type=_FILE, default=None, help="A network to begin with.")
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True)
 def main(
-    labelled: tuple[Path, ...], replies: tuple[Path, ...], told: tuple[Path, ...], drawn: tuple[Path, ...],
-    sure: tuple[Path, ...], more: int, epochs: int, minutes: float, seed: int, frozen: int, began: Path | None,
-    out: Path,
+    labelled: tuple[Path, ...], replies: tuple[Path, ...], filled: tuple[Path, ...], told: tuple[Path, ...],
+    drawn: tuple[Path, ...],
+    sure: tuple[Path, ...], more: int, epochs: int, minutes: float, seed: int, frozen: int, half: bool,
+    threads: int, began: Path | None, out: Path,
 ) -> None:  # fmt: skip
     """Train the learned reader."""
+    torch.set_num_threads(threads)
     out.mkdir(parents=True, exist_ok=True)
-    examples = [one for path in labelled for one in of_slots(path)]
     whole = [one for path in replies for one in of_replies(path)]
+    whole += [one for path in filled for one in of_filled(path)]
     whole += [one for path in told for one in of_situations(path, in_words=False)]
+    wholly = {one.read.text for one in whole}
+    examples = [one for path in labelled for one in of_slots(path) if one.read.text not in wholly]
     ours = [one for path in drawn for one in of_situations(path, in_words=True)]
     click.echo(f"{len(examples)} texts with slots, {len(whole)} of others with situations, {len(ours)} of ours")
     learning = Learning(with_open_ends([*examples, *(more * whole), *ours]), seed, began, frozen)
-    fit(learning, epochs=epochs, seed=seed, out=out, minutes=minutes)
+    fit(learning, epochs=epochs, seed=seed, out=out, minutes=minutes, half=half)
     written(learning, out)
     if sure:
         texts, right = calibrate(out / NAME, sure)

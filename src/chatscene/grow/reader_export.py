@@ -29,7 +29,7 @@ class _Text(nn.Module):
     def forward(self, states: Tensor, share: Tensor, forms: Tensor) -> tuple[Tensor, ...]:
         memory = self.network.memory(states)
         told = [one for layer in self.network.layers for one in layer.of_text(memory)]
-        return (*told, self.network.amounts(states, share, forms))
+        return (*told, self.network.amounts(states, share, forms), self.network.marked(states))
 
 
 class _Next(nn.Module):
@@ -40,7 +40,7 @@ class _Next(nn.Module):
         self.network = network
 
     def forward(self, tokens: Tensor, places: Tensor, style: Tensor, at: Tensor, which: Tensor, *given: Tensor) -> Any:
-        amounts, text, past = given[0], given[1 : 1 + 2 * LAYERS], given[1 + 2 * LAYERS :]
+        amounts, words, text, past = given[0], given[1], given[2 : 2 + 2 * LAYERS], given[2 + 2 * LAYERS :]
         network, n = self.network, tokens.shape[0]
         copied = (amounts[0][which.clamp(min=0)] + network.copied) * (which >= 0).float()[:, None]
         x = network.begun(tokens[:, None], places[:, None], style[:, None], at[:, None], copied[:, None])
@@ -49,7 +49,11 @@ class _Next(nn.Module):
             told = tuple(one.expand(n, -1, -1, -1) for one in text[2 * i : 2 * i + 2])
             x, its = _step(layer, x, told, past[2 * i : 2 * i + 2])
             kept += its
-        return (network.odds(x, amounts.expand(n, -1, -1))[:, 0], *kept)
+        return (
+            network.odds(x, amounts.expand(n, -1, -1))[:, 0],
+            network.marks(x, words.expand(n, -1, -1))[:, 0],
+            *kept,
+        )
 
 
 def _step(layer: Any, x: Tensor, text: Any, past: Any) -> tuple[Tensor, tuple[Tensor, Tensor]]:
@@ -64,20 +68,17 @@ def exported(network: Network) -> tuple[bytes, bytes]:
     states, share = torch.zeros(1, 5, WIDTH), torch.zeros(1, 2, 5)
     text = _graph(
         _Text(network), (states, share, torch.zeros(1, 2, dtype=torch.long)), ["states", "share", "forms"],
-        [*names, "amounts"], {"states": {1: "pieces"}, "share": {1: "amounts", 2: "pieces"}, "forms": {1: "amounts"}},
+        [*names, "amounts", "words"],
+        {"states": {1: "pieces"}, "share": {1: "amounts", 2: "pieces"}, "forms": {1: "amounts"}},
     )  # fmt: skip
     whole = torch.zeros(3, dtype=torch.long)
     width = DEPTH // HEADS
-    given = (
-        whole, whole, whole, whole, whole, torch.zeros(1, 2, DEPTH), *[torch.zeros(1, HEADS, 5, width)] * (2 * LAYERS),
-        *[torch.zeros(3, HEADS, 4, width)] * (2 * LAYERS),
-    )  # fmt: skip
-    inputs = ["tokens", "places", "style", "at", "which", "amounts", *names, *own]
-    axes = (
-        {name: {0: "n"} for name in inputs[:5]} | {"amounts": {1: "some"}} | {name: {2: "pieces"} for name in names}
-        | {name: {0: "n", 2: "steps"} for name in own}
-    )  # fmt: skip
-    return text, _graph(_Next(network), given, inputs, ["odds", *(f"next_{name}" for name in names)], axes)
+    of_text = torch.zeros(1, 2, DEPTH), torch.zeros(1, 5, DEPTH), *[torch.zeros(1, HEADS, 5, width)] * (2 * LAYERS)
+    given = *[whole] * 5, *of_text, *[torch.zeros(3, HEADS, 4, width)] * (2 * LAYERS)
+    inputs = ["tokens", "places", "style", "at", "which", "amounts", "words", *names, *own]
+    axes = {name: {0: "n"} for name in inputs[:5]} | {name: {0: "n", 2: "steps"} for name in own}
+    axes |= {"amounts": {1: "some"}, "words": {1: "pieces"}} | {name: {2: "pieces"} for name in names}
+    return text, _graph(_Next(network), given, inputs, ["odds", "marks", *(f"next_{name}" for name in names)], axes)
 
 
 def _graph(module: nn.Module, given: Any, inputs: list[str], outputs: list[str], axes: Any) -> bytes:

@@ -9,6 +9,7 @@ import torch
 from torch import Tensor, nn
 from torch.nn import functional
 
+from chatscene.grow.dropout import Dropout
 from chatscene.grow.tuned_encoder import WIDTH, Tuned
 from chatscene.read.learned.numbers import Form
 
@@ -28,6 +29,7 @@ class DecoderLayer(nn.Module):
         )  # fmt: skip
         self.up, self.down = nn.Linear(DEPTH, INNER), nn.Linear(INNER, DEPTH)
         self.norms = nn.ModuleList(nn.LayerNorm(DEPTH) for _ in range(3))
+        self.drop = Dropout(DROPOUT)
 
     def of_text(self, memory: Tensor) -> tuple[Tensor, Tensor]:
         """Keys and values of the text."""
@@ -44,13 +46,12 @@ class DecoderLayer(nn.Module):
         queries, keys, values = map(_split, self.own(self.norms[0](x)).chunk(3, -1))
         if past is not None:
             keys, values = torch.cat([past[0], keys], 2), torch.cat([past[1], values], 2)
-        drop = DROPOUT if self.training else 0.0
         told = functional.scaled_dot_product_attention(queries, keys, values, is_causal=past is None)
-        x = x + functional.dropout(self.own_out(_joined(told)), drop)
+        x = x + self.drop(self.own_out(_joined(told)))
         asked = _split(self.ask(self.norms[1](x)))
         told = functional.scaled_dot_product_attention(asked, *text, attn_mask=mask.to(asked.dtype))
-        x = x + functional.dropout(self.text_out(_joined(told)), drop)
-        x = x + functional.dropout(self.down(functional.gelu(self.up(self.norms[2](x)))), drop)
+        x = x + self.drop(self.text_out(_joined(told)))
+        x = x + self.drop(self.down(functional.gelu(self.up(self.norms[2](x)))))
         return x, (keys, values)
 
 
@@ -80,12 +81,17 @@ class Network(nn.Module):
     ) -> None:
         super().__init__()
         self.encoder = Tuned(frozen=frozen, columns=[1], dropout=DROPOUT, changes=changes)
+        for layer in self.encoder.upper:
+            layer.self_attn.dropout = 0.0  # type: ignore[assignment]
+            layer.dropout, layer.dropout1, layer.dropout2 = (Dropout(DROPOUT) for _ in range(3))  # type: ignore[assignment]
         self.memory = nn.Linear(WIDTH, DEPTH)
         self.amount, self.form = nn.Linear(WIDTH, DEPTH), nn.Embedding(len(Form), DEPTH)
         self.token, self.copied = nn.Embedding(tokens, DEPTH), nn.Parameter(torch.zeros(DEPTH))
         self.place, self.style, self.at = (nn.Embedding(n, DEPTH) for n in (places, styles, MOST_STEPS))
         self.layers: Any = nn.ModuleList(DecoderLayer() for _ in range(LAYERS))
         self.norm, self.out, self.point = nn.LayerNorm(DEPTH), nn.Linear(DEPTH, tokens), nn.Linear(DEPTH, DEPTH)
+        self.mark, self.marked = nn.Linear(DEPTH, DEPTH), nn.Linear(WIDTH, DEPTH)
+        self.seldom = nn.Parameter(torch.tensor(-2.0))  # most words are not those of a fact
         for table in (self.token, self.form, self.place, self.style, self.at):
             nn.init.normal_(table.weight, std=0.05)
 
@@ -125,3 +131,12 @@ class Network(nn.Module):
         x = self.norm(x)
         pointed = self.point(x) @ amounts.transpose(1, 2) / DEPTH**0.5
         return torch.cat([self.out(x), pointed], -1).float()
+
+    def marks(self, x: Tensor, words: Tensor) -> Tensor:
+        """(N, steps, pieces) log-odds that a piece of the text is one of the words of the token that went in.
+
+        Args:
+            x: States of the steps.
+            words: What `marked` makes of the states of the text.
+        """
+        return (self.mark(self.norm(x)) @ words.transpose(1, 2) / DEPTH**0.5 + self.seldom).float()

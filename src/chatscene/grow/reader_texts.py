@@ -7,7 +7,7 @@ those texts no token is learned that slots never make, neither to write it nor t
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import IntEnum
 from pathlib import Path
@@ -17,10 +17,11 @@ from pydantic import TypeAdapter
 
 from chatscene.interpret.situation_of import in_a_situation
 from chatscene.read.by_model import situation_in
-from chatscene.read.learned.grammar import grammar
+from chatscene.read.learned.grammar import NAMES, grammar
 from chatscene.read.learned.numbers import same
-from chatscene.read.learned.sequence import Step, steps_of
+from chatscene.read.learned.sequence import Step, path_of, steps_of
 from chatscene.read.learned.text import Read, prepared
+from chatscene.read.quotes import spans_of
 from chatscene.situations.check import faults_of
 from chatscene.situations.faults import Malformed
 from chatscene.situations.form import from_plain
@@ -52,6 +53,7 @@ class Example:
         steps: What it tells.
         copied: Of each step the number of the amount that is copied, or -1.
         barred: Tokens of which it is not known whether they should stand there.
+        words: Of each step the pieces of the text that say it; none where that is not known.
     """
 
     read: Read
@@ -59,6 +61,7 @@ class Example:
     steps: tuple[Step, ...]
     copied: tuple[int, ...]
     barred: frozenset[int]
+    words: tuple[tuple[int, ...], ...]
 
 
 def example(text: str, known: Known, verdict: Verdict, situation: Situation | None) -> Example:
@@ -82,7 +85,31 @@ def example(text: str, known: Known, verdict: Verdict, situation: Situation | No
         else:
             steps.append(step)
             copied.append(at)
-    return Example(read, known, tuple(steps), tuple(copied), frozenset(barred))
+    quotes = quotes_of(situation) if situation is not None else {}
+    words = tuple(_pieces(read, quotes, path_of(steps, at)) if step.place else () for at, step in enumerate(steps))
+    return Example(read, known, tuple(steps), tuple(copied), frozenset(barred), words)
+
+
+def quotes_of(situation: Situation) -> Mapping[str, str]:
+    """The words behind each fact, by its path with the plain name of who it is about."""
+    names = {one.id: name for one, name in zip(situation.others, NAMES, strict=False)}
+    plain: dict[str, str] = {}
+    for path, words in situation.evidence.quoted.items():
+        steps = path.split(".")
+        if steps[0] == "others" and len(steps) > 1:
+            steps[1] = names.get(steps[1], steps[1])
+        plain[".".join(steps)] = words
+    return plain
+
+
+def _pieces(read: Read, quotes: Mapping[str, str], path: str) -> tuple[int, ...]:
+    """The pieces of the words that are quoted for a fact, or else for the least whole that it is part of."""
+    steps = path.split(".")
+    wholes = (".".join(steps[:i]) for i in range(len(steps), 0, -1))
+    words = next((quotes[whole] for whole in wholes if whole in quotes), "")
+    spans = spans_of(words, read.text) if words else []
+    at = (i for i, (low, high) in enumerate(read.where, 1) if any(low < end and high > start for start, end in spans))
+    return tuple(at)
 
 
 def of_slots(path: Path) -> Iterator[Example]:
@@ -108,6 +135,22 @@ def of_replies(path: Path) -> Iterator[Example]:
             continue
         if situation is None or not situation.evidence.mirrored:  # its sides are not those of the text
             yield example(row["text"], Known.WHOLE, Verdict(reply["verdict"]), situation)
+
+
+def of_filled(path: Path) -> Iterator[Example]:
+    """The texts of others in the same folder with the situation that a language model filled from each.
+
+    A row has an `id`, as ``reports/12`` for the thirteenth line of ``reports.jsonl``, a `verdict` and a `situation`.
+    """
+    texts: dict[str, list[str]] = {}
+    for row in _rows(path):
+        name, _, line = row["id"].partition("/")
+        if name not in texts:
+            texts[name] = [one["text"] for one in _rows(path.with_name(f"{name}.jsonl"))]
+        verdict = Verdict(row["verdict"])
+        situation = situation_in(row["situation"]) if verdict is Verdict.SITUATION else None
+        if situation is None or not situation.evidence.mirrored:  # its sides are not those of the text
+            yield example(texts[name][int(line)], Known.WHOLE, verdict, situation)
 
 
 def of_situations(path: Path, *, in_words: bool) -> Iterator[Example]:

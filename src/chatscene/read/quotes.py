@@ -38,7 +38,7 @@ def faults_of_quotes(situation: Situation, text: str) -> Iterator[str]:
     for path, words in evidence.quoted.items():
         if path != "evidence.mirrored" and not is_said(situation, path):
             yield f"evidence.quoted: {path!r} leads to no fact of the situation; write paths as in others.A.kind"
-        if not _spans(words, text):
+        if not spans_of(words, text):
             yield f"evidence.quoted.{path}: {words!r} is not in the text; copy its words exactly"
 
 
@@ -56,7 +56,7 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
     """
     read = bytearray(len(text))
     for words in situation.evidence.quoted.values():
-        for start, end in _spans(words, text):
+        for start, end in spans_of(words, text):
             read[start:end] = b"\1" * (end - start)
     runs: list[tuple[int, int]] = []
     open_run = False  # whether all words since the last run are unread and only white space lies between
@@ -83,7 +83,7 @@ def words_of(situation: Situation, text: str) -> tuple[Word, ...]:
     """What became of each word of a text: the path of the fact that it gave, or why it is without effect."""
     facts: dict[int, str] = {}
     for path, words in situation.evidence.quoted.items():
-        for start, end in _spans(words, text):
+        for start, end in spans_of(words, text):
             facts |= {at: path for at in range(start, end) if at not in facts or within(path, (facts[at],))}
     told: list[Word] = []
     for word in _WORD.finditer(text):
@@ -97,7 +97,7 @@ def words_of(situation: Situation, text: str) -> tuple[Word, ...]:
 def words_told(situation: Situation) -> tuple[Word, ...]:
     """What became of each word of the text that a situation is called by; none where it was not read in that text."""
     quoted, text = situation.evidence.quoted.values(), situation.about
-    return words_of(situation, text) if quoted and all(_spans(words, text) for words in quoted) else ()
+    return words_of(situation, text) if quoted and all(spans_of(words, text) for words in quoted) else ()
 
 
 def says_nothing(word: str) -> bool:
@@ -132,7 +132,7 @@ def _otherwise_named(situation: Situation) -> Iterator[str]:
             yield f"{words!r} is read as {KINDS[one.kind].one}"
 
 
-def _spans(words: str, text: str) -> list[tuple[int, int]]:
+def spans_of(words: str, text: str) -> list[tuple[int, int]]:
     """Where the words of a quote stand in a text, parted by gaps; none unless all are there."""
     parts = [_stands(part, text) for part in words.split(GAP)]
     return [span for part in parts for span in part] if all(parts) else []

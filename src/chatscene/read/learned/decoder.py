@@ -6,7 +6,7 @@ One thread and one text at a time, so that a text is read the same whatever stan
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -20,14 +20,14 @@ from chatscene.read.learned.sequence import Step
 from chatscene.read.learned.text import Read
 from chatscene.read.learned.weights import Weights
 
+Floats = NDArray[np.float32]
+
 WIDTH = 8
 """Sequences that are followed at once."""
 LONGEST = 96
 """Tokens of a sequence."""
 _NEVER = -1e9
 _LAYERS, _HEADS, _DEPTH = 2, 8, 256
-
-Floats = NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,11 +38,13 @@ class Written:
         steps: Its tokens.
         likely: The logarithm of its probability.
         found: The amounts of the text that it copies, by the number of the step.
+        marks: Of each step but the last, the log-odds of each piece of the text that it is one of its words.
     """
 
     steps: tuple[Step, ...]
     likely: float
     found: tuple[tuple[int, Found], ...] = ()
+    marks: tuple[Floats, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +55,7 @@ class _Begun:
     likely: float
     steps: tuple[Step, ...]
     found: tuple[tuple[int, Found], ...]
+    marks: tuple[Floats, ...]
 
 
 class Decoder:
@@ -102,19 +105,21 @@ class Decoder:
         """
         states = self._encoder.states_of(read.pieces)
         share, forms = _spans(read)
-        *told, amounts = self._text.run(None, {"states": states[None], "share": share, "forms": forms})
+        *told, amounts, words = self._text.run(None, {"states": states[None], "share": share, "forms": forms})
         given = {f"{what}{i}": told[2 * i + k] for i in range(_LAYERS) for k, what in enumerate(("keys", "values"))}
         past = {f"own_{name}": np.zeros((1, _HEADS, 0, _DEPTH // _HEADS), np.float32) for name in given}
-        given["amounts"] = amounts
-        alive, done = [_Begun(BEGUN, 0, -1, 0.0, (), ())], list[Written]()
+        given |= {"amounts": amounts, "words": words}
+        alive, done = [_Begun(BEGUN, 0, -1, 0.0, (), (), ())], list[Written]()
         for at in range(LONGEST):
-            odds, *kept = self._following.run(None, {**given, **past, **self._fed(alive, at, slots_alone)})
+            odds, marks, *kept = self._following.run(None, {**given, **past, **self._fed(alive, at, slots_alone)})
+            if at:
+                alive = [replace(one, marks=(*one.marks, its)) for one, its in zip(alive, marks, strict=True)]
             likely = self._masked(odds, alive, read.amounts, slots_alone)
             scores = np.array([one.likely for one in alive])[:, None] + likely
             best = np.argsort(-scores, axis=None, kind="stable")[: WIDTH + len(done)]
             ways = [divmod(int(i), scores.shape[1]) for i in best if scores.flat[i] > _NEVER / 2]
             nexts = [(row, self._on(alive[row], token, float(scores[row, token]), read)) for row, token in ways]
-            done += [Written(one.steps, one.likely, one.found) for _, one in nexts if one.place == END]
+            done += [Written(one.steps, one.likely, one.found, one.marks) for _, one in nexts if one.place == END]
             nexts = [(row, one) for row, one in nexts if one.place != END][:WIDTH]
             done = sorted(done, key=lambda one: -one.likely)[:WIDTH]
             if len(done) == WIDTH:
@@ -168,11 +173,12 @@ class Decoder:
         if token < tokens:
             place = self._next[one.place, token]
             step = Step(place, self._tokens[token])
-            return _Begun(place, token, -1, likely, (*one.steps, step), one.found)
+            return replace(one, place=place, token=token, which=-1, likely=likely, steps=(*one.steps, step))
         place = next(there for there in self._grammar.follow[one.place] if there.endswith(COPIED))
         found = read.amounts[token - tokens]
         step = Step(place, None, found.amount)
-        return _Begun(place, 0, token - tokens, likely, (*one.steps, step), (*one.found, (len(one.steps), found)))
+        copied = (*one.found, (len(one.steps), found))
+        return _Begun(place, 0, token - tokens, likely, (*one.steps, step), copied, one.marks)
 
 
 def _spans(read: Read) -> tuple[Floats, NDArray[np.int64]]:

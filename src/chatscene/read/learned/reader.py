@@ -11,12 +11,14 @@ from pathlib import Path
 from chatscene.errors import SettingsError
 from chatscene.read.decompose import LONGEST
 from chatscene.read.learned.decoder import Decoder, Written
+from chatscene.read.learned.evidence import quoted_of
 from chatscene.read.learned.sequence import situation_of, verdict_of
-from chatscene.read.learned.text import prepared
+from chatscene.read.learned.text import Read, prepared
 from chatscene.read.learned.weights import PACKAGED, load
 from chatscene.read.quotes import unread, without_words
 from chatscene.settings import LEARNED
 from chatscene.situations.faults import Malformed
+from chatscene.situations.main_facts import same_in_the_main
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Evidence, Situation
 
@@ -44,7 +46,7 @@ class LearnedReader:
     def read(self, text: str) -> SituationReading:
         """What a text tells.
 
-        The probability of a situation is that of all sequences that come to it.
+        The probability of a situation is that of all sequences that come to its main facts.
 
         Raises:
             SettingsError: The text is empty or too long.
@@ -54,11 +56,12 @@ class LearnedReader:
             raise SettingsError("the text is empty; describe a situation")
         if len(text) > LONGEST:
             raise SettingsError(f"the text has {len(text)} characters; describe one situation in at most {LONGEST}")
-        written = _decoder(self.weights).written(prepared(text), slots_alone=self.slots_alone)
+        read = prepared(text)
+        written = _decoder(self.weights).written(read, slots_alone=self.slots_alone)
         verdicts = dict.fromkeys(Verdict, 0.0)
         for one in written:
             verdicts[verdict_of(one.steps)] += math.exp(one.likely)
-        ranked = _ranked(text, written)
+        ranked = _ranked(read, written)
         verdict = max(verdicts, key=lambda one: verdicts[one])
         if verdict is not Verdict.SITUATION or not ranked:
             refused = max((one for one in Verdict if one is not Verdict.SITUATION), key=lambda one: verdicts[one])
@@ -80,10 +83,13 @@ def _decoder(weights: Path) -> Decoder:
     return Decoder(load(weights))
 
 
-def _ranked(text: str, written: Sequence[Written]) -> tuple[Ranked, ...]:
-    """The situations that are not against themselves, the likeliest first, with the probability of all their ways."""
+def _ranked(read: Read, written: Sequence[Written]) -> tuple[Ranked, ...]:
+    """The situations that differ in the main and are not against themselves, the likeliest first.
+
+    The probability of one is that of all sequences that come to a situation with the same main facts.
+    """
     likely: dict[Situation, float] = {}
-    told: dict[Situation, Situation] = {}
+    way: dict[Situation, Written] = {}
     for one in written:
         if verdict_of(one.steps) is not Verdict.SITUATION:
             continue
@@ -91,32 +97,20 @@ def _ranked(text: str, written: Sequence[Written]) -> tuple[Ranked, ...]:
             situation = situation_of(one.steps)
         except Malformed:
             continue
-        if not situation.others:
-            continue
-        key = replace(situation, evidence=Evidence())
-        likely[key] = likely.get(key, 0.0) + math.exp(one.likely)
-        told.setdefault(key, _evident(situation, text, one))
-    return tuple(
-        Ranked(situation=told[key], probability=p) for key, p in sorted(likely.items(), key=lambda one: -one[1])
-    )
+        if situation.others:
+            likely[situation] = likely.get(situation, 0.0) + math.exp(one.likely)
+            way.setdefault(situation, one)
+    summed = {one: sum(p for other, p in likely.items() if same_in_the_main(one, other)) for one in likely}
+    ranked: list[Ranked] = []
+    for one in sorted(likely, key=lambda one: (-summed[one], -likely[one])):
+        if not any(same_in_the_main(one, before.situation) for before in ranked):
+            ranked.append(Ranked(situation=_evident(one, read, way[one]), probability=summed[one]))
+    return tuple(ranked)
 
 
-def _evident(situation: Situation, text: str, written: Written) -> Situation:
-    quoted = {_path(written, at): text[found.low : found.high] for at, found in written.found}
-    made = replace(situation, about=text, evidence=Evidence(quoted=quoted))
+def _evident(situation: Situation, read: Read, written: Written) -> Situation:
+    made = replace(situation, about=read.text, evidence=Evidence(quoted=quoted_of(read, written)))
     return replace(made, evidence=replace(made.evidence, assumed=without_words(made)))
-
-
-def _path(written: Written, at: int) -> str:
-    """The path of the fact that a step gives, with the names and numbers of who does it."""
-    steps = written.steps[: at + 1]
-    place = steps[-1].place.rstrip("@#")
-    others = sum(step.place == "others.kind" for step in steps) - 1
-    does = "ego.does.act" if place.startswith("ego.") else "others.does.act"
-    last = max((i for i, step in enumerate(steps) if step.place == "others.kind"), default=0)
-    deeds = sum(step.place == does for step in (steps if place.startswith("ego.") else steps[last:])) - 1
-    path = place.replace("others.", f"others.{'ABCDEFGH'[max(others, 0)]}.", 1)
-    return path.replace(".does.", f".does.{deeds}.", 1)
 
 
 def _trusted(probability: float, scale: float, offset: float) -> float:

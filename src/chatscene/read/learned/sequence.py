@@ -31,6 +31,8 @@ from chatscene.terms.amount import Amount
 from chatscene.terms.reading import Verdict
 from chatscene.terms.situation import EGO, Deed, Situation
 
+_SOMEBODY = "others.kind"  # the first field of another road user
+
 
 @dataclass(frozen=True, slots=True)
 class Step:
@@ -134,6 +136,19 @@ def _steps(node: Node, value: Any) -> Iterator[Step]:
 @cache
 def _nodes() -> Mapping[Place, Node]:
     return {node.place: node for node in places(grammar().nodes)}
+
+
+def path_of(steps: Sequence[Step], at: int) -> str:
+    """The path of the fact that a step gives, with the plain names and numbers of who does it."""
+    before = steps[: at + 1]
+    place = steps[at].place.rstrip(COPIED + NUMBERED)
+    first = max((i for i, step in enumerate(before) if step.place == _SOMEBODY), default=0)
+    others = sum(step.place == _SOMEBODY for step in before) - 1
+    of_ego = place.startswith("ego.")
+    does = "ego.does.act" if of_ego else "others.does.act"
+    deeds = sum(step.place == does for step in (before if of_ego else before[first:])) - 1
+    path = place.replace("others.", f"others.{NAMES[min(max(others, 0), len(NAMES) - 1)]}.", 1)
+    return path.replace(".does.", f".does.{deeds}.", 1)
 
 
 def verdict_of(steps: Sequence[Step]) -> Verdict:

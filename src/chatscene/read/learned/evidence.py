@@ -1,0 +1,48 @@
+"""The words of a text behind each fact that was read in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from chatscene.read.learned.decoder import Written
+from chatscene.read.learned.sequence import path_of
+from chatscene.read.learned.text import Read
+from chatscene.situations.facts import GAP
+
+_ENDS = " \t\n\r.,;:!?()[]{}\"'\u2018\u2019\u201c\u201d"
+
+
+def quoted_of(read: Read, written: Written) -> Mapping[str, str]:
+    """The words of each fact, by its path; an amount's are those that it was copied from.
+
+    A word counts if it is more likely than not one of the fact's; of a fact without such a word the likeliest one does.
+    """
+    quoted: dict[str, str] = {}
+    for at, marks in enumerate(written.marks):
+        if not written.steps[at].place or at == 0:
+            continue
+        words = _words(read, [float(one) for one in marks])
+        if words:
+            quoted.setdefault(path_of(written.steps, at), words)
+    for at, found in written.found:
+        quoted[path_of(written.steps, at)] = read.text[found.low : found.high]
+    return quoted
+
+
+def _words(read: Read, marks: Sequence[float]) -> str:
+    """The marked words of a text as they stand, what lies between them left out."""
+    best: dict[tuple[int, int], float] = {}
+    for where, mark in zip(read.where, marks[1:], strict=False):  # before the first piece stands the mark of begin
+        best[where] = max(mark, best.get(where, mark))
+    taken = sorted(where for where, mark in best.items() if mark > 0) or [max(best, key=lambda one: best[one])]
+    return GAP.join(filter(None, (read.text[low:high].strip(_ENDS) for low, high in _runs(read.text, taken))))
+
+
+def _runs(text: str, taken: Sequence[tuple[int, int]]) -> Iterator[tuple[int, int]]:
+    begin, end = taken[0]
+    for low, high in taken[1:]:
+        if text[end:low].strip():
+            yield begin, end
+            begin = low
+        end = high
+    yield begin, end
