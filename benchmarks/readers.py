@@ -194,12 +194,12 @@ def text_of(at: str) -> str:
 
 @click.command()
 @click.argument("names", nargs=-1, required=True)
-@click.option("--reader", "named", type=click.Choice(("learned", "learned-slots", "offline")), default="learned")
+@click.option("--reader", "named", type=click.Choice(("learned", "offline")), default="learned")
 @click.option("--weights", type=click.Path(path_type=Path), default=PACKAGED)
 @click.option("--limit", default=10_000, help="Texts of each set.")
 def main(names: tuple[str, ...], named: str, weights: Path, limit: int) -> None:
     """Measure a reader."""
-    reader: Reader = OfflineReader() if named == "offline" else LearnedReader(weights, named == "learned-slots")
+    reader: Reader = OfflineReader() if named == "offline" else LearnedReader(weights)
     begun = time.process_time()
     for name in names:
         (of_labels if (TEXTS / f"{name}.jsonl").exists() else of_situations)(reader, name, limit)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from chatscene.grow.reader_texts import Known, example, of_filled, of_replies, of_situations, of_slots, with_open_ends
+from chatscene.grow.reader_texts import example, in_our_words, of_told
 from chatscene.grow.reader_trust import trust_of
 from chatscene.read.learned.grammar import COPIED, grammar
 from chatscene.situations.form import from_plain
@@ -24,38 +24,31 @@ def written(path: Path, *rows: object) -> Path:
 
 
 def test_an_amount_points_to_its_words() -> None:
-    one = example("The van ahead brakes at 6 m/s².", Known.WHOLE, Verdict.SITUATION, from_plain(VAN))
+    one = example("The van ahead brakes at 6 m/s².", Verdict.SITUATION, from_plain(VAN))
     (at,) = [i for i, step in enumerate(one.steps) if step.place.endswith(COPIED)]
     assert one.read.amounts[one.copied[at]].amount == from_plain(VAN).others[0].does[0].acceleration
 
 
 def test_an_amount_that_the_text_lacks_is_neither_learned_nor_unlearned() -> None:
-    one = example("The van ahead brakes hard.", Known.WHOLE, Verdict.SITUATION, from_plain(VAN))
+    one = example("The van ahead brakes hard.", Verdict.SITUATION, from_plain(VAN))
     assert not [step for step in one.steps if step.place.endswith(COPIED)]
     assert one.barred == {grammar().number["Deed.acceleration", ""]}
 
 
-def test_slots_teach_nothing_that_they_never_say(tmp_path: Path) -> None:
-    row = {"text": "The car ahead brakes.", "slots": {"adversary": "car", "actions": ["brake"], "position": "ahead"}}
-    (one,) = with_open_ends(of_slots(written(tmp_path / "a.jsonl", row)))
-    number = grammar().number
-    assert {number["Situation.contact", ""], number["Deed.speed", ""]} <= one.barred
-    assert not {number[step.token] for step in one.steps if step.token} & one.barred
-
-
-def test_a_text_out_of_scope_has_no_situation(tmp_path: Path) -> None:
-    (one,) = of_slots(written(tmp_path / "a.jsonl", {"text": "What is a tram?", "in_scope": False}))
+def test_a_text_that_tells_nothing_has_no_situation(tmp_path: Path) -> None:
+    row = {"text": "What is a tram?", "verdict": "no-situation"}
+    (one,) = of_told(written(tmp_path / "a.jsonl", row))
     assert [step.place for step in one.steps] == ["verdict.not", ""]
 
 
 def test_a_mirrored_reply_is_not_learned(tmp_path: Path) -> None:
     reply = {"verdict": "situation", "situation": VAN | {"evidence": {"quoted": {}, "mirrored": True}}}
-    assert not list(of_replies(written(tmp_path / "a.jsonl", {"text": "A van brakes.", "replies": [reply]})))
+    assert not list(of_told(written(tmp_path / "a.jsonl", {"text": "A van brakes.", "replies": [reply]})))
 
 
 def test_situations_are_told_in_our_words_or_in_those_of_a_writer(tmp_path: Path) -> None:
     file = written(tmp_path / "a.jsonl", {"text": "van stops, 6 m/s²", "situation": VAN})
-    (theirs,), (ours,) = of_situations(file, in_words=False), of_situations(file, in_words=True)
+    (theirs,), (ours,) = of_told(file), in_our_words(file)
     assert theirs.read.text == "van stops, 6 m/s²"
     assert "brake" in ours.read.text
     assert theirs.steps == ours.steps
@@ -76,7 +69,7 @@ def test_training_is_the_same_after_a_stop(tmp_path: Path) -> None:
     pytest.importorskip("onnx")
     from chatscene.grow.fit_reader import Learning, fit
 
-    some = [example(f"van brakes, {i} m/s²", Known.WHOLE, Verdict.SITUATION, from_plain(VAN)) for i in (6, 5)]
+    some = [example(f"van brakes, {i} m/s²", Verdict.SITUATION, from_plain(VAN)) for i in (6, 5)]
     for name in ("one", "two"):
         (tmp_path / name).mkdir()
     learning = Learning(some, 0, None, 6)
@@ -91,7 +84,7 @@ def test_training_is_the_same_after_a_stop(tmp_path: Path) -> None:
 def test_the_words_of_a_fact_are_those_quoted_for_it_or_for_what_it_is_part_of() -> None:
     quoted = {"others.A": "van ahead", "others.A.does.0": "brakes"}
     situation = from_plain(VAN | {"evidence": {"quoted": quoted}})
-    one = example("The van ahead brakes at 6 m/s².", Known.WHOLE, Verdict.SITUATION, situation)
+    one = example("The van ahead brakes at 6 m/s².", Verdict.SITUATION, situation)
     said = {
         step.place: " ".join(dict.fromkeys(one.read.text[slice(*one.read.where[i - 1])].strip() for i in words))
         for step, words in zip(one.steps, one.words, strict=True)
@@ -104,7 +97,7 @@ def test_the_words_of_a_fact_are_those_quoted_for_it_or_for_what_it_is_part_of()
 def test_what_a_model_filled_is_joined_with_its_text(tmp_path: Path) -> None:
     written(tmp_path / "set.jsonl", {"text": "A van stops."}, {"text": "The van ahead brakes at 6 m/s²."})
     reply = {"id": "set/1", "verdict": "situation", "situation": VAN | {"evidence": {"quoted": {"others": "van"}}}}
-    (one,) = of_filled(written(tmp_path / "filled.jsonl", reply))
+    (one,) = of_told(written(tmp_path / "filled.jsonl", reply))
     assert one.read.text == "The van ahead brakes at 6 m/s²."
 
 

@@ -1,7 +1,7 @@
 """Train the learned reader.
 
-    python -m chatscene.grow.fit_reader --slots benchmarks/texts/first.jsonl --replies benchmarks/reading/fresh.jsonl \
-        --told benchmarks/texts/told-first.jsonl --drawn drawn.jsonl --epochs 8 --seed 0 --out FOLDER
+    python -m chatscene.grow.fit_reader --told benchmarks/texts/filled.jsonl --told benchmarks/texts/told-first.jsonl \
+        --drawn drawn.jsonl --epochs 8 --seed 0 --out FOLDER
 
 Writes `reader.npz`, which the reader loads, and `reader.pt`, from which the next call goes on if it was stopped, in
 FOLDER. The same comes out again with as many threads. Needs the extra ``train``.
@@ -24,7 +24,7 @@ from torch.nn.attention import SDPBackend, sdpa_kernel
 from chatscene.grow.fit import BATCH, batches
 from chatscene.grow.reader_export import exported
 from chatscene.grow.reader_network import Network
-from chatscene.grow.reader_texts import Example, Known, of_filled, of_replies, of_situations, of_slots, with_open_ends
+from chatscene.grow.reader_texts import Example, in_our_words, of_told
 from chatscene.grow.reader_trust import calibrate
 from chatscene.read.learned.grammar import BEGUN, Grammar, Token, grammar
 from chatscene.read.learned.weights import NAME, Weights, save
@@ -77,7 +77,7 @@ class Learning:
         member = load_classifier().members[0]
         self.began_with = member.changes
         self.network = Network(
-            tokens=len(self.grammar.tokens), places=len(self.tables.places), styles=len(Known), frozen=frozen,
+            tokens=len(self.grammar.tokens), places=len(self.tables.places), frozen=frozen,
             changes=member.changes,
         )  # fmt: skip
         if began is not None:
@@ -97,7 +97,7 @@ class Learning:
         n, t = given.copied.nonzero(as_tuple=True)
         copied[n, t] = amounts[n, given.which[n, t]] + self.network.copied.to(amounts.dtype)
         at = torch.arange(given.tokens.shape[1])[None, :]
-        x = self.network.begun(given.tokens, given.places, given.styles, at, copied)
+        x = self.network.begun(given.tokens, given.places, at, copied)
         mask = torch.zeros(padding.shape).masked_fill(padding, NEVER)[:, None, None]
         memory = self.network.memory(states)
         for layer in self.network.layers:
@@ -134,7 +134,6 @@ class Written:
         shape = len(several), max(len(one.steps) for one in several)
         self.tokens, self.places, self.next, self.which = (torch.zeros(shape, dtype=torch.long) for _ in range(4))
         self.copied, self.learned = torch.zeros(shape, dtype=torch.bool), torch.zeros(shape)
-        self.styles = torch.tensor([[one.known] for one in several])
         self.barred = torch.zeros(len(several), len(made.tokens), dtype=torch.bool)
         number = made.number
         for i, one in enumerate(several):
@@ -231,22 +230,17 @@ def fit(learning: Learning, *, epochs: int, seed: int, out: Path, minutes: float
 
 def written(learning: Learning, out: Path) -> None:
     """Write the file that the reader loads."""
-    slots = [one for one in learning.examples if one.known is Known.SLOTS]
-    never = frozenset.intersection(*(one.barred for one in slots)) if slots else frozenset[int]()
     text, following = exported(learning.network)
     changes = {**learning.began_with, **learning.network.encoder.changes()}
     tokens, places = learning.grammar.tokens, tuple(learning.tables.places)
-    save(Weights(changes, text, following, tokens, places, tuple(sorted(never))), out / NAME)
+    save(Weights(changes, text, following, tokens, places), out / NAME)
 
 
 _FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
 
 
 @click.command()
-@click.option("--slots", "labelled", type=_FILE, multiple=True, help="Texts with slots.")
-@click.option("--replies", type=_FILE, multiple=True, help="Texts with what a language model read.")
-@click.option("--filled", type=_FILE, multiple=True, help="What a language model read in texts of the same folder.")
-@click.option("--told", type=_FILE, multiple=True, help="Situations with the texts of writers.")
+@click.option("--told", type=_FILE, multiple=True, help="Texts with situations.")
 @click.option("--drawn", type=_FILE, multiple=True, help="Situations that are told in our own words.")
 @click.option("--sure", type=_FILE, multiple=True, help="Situations with texts, to fit how sure it may be.")
 @click.option("--more", default=1, show_default=True, help="How often each whole situation of others comes up.")
@@ -259,22 +253,16 @@ _FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
 @click.option("--began", type=_FILE, default=None, help="A network to begin with.")
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True)
 def main(
-    labelled: tuple[Path, ...], replies: tuple[Path, ...], filled: tuple[Path, ...], told: tuple[Path, ...],
-    drawn: tuple[Path, ...],
-    sure: tuple[Path, ...], more: int, epochs: int, minutes: float, seed: int, frozen: int, half: bool,
-    threads: int, began: Path | None, out: Path,
+    told: tuple[Path, ...], drawn: tuple[Path, ...], sure: tuple[Path, ...], more: int, epochs: int, minutes: float,
+    seed: int, frozen: int, half: bool, threads: int, began: Path | None, out: Path,
 ) -> None:  # fmt: skip
     """Train the learned reader."""
     torch.set_num_threads(threads)
     out.mkdir(parents=True, exist_ok=True)
-    whole = [one for path in replies for one in of_replies(path)]
-    whole += [one for path in filled for one in of_filled(path)]
-    whole += [one for path in told for one in of_situations(path, in_words=False)]
-    wholly = {one.read.text for one in whole}
-    examples = [one for path in labelled for one in of_slots(path) if one.read.text not in wholly]
-    ours = [one for path in drawn for one in of_situations(path, in_words=True)]
-    click.echo(f"{len(examples)} texts with slots, {len(whole)} of others with situations, {len(ours)} of ours")
-    learning = Learning(with_open_ends([*examples, *(more * whole), *ours]), seed, began, frozen)
+    whole = [one for path in told for one in of_told(path)]
+    ours = [one for path in drawn for one in in_our_words(path)]
+    click.echo(f"{len(whole)} texts of others, {len(ours)} of ours")
+    learning = Learning([*(more * whole), *ours], seed, began, frozen)
     fit(learning, epochs=epochs, seed=seed, out=out, minutes=minutes, half=half)
     written(learning, out)
     if sure:

@@ -39,11 +39,11 @@ class _Next(nn.Module):
         super().__init__()
         self.network = network
 
-    def forward(self, tokens: Tensor, places: Tensor, style: Tensor, at: Tensor, which: Tensor, *given: Tensor) -> Any:
+    def forward(self, tokens: Tensor, places: Tensor, at: Tensor, which: Tensor, *given: Tensor) -> Any:
         amounts, words, text, past = given[0], given[1], given[2 : 2 + 2 * LAYERS], given[2 + 2 * LAYERS :]
         network, n = self.network, tokens.shape[0]
         copied = (amounts[0][which.clamp(min=0)] + network.copied) * (which >= 0).float()[:, None]
-        x = network.begun(tokens[:, None], places[:, None], style[:, None], at[:, None], copied[:, None])
+        x = network.begun(tokens[:, None], places[:, None], at[:, None], copied[:, None])
         kept: list[Tensor] = []
         for i, layer in enumerate(network.layers):
             told = tuple(one.expand(n, -1, -1, -1) for one in text[2 * i : 2 * i + 2])
@@ -74,9 +74,9 @@ def exported(network: Network) -> tuple[bytes, bytes]:
     whole = torch.zeros(3, dtype=torch.long)
     width = DEPTH // HEADS
     of_text = torch.zeros(1, 2, DEPTH), torch.zeros(1, 5, DEPTH), *[torch.zeros(1, HEADS, 5, width)] * (2 * LAYERS)
-    given = *[whole] * 5, *of_text, *[torch.zeros(3, HEADS, 4, width)] * (2 * LAYERS)
-    inputs = ["tokens", "places", "style", "at", "which", "amounts", "words", *names, *own]
-    axes = {name: {0: "n"} for name in inputs[:5]} | {name: {0: "n", 2: "steps"} for name in own}
+    given = *[whole] * 4, *of_text, *[torch.zeros(3, HEADS, 4, width)] * (2 * LAYERS)
+    inputs = ["tokens", "places", "at", "which", "amounts", "words", *names, *own]
+    axes = {name: {0: "n"} for name in inputs[:4]} | {name: {0: "n", 2: "steps"} for name in own}
     axes |= {"amounts": {1: "some"}, "words": {1: "pieces"}} | {name: {2: "pieces"} for name in names}
     return text, _graph(_Next(network), given, inputs, ["odds", "marks", *(f"next_{name}" for name in names)], axes)
 

@@ -71,14 +71,11 @@ class Network(nn.Module):
     Args:
         tokens: How many there are.
         places: How many.
-        styles: In how many ways it writes, by what is known.
         frozen: Lower layers of the encoder that are not trained.
         changes: What earlier training made of the encoder's file.
     """
 
-    def __init__(
-        self, *, tokens: int, places: int, styles: int, frozen: int, changes: Mapping[int, bytes] | None = None
-    ) -> None:
+    def __init__(self, *, tokens: int, places: int, frozen: int, changes: Mapping[int, bytes] | None = None) -> None:
         super().__init__()
         self.encoder = Tuned(frozen=frozen, columns=[1], dropout=DROPOUT, changes=changes)
         for layer in self.encoder.upper:
@@ -87,12 +84,12 @@ class Network(nn.Module):
         self.memory = nn.Linear(WIDTH, DEPTH)
         self.amount, self.form = nn.Linear(WIDTH, DEPTH), nn.Embedding(len(Form), DEPTH)
         self.token, self.copied = nn.Embedding(tokens, DEPTH), nn.Parameter(torch.zeros(DEPTH))
-        self.place, self.style, self.at = (nn.Embedding(n, DEPTH) for n in (places, styles, MOST_STEPS))
+        self.place, self.at = nn.Embedding(places, DEPTH), nn.Embedding(MOST_STEPS, DEPTH)
         self.layers: Any = nn.ModuleList(DecoderLayer() for _ in range(LAYERS))
         self.norm, self.out, self.point = nn.LayerNorm(DEPTH), nn.Linear(DEPTH, tokens), nn.Linear(DEPTH, DEPTH)
         self.mark, self.marked = nn.Linear(DEPTH, DEPTH), nn.Linear(WIDTH, DEPTH)
         self.seldom = nn.Parameter(torch.tensor(-2.0))  # most words are not those of a fact
-        for table in (self.token, self.form, self.place, self.style, self.at):
+        for table in (self.token, self.form, self.place, self.at):
             nn.init.normal_(table.weight, std=0.05)
 
     def begin_with(self, trained: Mapping[str, Tensor]) -> None:
@@ -122,9 +119,9 @@ class Network(nn.Module):
         """(N, amounts, depth) from the share that each piece of the text has of each amount."""
         return self.amount(share.to(states.dtype) @ states) + self.form(forms)
 
-    def begun(self, tokens: Tensor, places: Tensor, styles: Tensor, at: Tensor, copied: Tensor) -> Tensor:
+    def begun(self, tokens: Tensor, places: Tensor, at: Tensor, copied: Tensor) -> Tensor:
         """What goes into the first layer; `copied` is zero where the token before was none that is copied."""
-        return self.token(tokens) + self.place(places) + self.style(styles) + self.at(at) + copied
+        return self.token(tokens) + self.place(places) + self.at(at) + copied
 
     def odds(self, x: Tensor, amounts: Tensor) -> Tensor:
         """(N, steps, tokens and amounts) log-odds of what comes next."""

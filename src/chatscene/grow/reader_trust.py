@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Sequence
 from dataclasses import replace
@@ -12,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
 
+from chatscene.grow.reader_texts import told_in
 from chatscene.read.learned.reader import LearnedReader
-from chatscene.read.learned.sequence import with_plain_names
 from chatscene.read.learned.weights import load, save
-from chatscene.situations.form import from_plain
+from chatscene.situations.main_facts import same_in_the_main
 
 _RIDGE = 1e-2
 _LEAST = 1e-6  # of a probability
@@ -25,17 +24,17 @@ def calibrate(weights: Path, texts: Sequence[Path]) -> tuple[int, int]:
     """Fit how sure the reader is on situations with texts, and write it into its file.
 
     Returns:
-        How many texts there were, and of how many each fact was read rightly.
+        How many texts there were, and of how many the main facts were read rightly.
     """
     save(replace(load(weights), scale=1.0, offset=0.0), weights)
     load.cache_clear()
     sure: list[tuple[float, bool]] = []
     reader = LearnedReader(weights)
     for path in texts:
-        for row in map(json.loads, path.read_text(encoding="utf-8").splitlines()):
-            ranked = reader.read(row["text"]).ranked
+        for text, _, said in told_in(path):
+            ranked = reader.read(text).ranked
             if ranked:
-                right = ranked[0].situation == with_plain_names(from_plain(row["situation"]))
+                right = said is not None and same_in_the_main(said, ranked[0].situation)
                 sure.append((ranked[0].probability, right))
     scale, offset = trust_of(sure)
     save(replace(load(weights), scale=scale, offset=offset), weights)

@@ -67,8 +67,6 @@ class Decoder:
         self._grammar = grammar()
         self._tokens = weights.tokens
         self._places = {name: i for i, name in enumerate(weights.places)}
-        self._never = np.zeros(len(self._tokens), bool)
-        self._never[list(weights.never)] = True
         number = {token: i for i, token in enumerate(self._tokens)}
         own = {i: number[token] for i, token in enumerate(self._grammar.tokens) if token in number}
         self._of = {  # what was trained of what the grammar allows; the vocabulary may have grown since
@@ -96,12 +94,11 @@ class Decoder:
                 made[self._places[place], token] = True
         return made
 
-    def written(self, read: Read, *, slots_alone: bool = False) -> tuple[Written, ...]:
+    def written(self, read: Read) -> tuple[Written, ...]:
         """The likeliest sequences of a text, the likeliest first.
 
         Args:
             read: The text.
-            slots_alone: Whether it is to be read as those are labelled who know slots alone.
         """
         states = self._encoder.states_of(read.pieces)
         share, forms = _spans(read)
@@ -111,10 +108,10 @@ class Decoder:
         given |= {"amounts": amounts, "words": words}
         alive, done = [_Begun(BEGUN, 0, -1, 0.0, (), (), ())], list[Written]()
         for at in range(LONGEST):
-            odds, marks, *kept = self._following.run(None, {**given, **past, **self._fed(alive, at, slots_alone)})
+            odds, marks, *kept = self._following.run(None, {**given, **past, **self._fed(alive, at)})
             if at:
                 alive = [replace(one, marks=(*one.marks, its)) for one, its in zip(alive, marks, strict=True)]
-            likely = self._masked(odds, alive, read.amounts, slots_alone)
+            likely = self._masked(odds, alive, read.amounts)
             scores = np.array([one.likely for one in alive])[:, None] + likely
             best = np.argsort(-scores, axis=None, kind="stable")[: WIDTH + len(done)]
             ways = [divmod(int(i), scores.shape[1]) for i in best if scores.flat[i] > _NEVER / 2]
@@ -131,25 +128,20 @@ class Decoder:
             past = {name: each[rows] for name, each in zip(past, kept, strict=True)}
         return tuple(done)
 
-    def _fed(self, alive: Sequence[_Begun], at: int, slots_alone: bool) -> dict[str, NDArray[np.int64]]:
+    def _fed(self, alive: Sequence[_Begun], at: int) -> dict[str, NDArray[np.int64]]:
         n = len(alive)
         return {
             "tokens": np.array([max(one.token, 0) for one in alive], np.int64),
             "places": np.array([self._places[one.place] for one in alive], np.int64),
-            "style": np.full(n, int(slots_alone), np.int64),
             "at": np.full(n, at, np.int64),
             "which": np.array([one.which for one in alive], np.int64),
         }
 
-    def _masked(
-        self, odds: Floats, alive: Sequence[_Begun], amounts: Sequence[Found], slots_alone: bool
-    ) -> NDArray[np.float64]:
+    def _masked(self, odds: Floats, alive: Sequence[_Begun], amounts: Sequence[Found]) -> NDArray[np.float64]:
         """Logarithms of the probabilities of what the grammar allows next."""
         allowed = np.zeros(odds.shape, bool)
         tokens = len(self._tokens)
         allowed[:, :tokens] = self._follow[[self._places[one.place] for one in alive]]
-        if slots_alone:
-            allowed[:, :tokens] &= ~self._never
         for row, one in enumerate(alive):
             for there in self._grammar.follow[one.place]:
                 kinds = self._grammar.amounts.get(there, ())

@@ -32,11 +32,9 @@ class LearnedReader:
 
     Attributes:
         weights: The file of what was learned.
-        slots_alone: Whether texts are read as those are labelled who know slots alone; for measurements.
     """
 
     weights: Path = field(default=PACKAGED)
-    slots_alone: bool = False
 
     @property
     def name(self) -> str:
@@ -57,7 +55,7 @@ class LearnedReader:
         if len(text) > LONGEST:
             raise SettingsError(f"the text has {len(text)} characters; describe one situation in at most {LONGEST}")
         read = prepared(text)
-        written = _decoder(self.weights).written(read, slots_alone=self.slots_alone)
+        written = _decoder(self.weights).written(read)
         verdicts = dict.fromkeys(Verdict, 0.0)
         for one in written:
             verdicts[verdict_of(one.steps)] += math.exp(one.likely)

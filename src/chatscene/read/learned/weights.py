@@ -29,7 +29,6 @@ class Weights:
         following: The graph of what comes next.
         tokens: Those that it was trained for, in their order.
         places: The places that it was trained for, in their order.
-        never: Tokens that texts with slots alone do not teach.
         scale: What the log-odds of a reading are multiplied with, so that it is as often right as it says.
         offset: What is added then.
     """
@@ -39,7 +38,6 @@ class Weights:
     following: bytes
     tokens: tuple[Token, ...]
     places: tuple[Place, ...]
-    never: tuple[int, ...]
     scale: float = 1.0
     offset: float = 0.0
 
@@ -55,7 +53,6 @@ def save(weights: Weights, path: Path) -> None:
         changes=np.frombuffer(packer.compress(changes) + packer.flush(), np.uint8),
         text=np.frombuffer(weights.text, np.uint8),
         following=np.frombuffer(weights.following, np.uint8),
-        never=np.array(weights.never, np.int64),
         tokens=np.array("\n".join("\t".join(token) for token in weights.tokens)),
         places=np.array("\n".join(weights.places)),
         trust=np.array([weights.scale, weights.offset]),
@@ -82,7 +79,6 @@ def load(path: Path = PACKAGED) -> Weights:
                 following=arrays["following"].tobytes(),
                 tokens=tuple(_token(line) for line in str(arrays["tokens"]).split("\n")),
                 places=tuple(str(arrays["places"]).split("\n")),
-                never=tuple(arrays["never"].tolist()),
                 scale=float(arrays["trust"][0]),
                 offset=float(arrays["trust"][1]),
             )
