@@ -33,6 +33,31 @@ def test_a_side_that_is_left_open_is_no_other_side(open_: dict[str, str]) -> Non
     assert same_in_the_main(situation(CHILD), situation(CHILD | {"starts": open_}))
 
 
+HIDDEN = CHILD | {"hidden_by": "B"}
+BUS = {"kind": "bus", "role": "hides", "starts": {"where": "kerb", "side": "right"}, "does": [{"act": "stand"}]}
+
+
+def test_what_hides_somebody_is_a_detail_and_that_it_is_hidden_is_not() -> None:
+    shelter = BUS | {"kind": "bus-shelter", "starts": {"where": "roadside", "side": "right"}, "does": []}
+    assert same_in_the_main(situation(HIDDEN, BUS), situation(HIDDEN, shelter))
+    assert not same_in_the_main(situation(HIDDEN, BUS), situation(CHILD))
+
+
+@pytest.mark.parametrize("act", ["go-along", "go-straight"])
+def test_that_somebody_goes_on_goes_without_saying(act: str) -> None:
+    oncoming = {"kind": "car", "starts": {"where": "oncoming"}}
+    assert same_in_the_main(situation(oncoming), situation(oncoming | {"does": [{"act": act}]}))
+    turns = [{"act": act}, {"act": "turn-left"}]
+    assert same_in_the_main(situation(oncoming | {"does": turns}), situation(oncoming | {"does": turns[1:]}))
+
+
+def test_who_stands_before_it_sets_off_need_not_be_said_to_and_who_only_stands_is() -> None:
+    car = {"kind": "car", "starts": {"where": "kerb", "side": "right"}}
+    pulls_out = [{"act": "stand"}, {"act": "pull-out"}]
+    assert same_in_the_main(situation(car | {"does": pulls_out}), situation(car | {"does": pulls_out[1:]}))
+    assert not same_in_the_main(situation(VAN | {"does": [{"act": "stand"}]}), situation(VAN | {"does": []}))
+
+
 @pytest.mark.parametrize(
     "other",
     [

@@ -14,6 +14,7 @@ from chatscene.build.holding import as_said, lanes_there
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import (
     GOES_OVER,
+    NEXT_LANE,
     Found,
     beside_lane,
     from_left,
@@ -175,7 +176,10 @@ def _out_of_the_way(situation: Situation, one: Other) -> Side | None:
 
 
 def comes_from(one: Other) -> Side | None:
-    """From which side somebody comes of whom the side was said to which it goes."""
+    """From which side somebody comes of whom the side was said to which it goes, or on which it goes past."""
+    past = next((deed.to for deed in one.does if deed.act is Act.OVERTAKE and deed.to is not None), None)
+    if past is not None and one.starts.where in NEXT_LANE:
+        return past
     to = next((deed.to for deed in one.does if deed.act in COMES_OVER and deed.to is not None), None)
     return None if to is None else Side.LEFT if to is Side.RIGHT else Side.RIGHT
 

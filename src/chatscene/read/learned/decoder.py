@@ -22,7 +22,7 @@ from chatscene.read.learned.weights import Weights
 
 Floats = NDArray[np.float32]
 
-WIDTH = 8
+WIDTH = 24
 """Sequences that are followed at once."""
 LONGEST = 96
 """Tokens of a sequence."""

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from chatscene.read.learned.decoder import Written
+from chatscene.read.learned.grammar import Token, grammar
 from chatscene.read.learned.sequence import path_of
 from chatscene.read.learned.text import Read
 from chatscene.situations.facts import GAP
@@ -16,12 +17,14 @@ def quoted_of(read: Read, written: Written) -> Mapping[str, str]:
     """The words of each fact, by its path; an amount's are those that it was copied from.
 
     A word counts if it is more likely than not one of the fact's; of a fact without such a word the likeliest one does.
+    A number says no fact but a number, and what names another word of the same field, as "rain" of ``weather: fog``,
+    does not say this one.
     """
     quoted: dict[str, str] = {}
     for at, marks in enumerate(written.marks):
         if not written.steps[at].place or at == 0:
             continue
-        words = _words(read, [float(one) for one in marks])
+        words = _words(read, [float(one) for one in marks], _others(written.steps[at].token))
         if words:
             quoted.setdefault(path_of(written.steps, at), words)
     for at, found in written.found:
@@ -29,11 +32,23 @@ def quoted_of(read: Read, written: Written) -> Mapping[str, str]:
     return quoted
 
 
-def _words(read: Read, marks: Sequence[float]) -> str:
-    """The marked words of a text as they stand, what lies between them left out."""
+def _others(token: Token | None) -> Callable[[str], bool]:
+    """Whether a word says another fact than a token, whatever is marked."""
+    if token is None:
+        return lambda _: False
+    field, value = token
+    named = {word for each, word in grammar().tokens if each == field} - {value}
+    return lambda word: word in named or (not value.isdigit() and any(c.isdigit() for c in word))
+
+
+def _words(read: Read, marks: Sequence[float], others: Callable[[str], bool]) -> str:
+    """The marked words of a text as they stand, what lies between them left out; empty if all say something else."""
     best: dict[tuple[int, int], float] = {}
     for where, mark in zip(read.where, marks[1:], strict=False):  # before the first piece stands the mark of begin
-        best[where] = max(mark, best.get(where, mark))
+        if not others(read.text[where[0] : where[1]].strip(_ENDS).lower()):
+            best[where] = max(mark, best.get(where, mark))
+    if not best:
+        return ""
     taken = sorted(where for where, mark in best.items() if mark > 0) or [max(best, key=lambda one: best[one])]
     return GAP.join(filter(None, (read.text[low:high].strip(_ENDS) for low, high in _runs(read.text, taken))))
 

@@ -84,7 +84,8 @@ def _decoder(weights: Path) -> Decoder:
 def _ranked(read: Read, written: Sequence[Written]) -> tuple[Ranked, ...]:
     """The situations that differ in the main and are not against themselves, the likeliest first.
 
-    The probability of one is that of all sequences that come to a situation with the same main facts.
+    The probability of one is that of all sequences that come to a situation with the same main facts, of which it
+    is the likeliest.
     """
     likely: dict[Situation, float] = {}
     way: dict[Situation, Written] = {}
@@ -98,12 +99,12 @@ def _ranked(read: Read, written: Sequence[Written]) -> tuple[Ranked, ...]:
         if situation.others:
             likely[situation] = likely.get(situation, 0.0) + math.exp(one.likely)
             way.setdefault(situation, one)
-    summed = {one: sum(p for other, p in likely.items() if same_in_the_main(one, other)) for one in likely}
-    ranked: list[Ranked] = []
-    for one in sorted(likely, key=lambda one: (-summed[one], -likely[one])):
-        if not any(same_in_the_main(one, before.situation) for before in ranked):
-            ranked.append(Ranked(situation=_evident(one, read, way[one]), probability=summed[one]))
-    return tuple(ranked)
+    told: dict[Situation, float] = {}
+    for one in sorted(likely, key=lambda one: -likely[one]):
+        if not any(same_in_the_main(one, before) for before in told):
+            told[one] = sum(p for other, p in likely.items() if same_in_the_main(one, other))
+    ranked = (Ranked(situation=_evident(one, read, way[one]), probability=p) for one, p in told.items())
+    return tuple(sorted(ranked, key=lambda one: -one.probability))
 
 
 def _evident(situation: Situation, read: Read, written: Written) -> Situation:
