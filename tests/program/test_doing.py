@@ -19,12 +19,9 @@ from chatscene.terms.route import Route
 from chatscene.terms.situation import Contact, Deed, Ego
 from chatscene.terms.vocabulary import Act, EgoRoute, Part, Side, UserKind, Where
 
-LEFT = Route(
+LEFT = replace(
+    ROUTE,
     id="left",
-    map_name="toy",
-    maneuver=ROUTE.maneuver,
-    place=ROUTE.place,
-    control=ROUTE.control,
     line=Polyline(
         np.concatenate(
             (
@@ -34,7 +31,6 @@ LEFT = Route(
             )
         )
     ),
-    lane_ids=("lane",),
     event_at=40.0,
 )
 ACT = "others.adversary.does.0.act"

@@ -32,7 +32,7 @@ from chatscene.read.slot_classifier import load_classifier
 
 RATE, DECODER_RATE = 1e-4, 8e-4  # of AdamW
 WARM_UP, LEAST = 0.05, 0.02  # share of the steps, and of the rate at the end
-FROZEN = 3  # lower layers of the encoder
+FROZEN = 0  # lower layers of the encoder that are not trained
 SHOWN = 50  # steps after which the loss is told
 MARKING = 0.1  # weight of a piece that is marked wrongly
 NEVER = -1e9
@@ -81,7 +81,9 @@ class Learning:
             changes=member.changes,
         )  # fmt: skip
         if began is not None:
-            self.network.begin_with(_as_now(torch.load(began), self.grammar.tokens, tuple(self.tables.places)))
+            self.network.begin_with(
+                _as_now(torch.load(began, weights_only=True), self.grammar.tokens, tuple(self.tables.places))
+            )
         texts = {one.read.text: one.read.pieces for one in examples}
         lower = dict(zip(texts, self.network.encoder.lower(list(texts.values())), strict=True))
         self.lower = [lower[one.read.text] for one in examples]
@@ -187,7 +189,7 @@ def fit(learning: Learning, *, epochs: int, seed: int, out: Path, minutes: float
     )
     kept, first = out / "reader.pt", 0
     if kept.exists():
-        state = torch.load(kept)
+        state = torch.load(kept, weights_only=True)
         network.load_state_dict(state["network"])
         optimizer.load_state_dict(state["optimizer"])
         rates.load_state_dict(state["rates"])

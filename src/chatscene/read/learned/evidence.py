@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
 
 from chatscene.read.learned.decoder import Written
 from chatscene.read.learned.grammar import Token, grammar
@@ -24,7 +25,7 @@ def quoted_of(read: Read, written: Written) -> Mapping[str, str]:
     for at, marks in enumerate(written.marks):
         if not written.steps[at].place or at == 0:
             continue
-        words = _words(read, [float(one) for one in marks], _others(written.steps[at].token))
+        words = _words(read, [float(one) for one in marks], _says_another(written.steps[at].token))
         if words:
             quoted.setdefault(path_of(written.steps, at), words)
     for at, found in written.found:
@@ -32,13 +33,18 @@ def quoted_of(read: Read, written: Written) -> Mapping[str, str]:
     return quoted
 
 
-def _others(token: Token | None) -> Callable[[str], bool]:
+def _says_another(token: Token | None) -> Callable[[str], bool]:
     """Whether a word says another fact than a token, whatever is marked."""
     if token is None:
         return lambda _: False
     field, value = token
-    named = {word for each, word in grammar().tokens if each == field} - {value}
-    return lambda word: word in named or (not value.isdigit() and any(c.isdigit() for c in word))
+    others = _words_of(field) - {value}
+    return lambda word: word in others or (not value.isdigit() and any(c.isdigit() for c in word))
+
+
+@cache
+def _words_of(field: str) -> frozenset[str]:
+    return frozenset(word for each, word in grammar().tokens if each == field)
 
 
 def _words(read: Read, marks: Sequence[float], others: Callable[[str], bool]) -> str:

@@ -101,8 +101,8 @@ def _ranked(read: Read, written: Sequence[Written]) -> tuple[Ranked, ...]:
             way.setdefault(situation, one)
     told: dict[Situation, float] = {}
     for one in sorted(likely, key=lambda one: -likely[one]):
-        if not any(same_in_the_main(one, before) for before in told):
-            told[one] = sum(p for other, p in likely.items() if same_in_the_main(one, other))
+        same = next((before for before in told if same_in_the_main(one, before)), one)  # each counts for one of them
+        told[same] = told.get(same, 0.0) + likely[one]
     ranked = (Ranked(situation=_evident(one, read, way[one]), probability=p) for one, p in told.items())
     return tuple(sorted(ranked, key=lambda one: -one.probability))
 
