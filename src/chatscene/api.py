@@ -56,6 +56,7 @@ if TYPE_CHECKING:
     from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.evaluation import Evaluated
     from chatscene.studies.reproduce import Reproduced
+    from chatscene.verdict.story import Story
     from chatscene.verdict.verdict import Verdict
 
 Name = str | Path
@@ -924,6 +925,47 @@ def verify(
     if page is not None:
         write_page(_path(page), verdict, found.drawing)
     return verdict
+
+
+def story(
+    what: Name | Run,
+    *,
+    scene: str | None = None,
+    seed: int | None = None,
+    ego: Name | None = None,
+    map: Name | None = None,  # noqa: A002 - the word of the command line
+    trust: bool = False,
+    ego_id: str | None = None,
+) -> Story:
+    """What happened in a drive of a program, a run or a recording, in words, with times and speeds.
+
+    The answer prints as lines; its `picture` is a moment from above.
+
+    Args:
+        what: As `verify`: of a program the first drive is told.
+        scene: Which scene of a run; None for the first that it keeps.
+        seed: What the values of a program's drive are drawn by.
+        ego: Who drives a program; None for its own ego, or the usual one where it has none.
+        map: The map of a program that names none.
+        trust: Whether a program may use all of Scenic and Python, in this process.
+        ego_id: Whose track of a recording is the ego's; None for the one that is marked.
+
+    Raises:
+        ChatSceneError: It cannot be read or driven, or has no such scene.
+    """
+    from chatscene.verdict.story import story as told
+
+    if map is not None:
+        check_opendrive(resolve_map(str(map)))
+    settings = _changed(
+        VerifySettings(trust=trust),
+        seed=seed,
+        ego=None if ego is None else str(ego),
+        map_name=None if map is None else str(map),
+        ego_id=ego_id,
+        scene_id=scene,
+    )
+    return told(what.folder if isinstance(what, Run) else _path(what), settings)
 
 
 def _made_of(folder: Path) -> Situation:

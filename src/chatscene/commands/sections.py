@@ -19,6 +19,7 @@ SECTIONS: dict[str, dict[str, str]] = {
     },
     "Look": {
         "open": "Open a report in the browser.",
+        "story": "Say what happened in a scene of anybody, in words.",
         "view": "Browse all runs, and make new ones, in the browser.",
         "why": "Say why a scene crashed, and what would have avoided it.",
         "replay": "Simulate a stored scene again and compare it.",

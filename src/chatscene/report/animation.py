@@ -51,20 +51,21 @@ def write_gif(folder: Path, scene_id: str | None = None) -> Path:
     return path
 
 
-def still(episode: Episode, drawing: Mapping[str, Any], step: int | None = None) -> bytes:
-    """A moment of a drive as a small WebP picture.
+def still(episode: Episode, drawing: Mapping[str, Any], step: int | None = None, form: str = "WEBP") -> bytes:
+    """A moment of a drive as a small picture.
 
     Args:
         episode: The drive.
         drawing: The map around it, as `chatscene.maps.drawing.map_drawing` makes it.
         step: Which; None for that at which the ego crashes, or comes nearest to its adversary.
+        form: ``WEBP``, or ``PNG``, which every reader of pictures knows.
     """
     step = span(episode).moment if step is None else step
     camera = Camera.on(episode, range(max(0, step - BEFORE), step + 1), WIDEST)
     frame = draw_frame(camera, draw_ground(camera, drawing), episode, step)
     sink = io.BytesIO()
     small = frame.resize((WIDTH * 2 // 3, HEIGHT * 2 // 3), Image.Resampling.LANCZOS)
-    small.save(sink, format="WEBP", quality=80)
+    small.save(sink, format=form, quality=80)
     return sink.getvalue()
 
 

@@ -104,10 +104,11 @@ def _timed(fact: Fact) -> Iterator[Seen]:
 def _picture(verdict: Verdict, draw: int, at: float, drawing: Drawing | None) -> bytes:
     episode = verdict.played[draw]
     step = min(round((at - verdict.draws[draw].begin) / episode.dt), len(episode.ego_track.x) - 1)
-    return still(episode, drawing(_box(episode)) if drawing else {}, step)
+    return still(episode, drawing(box_of(episode)) if drawing else {}, step)
 
 
-def _box(episode: Episode) -> tuple[float, float, float, float]:
+def box_of(episode: Episode) -> tuple[float, float, float, float]:
+    """What is drawn of the map about a drive: west, south, east and north [m]."""
     x, y = episode.ego_track.x, episode.ego_track.y
     west, south, east, north = (float(one) for one in (np.min(x), np.min(y), np.max(x), np.max(y)))
     return west - MARGIN, south - MARGIN, east + MARGIN, north + MARGIN

@@ -1,0 +1,342 @@
+"""What happened in a drive, in words, with times and speeds: who was where, who did what when, and how it ended.
+
+Nothing is compared with what was said. Deeds are those that the judge sees on the tracks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from chatscene.errors import SettingsError
+from chatscene.measure.criticality import fault, part_struck
+from chatscene.measure.happening import happened
+from chatscene.measure.severity import in_kmh
+from chatscene.program.deeds import STANDING, Act, runs
+from chatscene.program.doing import ACTS
+from chatscene.program.watching import Seen, watch
+from chatscene.report.animation import still
+from chatscene.settings import VerifySettings
+from chatscene.simulate.boxes import gaps
+from chatscene.terms.actors import named
+from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, Track
+from chatscene.terms.route import Route
+from chatscene.terms.vocabulary import Act as Said
+from chatscene.terms.vocabulary import UserKind
+from chatscene.verdict.page import box_of
+from chatscene.verdict.sources import watching
+from chatscene.verdict.watched import Drawing
+from chatscene.verdict.who import as_cast
+
+MOVEMENTS = (
+    Said.TURN_LEFT,
+    Said.TURN_RIGHT,
+    Said.U_TURN,
+    Said.CROSS,
+    Said.PULL_OUT,
+    Said.ENTER,
+    Said.OVERTAKE,
+    Said.CUT_IN,
+    Said.CUT_OUT,
+    Said.LANE_CHANGE,
+    Said.SWERVE,
+    Said.DRIFT,
+)
+"""Ways across the road; one movement may look like several, of which the first that is seen is told."""
+BESIDE = (Said.REVERSE, Said.TURN_BACK, Said.WEAVE, Said.TAILGATE)
+"""What is told beside a movement."""
+PACES = (Said.BRAKE, Said.SET_OFF, Said.ACCELERATE, Said.SLOW_DOWN)
+"""What a change of speed may be; the first that is seen in it is told."""
+LEVEL = 0.2  # [m/s] from where a speed was or comes to, within which it does not change yet, or any more
+CHANGED = 1.0  # [m/s] by which a speed rises or falls at least, to be told
+LEFT = 1.0  # [m] from its way, from which the ego is told to have left it
+NEAREST = 6  # road users that are told of: those to whom the ego comes nearest
+_ENDINGS = {
+    "collision": "the collision ends it",
+    "arrived": "the ego arrives",
+    "timeout": "its time is over",
+    "scenario-done": "the program ends it",
+    "over": "nothing is to come any more",
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Told:
+    """One thing that happened.
+
+    Attributes:
+        at: When it began [s].
+        until: When it was done [s]; None of what has no length.
+        who: Who did it; empty of what befell several.
+        what: What, in words.
+    """
+
+    at: float
+    who: str
+    what: str
+    until: float | None = None
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script."""
+        return {"at": self.at, "until": self.until, "who": self.who, "what": self.what}
+
+    def __str__(self) -> str:
+        """A line for a person."""
+        span = "" if self.until is None or self.until <= self.at else f", until {self.until:.1f} s"
+        return f"{self.at:5.1f} s  {self.who}{' ' * bool(self.who)}{self.what}{span}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Story:
+    """What happened in one drive.
+
+    Attributes:
+        what: Of what it is a drive, as it was named.
+        scene: Its id.
+        seconds: How long it is.
+        ending: Why it ended.
+        notes: What else is to be known, such as who drove.
+        told: What happened, in order of time.
+    """
+
+    what: str
+    scene: str
+    seconds: float
+    ending: str
+    notes: tuple[str, ...]
+    told: tuple[Told, ...]
+    _episode: Episode = field(repr=False, compare=False)
+    _drawing: Drawing | None = field(default=None, repr=False, compare=False)
+    _begin: float = field(default=0.0, repr=False, compare=False)
+
+    def picture(self, at: float | None = None) -> bytes:
+        """A moment seen from above, as PNG.
+
+        Args:
+            at: When [s]; None for the contact, or when the ego was nearest to somebody.
+
+        Raises:
+            SettingsError: The drive is not as long.
+        """
+        if at is not None and not self._begin <= at <= self._begin + self.seconds + self._episode.dt:
+            end = self._begin + self.seconds
+            raise SettingsError(f"there is no picture at {at:g} s: the drive is from {self._begin:.1f} to {end:.1f} s")
+        step = None if at is None else round((at - self._begin) / self._episode.dt)
+        steps = len(self._episode.ego_track.x)
+        drawing = self._drawing(box_of(self._episode)) if self._drawing else {}
+        return still(self._episode, drawing, None if step is None else min(step, steps - 1), form="PNG")
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script."""
+        return {
+            "what": self.what,
+            "scene": self.scene,
+            "seconds": self.seconds,
+            "ending": self.ending,
+            "notes": list(self.notes),
+            "told": [one.as_dict() for one in self.told],
+        }
+
+    def __str__(self) -> str:
+        """For a person."""
+        end = f"{self._begin + self.seconds:5.1f} s  the drive ends: {_ENDINGS.get(self.ending, self.ending)}"
+        return "\n".join((f"{self.scene}: {self.seconds:.1f} s", *self.notes, *map(str, self.told), end))
+
+
+def story(what: Path, settings: VerifySettings) -> Story:
+    """What happened in the first drive of a run, a program or a recording.
+
+    Args:
+        what: Anything that `chatscene.verdict.sources` has a row for.
+        settings: Which scene, and who drives.
+
+    Raises:
+        SettingsError: There is no such file, or no drive of it.
+        ChatSceneError: It cannot be read or driven.
+    """
+    found = watching(what, replace(settings, draws=1))
+    if not found.drives:
+        why = "; ".join(dict.fromkeys(found.rejected)) or "nothing was driven"
+        raise SettingsError(f"{what} has no drive: {why}; try another seed")
+    one = found.drives[0]
+    played = as_cast(one.episode, {})
+    episode = played.episode
+    begins = (f"told from {played.begin:.1f} s on, while everybody told of is there",) if played.cut else ()
+    return Story(
+        what=str(what),
+        scene=one.episode.scene_id,
+        seconds=round(episode.duration, 3),
+        ending=episode.ending.value,
+        notes=(*found.notes, *begins, *one.unplayed),
+        told=told_of(episode, one.route, played.begin),
+        _episode=episode,
+        _drawing=found.drawing,
+        _begin=played.begin,
+    )
+
+
+def told_of(episode: Episode, route: Route, begin: float = 0.0) -> tuple[Told, ...]:
+    """What happened in a drive, in order of time.
+
+    Args:
+        episode: The drive.
+        route: The ego's.
+        begin: When it begins [s], of one of which only a part is told.
+    """
+    contact = episode.collision.step if episode.collision is not None else None
+    ego, others = episode.ego_track, _nearest(episode)
+    own = watch(episode, route, ego, contact)
+    way = f"{_pace(ego)}; its way is {route.maneuver.value}"
+    lines = [Told(at=0.0, who="the ego", what=way), *(_first(track, episode, route) for track in others)]
+    lines += [*_paces("the ego", own), *_leaves(own)]
+    for track in others:
+        if track.role is not Role.OCCLUDER:
+            seen, who = watch(episode, route, track, contact), _name(track, episode.kinds)
+            lines += [*_deeds(who, _may(track), seen), *_paces(who, seen)]
+    lines += [_event(event, episode) for event in episode.events]
+    if contact is None and others:
+        lines.append(_nearest_gap(episode, others))
+    lines.sort(key=lambda one: one.at)
+    return tuple(
+        replace(one, at=round(one.at + begin, 3), until=None if one.until is None else round(one.until + begin, 3))
+        for one in lines
+    )
+
+
+def _nearest(episode: Episode) -> list[Track]:
+    ego = episode.ego_track
+    others = sorted(episode.tracks[1:], key=lambda one: float(np.min(np.hypot(one.x - ego.x, one.y - ego.y))))
+    return others[:NEAREST]
+
+
+def _may(track: Track) -> frozenset[Said]:
+    """What somebody of a kind can do."""
+    kinds = [kind for kind in UserKind if kind.scenic == track.kind]
+    return frozenset(act for act in Said if any(kind.can(act) for kind in kinds))
+
+
+def _name(track: Track, kinds: Mapping[str, str]) -> str:
+    return named(track.actor, track.kind, kinds)
+
+
+def _pace(track: Track) -> str:
+    speed = float(track.speed[0])
+    if abs(speed) < STANDING:
+        return "stands"
+    return f"goes backwards at {in_kmh(-speed)}" if speed < 0.0 else f"goes at {in_kmh(speed)}"
+
+
+def _first(track: Track, episode: Episode, route: Route) -> Told:
+    """Where somebody is at first, as the ego sees it, and how fast."""
+    seen = watch(episode, route, track, 0)
+    along, across = float(seen.along[0]), float(seen.across[0])
+    where = f"{abs(along):.0f} m {'ahead of' if along >= 0.0 else 'behind'} the ego"
+    if abs(across) >= 0.5:
+        where += f" and {abs(across):.1f} m to its {'left' if across > 0.0 else 'right'}"
+    return Told(at=0.0, who=_name(track, episode.kinds), what=f"is {where}, and {_pace(track)}")
+
+
+def _deeds(who: str, may: frozenset[Said], seen: Seen) -> Iterator[Told]:
+    """What somebody else does beside changing speed: each movement across the road once, and what goes with it."""
+    dt, told = seen.dt, list[Act]()
+    for act in (*MOVEMENTS, *BESIDE):
+        for once in ACTS[act](seen) if act in may else ():
+            under_way = once.done is None and act in _NO_MOVEMENT
+            if under_way or (act in MOVEMENTS and any(_overlap(once, other) for other in told)):
+                continue
+            if act in MOVEMENTS:
+                told.append(once)
+            undone = ", and has not done so yet at the end" if once.done is None else ""
+            fast = in_kmh(abs(float(seen.track.speed[once.began])))
+            until = None if once.done is None else once.done * dt
+            yield Told(at=once.began * dt, until=until, who=who, what=f"{act.meaning} ({act}){undone}, at {fast} first")
+
+
+_NO_MOVEMENT = frozenset((Said.SWERVE, Said.DRIFT, *BESIDE))
+"""What is told once it is done: until then it may be anything."""
+
+
+def _overlap(one: Act, other: Act) -> bool:
+    late = 10**9
+    return one.began <= (late if other.done is None else other.done) and other.began <= (
+        late if one.done is None else one.done
+    )
+
+
+def _paces(who: str, seen: Seen) -> Iterator[Told]:
+    """How somebody's speed rises and falls."""
+    speed, dt = np.abs(seen.track.speed), seen.dt
+    for first, last in _legs(speed):
+        seen_in = (act for act in PACES if any(first <= once.began <= last for once in ACTS[act](seen)))
+        act = next(seen_in, Said.ACCELERATE if speed[last] > speed[first] else Said.SLOW_DOWN)
+        hardest = float(np.abs(np.diff(speed[first : last + 1])).max()) / dt
+        ends = " and stands" if speed[last] < STANDING else ""
+        fast = f"from {in_kmh(float(speed[first]))} to {in_kmh(float(speed[last]))}{ends}"
+        what = f"{act.meaning} ({act}), {fast}, with up to {hardest:.1f} m/s²"
+        yield Told(at=first * dt, until=last * dt, who=who, what=what)
+
+
+def _legs(speed: Array) -> Iterator[tuple[int, int]]:
+    """The first and the last step of each rise and fall of a speed; shivers are none."""
+    turns, way, least, most = [0], 0, 0, 0
+    for step in range(1, len(speed)):
+        least = step if speed[step] < speed[least] else least
+        most = step if speed[step] > speed[most] else most
+        rises = way <= 0 and speed[step] - speed[least] >= CHANGED
+        falls = way >= 0 and speed[most] - speed[step] >= CHANGED
+        if rises or falls:
+            turns.append(least if rises else most)
+            way, least, most = 1 if rises else -1, step, step
+    turns.append(most if way > 0 else least)
+    for before, after in pairwise(turns):
+        level = np.abs(speed[before : after + 1] - np.array([[speed[before]], [speed[after]]])) < LEVEL
+        if after > before and abs(speed[after] - speed[before]) >= CHANGED:
+            yield before + int(np.argmin(level[0])) - 1, before + int(np.argmax(level[1]))
+
+
+def _leaves(seen: Seen) -> Iterator[Told]:
+    """When the ego is off its way, and how far at most."""
+    aside = np.abs(seen.offset)
+    for first, end in runs(aside > LEFT):
+        peak = first + int(np.argmax(aside[first:end]))
+        side = "left" if seen.offset[peak] > 0.0 else "right"
+        what = f"is off its way, by up to {aside[peak]:.1f} m to the {side}"
+        yield Told(at=first * seen.dt, until=(end - 1) * seen.dt, who="the ego", what=what)
+
+
+def _event(event: Event, episode: Episode) -> Told:
+    at = event.step * episode.dt
+    if event.kind is not EventKind.COLLISION:
+        other = f" ({event.other})" if event.other else ""
+        return Told(at=at, who="", what=f"the ego's {event.kind}{other}")
+    other = next((one for one in episode.tracks if one.actor == event.other), episode.ego_track)
+    mine, theirs = "the ego", _name(other, episode.kinds)
+    first = event is episode.collision
+    who = fault(episode) if first else None
+    striker, struck = (theirs, mine) if who is not None and not who.by_ego else (mine, theirs)
+    before = max(event.step - 1, 0)
+    fast = f"the ego at {in_kmh(abs(float(episode.ego_track.speed[before])))}, the other at "
+    fast += f"{in_kmh(abs(float(other.speed[before])))}, closing at {in_kmh(event.impact_speed)}"
+    parts = [f"the ego's {event.side}"] if event.side else []
+    parts += [f"the other's {part}"] if (part := part_struck(other, episode.ego_track, event)) else []
+    where = f" ({', '.join(parts)})" if parts else ""
+    return Told(at=at, who="", what=f"COLLISION: {striker} runs into {struck}{where}; {fast}")
+
+
+def _nearest_gap(episode: Episode, others: Sequence[Track]) -> Told:
+    """When the ego is nearest to whom, where nobody touches it."""
+    ego = episode.ego_track
+    apart = {track.actor: gaps(ego, track) for track in others}
+    nearest = min(others, key=lambda track: float(apart[track.actor].min()))
+    step = int(apart[nearest.actor].argmin())
+    soon = happened(episode)
+    seconds = "" if soon.seconds is None else f"; the least gap in time to an adversary is {soon.seconds:.1f} s"
+    gap = f"{float(apart[nearest.actor][step]):.1f} m"
+    fast = f"the ego at {in_kmh(abs(float(ego.speed[step])))}"
+    what = f"nearest: {gap} between the ego and {_name(nearest, episode.kinds)}, {fast}{seconds}"
+    return Told(at=step * episode.dt, who="", what=what)

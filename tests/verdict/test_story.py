@@ -1,0 +1,77 @@
+"""What happened in a drive is told in order, with times and speeds, whoever made it."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import chatscene
+from chatscene.commands.main import main
+from chatscene.errors import SettingsError
+
+PNG = b"\x89PNG\r\n\x1a\n"
+
+
+@pytest.fixture
+def drive(tmp_path: Path) -> Path:
+    """An ego at 10 m/s that brakes from 2 s to 4 s, down to 4 m/s, and a walker who crosses from its right at 1.5 s."""
+    rows, x = ["time,id,kind,x,y,heading,speed,ego"], 0.0
+    for step in range(100):
+        now = step / 10
+        speed = 10.0 - 3.0 * min(max(now - 2.0, 0.0), 2.0)
+        y = -6.0 + 1.5 * max(0.0, now - 1.5)
+        rows.append(f"{now},car1,car,{x},0,0,{speed},1")
+        rows.append(f"{now},walker,pedestrian,60,{y},{math.pi / 2},{1.5 if now > 1.5 else 0},0")
+        x += speed / 10
+    path = tmp_path / "drive.csv"
+    path.write_text("\n".join(rows))
+    return path
+
+
+def test_who_does_what_when_and_how_fast_is_told_in_order(drive: Path) -> None:
+    told = chatscene.story(drive)
+    lines = [str(one) for one in told.told]
+    assert [one.at for one in told.told] == sorted(one.at for one in told.told)
+    assert any("the ego goes at 36 km/h" in line for line in lines)
+    assert any("60 m ahead of the ego and 6.0 m to its right, and stands" in line for line in lines)
+    (brakes,) = [one for one in told.told if one.who == "the ego" and "from 36 km/h to 14 km/h" in one.what]
+    assert (brakes.at, brakes.until) == (pytest.approx(2.0, abs=0.21), pytest.approx(4.0, abs=0.21))
+    (crosses,) = [one for one in told.told if "(cross)" in one.what]
+    assert crosses.at == pytest.approx(1.6, abs=0.21)
+    assert any("nearest" in line for line in lines)
+
+
+def test_a_moment_is_a_picture_and_one_after_the_end_is_refused(drive: Path) -> None:
+    told = chatscene.story(drive)
+    assert told.picture().startswith(PNG)
+    assert told.picture(4.0).startswith(PNG)
+    for never in (-1.0, 99.0, math.nan):
+        with pytest.raises(SettingsError, match=r"the drive is from 0\.0 to"):
+            told.picture(never)
+
+
+def test_the_command_says_it_and_writes_the_picture(drive: Path, tmp_path: Path) -> None:
+    picture = tmp_path / "moment.png"
+    said = CliRunner().invoke(main, ["story", str(drive), "--picture", str(picture), "--at", "3"])
+    assert said.exit_code == 0, said.output
+    assert "the ego goes at 36 km/h" in said.output
+    assert picture.read_bytes().startswith(PNG)
+    as_json = json.loads(CliRunner().invoke(main, ["story", str(drive), "--json"]).output)
+    assert as_json["told"][0]["at"] == 0.0
+    assert CliRunner().invoke(main, ["story", str(drive), "--at", "3"]).exit_code == 2
+
+
+def test_a_collision_is_told_with_who_ran_into_whom(tmp_path: Path) -> None:
+    rows = ["time,id,kind,x,y,heading,speed,ego"]
+    for step in range(60):
+        now = step / 10
+        rows += [f"{now},car1,car,{10 * now},0,0,10,1", f"{now},other,car,30,0,0,0,0"]
+    (tmp_path / "crash.csv").write_text("\n".join(rows))
+    told = chatscene.story(tmp_path / "crash.csv")
+    assert told.ending == "collision"
+    assert "the ego runs into the other (car)" in told.told[-1].what
+    assert "closing at 36 km/h" in told.told[-1].what
