@@ -6,9 +6,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from test_building import drive
+from test_building import drive, simulator
 
 from chatscene.build.build import Built, build
+from chatscene.errors import NotBuilt
+from chatscene.program.judge import failures, judge
 from chatscene.situations.form import from_plain
 from chatscene.terms.episode import Episode, Track
 
@@ -87,3 +89,66 @@ def test_somebody_who_goes_on_before_the_ego_is_far_enough_ahead_of_who_comes_in
     assert isinstance(episode, Episode)
     one, other = (next(track for track in episode.tracks if track.actor == name) for name in "AB")
     assert np.hypot(other.x[0] - one.x[0], other.y[0] - one.y[0]) > 1.3 * 50 / 3.6
+
+
+def at_speed(kind: str, where: str, ego: str, own: str, act: str = "cut-in", **said: Any) -> dict[str, Any]:
+    """Somebody who comes in at a speed that was said, before an ego of which one was said."""
+    starts = {"where": where, **({} if where == "on-ramp" else {"side": "left"})}
+    one = {"id": "A", "kind": kind, "starts": starts, "does": [{"act": act, "speed": own, **said}]}
+    return {"ego": {"speed": ego}, "road": {"kind": "motorway"}, "others": [one]}
+
+
+SLOWER = [
+    at_speed("car", "ahead-beside", "110 km/h", "90 km/h"),
+    at_speed("truck", "ahead-beside", "100 km/h", "60 km/h", "lane-change"),
+    at_speed("van", "ahead-beside", "100 km/h", "80 km/h", distance="12 m"),
+    at_speed("motorcycle", "beside", "80 km/h", "60 km/h"),
+    at_speed("car", "beside", "110 km/h", "90 km/h"),
+    at_speed("car", "behind-beside", "110 km/h", "95 km/h", "merge"),
+    at_speed("car", "on-ramp", "110 km/h", "70 km/h", "merge"),
+]
+
+
+@pytest.mark.parametrize("facts", SLOWER)
+def test_who_comes_in_slower_than_the_ego_is_before_it_until_it_is_in_its_lane(facts: dict[str, Any]) -> None:
+    said = from_plain(facts)
+    built = build(said)
+    for seed in (1, 2):
+        episode = drive(built, seed=seed)
+        assert isinstance(episode, Episode), episode
+        route = simulator(built.map, "native").route(built.program, 0)
+        assert failures(judge(said, episode, route), met=False) == ()
+
+
+@pytest.mark.parametrize(
+    ("facts", "told"),
+    [
+        (at_speed("truck", "beside", "110 km/h", "90 km/h"), "which holds 90 km/h, does not get before an ego at 110"),
+        (
+            {
+                "ego": {"speed": "80 km/h"},
+                "others": [
+                    {
+                        "id": "A",
+                        "kind": "car",
+                        "starts": {"where": "beside", "side": "left", "speed": "60 km/h"},
+                        "does": [{"act": "lane-change"}],
+                    }
+                ],
+            },
+            "a car at 60 km/h does not get before an ego at 80 km/h from beside; say ahead-beside, or a slower ego",
+        ),
+    ],
+)
+def test_who_can_never_be_before_the_ego_is_refused_with_what_can(facts: dict[str, Any], told: str) -> None:
+    with pytest.raises(NotBuilt, match=told):
+        build(from_plain(facts))
+
+
+def test_a_truck_on_whom_a_fast_ego_closes_in_leaves_the_gap_that_was_said() -> None:
+    does = [{"act": "cut-in", "distance": "8 m"}]
+    one = {"id": "A", "kind": "truck", "starts": {"where": "ahead-beside", "side": "left"}, "does": does}
+    built = build(from_plain({"ego": {"speed": "110 km/h"}, "road": {"kind": "motorway"}, "others": [one]}))
+    room, closing = room_over_the_line(built, 1)
+    assert 6.0 < room < 11.0
+    assert closing > 0.0

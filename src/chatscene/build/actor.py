@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from chatscene.build.alongside import set_pace
 from chatscene.build.asked import FROM_A_STAND, Asked, Meets, Stand, between, bolts, goes_slowly, stands_first
 from chatscene.build.coming import Coming
+from chatscene.build.cutting_in import slows_for_it
 from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
 from chatscene.build.flank import set_level
@@ -36,6 +37,7 @@ from chatscene.build.place import (
 )
 from chatscene.build.relations import speed_beside
 from chatscene.build.screening import Screen, from_its_lane, screen_of, stands_at
+from chatscene.build.sideways import COMES_OVER
 from chatscene.build.starts import start_of
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
@@ -51,11 +53,12 @@ HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast
 FASTER = (1.2, 1.5)  # of the speed of the traffic: who is fast in it
 KEEPS_UP = 0.9  # of the speed of the ego that somebody has who is to pass it
 SOME = 3  # of a group whose size was not said
+_KEEPS = AT_ONE_SPEED | COMES_OVER  # what is done at one speed
 _DRIVES = re.compile(r"(?:DrivePath|FollowTraffic)\([^,]+, ([^,()]+)")
 _GOES = re.compile(r"^DrivePath\(([^,]+), ([^,()]+)\)( |$)")
 _GOES_ON_IN_OURS = re.compile(rf"^DrivePath\(({re.escape(OWN)}), ([^,()]+)\)($| for )")
 _CLOSE_BEHIND = re.compile(r"(PaceOnPath\([^,]+, )ego, -\(")
-_KEEPS = re.compile(r"(PaceOnPath\([^,]+, ego, )([^,]+)")
+_KEEPS_PLACE = re.compile(r"(PaceOnPath\([^,]+, ego, )([^,]+)")
 
 
 @dataclass(slots=True)
@@ -230,13 +233,23 @@ class Actor:
             numbers.bind("SPEED", start, self.ego_speed, f"{self.path}.starts.speed")
             check_held(self, numbers.range_of("SPEED")[0], f"{self.path}.starts.speed: {start}")
         for k, deed in enumerate(deeds):
-            if deed.speed is not None and self.one_speed and self.moves_first(k) and deed.act in AT_ONE_SPEED:
-                numbers.bind("SPEED", deed.speed, self.ego_speed, f"{self.path}.does.{k}.speed")
+            if deed.speed is not None and deed.act in _KEEPS:
+                numbers.bind(self.speed_in(k), deed.speed, self.ego_speed, f"{self.path}.does.{k}.speed")
 
     @property
     def one_speed(self) -> bool:
         """Whether one speed at most was said of it, which then is its speed all the time."""
         return sum(deed.speed is not None for deed in self.deeds) + (self.one.starts.speed is not None) <= 1
+
+    def is_its_speed(self, k: int) -> bool:
+        """Whether the speed that was said of its k-th deed is its speed all the time."""
+        return self.one_speed and self.moves_first(k) and not slows_for_it(self, k)
+
+    def speed_in(self, k: int) -> str:
+        """The parameter of the speed that it keeps in its k-th deed, by the last until then of which one was said."""
+        said = (n for n in range(k, -1, -1) if self.deeds[n].speed is not None and self.deeds[n].act in _KEEPS)
+        n = next(said, None)
+        return "SPEED" if n is None or self.is_its_speed(n) else f"SPEED_{n}"
 
     def moves_first(self, k: int) -> bool:
         """Whether a deed is the first in which it goes anywhere."""
@@ -409,7 +422,7 @@ class Actor:
         if not n or self.stand.meets is not Meets.ALONG:
             return phases
         more = f" {self._away} {n * self._apart:g}"
-        return tuple(_KEEPS.sub(rf"\1\2{more}", text) for text in phases)
+        return tuple(_KEEPS_PLACE.sub(rf"\1\2{more}", text) for text in phases)
 
     @property
     def _apart(self) -> float:

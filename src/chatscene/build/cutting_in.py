@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.contact import misses, touches
 from chatscene.build.over_lanes import lane_after
-from chatscene.build.sideways import seconds_over
+from chatscene.build.sideways import COMES_OVER, seconds_over
 from chatscene.build.timing import Body
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
@@ -27,11 +27,13 @@ KEEPS = 0.75  # of the ego's speed, the least of who comes in before it
 WITHIN = 1.0  # [m] of the room that it is to have
 TOP = 40.0  # [m/s] that it wants at most
 PACES = 0.8  # [1/s] by which who keeps a place beside another is faster, for each metre that it lacks
-FARTHEST, _STEP = 240.0, 0.1  # [m] that the ego drives at most while somebody gets before it; [s], followed in such
+FARTHEST = 240.0  # [m] that an ego of which no speed was said drives at most while somebody gets before it
+SLOWER = 1.0  # [m/s] than the ego, from which on the ego comes up to somebody
+_STEP, _LONGEST = 0.1, 60.0  # [s], followed in such and for as long
 AHEAD = 0.8  # of how far the two are apart where they no more are level, that somebody is ahead at most who is beside
 NEAR_BEHIND = 4.0  # [m] that somebody is behind the ego at most who is to get before it
-_COMES_IN = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.ENTER))
-_LEVEL = frozenset((Where.BESIDE, Where.BEHIND_BESIDE, Where.ON_RAMP))
+BESIDE_EGO = frozenset((Where.BESIDE, Where.BEHIND_BESIDE))
+_LEVEL = BESIDE_EGO | {Where.ON_RAMP}
 
 
 def comes_before(actor: Actor, k: int) -> bool:
@@ -43,8 +45,8 @@ def comes_before(actor: Actor, k: int) -> bool:
 def _is_to(situation: Situation, one: Other, k: int) -> bool:
     """The same, as far as what was said tells it."""
     deed = one.does[k]
-    over = deed.act in _COMES_IN and (deed.act is not Act.LANE_CHANGE or lane_after(one, one.does, k) == 0)
-    first = not any(before.act in _COMES_IN | {Act.OVERTAKE, Act.CUT_OUT} for before in one.does[:k])
+    over = deed.act in COMES_OVER and (deed.act is not Act.LANE_CHANGE or lane_after(one, one.does, k) == 0)
+    first = not any(before.act in COMES_OVER | {Act.OVERTAKE, Act.CUT_OUT} for before in one.does[:k])
     meets = one.role is Role.ADVERSARY and done_to(deed) == EGO and situation.ego.route not in CHANGES
     there = one.starts.where in _LEVEL and not stands_first(one)
     return over and first and meets and there and not _strikes_side(situation, one)
@@ -84,19 +86,53 @@ def set_speed(actor: Actor, k: int) -> None:
     """
     if not comes_before(actor, k):
         return
-    too_slow = seconds_to_get_before(actor, k) * actor.ego_speed >= FARTHEST
-    if too_slow and actor.ledger.situation.ego.speed is None and actor.one.starts.where is not Where.ON_RAMP:
-        kmh = 3.6 * Body(actor.limits, actor.walks).fastest
-        raise NotBuilt(
-            f"{actor.path}.does.{k}: a {actor.one.kind}, which holds {kmh:.0f} km/h, does not get before an ego"
-            f" at {3.6 * actor.ego_speed:.0f} km/h within {FARTHEST:g} m"
-        )
+    most = _most_road(actor)
+    if seconds_to_get_before(actor, k) * actor.ego_speed >= most and actor.one.starts.where is not Where.ON_RAMP:
+        raise NotBuilt(_is_too_slow(actor, k, most))
     free = actor.deeds[k].speed is None and not actor.numbers.is_said("SPEED")
     if free and k == len(actor.deeds) - 1 and not misses(actor.ledger.situation, actor.one):
         delay, hard = AVOIDED
         slower = 0.5 * (math.sqrt((hard * delay) ** 2 + 2.0 * hard * sum(LEAVES)) - hard * delay)
         ego, most = actor.ego_speed, actor.along_speed
         actor.numbers.narrow("SPEED", min(max(ego - slower, KEEPS * ego), most), most)
+
+
+def _most_road(actor: Actor) -> float:
+    """How far [m] the ego may drive at most until somebody is before it: as the road is long that was looked for."""
+    if actor.ledger.situation.ego.speed is None:
+        return FARTHEST  # a slower one may do
+    return actor.found.route.line.length if actor.found.sought else _LONGEST * actor.ego_speed
+
+
+def _is_too_slow(actor: Actor, k: int, most: float) -> str:
+    """What is told of somebody who does not get before the ego: by its speed or its kind, and what could be said."""
+    begins, ego, seconds = 3.6 * _first_speed(actor), 3.6 * actor.ego_speed, seconds_to_get_before(actor, k)
+    holds = f"a {actor.one.kind}, which holds {3.6 * Body(actor.limits, actor.walks).fastest:.0f} km/h,"
+    who = f"a {actor.one.kind} at {begins:.0f} km/h" if actor.numbers.is_said("SPEED") else holds
+    near = f"; say {Where.AHEAD_BESIDE}, or a slower ego" if actor.one.starts.where in BESIDE_EGO else ""
+    return (
+        f"{actor.path}.does.{k}: {who} does not get before an ego at {ego:.0f} km/h from {actor.one.starts.where}"
+        f"{f' within {most:.0f} m' if seconds < _LONGEST else ''}{near}"
+    )
+
+
+def _first_speed(actor: Actor) -> float:
+    """The speed [m/s] at which somebody goes until it gets before the ego: that which was said, or the ego's."""
+    said = actor.numbers.is_said("SPEED")
+    return min(actor.along_speed, actor.numbers.range_of("SPEED")[0]) if said else actor.along_speed
+
+
+def slows_for_it(actor: Actor, k: int) -> bool:
+    """Whether somebody level with the ego, or behind it, comes in before it at less than the ego's speed.
+
+    It goes with the ego at first, or it would never be before it.
+    """
+    said, start = actor.deeds[k].speed, actor.one.starts
+    if said is None or start.speed is not None or start.where not in BESIDE_EGO:
+        return False
+    return said.high + actor.ego_speed * said.than_ego < actor.ego_speed and _is_to(
+        actor.ledger.situation, actor.one, k
+    )
 
 
 def room_to_avoid(slower: float) -> float:
@@ -120,17 +156,19 @@ def gets_before(actor: Actor, k: int, way: str, room: str) -> str:
         way: The line it goes along.
         room: Between the middles of the two then [m].
     """
-    slower = f"{seconds_over(actor, k)[0]} * max(0, {actor.ego_speed:.4g} - $SPEED)"
+    slower = f"{seconds_over(actor, k)[0]} * max(0, {actor.ego_speed:.4g} - ${actor.speed_in(k)})"
     least = KEEPS * actor.ego_speed
     there = f"abs(headway(egoRoute, ego, self) - ({room} + {slower})) < {WITHIN:g}"
     return f"PaceOnPath({way}, ego, {room} + {slower}, {TOP:g}, {least:.4g}) until {there}"
 
 
 def seconds_to_get_before(actor: Actor, k: int) -> float:
-    """How long [s] it takes at most to be as far ahead of the ego as it must be."""
+    """How long [s] it takes at most to be as far ahead of the ego as it must be; a minute of who never is."""
     body, ego = Body(actor.limits, actor.walks), actor.ego_speed
+    if actor.one.starts.where in BESIDE_EGO and _first_speed(actor) < ego - SLOWER and actor.numbers.is_said("SPEED"):
+        return _LONGEST  # it was said to keep to a speed at which it falls back
     low, high, *_ = actor.numbers.range_of("Y")
-    least = actor.numbers.range_of("SPEED")[0]
+    least = actor.numbers.range_of(actor.speed_in(k))[0]
     middles = 0.5 * (actor.limits.length + actor.ego_limits.length)
     left = (
         middles
@@ -138,8 +176,9 @@ def seconds_to_get_before(actor: Actor, k: int) -> float:
         + seconds_over(actor, k)[1] * max(0.0, ego - least)
         + (high if actor.stand.behind else -low)
     )
-    seconds, speed = 0.0, actor.along_speed
-    while left > WITHIN and seconds * ego < FARTHEST:
+    seconds, speed = 0.0, _first_speed(actor)
+    left += actor.numbers.range_of("STEADY")[1] * (ego - speed)
+    while left > WITHIN and seconds < _LONGEST:
         speed = body.after(speed, min(TOP, ego + PACES * left))
         left, seconds = left - (speed - ego) * _STEP, seconds + _STEP
     return seconds

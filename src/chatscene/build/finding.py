@@ -67,7 +67,8 @@ def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
                 if found := _answered(situation, speed, name, _longer(query, more), sides, lacking, rooms, road):
                     _take(ledger, found)
                     far = min(max(1.0, more), further(speed))
-                    return replace(found, further=found.route.eventAt / BACKED if backs(situation) else far)
+                    far = found.route.eventAt / BACKED if backs(situation) else far
+                    return replace(found, further=far, sought=road > 0.0)
     if rooms:
         raise NotBuilt("; ".join(told.format(most) for told, most in rooms.items()))
     said = "; ".join(dict.fromkeys(lacking))

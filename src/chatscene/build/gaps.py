@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, goes_slowly
 from chatscene.build.contact import misses
-from chatscene.build.cutting_in import comes_before, gets_before, leaves, seconds_to_get_before, set_speed
+from chatscene.build.cutting_in import SLOWER, comes_before, gets_before, leaves, seconds_to_get_before, set_speed
 from chatscene.build.deeds import OWN
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.place import GOES_OVER, NEXT_LANE
@@ -36,7 +36,6 @@ FALLS_BACK = 0.75  # … and the least of that one's speed
 GAP_WITHIN, EASED = 1.0, 1.0  # [m] of a gap that was said; [m/s] faster than whom it passed, who is no faster
 OVER_THE_LINE = 0.75  # [s] after it sets out for a lane that somebody's middle is over the line
 SAME = 1.0  # [m/s] by which two go as fast
-SLOWER = 1.0  # [m/s] than the ego, from which on the ego comes up to somebody
 SEEN_BEFORE = 1.0  # [s] that it is seen to go beside before
 BACKS = 1.5  # [m/s] that somebody backs up at, of whom only the way was said
 
@@ -51,19 +50,17 @@ def falls_back(actor: Actor, k: int) -> bool:
     deed = actor.deeds[k]
     there = actor.one.starts.where in (Where.AHEAD_BESIDE, Where.ON_RAMP)
     ahead = there and all(one.act in GOES_ON for one in actor.deeds[:k])
-    slower = actor.numbers.range_of("SPEED")[1] < actor.ego_speed - SLOWER and (
-        _is_slow(actor) or _cannot_keep_up(actor)
-    )
+    slow = _is_slow(actor, k) or _cannot_keep_up(actor)
+    slower = slow and actor.numbers.range_of(actor.speed_in(k))[1] < actor.ego_speed - SLOWER
     over = deed.act in _OVER | {Act.CUT_IN} and (
         deed.act is not Act.LANE_CHANGE or lane_after(actor.one, actor.deeds, k) == 0
     )
-    free = over and done_to(deed) == EGO and deed.speed is None
-    return free and ahead and slower and not gap_is_said(deed)
+    return over and done_to(deed) == EGO and ahead and slower and not gap_is_said(deed)
 
 
-def _is_slow(actor: Actor) -> bool:
-    """Whether it was said how fast, or that it goes slowly."""
-    return actor.numbers.is_said("SPEED") or goes_slowly(actor.one)
+def _is_slow(actor: Actor, k: int) -> bool:
+    """Whether it was said how fast it does its k-th deed, or that it goes slowly."""
+    return actor.numbers.is_said(actor.speed_in(k)) or goes_slowly(actor.one)
 
 
 def _cannot_keep_up(actor: Actor) -> bool:
@@ -76,7 +73,7 @@ def set_room(actor: Actor) -> None:
     for k in range(len(actor.deeds)):
         set_speed(actor, k)
         if falls_back(actor, k) and actor.one.starts.distance is None and actor.one.starts.where is Where.AHEAD_BESIDE:
-            numbers, closing = actor.numbers, _closing(actor)
+            numbers, closing = actor.numbers, _closing(actor, k)
             seen = closing * (numbers.range_of("STEADY")[1] + SEEN_BEFORE)
             least = _falls_back_to(actor, k) + seen
             _, _, unit, meaning = numbers.range_of("Y")
@@ -86,7 +83,7 @@ def set_room(actor: Actor) -> None:
 def _falls_back_to(actor: Actor, k: int) -> float:
     """How far [m] ahead of the ego somebody is at most when it begins to come over, middle to middle."""
     middles = 0.5 * (actor.ego_limits.length + actor.limits.length)
-    return middles + actor.numbers.range_of(_room(actor, k))[1] + _closing(actor) * seconds_over(actor, k)[1]
+    return middles + actor.numbers.range_of(_room(actor, k))[1] + _closing(actor, k) * seconds_over(actor, k)[1]
 
 
 def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
@@ -107,13 +104,13 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
     from_behind = _from_behind(actor, k) or leaves_room(actor)
     if falls_back(actor, k):
         comes = f"{_MIDDLES}${_room(actor, k)} + max(0, ego.pose[3] - self.pose[3]) * {seconds_over(actor, k)[0]}"
-        yield f"DrivePath({way}, $SPEED) until headway(egoRoute, ego, self) < {comes}"
+        yield f"DrivePath({way}, ${actor.speed_in(k)}) until headway(egoRoute, ego, self) < {comes}"
     elif comes_before(actor, k) and not gap_is_said(deed):
         yield gets_before(actor, k, way, f"{_MIDDLES}${_room(actor, k)}")
     elif gap_is_said(deed) and keeps_its_speed(actor, k):
         ahead = f"{_MIDDLES}${_bound(actor, k)}"
         _start_far_enough(actor, k)
-        yield f"DrivePath({way}, $SPEED) until {_has_room(actor, ahead)}"
+        yield f"DrivePath({way}, ${actor.speed_in(k)}) until {_has_room(actor, k, ahead)}"
     elif gap_is_said(deed):
         ahead = f"{_MIDDLES}${_bound(actor, k)}"
         there = f"abs(headway(egoRoute, ego, self) - ({ahead})) < {GAP_WITHIN:g}"
@@ -133,29 +130,29 @@ def gets_ahead(actor: Actor, k: int, way: str, *, last: bool) -> Iterator[str]:
 
 
 def keeps_its_speed(actor: Actor, k: int) -> bool:
-    """Whether somebody who leaves a room that was said cuts in at a speed that was said, and so waits for its time."""
+    """Whether somebody who leaves a room that was said cuts in at the one speed it may have, and waits for its time."""
     deed = actor.deeds[k]
-    said = actor.numbers.is_said("SPEED") or deed.speed is not None
+    holds = actor.numbers.is_said(actor.speed_in(k)) or _cannot_keep_up(actor)
     free = done_to(deed) == EGO and actor.stand.meets is Meets.ALONG and not actor.stand.rolls
     passed = any(one.act is Act.OVERTAKE for one in actor.deeds[:k])  # and then is no faster than the ego
-    return said and free and not passed and abs(_closing(actor)) > SAME
+    return holds and free and not passed and abs(_closing(actor, k)) > SAME
 
 
-def _closing(actor: Actor) -> float:
-    """By how much [m/s] the ego is faster."""
-    return actor.ego_speed - actor.numbers.middle("SPEED")
+def _closing(actor: Actor, k: int) -> float:
+    """By how much [m/s] the ego is faster than somebody in its k-th deed."""
+    return actor.ego_speed - actor.numbers.middle(actor.speed_in(k))
 
 
-def _has_room(actor: Actor, ahead: str) -> str:
+def _has_room(actor: Actor, k: int, ahead: str) -> str:
     """What shows that the room is right once somebody who sets out for the ego's lane now is over its line."""
     room = f"headway(egoRoute, ego, self) - ({ahead})"
     closes = f"{OVER_THE_LINE:g} * (ego.pose[3] - self.pose[3])"
-    return f"{room} < {closes}" if _closing(actor) > 0.0 else f"{room} > {closes}"
+    return f"{room} < {closes}" if _closing(actor, k) > 0.0 else f"{room} > {closes}"
 
 
 def _start_far_enough(actor: Actor, k: int) -> None:
     """Let somebody on whom the ego closes in begin so far ahead that it has the room when it is due."""
-    numbers, closing = actor.numbers, _closing(actor)
+    numbers, closing = actor.numbers, _closing(actor, k)
     if closing <= 0.0 or actor.one.starts.distance is not None or actor.first is not None or actor.stand.behind:
         return
     soon = closing * (numbers.range_of("STEADY")[1] + OVER_THE_LINE)
@@ -171,7 +168,7 @@ def _room(actor: Actor, k: int) -> str:
     if actor.deeds[k].act is Act.CUT_IN and (actor.deeds[k].manner is Manner.SUDDEN or leaves_room(actor)):
         name = f"AHEAD_{k}"
         actor.numbers.narrow(name, *CLOSE)
-    elif (comes_before(actor, k) and k == len(actor.deeds) - 1) or (falls_back(actor, k) and not _is_slow(actor)):
+    elif (comes_before(actor, k) and k == len(actor.deeds) - 1) or (falls_back(actor, k) and not _is_slow(actor, k)):
         name = f"AHEAD_{k}"
         actor.numbers.measure(name, *leaves(actor), "m", "how much room it leaves before the ego")
     return name
@@ -222,7 +219,7 @@ def _from_behind(actor: Actor, k: int) -> bool:
 def seconds_to_get_ahead(actor: Actor, k: int) -> float:
     """How long [s] it takes somebody who is behind the ego to get before it, if it must."""
     if falls_back(actor, k):  # who comes from a ramp would be level with the ego where that ends
-        return _falls_back_to(actor, k) / _closing(actor) if actor.one.starts.where is Where.ON_RAMP else 0.0
+        return _falls_back_to(actor, k) / _closing(actor, k) if actor.one.starts.where is Where.ON_RAMP else 0.0
     if comes_before(actor, k):
         return seconds_to_get_before(actor, k)
     first = k == 0 and actor.deeds[k].act is not Act.CUT_IN

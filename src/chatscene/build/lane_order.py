@@ -7,14 +7,14 @@ from collections.abc import Iterator, Sequence
 from chatscene.build.actor import Actor
 from chatscene.build.asked import ROOM, Meets, stands_first
 from chatscene.build.paces import SIDEWAYS
+from chatscene.build.sideways import COMES_OVER
 from chatscene.build.towards import done_to, screens
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO
-from chatscene.terms.vocabulary import Act, Role, Where
+from chatscene.terms.vocabulary import Role, Where
 from chatscene.world.places import FOLLOWING_BRAKE
 
 HEADWAY = 1.3  # [s] that somebody is behind another who comes in between that and the ego
-COMES_OVER = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.ENTER))
 GOES_ON = 5.0  # [s] that somebody goes on before it brakes for who stands in its lane
 _AHEAD = frozenset((Where.AHEAD, Where.AHEAD_BESIDE))
 

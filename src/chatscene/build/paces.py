@@ -231,7 +231,7 @@ def _said_speed(actor: Actor, k: int, steps: Steps, body: Body) -> tuple[str, tu
     own = f"{general}_{k}"
     bound = steps.binds.get("speed") == general
     if bound and deed.speed is not None:
-        own = general if general == "SPEED" and actor.one_speed and actor.moves_first(k) else own
+        own = general if general == "SPEED" and actor.is_its_speed(k) else own
         numbers.bind(own, deed.speed, actor.ego_speed, f"{at}.speed")
         low, high, *_ = numbers.ranges[own]
         if steps.pace is Pace.KEEPS:

@@ -47,6 +47,7 @@ class Found:
         route: The first route that the map answers with.
         sides: For each of others whose side was left open, the one that was chosen.
         further: How many times as much road as usual leads up to what happens.
+        sought: Whether the longest road was looked for, up to that which is needed.
     """
 
     map: str
@@ -54,6 +55,7 @@ class Found:
     route: Route
     sides: dict[str, Side]
     further: float = 1.0
+    sought: bool = False
 
 
 def at_junction(situation: Situation) -> bool:

@@ -27,9 +27,8 @@ CLEARS = 2.4  # [s] that who takes so long needs more than who turns at once, un
 """[s]: drivers take 4.6 s in the mean (T. Toledo and D. Zohar, "Modeling duration of lane changes", 2007)."""
 OVER_LINE, ALONG_LINE = 1.0, 5.0  # [s], [m] at least from when somebody turns the wheel until it crosses the line
 _CHANGES = frozenset((Act.LANE_CHANGE, Act.CUT_OUT))
-_COMES_OVER = frozenset(
-    (Act.LANE_CHANGE, Act.CUT_IN, Act.MERGE, Act.ENTER)
-)  # who gets out of a lane does so before what stands in it
+COMES_OVER = frozenset((Act.LANE_CHANGE, Act.CUT_IN, Act.MERGE, Act.ENTER))
+"""How somebody comes over to another lane; who gets out of a lane does so before what stands in it."""
 
 
 def takes_long(actor: Actor, k: int, steps: Steps) -> Steps:
@@ -84,9 +83,9 @@ def seconds_over(actor: Actor, k: int) -> tuple[str, float]:
 def over_at_speed(actor: Actor, k: int) -> bool:
     """Whether somebody comes over to another lane at a speed at which tyres ask for more time than a wheel takes."""
     deed = actor.deeds[k]
-    once = sum(one.act in _COMES_OVER for one in actor.deeds) == 1
+    once = sum(one.act in COMES_OVER for one in actor.deeds) == 1
     free = deed.distance is None and deed.lateral is None and deed.manner is not Manner.SUDDEN
-    return deed.act in _COMES_OVER and once and free and actor.numbers.middle("SPEED") > FROM
+    return deed.act in COMES_OVER and once and free and actor.numbers.middle("SPEED") > FROM
 
 
 def _over(actor: Actor, k: int, steps: Steps, line: str, takes: tuple[float, float], path: str = "") -> Steps:

@@ -28,7 +28,7 @@ from chatscene.build.place import (
     is_marked,
     lane_beside,
 )
-from chatscene.build.relations import falls_behind, said_speed, slows_on_its_way, speed_of
+from chatscene.build.relations import falls_behind, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
@@ -440,7 +440,8 @@ def _median(asked: Asked) -> Stand:
 def _on_ramp(asked: Asked) -> Stand:
     asked.reach(-2, 8)
     ego = asked.ego.speed
-    goes = min(said_speed(asked.one, ego) or ego, Body(asked.numbers.row.limits, asked.walks).fastest)
+    said = asked.numbers.range_of("SPEED")[1] if asked.numbers.is_said("SPEED") else ego
+    goes = min(said, Body(asked.numbers.row.limits, asked.walks).fastest)
     lead = max(0.0, 1.0 - goes / ego)  # who is slower than the ego has so much of a start that both are level then
     return Stand(
         meets=Meets.ALONG,
