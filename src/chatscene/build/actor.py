@@ -217,7 +217,9 @@ class Actor:
             numbers.narrow(
                 "FAST", *(min(max(*ends), top) for ends in ((low, FASTER[0] * ego), (high, FASTER[1] * ego)))
             )
-            numbers.narrow("SPEED", *(min(speed, Body(self.limits, self.walks).fastest) for speed in beside))
+            body = Body(self.limits, self.walks)
+            holds = (min(speed, body.fastest) for speed in beside)
+            numbers.narrow("SPEED", *(holds if self.one.kind.row.body.row.motorised else map(body.wish_for, holds)))
         if any(deed.breaks is Breach.RED_LIGHT for deed in deeds):  # who does not slow down for it, but is in a hurry
             fast = self.one.kind.row.body.row.fast
             numbers.narrow("SPEED", *(min(share * fast, top) for share in HURRIES))

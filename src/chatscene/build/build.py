@@ -23,7 +23,7 @@ from chatscene.build.passing import come_after_who_passes
 from chatscene.build.place import Found, along_the_road, wrong_way
 from chatscene.build.possible import OFF_ROAD, impossible
 from chatscene.build.rails import over_rails
-from chatscene.build.relations import check_passed_by_ego
+from chatscene.build.relations import check_kept_up, check_passed_by_ego
 from chatscene.build.roadside import beside_road
 from chatscene.build.screening import from_its_lane
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, room_kept, screens
@@ -162,6 +162,7 @@ def _cast_there(
     ledger = replace(read, built=set(read.built), assumed=list(read.assumed))
     ego = ego_of(ledger, found, speed)
     check_passed_by_ego(ledger.situation, ego.coming.speed)
+    check_kept_up(ledger.situation, ego.coming.speed)
     everybody = _everybody(ledger, found, ego)
     for actor, _ in everybody:
         if actor.one.role is Role.ADVERSARY:

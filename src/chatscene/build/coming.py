@@ -7,7 +7,7 @@ from bisect import bisect_right
 from dataclasses import dataclass, replace
 
 from chatscene.build.numbers import MOST
-from chatscene.build.relations import speed_of_traffic
+from chatscene.build.relations import speed_kept_up, speed_of_traffic
 from chatscene.build.usual import speed_of_road
 from chatscene.terms.backing import backs
 from chatscene.terms.order import Order
@@ -85,6 +85,7 @@ def wanted_by(situation: Situation) -> float:
     if said is None:
         return min(
             max(usual_speed(body, speed_of_road(situation)), speed_of_traffic(situation)),
+            speed_kept_up(situation),
             MOST * body.row.limits.top_speed,
         )
     return said.high if said.high < float("inf") else said.low

@@ -279,6 +279,8 @@ def set_passing_speed(actor: Actor, k: int) -> None:
     whom = done_to(deed)
     passed = speed_of(actor.ledger.situation, whom, actor.ego_speed)
     least, most = passed + PASSES, MOST * actor.limits.top_speed
+    if not actor.one.kind.row.body.row.motorised:
+        most = min(most, Body(actor.limits, actor.walks).fastest)
     low, high = (passed + gain for gain in (GAINS if actor.stand.meets is Meets.ALONG else GAINS_AGAINST))
     if deed.speed is not None:
         numbers.bind(name, deed.speed, actor.ego_speed, f"{actor.path}.does.{k}.speed")

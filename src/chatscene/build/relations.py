@@ -7,14 +7,16 @@ chosen about them.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from enum import Enum
 
 from chatscene.build.contact import is_held_up, strikes_from_behind
 from chatscene.build.place import NEXT_LANE
-from chatscene.build.timing import Body
+from chatscene.build.timing import HELD, Body
 from chatscene.errors import NotBuilt
 from chatscene.maps.routes import PASSING, SWING
+from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Speed
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.situation import EGO, Deed, Other, Situation
@@ -47,7 +49,7 @@ class Relation(Enum):
 def relation_of(situation: Situation, one: Other) -> Relation | None:
     """How fast somebody is beside the ego who goes along or against its way; None for others."""
     where, acts = one.starts.where, [deed.act for deed in one.does]
-    if where not in ALONG | AGAINST or not one.kind.row.body.row.motorised:
+    if where not in ALONG | AGAINST or not (one.kind.row.body.row.motorised or goes_with(one)):
         return None
     only_goes = one.role is Role.ADVERSARY and all(act.row.lasting and act not in _WITH for act in acts)
     followed = any(deed.act is Act.FOLLOW for deed in situation.ego.does)
@@ -61,6 +63,22 @@ def relation_of(situation: Situation, one: Other) -> Relation | None:
         (Relation.HAS_PASSED, bool(acts) and acts[-1] is Act.OVERTAKE and one.does[-1].whom in (None, EGO)),
     )
     return next((relation for relation, holds in rows if holds), Relation.WITH)
+
+
+def goes_with(one: Other) -> bool:
+    """Whether somebody who drives is to keep to the ego: to follow it, close or not, or to stay level with it."""
+    keeps = any(deed.act in _WITH and deed.whom in (None, EGO) for deed in one.does)
+    return keeps and one.starts.where in ALONG and one.kind.moves is not Moves.WALKS
+
+
+def _holds(one: Other) -> float:
+    """The most [m/s] that somebody who drives holds."""
+    return Body(one.kind.row.body.row.limits, walks=False).fastest
+
+
+def speed_kept_up(situation: Situation) -> float:
+    """The most [m/s] that all hold who are to keep to the ego."""
+    return min((_holds(one) for one in situation.others if goes_with(one)), default=math.inf)
 
 
 def slows_on_its_way(situation: Situation) -> bool:
@@ -157,6 +175,23 @@ def falls_behind(one: Other, ego: float) -> float:
         return 0.0
     most = Body(row.limits, walks=False).fastest
     return max(0.0, ego - min(most, said_speed(one, ego) or most))
+
+
+def check_kept_up(situation: Situation, ego: float) -> None:
+    """Refuse an ego that drives on faster than somebody holds who is to keep to it.
+
+    Raises:
+        NotBuilt: By what was said it does.
+    """
+    if situation.ego.does:  # by which it may be slower
+        return
+    for one in situation.others:
+        if goes_with(one) and (most := _holds(one)) < HELD * ego:
+            k = next(k for k, deed in enumerate(one.does) if deed.act in _WITH)
+            raise NotBuilt(
+                f"others.{one.id}.does.{k}.act: {one.does[k].act}: a {one.kind}, which holds {3.6 * most:.0f} km/h, is"
+                f" left behind by an ego at {3.6 * ego:.0f} km/h; say an ego at {3.6 * most:.0f} km/h at most"
+            )
 
 
 def check_passed_by_ego(situation: Situation, ego: float) -> None:
