@@ -7,13 +7,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from chatscene.build.alongside import set_pace
-from chatscene.build.asked import FROM_A_STAND, Asked, Meets, Stand, between, bolts, goes_slowly, stands_first
+from chatscene.build.asked import FROM_A_STAND, SOME, Asked, Meets, Stand, between, bolts, goes_slowly, stands_first
 from chatscene.build.coming import Coming
 from chatscene.build.cutting_in import slows_for_it
 from chatscene.build.deeds import OWN
 from chatscene.build.facing import said_anyway
 from chatscene.build.flank import set_level
 from chatscene.build.gaps import set_room
+from chatscene.build.heeding import heeds
 from chatscene.build.hiding import place_hiding
 from chatscene.build.lateral import placed
 from chatscene.build.ledger import Ledger
@@ -52,7 +53,6 @@ from chatscene.world.places import lanes_beside, ownLane
 HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast
 FASTER = (1.2, 1.5)  # of the speed of the traffic: who is fast in it
 KEEPS_UP = 0.9  # of the speed of the ego that somebody has who is to pass it
-SOME = 3  # of a group whose size was not said
 _KEEPS = AT_ONE_SPEED | COMES_OVER  # what is done at one speed
 _DRIVES = re.compile(r"(?:DrivePath|FollowTraffic)\([^,]+, ([^,()]+)")
 _GOES = re.compile(r"^DrivePath\(([^,]+), ([^,()]+)\)( |$)")
@@ -275,6 +275,7 @@ class Actor:
                 self._texts = (*self._texts[:heedless], *careful)
             elif self._comes_behind_another:
                 self._texts = tuple(_GOES_ON_IN_OURS.sub(r"FollowTraffic(\1, \2)\3", text) for text in self._texts)
+            self._texts = heeds(self, self._texts)
             if self.first is not None and self.stand.behind and self.first.stand.behind:
                 ahead = rf"\1{name_of(self.first.one.id)}, -("
                 self._texts = tuple(_CLOSE_BEHIND.sub(ahead, text) for text in self._texts)
@@ -287,7 +288,8 @@ class Actor:
         queues = self.one.starts.where is Where.AHEAD and ahead > 1
         comes_in = ahead > 0 and any(deed.act is Act.CUT_IN for deed in self.deeds)
         follows = self.one.role is Role.SUPPORTING or queues or comes_in
-        return self.stand.meets is Meets.ALONG and not self.walks and follows
+        against = self.stand.meets is Meets.TOWARD and self.one.role is Role.SUPPORTING
+        return (against or (self.stand.meets is Meets.ALONG and follows)) and not self.walks
 
     def _leaves_before_who_stands(self) -> int:
         """In how many of its phases it is not careful, since it is about to leave the lane in which somebody stands."""

@@ -11,7 +11,7 @@ from chatscene.build.chain import in_terms_of
 from chatscene.build.coming import Coming
 from chatscene.build.deeds import GO
 from chatscene.build.numbers import MOST, Numbers
-from chatscene.build.place import Found, arm_of, at_roundabout, from_left, ring_arms, room_against, way_of
+from chatscene.build.place import AT_JUNCTION, Found, arm_of, at_roundabout, from_left, ring_arms, room_against, way_of
 from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import MEETING, CrossingPath, conflicting_paths, passing_path
@@ -92,7 +92,9 @@ def roundabout(asked: Asked) -> Stand:
 def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> Stand:
     """On a way that meets the ego's: driving from the first, so far back that it is there in time, else waiting."""
     nose = 0.5 * asked.one.kind.row.body.row.limits.length
-    near, far = (nose + AT_LINE[0], nose + AT_LINE[1]) if asked.stands else (10, 25)
+    crossed = any(one.starts.where is Where.EXIT_CROSSING for one in asked.situation.others)
+    line = nose + (AT_JUNCTION[1] if crossed else 0.0)  # before the crosswalk that somebody crosses
+    near, far = (line + AT_LINE[0], line + AT_LINE[1]) if asked.stands else (10, 25)
     asked.reach(near, far, "how far before the junction it is")
     stand = Stand(
         meets=Meets.THROUGH,

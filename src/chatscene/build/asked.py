@@ -19,6 +19,7 @@ from chatscene.terms.vocabulary import NOSE_TO_TAIL, Act, Manner, UserKind, Wher
 
 ANIMALS = frozenset((UserKind.ANIMAL, UserKind.DEER, UserKind.DOG))
 ROOM = 3.0  # [m] between who stand in a row
+SOME = 3  # of a group whose size was not said
 APART = 1.0  # [s] between who drive in a row, from nose to tail
 NEAREST = 3.0  # [m] between who begin one behind the other
 

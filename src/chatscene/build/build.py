@@ -5,9 +5,9 @@ from __future__ import annotations
 import textwrap
 from dataclasses import dataclass, replace
 
-from chatscene.build.actor import SOME, Actor
+from chatscene.build.actor import Actor
 from chatscene.build.anchors import anchor_of
-from chatscene.build.asked import Meets, between, stands_first
+from chatscene.build.asked import ROOM, SOME, Meets, between, stands_first
 from chatscene.build.awaiting import in_phases, met_by
 from chatscene.build.backing import check_met
 from chatscene.build.bays import out_of_bay
@@ -16,10 +16,10 @@ from chatscene.build.contact import at_a_corner, parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of, ordered
 from chatscene.build.finding import find, started
 from chatscene.build.keeping import as_kept, take_kept
-from chatscene.build.lane_order import check_hidden, set_in_order
+from chatscene.build.lane_order import check_hidden, leaves_row, set_in_order
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
-from chatscene.build.passing import come_after_who_passes
+from chatscene.build.passing import come_after_who_passes, come_by_before_who_crosses, stand_beyond_who_passes
 from chatscene.build.place import Found, along_the_road, wrong_way
 from chatscene.build.possible import OFF_ROAD, impossible
 from chatscene.build.rails import over_rails
@@ -29,6 +29,7 @@ from chatscene.build.screening import from_its_lane
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, room_kept, screens
 from chatscene.errors import MapError, NotBuilt
 from chatscene.situations.faults import dotted
+from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import as_it_backs, backs
 from chatscene.terms.rolling import as_it_rolls
 from chatscene.terms.scene import ScenicProgram
@@ -171,6 +172,8 @@ def _cast_there(
     for actor, _ in everybody:
         actor.soon = soon if actor.one.role is Role.SUPPORTING else None
     come_after_who_passes([actor for actor, _ in everybody])
+    come_by_before_who_crosses([actor for actor, _ in everybody])
+    stand_beyond_who_passes([actor for actor, _ in everybody])
     lines = [line for actor, hidden in everybody for line in (*actor.code(hidden), "")]
     body = "\n".join((*lines, *beside_road(ledger, [actor for actor, _ in everybody])))
     check_hidden([actor for actor, _ in everybody])
@@ -205,6 +208,8 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         if before := first is not None and _is_by_before(one, first.one, ego):
             ahead[place] = ahead.get(place, 0.0) + (one.count or SOME) * apart
             room = -ahead[place]
+        if first is not None and first.stand.meets is Meets.ACROSS and one.kind.moves is not Moves.WALKS:
+            room += 0.5 * one.kind.row.body.row.limits.length + ROOM  # beyond who goes over the road there
         if (anchor := anchors.get(one.id)) is not None and anchor[0].id in built:
             first, room = built[anchor[0].id], built[anchor[0].id].room + anchor[1]
             first = first.first or first
@@ -220,6 +225,7 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         if hidden is None and anchors.get(one.id) is None and not before:
             abreast = 1.5 if one.hidden_by is not None else 2.5  # from the same gap
             long = abreast if actor.stand.meets is Meets.ACROSS else actor.count * apart
+            long += leaves_row(actor)
             rows[place], latest[place] = (first or actor, room + long), (one, room)
         order.append((actor, built[hidden] if hidden is not None else None))
     set_in_order([actor for actor, _ in order])

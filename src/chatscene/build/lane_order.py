@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
 from chatscene.build.actor import Actor
 from chatscene.build.asked import ROOM, Meets, stands_first
+from chatscene.build.local import WIDER
 from chatscene.build.paces import SIDEWAYS
 from chatscene.build.sideways import COMES_OVER
 from chatscene.build.towards import done_to, screens
@@ -85,6 +87,15 @@ def _comes_between(actor: Actor) -> bool:
     """Whether somebody comes over from beside the ego, in between it and who drives before it."""
     over = any(deed.act in COMES_OVER and done_to(deed) == EGO for deed in actor.deeds)
     return over and actor.one.starts.where is Where.AHEAD_BESIDE
+
+
+def leaves_row(actor: Actor) -> float:
+    """How much more room [m] somebody needs before it who comes out of a row of others from a stand: to turn out."""
+    limits, along = actor.limits, actor.stand.meets is Meets.ALONG
+    if not (along and limits.wheelbase and stands_first(actor.one)) or _stays(actor):
+        return 0.0
+    radius = WIDER * limits.wheelbase / math.tan(limits.wheel_angle)
+    return math.sqrt(2.0 * radius * limits.width)
 
 
 def behind_leaders(actors: Sequence[Actor]) -> Iterator[tuple[Actor, Actor]]:

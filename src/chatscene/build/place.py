@@ -22,6 +22,7 @@ ONWARD = 100.0  # [m] past the end of a lane, in which somebody goes straight on
 LANE = 3.5  # [m], a lane's width
 CHANGED = 0.9  # of a lane's width aside of its lane, from where on somebody is in the next
 NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
+AT_JUNCTION = (2.7, 5.3)  # [m] from a junction, on a crosswalk of the packaged maps
 AT_CROSSWALKS = frozenset((Where.CROSSING, Where.EXIT_CROSSING))
 ROUNDABOUT_PLACES = frozenset((Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
 WAYS = {Act.TURN_LEFT: Maneuver.LEFT_TURN, Act.TURN_RIGHT: Maneuver.RIGHT_TURN}

@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from chatscene.build.asked import stands_first
 from chatscene.build.deeds import OWN, Steps
 from chatscene.build.place import LANE
 from chatscene.errors import NotBuilt
@@ -85,7 +86,8 @@ def over_at_speed(actor: Actor, k: int) -> bool:
     deed = actor.deeds[k]
     once = sum(one.act in COMES_OVER for one in actor.deeds) == 1
     free = deed.distance is None and deed.lateral is None and deed.manner is not Manner.SUDDEN
-    return deed.act in COMES_OVER and once and free and actor.numbers.middle("SPEED") > FROM
+    slow = stands_first(actor.one) and actor.moves_first(k)  # it turns out from a stand
+    return deed.act in COMES_OVER and once and free and not slow and actor.numbers.middle("SPEED") > FROM
 
 
 def _over(actor: Actor, k: int, steps: Steps, line: str, takes: tuple[float, float], path: str = "") -> Steps:

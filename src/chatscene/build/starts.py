@@ -16,6 +16,7 @@ from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.flank import level_as_said
 from chatscene.build.parts import into_lane
 from chatscene.build.place import (
+    AT_JUNCTION,
     LANE,
     NEXT_LANE,
     at_junction,
@@ -217,7 +218,7 @@ def _next_lane(asked: Asked) -> Stand:
         return replace(stand, facing=faces(asked, f"level{{i}}{asked.more}", Facing.ALONG, asked.side), over=over)
     low, high = _level(asked)
     asked.reach(low, high, "how far behind the ego it is" if back else "how far ahead of the ego it is")
-    at = f"60 {'-' if back else '+'} $Y{asked.more}"
+    at = f"60 - $Y{asked.less}" if back else f"60 + $Y{asked.more}"
     if asked.rides:
         sign = "-" if asked.side == Side.RIGHT else ""
         return Stand(meets=Meets.ALONG, way=f"extended(straightOn(egoRoute), 60).offset({sign}2.3)", at=at, behind=back)
@@ -277,7 +278,6 @@ LEVEL_FOR = 2.0  # [s] after which who cannot be as fast as the ego has fallen b
 POINTED = 3.5, 4.5  # [m] behind the junction, of whom a point of the ego's width meets: there it has come about
 ON_CROSSWALK = (0.7, 3.3)  # [m] from where a crosswalk begins
 ON_RAILS = (0.6, 0.8)  # [m] from where a track begins
-_AT_JUNCTION = (2.7, 5.3)  # [m] from a junction, on a crosswalk of the packaged maps
 
 
 def _oncoming(asked: Asked) -> Stand:
@@ -335,11 +335,11 @@ def _level_of(asked: Asked) -> str:
     if where is Where.EXIT_CROSSING:
         contact = asked.situation.contact
         pointed = contact is not None and contact.at is not None and contact.whom in (None, asked.one.id)
-        anywhere = _AT_JUNCTION if has_crosswalks(asked.found) else (2, 6)
+        anywhere = AT_JUNCTION if has_crosswalks(asked.found) else (2, 6)
         asked.reach(*(POINTED if pointed else anywhere), "how far behind the junction it is")
         return "egoRoute.exitAt + $Y"
     if where is Where.CROSSING and at_junction(asked.situation):
-        asked.reach(*(_AT_JUNCTION if has_crosswalks(asked.found) else (1, 4)), "how far before the junction it is")
+        asked.reach(*(AT_JUNCTION if has_crosswalks(asked.found) else (1, 4)), "how far before the junction it is")
         return "egoRoute.eventAt - $Y"
     if asked.found.query.get("site") == Site.RAIL_CROSSING and not asked.walks:
         asked.reach(*ON_RAILS, "how far beyond the first rail it is")
