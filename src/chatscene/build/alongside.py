@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from chatscene.build.arriving import EARLIEST, LATEST
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.coming import goes_over
 from chatscene.build.contact import misses
@@ -17,6 +18,7 @@ from chatscene.build.gaps import GOES_ON, LOSES
 from chatscene.build.numbers import MOST
 from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.timing import Body
+from chatscene.errors import NotBuilt
 from chatscene.terms.vocabulary import CHANGES, Act, Role, Where
 
 if TYPE_CHECKING:
@@ -58,8 +60,12 @@ def set_pace(actor: Actor) -> None:
     """Let who only goes on beside the ego be where the ego goes over its way when the ego is there.
 
     Else it is far off by then, and nothing comes of it. An ego whose speed was not said slows down for who cannot.
+
+    Raises:
+        NotBuilt: It is not there, at the speed that was said of it.
     """
     situation, numbers = actor.ledger.situation, actor.numbers
+    _check_there(actor)
     if not _must_be_there(actor):
         return
     lengths = actor.limits.length + actor.ego_limits.length
@@ -83,6 +89,34 @@ def set_pace(actor: Actor) -> None:
         low, high, *_ = numbers.range_of("Y")
         numbers.narrow("Y", max(low, numbers.middle("Y") - spare), min(high, numbers.middle("Y") + spare))
     actor.ledger.take(*parts_at_flank(actor))
+
+
+def _check_there(actor: Actor) -> None:
+    """Hold that who goes on beside an ego that turns over its way, at a speed that was said, is there when the ego is.
+
+    Raises:
+        NotBuilt: It is there long before or after.
+    """
+    said, changes = actor.numbers.is_said("SPEED"), actor.ledger.situation.ego.route in CHANGES
+    meets = actor.one.role is Role.ADVERSARY and goes_on_beside(actor)
+    if not (said and meets) or changes or len(actor.deeds) > 1 or actor.ego.late is None:
+        return
+    there, seconds = goes_over(actor.found.route, actor.ego)
+    seconds += actor.ego.late
+    sign = -1.0 if actor.stand.behind else 1.0
+    ahead, (slow, fast) = (
+        sorted(sign * one for one in actor.numbers.range_of("Y")[:2]),
+        actor.numbers.range_of("SPEED")[:2],
+    )
+    soonest, latest = (there - ahead[1]) / fast, (there - ahead[0]) / slow
+    if soonest > seconds + LATEST and actor.ledger.situation.ego.speed is None:  # a slower one is there with it
+        actor.given, actor.needs = seconds, latest
+    elif latest < seconds - EARLIEST or soonest > seconds + LATEST:
+        far = there - 0.5 * (slow + fast) * seconds
+        raise NotBuilt(
+            f"{actor.path}.does.0: at {3.6 * fast:.0f} km/h it is where we turn over its way after {soonest:.1f} s, we"
+            f" are after {seconds:.1f} s; it would have to start {abs(far):.0f} m {'ahead' if far > 0.0 else 'behind'}"
+        )
 
 
 def until_it_comes(actor: Actor) -> Iterator[str]:
