@@ -43,6 +43,7 @@ from chatscene.commands.library import (
     usable_map,
 )
 from chatscene.commands.maps import map_group
+from chatscene.commands.mcp import mcp
 from chatscene.commands.proposal import COMMANDS, describe
 from chatscene.commands.rate import rate
 from chatscene.commands.refusal import REFUSED, complain, going_on, refusing
@@ -769,6 +770,7 @@ main.add_command(edit)
 main.add_command(chat)
 main.add_command(finetune)
 main.add_command(coverage)
+main.add_command(mcp)
 main.add_command(rate)
 main.add_command(reproduce)
 main.add_command(schema)

@@ -1,7 +1,7 @@
 """A process of its own for work: whatever it does, whoever asked goes on, and can end it at any time.
 
 It answers questions, one at a time, as lines of JSON through its pipes, and ends with whoever asked. What it does is in
-`chatscene.view.working`, which is all that it loads.
+a module such as `chatscene.view.working`, which is all that it loads.
 """
 
 from __future__ import annotations
@@ -26,11 +26,12 @@ class Child:
     """A process that can be started again after it ended; one at a time asks it.
 
     Args:
-        setup: What each is told first, in words of JSON: `chatscene.view.working.main` reads it.
+        setup: What each is told first, in words of JSON: `chatscene.view.working.serve` reads it.
+        module: What it does: a module that serves when it is run.
     """
 
-    def __init__(self, setup: Callable[[], Mapping[str, Any]]) -> None:
-        self._setup = setup
+    def __init__(self, setup: Callable[[], Mapping[str, Any]], module: str = "chatscene.view.working") -> None:
+        self._setup, self._module = setup, module
         self._process: subprocess.Popen[bytes] | None = None
 
     def start(self) -> None:
@@ -40,7 +41,7 @@ class Child:
                 return
             self.close()
         # -P: the working folder is no place of modules; a session of its own: it ends with all that it started
-        command = [sys.executable, "-P", "-m", "chatscene.view.working"]
+        command = [sys.executable, "-P", "-m", self._module]
         pipe = subprocess.PIPE
         self._process = subprocess.Popen(command, stdin=pipe, stdout=pipe, start_new_session=True)
         _write(self._process, self._setup())

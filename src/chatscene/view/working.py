@@ -15,12 +15,21 @@ from chatscene.errors import ChatSceneError
 
 Question = Mapping[str, Any]
 Tell = Callable[[Mapping[str, Any]], None]
+Answering = Callable[[Question], Mapping[str, Any]]
 
 
 def main() -> None:
+    """Serve a page of runs."""
+    serve(lambda setup, tell: _talking(setup, tell) if "search" in setup else _looking(setup))
+
+
+def serve(made: Callable[[Question, Tell], Answering]) -> None:
     """Read what to be and then questions, a line of JSON each, from the standard input; answer on the standard output.
 
     Whatever else is printed goes to the standard error output, so that no word of a package is taken for an answer.
+
+    Args:
+        made: Who answers, from what is told first, and what may tell before an answer how far the work is.
     """
     lines: Queue[bytes] = Queue()
     heard = os.fdopen(os.dup(0), "rb")  # not that of sys.stdin, on whose lock an interpreter that ends would wait
@@ -31,8 +40,7 @@ def main() -> None:
         def tell(told: Mapping[str, Any]) -> None:
             answers.write(json.dumps(told).encode() + b"\n")
 
-        setup = json.loads(lines.get())
-        answer = _talking(setup, tell) if "search" in setup else _looking(setup)
+        answer = made(json.loads(lines.get()), tell)
         while True:
             tell({"answer": answer(json.loads(lines.get()))})
 

@@ -1,0 +1,39 @@
+"""The command line, continued: a server for agents."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import click
+
+from chatscene.commands.library import say
+
+
+@click.command()
+@click.argument("folder", metavar="FOLDER", type=click.Path(path_type=Path, file_okay=False))
+@click.option("--http", is_flag=True, help="Serve HTTP on loopback with a token, instead of the standard streams.")
+@click.option("--port", default=0, type=click.IntRange(0, 65535), help="Port on loopback.  [default: a free one]")
+@click.option(
+    "--language-model", default="offline", show_default=True, help="Who reads: openai:MODEL, gguf:FILE, or offline."
+)
+def mcp(folder: Path, http: bool, port: int, language_model: str) -> None:
+    """Serve agents by the Model Context Protocol: they make, drive and judge scenes in FOLDER. Needs the extra 'mcp'.
+
+    Nothing outside FOLDER is read or written for them, and a program of theirs runs in the sandbox. An agent starts
+    this command itself and speaks to it by the standard streams. With --http it is served on loopback, to whoever has
+    the token: the one in CHATSCENE_MCP_TOKEN, or a fresh one, which is printed.
+
+    \b
+    chatscene mcp scenes
+    chatscene mcp scenes --http --port 8765
+    """
+    from chatscene.mcp.transports import TOKEN, serve_http, serve_stdio
+
+    reading = {"language_model": language_model}
+    if port and not http:
+        raise click.UsageError("--port needs --http")
+    if not http:
+        serve_stdio(folder, reading)
+        return
+    serve_http(folder, reading, port, os.environ.get(TOKEN, ""), say)

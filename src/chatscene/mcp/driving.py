@@ -1,0 +1,286 @@
+"""Tools that drive and look: runs, verdicts, stories, causes, rates, coverage, exports."""
+
+from __future__ import annotations
+
+from pathlib import Path as Place
+from typing import Annotated, Any
+
+from pydantic import Field
+
+from chatscene.errors import SettingsError
+from chatscene.mcp.tool import Answer, Desk, Path
+from chatscene.mcp.writing import SITUATIONS, Facts, Sentence, situation_in
+
+Ego = Annotated[
+    str, Field(max_length=60, description="Who drives: planner, idm, hardened, rule-based, sac, ppo or td3.")
+]
+Map = Annotated[str, Field(max_length=500, description="town, outskirts or region, or an .xodr file below the folder.")]
+Seed = Annotated[int, Field(ge=0, le=2**63 - 1, description="Of everything random.")]
+SceneId = Annotated[str, Field(max_length=300, description="The id of a scene, as run and verify tell it.")]
+RunFolder = Annotated[Path, Field(description="The folder of a run.")]
+Picture = Annotated[bool, Field(description="Whether a picture from above comes with the answer.")]
+REPORTS = (".txt", ".md")
+MOST_KEPT = 20  # scenes that a run lists
+
+
+def run(
+    desk: Desk,
+    sentence: Sentence | None = None,
+    file: Annotated[
+        Path, Field(description="Instead of a sentence: a situation (.yaml), program (.scenic) or report (.txt).")
+    ]
+    | None = None,
+    out: Annotated[Path, Field(description="A new folder; one named after the sentence below runs/ if left out.")]
+    | None = None,
+    scenes: Annotated[int, Field(ge=1, le=1000, description="Simulations.")] = 20,
+    ego: Ego | None = None,
+    speed: Annotated[float, Field(ge=1, le=300, description="Of the ego [km/h], where nothing says it.")] | None = None,
+    map: Map | None = None,  # noqa: A002
+    seed: Seed | None = None,
+    avoidable: Annotated[bool, Field(description="Keep only crashes that a careful driver avoids.")] = False,
+    as_written: Annotated[bool, Field(description="Let a program's own ego drive.")] = False,
+    facts: Facts | None = None,
+    reading: Annotated[int, Field(ge=0, le=20, description="Which offered reading is taken.")] = 0,
+) -> str:
+    """Search a sentence, a situation or a program for crash scenes, and keep the ones worth testing on.
+
+    A stranger's program runs in the sandbox. The answer counts what happened and lists the kept scenes by their ids:
+    then call story, why or export with the folder.
+    """
+    from chatscene import api, runs
+
+    if (sentence is None) == (file is None):
+        raise SettingsError("say what to run: a `sentence` or a `file`, and only one of them")
+    source = _source(desk, sentence, file)
+    parent = Place("runs")
+    if out is None:
+        where = desk.folder.free(str(runs.free_folder(parent, sentence or Place(file or "").stem)))
+    else:
+        where = desk.folder.free(out)
+    desk.folder.make_above(where)
+    made = api.run(
+        **source,
+        **({} if file else {"reading": reading or None, **desk.reading}),
+        folder=where,
+        as_written=as_written,
+        map=desk.folder.map(map),
+        ego=desk.folder.ego(ego) or "planner",
+        speed=speed,
+        scenes=scenes,
+        seed=seed,
+        avoidable=avoidable or None,
+        set=facts or None,
+        progress=desk.progress,
+    )
+    kept = [f"  {_outcome(one.row)}  {one.id}" for one in made.kept]
+    more = [f"  and {len(kept) - MOST_KEPT} more"] * (len(kept) > MOST_KEPT)
+    return "\n".join([str(made), "kept scenes:", *kept[:MOST_KEPT], *more, f"next: story {where}, verify {where}"])
+
+
+def verify(
+    desk: Desk,
+    what: Annotated[Path, Field(description="A program (.scenic, .xosc), run folder or recording (.csv, .mcap).")],
+    said: Sentence | None = None,
+    said_file: Annotated[Path, Field(description="Instead: a situation (.yaml) or report (.txt).")] | None = None,
+    draws: Annotated[int, Field(ge=1, le=200, description="Drives that are judged.")] = 10,
+    seed: Seed | None = None,
+    least: Annotated[float, Field(ge=0, le=1, description="Share of the drives that must show a fact.")] | None = None,
+    ego: Ego | None = None,
+    map: Map | None = None,  # noqa: A002
+    ego_id: Annotated[str, Field(max_length=200, description="Whose track of a recording is the ego's.")] | None = None,
+    scene: SceneId | None = None,
+    page: Annotated[Path, Field(description="A new .html file with a picture of the moment of each fact.")]
+    | None = None,
+    facts: Facts | None = None,
+) -> str:
+    """Judge whether a program, a run or a recording shows what was said, fact by fact, from its tracks.
+
+    Of a run, `said` may be left out: it is judged by what it was made of. The answer says of each fact in how many
+    drives it is shown and when, or what is seen instead; what happened that nobody said; whether there was an encounter.
+    Prefer `said_file` with a situation: a sentence can be misread. After a fact that is not shown, call story.
+    """
+    from chatscene import api
+
+    where = seen(desk, what)
+    out = None if page is None else desk.folder.free(page, ".html")
+    if out is not None:
+        desk.folder.make_above(out)
+    verdict = api.verify(
+        where,
+        _said(desk, said, said_file),
+        draws=draws,
+        seed=seed,
+        least=least,
+        ego=desk.folder.ego(ego),
+        map=desk.folder.map(map),
+        ego_id=ego_id,
+        scene=scene,
+        page=out,
+        set=facts or None,
+        **desk.reading,
+    )
+    nexts = f"\nnext: story {where}" * (verdict.status != 0)
+    return f"{verdict}{nexts}"
+
+
+def story(
+    desk: Desk,
+    what: Annotated[Path, Field(description="As with verify.")],
+    scene: SceneId | None = None,
+    seed: Seed | None = None,
+    ego: Ego | None = None,
+    map: Map | None = None,  # noqa: A002
+    ego_id: Annotated[str, Field(max_length=200, description="Whose track of a recording is the ego's.")] | None = None,
+    picture: Picture = False,
+    at: Annotated[float, Field(ge=0, le=10_000, description="Moment of the picture [s].")] | None = None,
+) -> Answer:
+    """Say what happened in one drive, in words, with times and speeds: who was where, who did what, how it ended.
+
+    Nothing is judged. Use it to see why verify says that a fact is not shown.
+    """
+    from chatscene import api
+
+    told = api.story(
+        seen(desk, what),
+        scene=scene,
+        seed=seed,
+        ego=desk.folder.ego(ego),
+        map=desk.folder.map(map),
+        ego_id=ego_id,
+    )
+    return Answer(str(told), told.picture(at) if picture or at is not None else b"")
+
+
+def why(desk: Desk, run: RunFolder, scene: SceneId | None = None) -> str:
+    """Say why a scene of a run crashed: who struck whom, what it took, how the ego would have avoided it.
+
+    The scene is driven again and again; this takes seconds. Without `scene` it is the first that is kept.
+    """
+    from chatscene import api
+
+    return api.why(desk.folder.run(run), scene).in_words()
+
+
+def rate(
+    desk: Desk,
+    run: RunFolder,
+    scenes: Annotated[int, Field(ge=0, le=10_000, description="Scenes to draw in addition to the run's.")] = 200,
+    seed: Seed = 0,
+    exposure: Annotated[Path, Field(description="A .toml file that says how often values occur.")] | None = None,
+) -> str:
+    """Estimate how often the situation of a run ends in a crash, and in an avoidable one, if it comes about."""
+    from chatscene import api
+
+    densities = None if exposure is None else desk.folder.file(exposure, ".toml")
+    found = api.rate(desk.folder.run(run), scenes=scenes, seed=seed, exposure=densities, progress=desk.progress)
+    return found.in_words()
+
+
+def coverage(
+    desk: Desk,
+    catalogue: Annotated[
+        str,
+        Field(max_length=500, description="nhtsa, ncap, r157, iso34502, leaderboard, challenge, or a .toml file."),
+    ],
+    drive: Annotated[bool, Field(description="Whether scenes of each entry are drawn and driven: minutes.")] = False,
+) -> str:
+    """Show which situations of a catalogue of traffic situations can be made, and why the others cannot."""
+    from chatscene.settings import RetrievalSettings, Settings
+    from chatscene.studies import coverage as desk_of
+    from chatscene.studies.catalogue import PACKAGED, load_catalogue
+    from chatscene.terms.coverage import Tally
+
+    name = catalogue if catalogue in PACKAGED else str(desk.folder.file(catalogue, ".toml"))
+    found = [load_catalogue(name)]
+    asked = desk_of.Asked(
+        settings=Settings(retrieval=RetrievalSettings(**desk.reading)), scenes=desk_of.SCENES if drive else 0
+    )
+    rows = desk_of.cover(found, asked, progress=desk.progress)
+    why = (f" ({'; '.join(row.reasons) or row.entry.reason})" * bool(row.reasons or row.entry.reason) for row in rows)
+    lines = [f"{row.answer}: {row.entry.name}{reason}" for row, reason in zip(rows, why, strict=True)]
+    return "\n".join([f"{found[0].title}: {Tally.of(rows).in_words()}", *lines])
+
+
+def export(
+    desk: Desk,
+    run: RunFolder,
+    to: Annotated[
+        str,
+        Field(
+            max_length=60,
+            description="openscenario, openscenario-logical, opendrive, commonroad, osi, csv or scenic.",
+        ),
+    ],
+    out: Annotated[Path, Field(description="A new folder.")],
+    scenes: Annotated[list[SceneId], Field(max_length=100, description="Ids; none for the kept scenes.")] | None = None,
+) -> str:
+    """Write scenes of a run as files that other tools read. Nothing is run."""
+    from chatscene import api
+    from chatscene.errors import no_such
+    from chatscene.exports.exporter import EXPORTERS
+
+    if to not in EXPORTERS.built_in:
+        raise SettingsError(no_such("format", to, EXPORTERS.built_in))
+    where = desk.folder.free(out)
+    desk.folder.make_above(where)
+    return str(api.export(desk.folder.run(run), scenes or (), to=to, out=where))
+
+
+def seen(desk: Desk, what: str) -> Place:
+    """What is to be judged or told, which names nothing outside the folder that would be read with it.
+
+    Raises:
+        SettingsError: It does, or there is none.
+    """
+    path = desk.folder.there(what)
+    if (desk.folder.root / path).is_dir():
+        return desk.folder.run(what)
+    if path.suffix.lower() == ".scenic":
+        check_map(desk, path)
+    if path.suffix.lower() == ".xosc":
+        desk.folder.check_beside(path, ".xodr")
+    return path
+
+
+def check_map(desk: Desk, path: Place) -> None:
+    """Refuse a program whose map lies outside the folder.
+
+    Raises:
+        SettingsError: It does.
+        ForeignCodeRefused: The program cannot be read.
+    """
+    from chatscene.search.generators.foreign import read_foreign
+
+    asked = read_foreign(path, as_written=True, searched_with=False).map_path
+    if asked is not None and asked.exists():
+        desk.folder.map(str(asked))
+
+
+def _source(desk: Desk, sentence: str | None, file: str | None) -> dict[str, Any]:
+    """What is run, as `chatscene.run` takes it."""
+    if sentence is not None:
+        return {"text": sentence}
+    path = desk.folder.file(file or "", *SITUATIONS, ".scenic", *REPORTS)
+    if path.suffix.lower() == ".scenic":
+        check_map(desk, path)
+        return {"program": path}
+    return {"report": path} if path.suffix.lower() in REPORTS else {"text": situation_in(desk, str(path))}
+
+
+def _said(desk: Desk, said: str | None, said_file: str | None) -> Any:
+    """What something is to show, as `chatscene.verify` takes it: never a text that names a file."""
+    if said is not None and said_file is not None:
+        raise SettingsError("say what it is to show in `said` or in `said_file`, and only one of them")
+    if said_file is not None:
+        path = desk.folder.file(said_file, *SITUATIONS, *REPORTS)
+        return path if path.suffix.lower() in REPORTS else situation_in(desk, said_file)
+    if said is not None and said.strip().lower().endswith((*SITUATIONS, *REPORTS)):
+        raise SettingsError(f"{said[:60]!r} names a file; give it in `said_file`")
+    return said
+
+
+def _outcome(row: Any) -> str:
+    from chatscene.report.what_happened import outcome_in_words
+
+    return outcome_in_words(row)
+

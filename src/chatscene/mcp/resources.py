@@ -1,0 +1,154 @@
+"""What an agent may read beside its tools: schema, words, files of the folder, reports of runs, pictures."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from urllib.parse import parse_qs, quote, unquote, urlsplit
+
+from chatscene.errors import SettingsError, no_such
+from chatscene.mcp.driving import REPORTS, seen
+from chatscene.mcp.tool import Desk
+from chatscene.mcp.words import explained, listed
+from chatscene.mcp.writing import SITUATIONS
+
+SCHEME = "chatscene"
+TEXTS = (".scenic", *SITUATIONS, *REPORTS, ".xosc", ".toml", ".csv")
+MOST = 100_000  # characters of a file that are read
+PAGE = 100  # resources that are listed at a time
+
+
+@dataclass(frozen=True, slots=True)
+class Content:
+    """What a resource holds.
+
+    Attributes:
+        kind: Its media type.
+        text: In words; empty of a picture.
+        picture: As PNG.
+    """
+
+    kind: str
+    text: str = ""
+    picture: bytes = b""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Kind:
+    """A row of the table of resources.
+
+    Attributes:
+        says: What it is, for an agent.
+        reads: Its content, from what stands behind its name, and what is asked of it.
+        behind: What stands behind its name, as a template of an address has it; empty for nothing.
+        media: Its media type.
+    """
+
+    says: str
+    reads: Callable[[Desk, str, dict[str, str]], Content]
+    behind: str = ""
+    media: str = "text/plain"
+
+
+def read(desk: Desk, uri: str) -> Content:
+    """What stands at an address.
+
+    Raises:
+        SettingsError: Nothing does.
+        ChatSceneError: It cannot be read or driven.
+    """
+    try:
+        parts = urlsplit(uri)
+        asked = {name: values[-1] for name, values in parse_qs(parts.query, max_num_fields=5).items()}
+    except ValueError as error:
+        raise SettingsError(f"{uri[:100]!r} is no address: {error}; {_ADDRESSES}") from error
+    if parts.scheme != SCHEME or parts.netloc not in KINDS:
+        known = no_such("resource", parts.netloc[:60], KINDS) if parts.scheme == SCHEME else _ADDRESSES
+        raise SettingsError(f"nothing stands at {uri[:100]!r}: {known}")
+    return KINDS[parts.netloc].reads(desk, unquote(parts.path.lstrip("/")), asked)
+
+
+def listed_resources(desk: Desk, begin: int) -> tuple[list[dict[str, str]], int | None]:
+    """Some of the resources there are, and where the next ones begin; None where there are no more."""
+    always = [
+        {"uri": f"{SCHEME}://{name}", "name": name, "says": kind.says, "media": kind.media}
+        for name, kind in KINDS.items()
+        if not kind.behind
+    ]
+    found = [
+        {"uri": f"{SCHEME}://file/{quote(str(path))}", "name": str(path), "says": "A file.", "media": "text/plain"}
+        for path in desk.folder.files(".scenic", ".yaml", ".yml")
+    ]
+    found += [
+        {"uri": f"{SCHEME}://report/{quote(run)}", "name": run, "says": "What a run came to.", "media": "text/plain"}
+        for run in desk.folder.runs()
+    ]
+    every = [*always, *found]
+    end = begin + PAGE
+    return every[begin:end], end if end < len(every) else None
+
+
+_ADDRESSES = f"addresses are such as {SCHEME}://acts, {SCHEME}://file/PATH"
+
+
+def _schema(_desk: Desk, _path: str, _asked: dict[str, str]) -> Content:
+    from chatscene.situations.form import schema
+
+    return Content("application/schema+json", json.dumps(schema(), ensure_ascii=False))
+
+
+def _words(about: str) -> Callable[[Desk, str, dict[str, str]], Content]:
+    def reads(_desk: Desk, path: str, _asked: dict[str, str]) -> Content:
+        return Content("text/plain", explained(about or path) if about or path else listed())
+
+    return reads
+
+
+def _file(desk: Desk, path: str, _asked: dict[str, str]) -> Content:
+    where = desk.folder.root / desk.folder.file(path, *TEXTS)
+    try:
+        with where.open(encoding="utf-8", errors="replace") as file:
+            text = file.read(MOST + 1)
+    except OSError as error:
+        raise SettingsError(f"{path!r} cannot be read: {error.strerror}") from error
+    more = f"\n… more than {MOST:,} characters; the rest is left out" * (len(text) > MOST)
+    return Content("text/plain", text[:MOST] + more)
+
+
+def _report(desk: Desk, path: str, _asked: dict[str, str]) -> Content:
+    from chatscene import api
+    from chatscene.report.what_happened import outcome_in_words
+
+    run = api.Run(desk.folder.run(path))
+    kept = [f"  {outcome_in_words(one.row)}  {one.id}" for one in run.kept]
+    return Content("text/plain", "\n".join((str(run), "kept scenes:", *kept)))
+
+
+def _picture(desk: Desk, path: str, asked: dict[str, str]) -> Content:
+    from chatscene import api
+
+    try:
+        at = float(asked["at"]) if "at" in asked else None
+    except ValueError:
+        raise SettingsError(f"at={asked['at'][:40]!r} is no time; give seconds, such as at=2.5") from None
+    told = api.story(seen(desk, path), scene=asked.get("scene"))
+    return Content("image/png", picture=told.picture(at))
+
+
+KINDS: dict[str, Kind] = {
+    "schema": Kind(says="The JSON schema of a situation.", reads=_schema, media="application/schema+json"),
+    "acts": Kind(says="What road users may do, with meanings.", reads=_words("Act")),
+    "places": Kind(says="Where road users may start, with meanings.", reads=_words("Where")),
+    "vocabulary": Kind(says="All words of a situation.", reads=_words("")),
+    "word": Kind(says="One word, table, noun or path of a situation.", reads=_words(""), behind="/{word}"),
+    "file": Kind(says="A program, situation or table of the folder.", reads=_file, behind="/{+path}"),
+    "report": Kind(says="What a run of the folder came to.", reads=_report, behind="/{+run}"),
+    "picture": Kind(
+        says="A moment of a drive from above; at in seconds.",
+        reads=_picture,
+        behind="/{+path}{?scene,at}",
+        media="image/png",
+    ),
+}
+"""By what stands behind the scheme of an address."""

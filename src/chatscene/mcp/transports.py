@@ -1,0 +1,139 @@
+"""How agents reach the server: by the standard streams, or over HTTP on loopback with a token."""
+
+from __future__ import annotations
+
+import json
+import secrets
+import socket
+import sys
+from collections.abc import Awaitable, Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from chatscene.errors import SettingsError
+from chatscene.mcp.server import agent_server
+from chatscene.mcp.tool import short
+
+if TYPE_CHECKING:
+    from mcp.server.lowlevel import Server
+
+LOOPBACK = "127.0.0.1"
+PATH = "/mcp"
+TOKEN = "CHATSCENE_MCP_TOKEN"  # noqa: S105 - the name of a variable
+SHORTEST = 16  # characters of a token of the user's own
+
+App = Callable[[Any, Any, Any], Awaitable[None]]
+
+
+def serve_stdio(folder: Path, reading: Mapping[str, Any]) -> None:
+    """Serve who started this process, by its standard streams, until they end."""
+    server = agent_server(folder, reading)
+    import anyio
+
+    anyio.run(_over_stdio, server)
+
+
+async def _over_stdio(server: Server[Any]) -> None:
+    from mcp.server.stdio import stdio_server
+
+    async with stdio_server() as (read, write):
+        await over_streams(server, read, write)
+
+
+async def over_streams(server: Server[Any], read: Any, write: Any) -> None:
+    """Serve over a pair of streams; a line that is no message is answered, which the package would pass over.
+
+    Args:
+        server: Which.
+        read: Messages, and an error for what is none.
+        write: Where answers go.
+    """
+    import anyio
+
+    send, messages = anyio.create_memory_object_stream[Any](0)
+
+    async def sort() -> None:
+        from mcp.shared.message import SessionMessage
+
+        async with send:
+            async for item in read:
+                if isinstance(item, Exception):
+                    await write.send(SessionMessage(_no_message(item)))
+                else:
+                    await send.send(item)
+
+    async with anyio.create_task_group() as group:
+        group.start_soon(sort)
+        await server.run(messages, write, server.create_initialization_options())
+        group.cancel_scope.cancel()
+
+
+def _no_message(error: Exception) -> Any:
+    """The answer to a line that is no message."""
+    from mcp_types import INVALID_REQUEST, PARSE_ERROR, ErrorData, JSONRPCError
+    from pydantic import ValidationError
+
+    faults = error.errors(include_url=False) if isinstance(error, ValidationError) else []
+    if not faults or faults[0]["type"] == "json_invalid":
+        message = f"this line is no JSON: {faults[0]['msg'] if faults else short(str(error))}"
+        return JSONRPCError(jsonrpc="2.0", id=None, error=ErrorData(code=PARSE_ERROR, message=message))
+    given = next((one["input"] for one in faults if isinstance(one["input"], dict) and "id" in one["input"]), {})
+    known = given.get("id")
+    own = known if isinstance(known, str) or type(known) is int else None
+    message = 'this is no message of JSON-RPC 2.0: a request has "jsonrpc": "2.0", an "id" and a "method"'
+    return JSONRPCError(jsonrpc="2.0", id=own, error=ErrorData(code=INVALID_REQUEST, message=message))
+
+
+def serve_http(folder: Path, reading: Mapping[str, Any], port: int, token: str, say: Callable[[str], None]) -> None:
+    """Serve whoever has the token, on loopback, until this is interrupted.
+
+    Args:
+        folder: Where agents work.
+        reading: How sentences are read: options of `chatscene.explain`.
+        port: Of loopback; 0 for a free one.
+        token: What a request must have; empty for a fresh one.
+        say: Told where the server is, and the token.
+
+    Raises:
+        SettingsError: The port is taken, or the token is short.
+    """
+    if token and (len(token) < SHORTEST or not token.isascii() or not token.isprintable() or " " in token):
+        raise SettingsError(f"the token in {TOKEN} must have {SHORTEST} or more letters, digits or signs, and no space")
+    server = agent_server(folder, reading)
+    import uvicorn
+
+    try:
+        listening = socket.create_server((LOOPBACK, port))
+    except OSError as error:
+        message = f"port {port} of {LOOPBACK} cannot be had ({error.strerror}); say another --port"
+        raise SettingsError(message) from error
+    secret = token or secrets.token_urlsafe(24)
+    with listening:
+        address = f"http://{LOOPBACK}:{listening.getsockname()[1]}{PATH}"
+        told = f"the one in {TOKEN}" if token else secret
+        say(f"agents are served at {address} until this is interrupted (Ctrl+C)\nthey send: Authorization: Bearer {told}")
+        sys.stdout.flush()
+        app = guarded(server.streamable_http_app(streamable_http_path=PATH, host=LOOPBACK), secret)
+        config = uvicorn.Config(app, log_level="warning", server_header=False, access_log=False)
+        uvicorn.Server(config).run(sockets=[listening])
+
+
+def guarded(app: App, token: str) -> App:
+    """An application of HTTP that answers nobody without the token."""
+
+    async def guard(scope: Any, receive: Any, send: Any) -> None:
+        if scope["type"] == "http":
+            given = dict(scope["headers"]).get(b"authorization", b"")
+            if not secrets.compare_digest(given, f"Bearer {token}".encode()):
+                await _refuse(send)
+                return
+        await app(scope, receive, send)
+
+    return guard
+
+
+async def _refuse(send: Any) -> None:
+    said = {"error": "unauthorized", "message": "send the header that was printed: Authorization: Bearer TOKEN"}
+    headers = [(b"content-type", b"application/json"), (b"www-authenticate", b"Bearer")]
+    await send({"type": "http.response.start", "status": 401, "headers": headers})
+    await send({"type": "http.response.body", "body": json.dumps(said).encode()})

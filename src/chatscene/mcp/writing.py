@@ -1,0 +1,166 @@
+"""Tools that write: the words of a situation, sentences read into one, programs built of one, edits, imports."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path as Place
+from typing import TYPE_CHECKING, Annotated
+
+from pydantic import Field
+
+from chatscene.errors import SettingsError
+from chatscene.mcp.tool import Desk, Path, Text
+
+if TYPE_CHECKING:
+    from chatscene.report.stated import Stated
+    from chatscene.terms.situation import Situation
+
+SITUATIONS = (".yaml", ".yml", ".json")
+Sentence = Annotated[str, Field(max_length=2000, description="One situation in plain English, up to 2,000 characters.")]
+Facts = Annotated[
+    dict[str, str | int | float | bool],
+    Field(max_length=50, description='Facts that hold whatever the text says, by path: {"others.A.kind": "truck"}.'),
+]
+Written = Annotated[Text, Field(description="A situation as YAML or JSON text. Give this or `file`.")]
+SituationFile = Annotated[Path, Field(description="A file with a situation (.yaml, .json). Give this or `situation`.")]
+SaveAs = Annotated[Path, Field(description="A new .yaml file for the situation; its .scenic program lies beside it.")]
+
+
+def vocabulary(
+    desk: Desk,
+    about: Annotated[str, Field(max_length=200, description="A word, a table, a noun or a path; empty for all.")] = "",
+) -> str:
+    """Say which words a situation may have, and what they mean.
+
+    Without `about` it lists every noun with its fields, and every table with its words. With `about` it explains one:
+    a word (cut-in), a table (Act), a noun (Deed), or a path (others.A.starts.where). Begin here before you write a
+    situation.
+    """
+    del desk
+    from chatscene.mcp.words import explained, listed
+
+    return explained(about.strip()) if about.strip() else listed()
+
+
+def read(
+    desk: Desk,
+    sentence: Sentence,
+    facts: Facts | None = None,
+    reading: Annotated[int, Field(ge=0, le=20, description="Which offered reading is taken; 0 for the best.")] = 0,
+    save_as: SaveAs | None = None,
+) -> str:
+    """Read a sentence into a situation: who does what, when, how fast. Runs nothing.
+
+    The answer has the situation as YAML, which words gave no fact, and what was assumed. Check it: a sentence can be
+    misread, a situation cannot. A refusal says what was not understood and what could be said.
+    """
+    from chatscene import api
+
+    made = api.explain(sentence, set=facts or None, reading=reading, **desk.reading)
+    from chatscene.report.stated import Stated
+
+    if not isinstance(made, Stated):
+        return str(made)
+    return f"{made}\n{_saved(desk, made, save_as)}"
+
+
+def build(
+    desk: Desk,
+    situation: Written | None = None,
+    file: SituationFile | None = None,
+    facts: Facts | None = None,
+    save_as: SaveAs | None = None,
+    show_program: Annotated[bool, Field(description="Whether the Scenic program is part of the answer.")] = False,
+) -> str:
+    """Build a Scenic program of a situation. Runs nothing.
+
+    Faults are told with their lines, and what cannot be built by its path, with what could be said. The answer says
+    what was assumed. Then call verify with the program, and the situation as what was said.
+    """
+    from chatscene import api
+
+    made = api.explain(_situation(desk, situation, file), set=facts or None)
+    program = f"\n{made.program.source}" if show_program else ""
+    return f"{made}\n{_saved(desk, made, save_as)}{program}"
+
+
+def edit(
+    desk: Desk,
+    edit: Annotated[str, Field(min_length=1, max_length=2000, description="What is to be different, in words.")],
+    situation: Written | None = None,
+    file: SituationFile | None = None,
+    save_as: SaveAs | None = None,
+) -> str:
+    """Change what words name in a situation, and keep the rest: "make it a truck, from the left, and faster".
+
+    The answer is the difference. The file stays as it was; `save_as` keeps the new situation. To set one fact exactly,
+    call build with `facts`.
+    """
+    from chatscene import api
+
+    made = api.explain(_situation(desk, situation, file)).edit(edit)
+    return f"{made}\n{_saved(desk, made, save_as)}"
+
+
+def import_(
+    desk: Desk,
+    file: Annotated[Path, Field(description="An OpenSCENARIO XML file (.xosc); its map lies beside it.")],
+    save_as: Annotated[Path, Field(description="A new .scenic file.")],
+    map: Annotated[str, Field(max_length=500, description="A packaged map, or an .xodr file.")] | None = None,  # noqa: A002
+) -> str:
+    """Turn an OpenSCENARIO XML file into a Scenic program. Nothing of it is run.
+
+    What cannot be said here is refused by its element and line.
+    """
+    from chatscene import api
+
+    out = desk.folder.free(save_as, ".scenic")
+    desk.folder.make_above(out)
+    source = desk.folder.file(file, ".xosc")
+    desk.folder.check_beside(source, ".xodr")
+    done = api.import_scenario(source, out=out, map=desk.folder.map(map))
+    notes = "".join(f"{note}\n" for note in done.notes)
+    return f"{notes}written: {done.program}, on map {done.map_path}\nnext: verify {done.program}"
+
+
+def _situation(desk: Desk, text: str | None, file: str | None) -> Situation:
+    """The situation that a call gives, as text or as a file.
+
+    Raises:
+        SettingsError: It gives none, or both.
+        SituationError: It is none.
+    """
+    from chatscene.situations.file import read_text
+
+    if (text is None) == (file is None):
+        raise SettingsError("give a situation: as text in `situation`, or as a path in `file`, and only one of them")
+    return read_text(text) if text is not None else situation_in(desk, file or "")
+
+
+def situation_in(desk: Desk, file: str) -> Situation:
+    """The situation in a file of the folder, on a map of the folder if it names one.
+
+    Raises:
+        SettingsError: There is no such file, or its map lies elsewhere.
+        SituationError: It is none.
+    """
+    from chatscene import api
+
+    path = desk.folder.file(file, *SITUATIONS)
+    made = api.read_situation(path)
+    desk.folder.map(made.map or None)
+    return made
+
+
+def _saved(desk: Desk, made: Stated, save_as: str | None) -> str:
+    """What a call is told of where things were written."""
+    if save_as is None:
+        return "nothing was written; save_as keeps it"
+    from chatscene.situations.file import to_yaml
+    from chatscene.terms.situation import Evidence
+
+    path = desk.folder.free(save_as, ".yaml", ".yml")
+    program = desk.folder.free(str(Place(save_as).with_suffix(".scenic")), ".scenic")
+    desk.folder.write(path, to_yaml(replace(made.situation, evidence=Evidence())))
+    desk.folder.write(program, made.program.source)
+    return f"written: {path}, {program}\nnext: verify {program} against {path}"
