@@ -96,6 +96,9 @@ os.environ |= dict.fromkeys(
 )
 
 
+# Nobody is told what is done here: onnxruntime reports its use to its makers unless it is told not to.
+os.environ["ORT_DISABLE_TELEMETRY"] = "1"
+
 if not TYPE_CHECKING:  # else a type checker would take any name for one of ours
 
     def __getattr__(name: str) -> object:

@@ -58,9 +58,10 @@ def run(
     else:
         where = desk.folder.free(out)
     desk.folder.make_above(where)
+    reads: dict[str, Any] = {} if file else {"reading": reading or None, **desk.reading}
     made = api.run(
         **source,
-        **({} if file else {"reading": reading or None, **desk.reading}),
+        **reads,
         folder=where,
         as_written=as_written,
         map=desk.folder.map(map),
@@ -96,7 +97,7 @@ def verify(
     """Judge whether a program, a run or a recording shows what was said, fact by fact, from its tracks.
 
     Of a run, `said` may be left out: it is judged by what it was made of. The answer says of each fact in how many
-    drives it is shown and when, or what is seen instead; what happened that nobody said; whether there was an encounter.
+    drives it is shown and when, or what is seen instead; what happened that nobody said; whether the two could meet.
     Prefer `said_file` with a situation: a sentence can be misread. After a fact that is not shown, call story.
     """
     from chatscene import api
@@ -283,4 +284,3 @@ def _outcome(row: Any) -> str:
     from chatscene.report.what_happened import outcome_in_words
 
     return outcome_in_words(row)
-

@@ -9,11 +9,13 @@ from __future__ import annotations
 import json
 import time
 from collections import OrderedDict
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncGenerator, Mapping
 from contextlib import asynccontextmanager
 from functools import partial
 from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 from chatscene.errors import MissingExtra, no_such
@@ -52,10 +54,8 @@ def require_mcp() -> None:
     Raises:
         MissingExtra: It has not.
     """
-    try:
-        import mcp  # noqa: F401, PLC0415
-    except ImportError as error:
-        raise MissingExtra("a server for agents needs the package 'mcp'", extra="mcp") from error
+    if find_spec("mcp") is None:
+        raise MissingExtra("a server for agents needs the package 'mcp'", extra="mcp")
 
 
 class Worker:
@@ -69,7 +69,8 @@ class Worker:
     def __init__(self, folder: Path, reading: Mapping[str, Any]) -> None:
         import anyio
 
-        setup = {"folder": str(folder), "reading": dict(reading)}
+        self._temporary = TemporaryDirectory(prefix="chatscene-")
+        setup = {"folder": str(folder), "reading": dict(reading), "temporary": self._temporary.name}
         self._child = Child(lambda: setup, "chatscene.mcp.working")
         self._turn, self._waiting = anyio.Lock(), 0
 
@@ -119,6 +120,7 @@ class Worker:
     def close(self) -> None:
         """End the process; nobody may be asking it."""
         self._child.close()
+        self._temporary.cleanup()
 
 
 async def _beats(ctx: ServerRequestContext[Any, Any], state: Mapping[str, Any], done: Any) -> None:
@@ -135,7 +137,9 @@ async def _beats(ctx: ServerRequestContext[Any, Any], state: Mapping[str, Any], 
         now = time.monotonic()
         if (state and dict(state) != told) or now - told_at >= BEAT:
             told, told_at = dict(state), now
-            how_far = f"{told.get('what', 'working')}" + (f": {told['done']} of {told['total']}" if told.get("total") else "")
+            how_far = f"{told.get('what', 'working')}" + (
+                f": {told['done']} of {told['total']}" if told.get("total") else ""
+            )
             # The protocol has a number that only grows; phases of the work begin from nothing again.
             await ctx.session.report_progress(round(now - began, 2), None, f"{how_far}, {now - began:.0f} s")
 
@@ -239,10 +243,12 @@ class Agents:
         from mcp import types
 
         found = await self._asked({"resource": str(params.uri)}, ctx)
-        kept = {"uri": params.uri, "mime_type": found["media"]}
+        uri, media = params.uri, found["media"]
         if found["picture"]:
-            return types.ReadResourceResult(contents=[types.BlobResourceContents(blob=found["picture"], **kept)])
-        return types.ReadResourceResult(contents=[types.TextResourceContents(text=found["text"], **kept)])
+            content = types.BlobResourceContents(uri=uri, mime_type=media, blob=found["picture"])
+        else:
+            content = types.TextResourceContents(uri=uri, mime_type=media, text=found["text"])
+        return types.ReadResourceResult(contents=[content])
 
     async def _asked(self, question: Mapping[str, Any], ctx: ServerRequestContext[Any, Any]) -> dict[str, Any]:
         answer = await self.worker.ask(question, ctx)
@@ -269,7 +275,7 @@ def agent_server(folder: Path, reading: Mapping[str, Any] | None = None) -> Serv
     agents = Agents(folder, reading or {})
 
     @asynccontextmanager
-    async def lifespan(_: Server[Any]) -> AsyncIterator[dict[str, Any]]:
+    async def lifespan(_: Server[Any]) -> AsyncGenerator[dict[str, Any]]:
         try:
             yield {}
         finally:
@@ -302,9 +308,7 @@ async def _clearly(ctx: ServerRequestContext[Any, Any], call_next: CallNext) -> 
     try:
         return await call_next(ctx)
     except ValidationError as error:
-        faults = [
-            f"{'.'.join(map(str, one['loc']))[:60]}: {one['msg']}" for one in error.errors(include_url=False)[:5]
-        ]
+        faults = [f"{'.'.join(map(str, one['loc']))[:60]}: {one['msg']}" for one in error.errors(include_url=False)[:5]]
         raise MCPError(INVALID_PARAMS, _bounded(f"{ctx.method[:60]}: {'; '.join(dict.fromkeys(faults))}")) from None
     except MCPError as error:
         if error.code == METHOD_NOT_FOUND:

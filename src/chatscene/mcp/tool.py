@@ -22,7 +22,7 @@ Path = Annotated[str, Field(min_length=1, max_length=LONGEST, description="A pat
 Text = Annotated[str, Field(max_length=MOST_TEXT)]
 
 
-class WrongArguments(ChatSceneError):
+class WrongArguments(ChatSceneError):  # noqa: N818 - reads as what it says
     """A call has arguments that its tool does not take; the message names each."""
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import io
 import json
 import secrets
 import socket
 import sys
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import AsyncIterable, AsyncIterator, Awaitable, Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from chatscene.errors import SettingsError
 from chatscene.mcp.server import agent_server
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
 LOOPBACK = "127.0.0.1"
 PATH = "/mcp"
-TOKEN = "CHATSCENE_MCP_TOKEN"  # noqa: S105 - the name of a variable
+TOKEN = "CHATSCENE_MCP_TOKEN"
 SHORTEST = 16  # characters of a token of the user's own
 
 App = Callable[[Any, Any, Any], Awaitable[None]]
@@ -34,10 +35,39 @@ def serve_stdio(folder: Path, reading: Mapping[str, Any]) -> None:
 
 
 async def _over_stdio(server: Server[Any]) -> None:
+    import anyio
     from mcp.server.stdio import stdio_server
 
-    async with stdio_server() as (read, write):
-        await over_streams(server, read, write)
+    text = io.TextIOWrapper(sys.stdin.buffer, encoding="utf-8", errors="replace")
+    try:
+        async with stdio_server(stdin=cast("Any", _Lines(anyio.wrap_file(text)))) as (read, write):
+            await over_streams(server, read, write)
+    finally:
+        text.detach()  # else it would close what it reads from
+
+
+class _Lines:
+    """Lines of messages, of which none has an id that no request can have: the package takes such for a notification.
+
+    Args:
+        file: Where they come from.
+    """
+
+    def __init__(self, file: AsyncIterable[str]) -> None:
+        self._file = file
+
+    async def __aiter__(self) -> AsyncIterator[str]:
+        async for line in self._file:
+            yield '{"id": null}' if _odd(line) else line
+
+
+def _odd(line: str) -> bool:
+    """Whether a line is a request but for its id."""
+    try:
+        said = json.loads(line)
+    except (ValueError, RecursionError):
+        return False  # which is told by whoever takes it for a message
+    return isinstance(said, dict) and "id" in said and "method" in said and type(said["id"]) not in (int, str)
 
 
 async def over_streams(server: Server[Any], read: Any, write: Any) -> None:
@@ -111,7 +141,8 @@ def serve_http(folder: Path, reading: Mapping[str, Any], port: int, token: str, 
     with listening:
         address = f"http://{LOOPBACK}:{listening.getsockname()[1]}{PATH}"
         told = f"the one in {TOKEN}" if token else secret
-        say(f"agents are served at {address} until this is interrupted (Ctrl+C)\nthey send: Authorization: Bearer {told}")
+        say(f"agents are served at {address} until this is interrupted (Ctrl+C)")
+        say(f"they send: Authorization: Bearer {told}")
         sys.stdout.flush()
         app = guarded(server.streamable_http_app(streamable_http_path=PATH, host=LOOPBACK), secret)
         config = uvicorn.Config(app, log_level="warning", server_header=False, access_log=False)

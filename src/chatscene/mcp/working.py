@@ -19,6 +19,7 @@ from chatscene.mcp.folder import Folder
 from chatscene.mcp.resources import listed_resources, read
 from chatscene.mcp.tool import Answer, Desk, short
 from chatscene.mcp.tools import TOOLS
+from chatscene.mcp.walls import OFFLINE, stay_in
 from chatscene.view.working import Answering, Question, Tell, serve
 
 
@@ -30,7 +31,11 @@ def main() -> None:
 def working(setup: Question, tell: Tell) -> Answering:
     """Who answers, in the folder that is told first."""
     os.chdir(setup["folder"])
-    desk = Desk(Folder(Path()), setup["reading"])
+    reading = setup["reading"]
+    folder = Folder(Path())
+    if not stay_in(folder.root, Path(setup["temporary"]), reading.get("language_model", OFFLINE)):
+        print("this kernel has no Landlock: only chatscene's own checks keep agents in the folder", file=sys.stderr)
+    desk = Desk(folder, reading)
 
     def progress(what: str, done: int, total: int) -> None:
         tell({"what": what, "done": done, "total": total})

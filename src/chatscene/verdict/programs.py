@@ -54,7 +54,7 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
     with TemporaryDirectory(prefix="chatscene-") as folder:
         made = import_scenario(path, out=Path(folder) / "scenario.scenic", map_name=settings.map_name or None)
         own = read_foreign(made.program, searched_with=False)
-        own = replace(own, map_path=made.map_path)
+        own = replace(own, map_path=made.map_path.resolve())  # read in a process that works elsewhere
         notes = (f"{settings.ego or EGO} drives the ego", *made.notes)
         return _watched(own, "OpenSCENARIO file", settings, notes)
 
