@@ -10,6 +10,7 @@ from pydantic import Field
 from chatscene.errors import SettingsError
 from chatscene.mcp.tool import Answer, Desk, Path
 from chatscene.mcp.writing import SITUATIONS, Facts, Sentence, situation_in
+from chatscene.settings import EGO
 
 Ego = Annotated[
     str, Field(max_length=60, description="Who drives: planner, idm, hardened, rule-based, sac, ppo or td3.")
@@ -51,12 +52,9 @@ def run(
 
     if (sentence is None) == (file is None):
         raise SettingsError("say what to run: a `sentence` or a `file`, and only one of them")
+    name = out or str(runs.free_folder(Place("runs"), sentence or Place(file or "").stem))
+    where, on, driver = desk.folder.free(name), desk.folder.map(map), desk.folder.ego(ego)
     source = _source(desk, sentence, file)
-    parent = Place("runs")
-    if out is None:
-        where = desk.folder.free(str(runs.free_folder(parent, sentence or Place(file or "").stem)))
-    else:
-        where = desk.folder.free(out)
     desk.folder.make_above(where)
     reads: dict[str, Any] = {} if file else {"reading": reading or None, **desk.reading}
     made = api.run(
@@ -64,8 +62,8 @@ def run(
         **reads,
         folder=where,
         as_written=as_written,
-        map=desk.folder.map(map),
-        ego=desk.folder.ego(ego) or "planner",
+        map=on,
+        ego=driver or EGO,
         speed=speed,
         scenes=scenes,
         seed=seed,
@@ -102,18 +100,18 @@ def verify(
     """
     from chatscene import api
 
-    where = seen(desk, what)
+    where, on, wanted = seen(desk, what), desk.folder.map(map), _said(desk, said, said_file)
     out = None if page is None else desk.folder.free(page, ".html")
     if out is not None:
         desk.folder.make_above(out)
     verdict = api.verify(
         where,
-        _said(desk, said, said_file),
+        wanted,
         draws=draws,
         seed=seed,
         least=least,
         ego=desk.folder.ego(ego),
-        map=desk.folder.map(map),
+        map=on,
         ego_id=ego_id,
         scene=scene,
         page=out,

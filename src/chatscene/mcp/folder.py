@@ -12,6 +12,7 @@ from chatscene.files.bounded import is_there
 
 RECORD = "run.json"
 LONGEST = 500  # characters of a path
+MOST_READ = 2**24  # bytes of a file that is looked through; no scenario is as long
 MOST_FILES = 20_000  # that are looked at for a list
 SIMULATORS = ("native", "embedded", "confined")
 
@@ -92,13 +93,16 @@ class Folder:
         return path
 
     def check_beside(self, path: Path, suffix: str) -> None:
-        """Refuse files of a kind beside one, which may be opened with it, if they are links that lead out.
+        """Refuse a file that may name one beside it of a kind that is a link out of the folder.
 
         Raises:
-            SettingsError: One does.
+            SettingsError: It does.
         """
+        with (self.root / path).open("rb") as file:
+            text = file.read(MOST_READ)
         for one in sorted((self.root / path).parent.glob(f"*{suffix}")):
-            self._inside(str(one.relative_to(self.root)))
+            if one.name.encode() in text:
+                self._inside(str(one.relative_to(self.root)))
 
     def map(self, name: str | None) -> str | None:
         """A map by its name: a packaged one, or a file of the folder.
@@ -173,7 +177,7 @@ class Folder:
         Raises:
             SettingsError: It leads out of the folder, or is none.
         """
-        if not name.strip() or len(name) > LONGEST or not name.isprintable():
+        if not name.strip() or len(name) > LONGEST or not name.isprintable() or name.startswith("~"):
             raise SettingsError(f"{name[:60]!r} is no path; give one below the folder, such as 'runs/left'")
         try:
             path = Path(os.path.realpath(self.root / name))

@@ -22,7 +22,7 @@ SYSTEM = (
     "/etc/ld.so.cache", "/etc/localtime", "/etc/fonts",
 )  # fmt: skip
 NETWORK = ("/etc/hosts", "/etc/resolv.conf", "/etc/nsswitch.conf", "/etc/ssl", "/etc/pki", "/etc/gai.conf")
-DEVICES = ("/dev/null", "/dev/shm")  # noqa: S108 - where processes of one run share numbers
+DEVICES = ("/dev/null", "/dev/shm")
 OFFLINE, LOCAL = "offline", "gguf:"
 
 

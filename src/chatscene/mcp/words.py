@@ -107,20 +107,18 @@ def _at(path: str) -> str:
     Raises:
         SettingsError: Nothing does.
     """
-    here, steps = ALL, path.split(".")
+    here, steps, of_list = ALL, path.split("."), False
     for number, step in enumerate(steps):
         fields = nouns()[here].get("properties", {})
+        if of_list and step not in fields:
+            of_list = False
+            continue  # the id of somebody, or a number
         if step not in fields:
-            if number and _holds(here, steps[number - 1]):
-                continue  # the id of somebody, or a number in a list
             told = ".".join(steps[: number + 1])
             raise SettingsError(f"nothing stands at {told[:100]!r}; {here} has {', '.join(fields)}")
-        names = [one for one in _kind(fields[step]).removeprefix("list of ").split(" or ") if one in nouns()]
+        kind = _kind(fields[step])
+        names = [one for one in kind.removeprefix("list of ").split(" or ") if one in nouns()]
         if not names:
-            return f"{path} ({_kind(fields[step])}): {fields[step].get('description', '')}"
-        here = names[0]
+            return f"{path} ({kind}): {fields[step].get('description', '')}"
+        here, of_list = names[0], kind.startswith("list of ")
     return f"{path}: {_part(here)}"
-
-
-def _holds(here: str, _field: str) -> bool:
-    return here in ("Other", "Deed")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path as Place
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, cast
 
 from pydantic import Field
 
@@ -56,12 +56,9 @@ def read(
     """
     from chatscene import api
 
-    made = api.explain(sentence, set=facts or None, reading=reading, **desk.reading)
-    from chatscene.report.stated import Stated
-
-    if not isinstance(made, Stated):
-        return str(made)
-    return f"{made}\n{_saved(desk, made, save_as)}"
+    saving = Saving(desk, save_as)
+    made = cast("Stated", api.explain(sentence, set=facts or None, reading=reading, **desk.reading))
+    return f"{made}\n{saving.written(made)}"
 
 
 def build(
@@ -79,9 +76,10 @@ def build(
     """
     from chatscene import api
 
+    saving = Saving(desk, save_as)
     made = api.explain(_situation(desk, situation, file), set=facts or None)
     program = f"\n{made.program.source}" if show_program else ""
-    return f"{made}\n{_saved(desk, made, save_as)}{program}"
+    return f"{made}\n{saving.written(made)}{program}"
 
 
 def edit(
@@ -98,8 +96,9 @@ def edit(
     """
     from chatscene import api
 
+    saving = Saving(desk, save_as)
     made = api.explain(_situation(desk, situation, file)).edit(edit)
-    return f"{made}\n{_saved(desk, made, save_as)}"
+    return f"{made}\n{saving.written(made)}"
 
 
 def import_(
@@ -152,15 +151,36 @@ def situation_in(desk: Desk, file: str) -> Situation:
     return made
 
 
-def _saved(desk: Desk, made: Stated, save_as: str | None) -> str:
-    """What a call is told of where things were written."""
-    if save_as is None:
-        return "nothing was written; save_as keeps it"
-    from chatscene.situations.file import to_yaml
-    from chatscene.terms.situation import Evidence
+class Saving:
+    """Where a situation and its program are to be written, held to the folder before anything is done for them.
 
-    path = desk.folder.free(save_as, ".yaml", ".yml")
-    program = desk.folder.free(str(Place(save_as).with_suffix(".scenic")), ".scenic")
-    desk.folder.write(path, to_yaml(replace(made.situation, evidence=Evidence())))
-    desk.folder.write(program, made.program.source)
-    return f"written: {path}, {program}\nnext: verify {program} against {path}"
+    Args:
+        desk: What a tool works with.
+        save_as: The name of the situation's file; None for nowhere.
+
+    Raises:
+        SettingsError: Nothing can be written there.
+    """
+
+    def __init__(self, desk: Desk, save_as: str | None) -> None:
+        self._folder = desk.folder
+        self._paths = ()
+        if save_as is not None:
+            program = str(Place(save_as).with_suffix(".scenic"))
+            self._paths = desk.folder.free(save_as, ".yaml", ".yml"), desk.folder.free(program, ".scenic")
+
+    def written(self, made: Stated) -> str:
+        """Write them, and say where they are.
+
+        Raises:
+            SettingsError: They cannot be written.
+        """
+        if not self._paths:
+            return "nothing was written; save_as keeps it"
+        from chatscene.situations.file import to_yaml
+        from chatscene.terms.situation import Evidence
+
+        situation, program = self._paths
+        self._folder.write(situation, to_yaml(replace(made.situation, evidence=Evidence())))
+        self._folder.write(program, made.program.source)
+        return f"written: {situation}, {program}\nnext: verify {program} against {situation}"

@@ -1,0 +1,234 @@
+"""Each tool does what its function does, in bounds, and no name leads out of the folder."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+from folder_of_agents import CALLS, CROSSES, SECRET, SITUATION, called, desk_in, furnished
+
+import chatscene
+from chatscene.errors import SettingsError
+from chatscene.mcp.folder import Folder
+from chatscene.mcp.resources import KINDS
+from chatscene.mcp.server import MOST_TEXT, in_parts
+from chatscene.mcp.tools import TOOLS
+from chatscene.mcp.words import EXAMPLE, nouns
+from chatscene.mcp.working import answered
+from chatscene.situations.file import read_text
+
+OUTSIDE = ("../outside/secret", "/etc/passwd", "link/secret", "link-secret", "runs/../../outside/secret", "~/secret")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    made = furnished(tmp_path_factory.mktemp("agents") / "folder")
+    chatscene.run("The car ahead brakes hard.", made / "runs" / "brakes", scenes=4)
+    chatscene.export(made / "runs" / "brakes", to="openscenario-logical", out=made / "xosc")
+    one = sorted(made.glob("xosc/*scene-*.xosc"))[0]
+    (made / "crash.xosc").write_text(one.read_text())
+    (made / "town.xodr").write_bytes((made / "xosc" / "town.xodr").read_bytes())
+    return made
+
+
+@pytest.fixture(autouse=True)
+def inside(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(folder)  # as the process does that works
+
+
+def test_every_tool_has_a_call_here_a_description_and_a_schema_that_takes_nothing_else() -> None:
+    assert set(CALLS) == set(TOOLS)
+    for tool in TOOLS.values():
+        assert len(tool.says) > 40
+        assert tool.schema["additionalProperties"] is False
+        assert all("description" in one or one["type"] == "boolean" for one in tool.schema["properties"].values())
+
+
+@pytest.mark.parametrize("name", TOOLS)
+def test_a_tool_answers_in_words_of_bounded_length(folder: Path, name: str) -> None:
+    answer = called(folder, name, **CALLS[name])
+    assert "error" not in answer, answer
+    assert answer["text"].strip()
+    assert str(folder) not in answer["text"]
+    assert all(len(part) <= MOST_TEXT for part in in_parts(answer["text"]))
+
+
+def outside(folder: Path) -> list[str]:
+    """Names that lead out of the folder, of every kind of file."""
+    named = [
+        where + suffix for where in OUTSIDE for suffix in ("", ".yaml", ".csv", ".toml", ".xosc", ".scenic", ".xodr")
+    ]
+    return [one for one in named if one.startswith("~") or not (folder / one).resolve().is_relative_to(folder)]
+
+
+def paths_of(tool: str) -> list[str]:
+    """The arguments of a tool that are paths, as their length says."""
+    longest = {name: one.get("maxLength") for name, one in TOOLS[tool].schema["properties"].items()}
+    return [name for name, most in longest.items() if most == 500]
+
+
+@pytest.mark.parametrize("name", TOOLS)
+def test_no_path_of_a_tool_leads_out_of_the_folder(folder: Path, name: str) -> None:
+    before = {path: path.read_text() for path in (folder.parent / "outside").iterdir()}
+    for argument in paths_of(name):
+        for where in outside(folder):
+            answer = called(folder, name, **{**CALLS[name], argument: where})
+            assert "error" in answer, (argument, where, answer)
+            assert SECRET not in answer["error"]
+    assert {path: path.read_text() for path in (folder.parent / "outside").iterdir()} == before
+
+
+@pytest.mark.parametrize("name", ["../x", "/x", "x\0y", " ", "x" * 5000, "link/x", "a\nb"])
+def test_a_name_that_is_no_path_below_the_folder_is_refused(folder: Path, name: str) -> None:
+    with pytest.raises(SettingsError):
+        Folder(folder).free(name)
+
+
+def test_files_that_programs_and_situations_name_are_held_to_the_folder_too(folder: Path) -> None:
+    outside = folder.parent / "outside"
+    (folder / "far.yaml").write_text(f"map: {outside / 'secret.xodr'}\n{SITUATION}")
+    (folder / "far.scenic").write_text(
+        "param map = localPath('../outside/secret.xodr')\nmodel scenic.domains.driving.model\nego = new Car\n"
+    )
+    for tool, arguments in (
+        ("build", {"file": "far.yaml"}),
+        ("verify", {"what": "drive.csv", "said_file": "far.yaml"}),
+        ("verify", {"what": "far.scenic", "said": CROSSES}),
+        ("story", {"what": "far.scenic"}),
+        ("run", {"file": "far.scenic"}),
+        ("run", {"file": "far.yaml"}),
+    ):
+        answer = called(folder, tool, **arguments)
+        assert "outside the folder" in answer["error"], (tool, answer)
+
+
+def test_a_run_that_names_a_map_or_an_ego_from_elsewhere_is_refused(folder: Path) -> None:
+    record = json.loads((folder / "runs" / "brakes" / "run.json").read_text())
+    for changed in ({"map_name": "/etc/x.xodr"}, {"egos": ["../mine.py"]}):
+        odd = folder / "odd"
+        odd.mkdir(exist_ok=True)
+        (odd / "run.json").write_text(json.dumps({**record, **changed}))
+        for tool in ("why", "rate", "story"):
+            assert "error" in called(folder, tool, **{"what" if tool == "story" else "run": "odd"})
+
+
+def test_a_sentence_that_names_a_file_is_not_read_as_one(folder: Path) -> None:
+    answer = called(folder, "verify", what="drive.csv", said="../outside/secret.yaml")
+    assert "said_file" in answer["error"]
+
+
+def test_only_packaged_egos_and_formats_are_taken(folder: Path) -> None:
+    assert "no ego" in called(folder, "run", sentence=CROSSES, ego="os:system")["error"]
+    assert "no format" in called(folder, "export", run="runs/brakes", to="os:system", out="x")["error"]
+
+
+def test_what_is_built_is_kept_verified_told_and_edited(folder: Path) -> None:
+    built = called(folder, "build", situation=EXAMPLE.split("\n", 1)[1], save_as="kept/one.yaml", show_program=True)
+    assert "next: verify kept/one.scenic against kept/one.yaml" in built["text"]
+    assert "model chatscene.world.model" in built["text"]
+    shown = called(folder, "verify", what="kept/one.scenic", said_file="kept/one.yaml", draws=1)
+    assert "shown: 1 of 1" in shown["text"]
+    not_shown = called(folder, "verify", what="kept/one.scenic", said="The car ahead brakes hard.", draws=1)
+    assert "NOT shown" in not_shown["text"]
+    assert not_shown["text"].endswith("next: story kept/one.scenic")
+    changed = called(folder, "edit", file="kept/one.yaml", edit="make it a child", save_as="kept/two.yaml")
+    assert "pedestrian → child" in changed["text"]
+    assert read_text((folder / "kept" / "two.yaml").read_text()).others[0].kind == "child"
+    again = called(folder, "build", file="kept/two.yaml", save_as="kept/one.yaml")
+    assert "there already" in again["error"]
+
+
+def test_a_refusal_says_what_was_not_understood_and_what_to_do(folder: Path) -> None:
+    refused = called(folder, "read", sentence="A dragon lands on the bonnet.")["error"]
+    assert refused.startswith("NothingFits: ")
+    assert "dragon" in refused
+    assert "next: " in refused
+    faults = called(folder, "build", situation="others: [{id: A, kind: lorry}]")["error"]
+    assert "did you mean truck?" in faults
+
+
+def test_a_picture_comes_with_a_story_that_asks_for_it(folder: Path) -> None:
+    assert called(folder, "story", what="drive.csv")["picture"] == ""
+    assert called(folder, "story", what="drive.csv", at=2.0)["picture"]
+    assert "no picture at 99 s" in called(folder, "story", what="drive.csv", at=99)["error"]
+
+
+@pytest.mark.parametrize(
+    ("about", "says"),
+    [
+        ("", "Deed: act, to"),
+        ("cut-in", "begins from"),
+        ("Act", "brake: loses speed hard"),
+        ("others.A.starts.where", "roadside: beside the road"),
+        ("ego", "route (EgoRoute)"),
+    ],
+)
+def test_words_are_explained_alone_or_listed_together(folder: Path, about: str, says: str) -> None:
+    assert says in called(folder, "vocabulary", about=about)["text"]
+
+
+def test_every_noun_and_every_table_can_be_asked_for(folder: Path) -> None:
+    for name in nouns():
+        assert name in called(folder, "vocabulary", about=name)["text"]
+    assert "did you mean 'cross'" in called(folder, "vocabulary", about="crosss")["error"]
+    assert (
+        "'others.A.does.0.speedy'; Deed has act"
+        in called(folder, "vocabulary", about="others.A.does.0.speedy")["error"]
+    )
+
+
+RESOURCES = {
+    "schema": "chatscene://schema",
+    "acts": "chatscene://acts",
+    "places": "chatscene://places",
+    "vocabulary": "chatscene://vocabulary",
+    "word": "chatscene://word/cut-in",
+    "file": "chatscene://file/crosses.yaml",
+    "report": "chatscene://report/runs/brakes",
+    "picture": "chatscene://picture/drive.csv?at=2.5",
+}
+
+
+def resource(folder: Path, uri: str) -> Mapping[str, Any]:
+    return answered(desk_in(folder), {"resource": uri})
+
+
+def test_every_resource_can_be_read(folder: Path) -> None:
+    assert set(RESOURCES) == set(KINDS)
+    for name, uri in RESOURCES.items():
+        found = resource(folder, uri)
+        assert found.get("text") or found.get("picture"), found
+        assert found["media"] == KINDS[name].media
+
+
+@pytest.mark.parametrize("kind", ["file", "report", "picture"])
+@pytest.mark.parametrize("where", [*OUTSIDE, "%2e%2e/outside/secret", "..%2foutside%2fsecret"])
+def test_no_resource_leads_out_of_the_folder(folder: Path, kind: str, where: str) -> None:
+    for suffix in (".yaml", ".csv", ".scenic"):
+        found = resource(folder, f"chatscene://{kind}/{where}{suffix}")
+        assert "error" in found, found
+        assert SECRET not in found["error"]
+
+
+@pytest.mark.parametrize("uri", ["", "x", "http://acts", "chatscene://", "chatscene://[", "chatscene://act"])
+def test_an_address_at_which_nothing_stands_is_refused(folder: Path, uri: str) -> None:
+    assert "error" in resource(folder, uri)
+
+
+def test_what_there_is_is_listed_without_links(folder: Path) -> None:
+    found = answered(desk_in(folder), {"list": 0})
+    names = [one["name"] for one in found["resources"]]
+    assert {"schema", "crosses.yaml", "runs/brakes"} <= set(names)
+    assert not [name for name in names if name.startswith("link")]
+    assert found["next"] is None
+
+
+def test_a_long_answer_is_cut_at_the_ends_of_lines_and_nothing_is_lost() -> None:
+    lines = [f"line {number}" for number in range(2000)]
+    parts = in_parts("\n".join(lines))
+    assert len(parts) > 1
+    assert "\n".join(parts).split("\n") == lines
+    assert in_parts("x" * 13_000) == ["x" * 6000, "x" * 6000, "x" * 1000]
