@@ -52,6 +52,7 @@ from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.commands.sections import write_sections
 from chatscene.commands.serve_carla import serve_carla
 from chatscene.commands.situations import say_stated, schema, situation_file
+from chatscene.commands.skill import skill
 from chatscene.commands.sql import runs_below, sql
 from chatscene.commands.story import story
 from chatscene.commands.verify import verify
@@ -775,6 +776,7 @@ main.add_command(rate)
 main.add_command(reproduce)
 main.add_command(schema)
 main.add_command(serve_carla)
+main.add_command(skill)
 main.add_command(sql)
 main.add_command(story)
 main.add_command(runs_below)

@@ -41,6 +41,7 @@ SECTIONS: dict[str, dict[str, str]] = {
     "Other tools": {
         "export": "Write scenes for other tools.",
         "mcp": "Serve agents by the Model Context Protocol.",
+        "skill": "Install a skill into an agent's folder.",
         "serve-carla": "Serve CARLA's protocol without CARLA.",
         "map": "Show, check and import maps.",
         "library": "Search, check and extend the library of snippets.",
