@@ -85,14 +85,14 @@ async def over_streams(server: Server[Any], read: Any, write: Any) -> None:
     async def sort() -> None:
         from mcp.shared.message import SessionMessage
 
-        async with send:
+        async with read, send:
             async for item in read:
                 if isinstance(item, Exception):
                     await write.send(SessionMessage(_no_message(item)))
                 else:
                     await send.send(item)
 
-    async with anyio.create_task_group() as group:
+    async with messages, anyio.create_task_group() as group:
         group.start_soon(sort)
         await server.run(messages, write, server.create_initialization_options())
         group.cancel_scope.cancel()

@@ -18,8 +18,8 @@ from chatscene.simulate.confined.landlock import kept_to
 from chatscene.simulate.confined.seccomp import no_new_privileges
 
 SYSTEM = (
-    "/usr", "/lib", "/lib64", "/bin", "/proc", "/sys/devices", "/sys/fs/cgroup", "/dev/urandom", "/dev/random",
-    "/etc/ld.so.cache", "/etc/localtime", "/etc/fonts",
+    "/usr", "/lib", "/lib64", "/bin", "/proc", "/sys/devices", "/sys/bus", "/sys/class", "/sys/fs/cgroup",
+    "/dev/urandom", "/dev/random", "/etc/ld.so.cache", "/etc/localtime", "/etc/fonts",
 )  # fmt: skip
 NETWORK = ("/etc/hosts", "/etc/resolv.conf", "/etc/nsswitch.conf", "/etc/ssl", "/etc/pki", "/etc/gai.conf")
 DEVICES = ("/dev/null", "/dev/shm")
