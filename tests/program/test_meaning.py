@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, cast
@@ -13,7 +14,7 @@ from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import MeansSomethingElse
 from chatscene.program.check import check
 from chatscene.program.deeds import ACTIONS, Act
-from chatscene.program.meaning import check_meaning
+from chatscene.program.meaning import check_meaning, is_place
 from chatscene.program.watching import watch
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.acts import Action
@@ -329,3 +330,12 @@ def test_a_program_that_begins_an_act_and_never_does_it_is_refused() -> None:
     assert failures([Action.CROSS, Action.STOP], never_stands, contact=42) == ()
     with pytest.raises(MeansSomethingElse, match="said stop, but the adversary never does"):
         climbed(never_stands, contact=42)
+
+
+@pytest.mark.parametrize(("turns", "place"), [(-1.0, Place.RIGHT_CURVE), (1.0, Place.LEFT_CURVE)])
+def test_a_bend_to_a_side_is_told_as_a_plain_truth(turns: float, place: Place) -> None:
+    line = Polyline([(math.sin(turn), turns * (1.0 - math.cos(turn))) for turn in np.linspace(0.0, 1.5, 9)])
+    route = replace(ROUTE, place=Place.CURVE, line=line)
+    other = Place.LEFT_CURVE if place is Place.RIGHT_CURVE else Place.RIGHT_CURVE
+    assert is_place(place, route) is True  # what is not the truth itself, as of an array, would be counted as not shown
+    assert is_place(other, route) is False

@@ -147,7 +147,7 @@ def is_place(said: Place, route: Route) -> bool:
     """Whether a route lies in such a place."""
     if route.place is Place.CURVE and said in (Place.LEFT_CURVE, Place.RIGHT_CURVE):
         heading = headings(route.line)
-        return (said is Place.LEFT_CURVE) == (heading[-1] > heading[0])
+        return (said is Place.LEFT_CURVE) == bool(heading[-1] > heading[0])
     return includes(said, route.place)
 
 
