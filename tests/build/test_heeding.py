@@ -99,3 +99,9 @@ def test_a_cyclist_who_follows_is_not_left_behind() -> None:
 def test_who_cannot_be_there_is_refused_with_what_can(said: Situation, told: str) -> None:
     with pytest.raises(NotBuilt, match=told):
         build(said)
+
+
+def test_who_comes_against_us_and_turns_off_does_so_at_a_junction() -> None:
+    said = situation(one("A", "truck", "oncoming", "turn-left"), speed="50 km/h")
+    built = build(said)
+    assert simulator(built.map, "native").route(built.program, 0).junction is not None

@@ -63,13 +63,21 @@ def at_junction(situation: Situation) -> bool:
     """Whether it happens at a junction."""
     road, others = situation.road, situation.others
     elsewhere = at_roundabout(situation) or beside_lane(situation) or road.kind is RoadKind.RAIL_CROSSING
+    goes_on = situation.ego.route in (None, EgoRoute.STRAIGHT)
     return not elsewhere and (
         road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
         or situation.ego.route in TURNS
         or (control_of(situation) is not None and not at_free_crosswalk(situation))
         or any(one.starts.where.row.junction for one in others if one.starts.where not in ROUNDABOUT_PLACES)
         or any(deed.act is Act.GO_STRAIGHT for one in others for deed in one.does)
+        or (goes_on and road.kind is None and any(_turns_across(one) for one in others))
     )
+
+
+def _turns_across(one: Other) -> bool:
+    """Whether somebody who comes the other way turns off over the ego's way: there is a junction, as roads have."""
+    drives = one.kind.moves in (Moves.DRIVES, Moves.RIDES)
+    return drives and one.starts.where is Where.ONCOMING and bool(one.does) and one.does[0].act in WAYS
 
 
 def is_marked(found: Found) -> bool:
