@@ -10,7 +10,7 @@ A map that a file names and that is not where it says is looked for by its name,
 With --run N, the programs of every file that imports are driven, the first N variants of each, with `idm` in the place
 of the ego, in the sandbox, to an end; parameters stand in the middle of their ranges.
 
-A refused file counts once for each different reason; names and numbers in a reason are left out to tell which are alike.
+A refused file counts once for each different reason; names and numbers in it are left out to tell which are alike.
 """
 
 from __future__ import annotations
@@ -60,7 +60,9 @@ def reasons_of(error: BaseException) -> list[str]:
     """The different reasons of a refusal."""
     text = str(error)
     lines = text.splitlines()[1:] if "cannot be said here:" in text else [text.partition(": ")[2] or text]
-    return sorted({f"{'' if isinstance(error, ChatSceneError) else type(error).__name__ + ': '}{alike(one)}" for one in lines})
+    return sorted(
+        {f"{'' if isinstance(error, ChatSceneError) else type(error).__name__ + ': '}{alike(one)}" for one in lines}
+    )
 
 
 class Maps:

@@ -1012,22 +1012,35 @@ def import_scenario(
     *,
     out: Name | None = None,
     map: Name | None = None,  # noqa: A002 - the word of the command line
+    ego: str | None = None,
+    variant: int | None = None,
+    within: Name | None = None,
 ) -> ImportedScenario:
     """Write a scenario of OpenSCENARIO XML as a Scenic program of one's own, which `run` takes; nothing of it is run.
 
     Args:
-        file: An ``.xosc`` file.
+        file: An ``.xosc`` file: a scenario, or parameter values for one, each set of which gives a program.
         out: The ``.scenic`` file, a new one; None for one beside it with its name.
-        map: A packaged map or an ``.xodr`` file; None for the one beside the file that it names.
+        map: A packaged map or an ``.xodr`` file; None for the one that the file names by a path from its folder.
+        ego: What the file calls the ego; None where that is told by the file.
+        variant: The number of one set of parameter values, from 1; None for all of them.
+        within: The folder in which catalogs and the map lie that the file names, if they may lie nowhere else.
 
     Raises:
         ScenarioError: It cannot be read, or says what cannot be said here; the message names each element and its line.
         MapError: The map is not there, or is broken.
-        SettingsError: The program is there already.
+        SettingsError: The program is there already, or there is no such variant.
     """
     from chatscene.imports.import_file import import_scenario as import_file
 
-    return import_file(_path(file), out=None if out is None else _path(out), map_name=None if map is None else str(map))
+    return import_file(
+        _path(file),
+        out=None if out is None else _path(out),
+        map_name=None if map is None else str(map),
+        ego=ego,
+        variant=variant,
+        within=None if within is None else _path(within),
+    )
 
 
 def sql(query: str, folder: Name = "runs") -> Table:

@@ -25,6 +25,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.search.generators.foreign import read_foreign
 from chatscene.terms.plan import Number
 from chatscene.terms.plan_text import print_plan
+from chatscene.terms.storyboard import Storyboard
 from chatscene.world.places import laneLine
 from places import SHARED
 from red_team.scenario_files import AT, ATTACKS, CAR, NEAR, SLOWS, WALKER, event, scenario
@@ -78,13 +79,9 @@ def test_a_step_that_has_a_length_lasts_as_scenario_runner_reads_it_and_that_is_
 
 def test_a_lane_change_leads_to_the_line_of_that_lane_and_its_time_is_noted(beside: Path) -> None:
     change = '<LateralAction><LaneChangeAction><LaneChangeActionDynamics dynamicsShape="sinusoidal" dynamicsDimension="time" value="3"/><LaneChangeTarget><RelativeTargetLane entityRef="lead" value="{}"/></LaneChangeTarget></LaneChangeAction></LateralAction>'
-    found = None
-    for lanes in (1, -1):
-        try:
-            found = read(beside, scenario(events=event(change.format(lanes))))
-        except ScenarioError as error:
-            assert "there is no lane" in str(error)  # a street has a lane on one side
-    assert found is not None
+    both = [read(beside, scenario(events=event(change.format(lanes)))) for lanes in (1, -1)]
+    (found,) = [one for one in both if isinstance(one.board, Storyboard)]  # a street has a lane on one side
+    assert isinstance(found.board, Storyboard)
     lead = found.board.lines["leadWay2"]
     along, aside, _ = lead.project(136.75, -330.0)
     assert 0 < along < lead.length
@@ -119,13 +116,9 @@ def test_a_place_may_be_told_by_road_lane_or_beside_somebody(beside: Path) -> No
         (scenario(events=event("<TeleportAction/>")), r"<TeleportAction>: nobody does this here"),
         (
             scenario(events=event(condition=NEAR.replace("RelativeDistance", "TimeToCollision"))),
-            "how long another than the ego",
+            "<TimeToCollisionCondition>: it has no target",
         ),
-        (scenario(events=event().replace("rising", "falling")), "ceases"),
-        (
-            scenario(events=event().replace('name="brakes" p', 'name="brakes" maximumExecutionCount="3" p')),
-            "more than once",
-        ),
+        (scenario(events=event().replace("rising", "sinking")), "the edge 'sinking' is not known"),
         (scenario(place='<GeoPosition latitude="1" longitude="2"/>'), "such a place is not read"),
         (scenario(place='<LanePosition roadId="999" laneId="1" s="1"/>'), "has no road '999'"),
         (scenario(events=event(SLOWS.replace("$near", "1"), NEAR.replace("$near", "$far"))), r"\$far.*not declare"),
@@ -179,7 +172,7 @@ def test_the_command_writes_a_program_once_and_says_how_it_is_run(beside: Path) 
     assert read_foreign(program).program.parameters
     with pytest.raises(SettingsError, match="there already"):
         chatscene.import_scenario(beside / "theirs.xosc")
-    with pytest.raises(ScenarioError, match="does not lie beside it"):
+    with pytest.raises(ScenarioError, match="does not lie there"):
         (beside / "town.xodr").unlink()
         chatscene.import_scenario(beside / "theirs.xosc", out=beside / "other.scenic")
 
@@ -396,13 +389,6 @@ def test_a_map_that_lies_beside_the_file_is_found_however_it_is_named(name: str,
     assert read(beside, text).map_path == beside / "town.xodr"
 
 
-def test_the_way_to_a_map_in_another_folder_is_told_to_be_copied(beside: Path) -> None:
-    (beside / "deep").mkdir()
-    (beside / "deep" / "theirs.xosc").write_text(scenario(map_name="../town.xodr"))
-    with pytest.raises(ScenarioError, match=f"lies in another folder.* name it with --map {beside / 'town.xodr'}$"):
-        read_openscenario(beside / "deep" / "theirs.xosc")
-
-
 @pytest.mark.parametrize(
     ("name", "why"),
     [
@@ -415,17 +401,6 @@ def test_the_way_to_a_map_in_another_folder_is_told_to_be_copied(beside: Path) -
 def test_what_is_the_matter_with_the_name_of_a_map_is_told(name: str, why: str, beside: Path) -> None:
     with pytest.raises(ScenarioError, match=why):
         read(beside, scenario(map_name=name))
-
-
-def test_a_profile_of_speeds_is_refused_as_what_it_is_and_not_as_a_distance(beside: Path) -> None:
-    profile = '<LongitudinalAction><SpeedProfileAction followingMode="follow"/></LongitudinalAction>'
-    with pytest.raises(ScenarioError, match="<SpeedProfileAction>: a profile of speeds is not read"):
-        read(beside, scenario(events=event(profile)))
-
-
-def test_where_nobody_is_called_the_ego_those_who_could_be_are_named(beside: Path) -> None:
-    with pytest.raises(ScenarioError, match="there is 'VUT', 'lead': call one of them ego"):
-        read(beside, scenario().replace('"ego"', '"VUT"'))
 
 
 def test_who_is_to_get_slower_by_a_rate_brakes_as_a_driver_and_does_not_only_coast(beside: Path) -> None:
@@ -547,25 +522,10 @@ def test_rain_of_no_strength_does_not_fall(beside: Path) -> None:
     assert str(read(beside, under(RAIN.replace('"2"', '"0"'))).board.surroundings.weather) == "clear"
 
 
-def test_a_weather_in_another_file_and_a_second_one_are_refused(beside: Path) -> None:
-    with pytest.raises(ScenarioError, match="catalogs lie in other files"):
-        read(beside, weather('<CatalogReference catalogName="e" entryName="rain"/>'))
-    twice = under(RAIN)
-    one = twice[twice.index("<GlobalAction>") : twice.index("</GlobalAction>") + len("</GlobalAction>")]
-    with pytest.raises(ScenarioError, match="there is one weather"):
-        read(beside, twice.replace(one, one + one))
-
-
 def test_a_category_that_nobody_here_has_is_noted_with_what_is_shown(beside: Path) -> None:
     trailer = read(beside, scenario(body=CAR.replace('vehicleCategory="car"', 'vehicleCategory="trailer"')))
     assert any("a trailer is shown as a truck of its size" in note for note in trailer.notes)
     assert not any("is shown as" in note for note in read(beside, scenario()).notes)
-
-
-def test_a_speed_in_init_that_is_no_number_is_refused_and_not_read_as_standing(beside: Path) -> None:
-    relative = '<RelativeTargetSpeed entityRef="ego" value="2" speedTargetValueType="delta" continuous="false"/>'
-    with pytest.raises(ScenarioError, match="in Init, a speed is one number"):
-        read(beside, scenario().replace('<AbsoluteTargetSpeed value="5"/>', relative))
 
 
 def test_a_speed_in_init_that_is_reached_in_some_time_is_there_at_once_and_that_is_noted(beside: Path) -> None:
@@ -603,10 +563,6 @@ def test_the_value_of_a_parameter_may_be_an_expression_of_others(beside: Path) -
     [
         ((("kph", "${$mps*3.6}"), ("mps", "${$kph/3.6}")), r"\$mps is an expression of itself"),
         ((("mps", "${$kph/3.6}"),), r"it speaks of \$kph, which the file does not declare"),
-        (
-            (("p0", "1"), *((f"p{i + 1}", f"${{$p{i} + $p{i}}}") for i in range(14)), ("mps", "$p14")),
-            "is longer than 4000 characters with its parameters",
-        ),
     ],
 )
 def test_a_parameter_of_itself_of_nothing_or_without_end_is_refused(

@@ -47,8 +47,8 @@ def test_the_map_that_is_spoiled_below_is_sound(tmp_path: Path) -> None:
         ("<line/>", '<poly3 a="0" b="0" c="0" d="0"/>', "<geometry> at s='0' of the shape <poly3>; line, arc, spiral"),
         (
             "<line/>",
-            '<paramPoly3 aU="0" bU="400" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="arcLength"/>',
-            "with pRange='arcLength'; only 'normalized' is read",
+            '<paramPoly3 aU="0" bU="400" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="degrees"/>',
+            "with pRange='degrees'; normalized and arcLength are read",
         ),
         (SECTION + LATER, "", "road '7' has no <laneSection>, so no lane"),
         (LATER, LATER.replace('a="3.5"', 'a="0"'), "section 1 (s='200'): lane '-1' has a width of 0 all along"),

@@ -65,11 +65,11 @@ ATTACKS = {
     "many elements": ("<OpenSCENARIO>" + "<a/>" * 200_001 + "</OpenSCENARIO>", "more than 200000 elements"),
     "a long attribute": (f'<OpenSCENARIO name="{"a" * 20_000}"/>', "more than 10000 characters"),
     "a map elsewhere": (scenario(map_name="/etc/passwd"), "is no .xodr file"),
-    "a map above": (scenario(map_name="../town.xodr"), "its map lies in another folder"),
-    "a map behind a drive": (scenario(map_name="..\\town.xodr"), "its map lies in another folder"),
+    "a map above": (scenario(map_name="../town.xodr"), "does not lie there"),
+    "a map behind a drive": (scenario(map_name="..\\town.xodr"), "does not lie there"),
     "a catalog": (
         scenario(body='<CatalogReference catalogName="../../x" entryName="y"/>'),
-        "catalogs lie in other files",
+        "no folder that the file names has a catalog",
     ),
     "a number that is none": (scenario(place=AT.format(y="inf")), "no number within a million"),
     "an expression that calls": (

@@ -667,20 +667,32 @@ def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: b
     callback=usable_map,
     help="A packaged map or an .xodr file; default: the one FILE names.",
 )
+@click.option("--ego", metavar="NAME", help="The ego in FILE; default: who is called ego, else the first vehicle.")
+@click.option("--variant", type=click.IntRange(min=1), metavar="N", help="Only set N of a file of parameter values.")
 @JSON
-def import_scenario(file: Path, out: Path | None, map_name: str | None, as_json: bool) -> None:
+def import_scenario(
+    file: Path, out: Path | None, map_name: str | None, ego: str | None, variant: int | None, as_json: bool
+) -> None:
     """Write the OpenSCENARIO XML in FILE as a Scenic program, which `run --program` takes; nothing of it is run.
 
-    What cannot be said here is refused by its element and line, all of it at once. The map lies beside FILE.
+    FILE is a scenario, or sets of parameter values for one: then there is a program for each set. Catalogs and the map
+    are those that FILE names by paths from its own folder. What cannot be said here is refused by its element and line.
 
     \b
     chatscene import cut-in.xosc
-    chatscene import cut-in.xosc --map Town04.xodr --out mine.scenic
+    chatscene import cut-in.xosc --map Town04.xodr --ego Car1 --out mine.scenic
+    chatscene import variations.xosc --variant 3
     """
     from chatscene import api
 
-    done = api.import_scenario(file, out=out, map=map_name)
-    told = {"program": str(done.program), "map": str(done.map_path), "notes": done.notes, "command": done.command}
+    done = api.import_scenario(file, out=out, map=map_name, ego=ego, variant=variant)
+    told = {
+        "program": str(done.program),
+        "programs": [str(one) for one in done.programs],
+        "map": str(done.map_path),
+        "notes": done.notes,
+        "command": done.command,
+    }
     say(json.dumps(told) if as_json else str(done))
 
 

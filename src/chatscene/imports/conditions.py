@@ -64,7 +64,7 @@ class Conditions:
         terms: list[Expression] = []
         delays: list[Sum] = []
         for condition in conditions:
-            if condition.attributes.get("conditionEdge", "none") == "falling":
+            if condition.attributes.get("conditionEdge", "none") not in ("none", "rising"):
                 raise Refused(condition, "it looks for the moment in which something ceases; write what holds then")
             delay = self._given.sum(condition, "delay", "0")
             meant = self._condition(condition, index)

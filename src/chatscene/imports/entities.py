@@ -9,20 +9,29 @@ from chatscene.imports.stranger_xml import Element
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.storyboard import THING
 
-_ALIKE = {"semitrailer": "Truck", "trailer": "Truck"}
+_ALIKE = {"semitrailer": "Truck", "trailer": "Truck", "train": "Tram", "motorcycle": "Motorcycle"}
+_LEAST = 0.1  # [m] that anything is long and wide
 _ONE_OF = frozenset(("animal",))  # categories that say less than which of those here it is
+_NAMED = ("ego", "hero", "vut", "sut", "host")  # VUT: Euro NCAP's vehicle under test
 _EGOS = re.compile(r"(?i)(ego|hero)")
 
 
 class Entities:
     """The entities of a file.
 
+    Args:
+        root: The file.
+        given: Its parameters.
+        ego: Which one is the ego; None where the file tells it.
+
     Attributes:
         objects: Their elements, by name.
+        groups: The names of those that a selection holds, by its name.
     """
 
-    def __init__(self, root: Element, given: Given) -> None:
-        self._root, self._given = root, given
+    def __init__(self, root: Element, given: Given, ego: str | None = None) -> None:
+        self._root, self._given, self._asked = root, given, ego
+        self.groups: dict[str, tuple[str, ...]] = {}
         self.objects = self._found(root)
 
     def _found(self, root: Element) -> dict[str, Element]:
@@ -32,6 +41,9 @@ class Entities:
         for one in entities.inside:
             if one.tag == "ScenarioObject" and one.attributes.get("name"):
                 found[one.attributes["name"]] = one
+            elif one.tag == "EntitySelection" and one.attributes.get("name"):
+                refs = [ref for ref in one.walk() if ref.tag == "EntityRef"]
+                self.groups[one.attributes["name"]] = tuple(self._given.text(ref, "entityRef") for ref in refs)
             else:
                 self._given.refusals.append(str(Refused(one, "only single road users with a name are read")))
         return found
@@ -42,32 +54,52 @@ class Entities:
         Raises:
             Refused: It is not told which one that is.
         """
+        if self._asked is not None:
+            if self._asked in self.objects:
+                return self._asked
+            known = ", ".join(map(repr, self.objects))[:200]
+            raise Refused(self._root, f"there is no {self._asked[:40]!r} that could be the ego; there is {known}")
         roles = {name: self._properties(one).get("chatscene.role") for name, one in self.objects.items()}
         types = {name: self._properties(one).get("type") for name, one in self.objects.items()}
         for said in (
             [name for name, role in roles.items() if role == "ego"],
             [name for name, kind in types.items() if kind == "ego_vehicle"],
+            [name for name in self.objects if name.lower() in _NAMED],
             [name for name in self.objects if _EGOS.match(name)],
-            [name for name, one in self.objects.items() if one.find("ObjectController")],
         ):
             if len(said) == 1:
                 return said[0]
             if said:
-                raise Refused(self.objects[said[1]], f"there is more than one ego: {', '.join(said)[:80]}")
+                return self._first(said)
+        led = [name for name, one in self.objects.items() if one.find("ObjectController")]
+        if len(led) == 1:
+            return led[0]
+        drive = [name for name, one in self.objects.items() if one.inside and one.inside[0].tag == "Vehicle"]
+        if drive:
+            return self._first(drive)
         there = ", ".join(map(repr, self.objects))[:80] or "nobody"
-        raise Refused(self._root, f"which one the ego is, is not told; there is {there}: call one of them ego")
+        raise Refused(self._root, f"there is no vehicle that could be the ego; there is {there}")
+
+    def _first(self, names: list[str]) -> str:
+        """The first of several that could be the ego, and a note of it where there are several."""
+        if len(names) > 1:
+            others = ", ".join(names[1:])[:120]
+            self._given.note(
+                self.objects[names[0]], f"which one the ego is, is not told; {names[0]} is taken; else name one with "
+                f"--ego: {others}"
+            )  # fmt: skip
+        return names[0]
 
     def _properties(self, one: Element) -> dict[str, str]:
         return {p.attributes.get("name", ""): p.attributes.get("value", "") for p in one.walk() if p.tag == "Property"}
 
     def body(self, one: Element) -> tuple[str, float, float, float]:
         """The class of somebody, its length and width, and how far its centre lies before its origin [m]."""
-        if not one.inside or one.inside[0].tag == "CatalogReference":
-            raise Refused(
-                one.inside[0] if one.inside else one, "catalogs lie in other files, which are not opened; write it here"
-            )
+        if not one.inside or one.inside[0].tag in ("CatalogReference", "ExternalObjectReference"):
+            raise Refused(one.inside[0] if one.inside else one, "what body it has is not told; write a Vehicle here")
         body = one.inside[0]
-        category = next((value for name, value in body.attributes.items() if name.endswith("Category")), "")
+        named = next((name for name in body.attributes if name.endswith("Category")), "")
+        category = self._given.text(body, named) if named else ""
         dimensions, centre = body.find("BoundingBox", "Dimensions"), body.find("BoundingBox", "Center")
         length = self._given.number(dimensions, "length") if dimensions else 0.0
         width = self._given.number(dimensions, "width") if dimensions else 0.0
@@ -84,10 +116,13 @@ class Entities:
             if not fits and alike is None:
                 raise Refused(body, f"nobody here is a {category[:40]!r}")
             kind = alike or fits[0]
-            if kind.lower() != category and (alike or category in _ONE_OF):
-                self._given.notes.append(f"line {body.line}: a {category} is shown as a {kind.lower()} of its size")
+            if kind.lower() != category and (alike or category in _ONE_OF) and category != "motorcycle":
+                self._given.note(body, f"a {category} is shown as a {kind.lower()} of its size")
         if kind in LIMITS and not (length and width):
             length, width = LIMITS[kind].length, LIMITS[kind].width
+        if kind == THING and not (length >= _LEAST and width >= _LEAST):
+            length, width = max(length, _LEAST), max(width, _LEAST)
+            self._given.note(body, f"a thing of no size is shown as one of {length:g} m by {width:g} m")
         if not (0.1 <= length <= 30 and 0.1 <= width <= 10):
             raise Refused(body, f"a body of {length:g} m by {width:g} m is not made here")
         return kind, length, width, ahead

@@ -11,6 +11,7 @@ from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
 _FOG = 200.0  # [m] of sight, below which it is foggy
 _FALLS = {"dry": Weather.CLEAR, "rain": Weather.RAIN, "snow": Weather.SNOW}
+_ELSEWHERE = frozenset(("EntityAction", "ParameterAction", "VariableAction"))  # what other readers see to
 _SAME = 1e-6  # between frictions
 _SLIPPERY = 0.75  # of a dry road's friction
 
@@ -21,17 +22,20 @@ def surroundings_of(actions: Element, given: Given) -> Surroundings:
     Raises:
         Refused: It tells more of the world.
     """
-    worlds = actions.all("GlobalAction")
-    for one in worlds:
-        if one.find("EnvironmentAction") is None:
-            raise Refused(one.inside[0] if one.inside else one, "of the world only its weather is told in Init")
+    worlds: list[Element] = []
+    for one in actions.all("GlobalAction"):
+        inner = one.inside[0] if one.inside else one
+        if inner.tag == "EnvironmentAction":
+            worlds.append(one)
+        elif inner.tag not in _ELSEWHERE:
+            raise Refused(inner, "of the world only its weather and who is there is told in Init")
     if not worlds:
         return Surroundings()
     if len(worlds) > 1:
         raise Refused(worlds[1], "there is one weather; write one EnvironmentAction")
     environment = worlds[0].find("EnvironmentAction", "Environment")
     if environment is None:
-        raise Refused(worlds[0], "catalogs lie in other files, which are not opened; write the Environment here")
+        raise Refused(worlds[0], "its Environment is not there; write it here")
     weather = environment.find("Weather")
     return Surroundings(
         light=_light(environment.find("TimeOfDay"), given),
@@ -56,19 +60,19 @@ def _weather(weather: Element, given: Given) -> Weather:
         kind = "dry"  # nothing falls
     sky = _FALLS.get(kind)
     if falls and kind not in _FALLS:
-        given.notes.append(f"line {falls.line}: {kind[:40]!r} falls in no scene and is left away")
+        given.note(falls, f"{kind[:40]!r} falls in no scene and is left away")
     sight = given.number(fog, "visualRange", "100000") if fog else math.inf
     foggy = sight < _FOG
     if fog and foggy and sky not in (None, Weather.CLEAR):
-        given.notes.append(f"line {fog.line}: a scene has one weather: {sky} is shown, and its fog is left away")
+        given.note(fog, f"a scene has one weather: {sky} is shown, and its fog is left away")
     elif fog and foggy:
         sky = Weather.FOG
         if sight != Weather.FOG.row.sight:
             seen = f"{Weather.FOG.row.sight:g} m, where it says {sight:g} m"
-            given.notes.append(f"line {fog.line}: there is one fog, in which others are seen from {seen}")
+            given.note(fog, f"there is one fog, in which others are seen from {seen}")
     wind = weather.find("Wind")
     if wind and given.number(wind, "speed", "0"):
-        given.notes.append(f"line {wind.line}: there is no wind here")
+        given.note(wind, "there is no wind here")
     return sky or Weather.CLEAR
 
 
@@ -84,5 +88,5 @@ def _surface(road: Element | None, given: Given) -> Surface:
     friction = surface.row.friction if math.isfinite(surface.row.friction) else 1.0
     if abs(friction - grip) > _SAME and not (wetness and grip == 1.0):
         told = f"a friction of {grip:g} is shown as a {surface.row.said}, of {friction:g}"
-        given.notes.append(f"line {road.line}: {told}")
+        given.note(road, f"{told}")
     return surface

@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import product
+from pathlib import Path
 
 from chatscene.errors import ScenarioError, SnippetError
+from chatscene.imports.calculated import calculated
 from chatscene.imports.stranger_xml import Element
 from chatscene.terms.plan import Parameter, walk
 from chatscene.terms.plan_text import PARAMETERS, parse_expression
@@ -18,7 +20,7 @@ from chatscene.terms.sums import Sum, number, sum_of, valued
 REPORTED = 20  # refusals in one message
 DEEPEST = 50  # parameters, each an expression of the next
 MOST_CHARACTERS = 4_000  # of an expression with its parameters: each may name another twice
-_REFERENCE = re.compile(r"\$([A-Za-z_][A-Za-z0-9_]*)")
+REFERENCE = re.compile(r"\$([A-Za-z_][A-Za-z0-9_]*)")
 _RANGED = frozenset(("double", "int", "integer", "unsignedInt", "unsignedShort"))
 _LOWER, _UPPER = frozenset(("greaterOrEqual", "greaterThan")), frozenset(("lessOrEqual", "lessThan"))
 
@@ -27,7 +29,7 @@ class Refused(Exception):  # noqa: N818 - reads as what it says
     """An element says what cannot be said here."""
 
     def __init__(self, element: Element, why: str) -> None:
-        super().__init__(f"line {element.line}: <{element.tag}>: {why}")
+        super().__init__(f"{element.where}: <{element.tag}>: {why}")
 
 
 @dataclass(slots=True)
@@ -39,12 +41,37 @@ class Given:
         values: The value of every parameter, as written.
         notes: What was taken otherwise than it is written, or left to others, each with its line.
         refusals: What cannot be said here, each with its line.
+        fixed: Parameters that keep their values, whatever range they have.
+        wanted: Those that vary and stand where nothing may vary; the file is to be read again with them fixed.
+        told: Values of parameters that were told from outside, as by a set of parameter values.
+        spans: Ends between which parameters vary that were told from outside.
+        within: The folder in which every other file lies that is opened; None for any.
     """
 
     ranges: dict[str, ParameterRange] = field(default_factory=dict[str, ParameterRange])
     values: dict[str, str] = field(default_factory=dict[str, str])
     notes: list[str] = field(default_factory=list[str])
     refusals: list[str] = field(default_factory=list[str])
+    fixed: frozenset[str] = frozenset()
+    wanted: set[str] = field(default_factory=set[str])
+    told: Mapping[str, str] = field(default_factory=dict[str, str])
+    spans: Mapping[str, tuple[float, float]] = field(default_factory=dict[str, tuple[float, float]])
+    within: Path | None = None
+
+    def note(self, element: Element, what: str) -> None:
+        """Note what was taken otherwise than it is written."""
+        self.notes.append(f"{element.where}: {what}")
+
+    def copied(self) -> Given:
+        """The same, to be read on from in another way."""
+        return replace(
+            self,
+            ranges=dict(self.ranges),
+            values=dict(self.values),
+            notes=list(self.notes),
+            refusals=list(self.refusals),
+            wanted=set(self.wanted),
+        )
 
     def declare(self, root: Element) -> None:
         """Read the parameters of a file."""
@@ -53,41 +80,79 @@ class Given:
             if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]{0,50}", name):
                 self.refusals.append(str(Refused(one, f"{name[:40]!r} is no name; use letters, digits and _")))
                 continue
-            self.values[name] = one.attributes.get("value", "")
+            self.values[name] = self.told.get(name, one.attributes.get("value", ""))
             groups = one.all("ConstraintGroup")
-            if kind in _RANGED and groups:
-                try:
-                    self._float(one, self.values[name])
-                    self.ranges[name] = self._range(one, name, groups)
-                except Refused as reason:
-                    self.refusals.append(str(reason))
+            if name in self.spans:
+                low, high = self.spans[name]
+                self.values[name] = repr((low + high) / 2)
+                if name in self.fixed:
+                    self.note(
+                        one, f"${name} stands where nothing may vary here; it keeps the value {(low + high) / 2!r}"
+                    )
+                else:
+                    self.ranges[name] = _varying(name, low, high)
+            elif groups and name not in self.told and not self.values[name].strip().startswith("$"):
+                self._constrained(one, name, kind, groups)
+        for name in sorted(set(self.told) - set(self.values)):
+            self.notes.append(
+                f"line {root.line}: the scenario declares no parameter {name[:40]!r}; its value is left out"
+            )
 
-    def _range(self, declared: Element, name: str, groups: list[Element]) -> ParameterRange:
-        if len(groups) > 1:
-            raise Refused(declared, "its values lie in one range or another; write one ConstraintGroup")
+    def _constrained(self, declared: Element, name: str, kind: str, groups: list[Element]) -> None:
+        """Let a parameter vary between the two ends that its constraints give it; else it keeps its value."""
+        try:
+            found = self._range(name, groups) if kind in _RANGED else None
+            at = self._float(declared, self.values[name]) if kind in _RANGED else 0.0
+        except Refused as reason:
+            self.refusals.append(str(reason))
+            return
+        if found is None:
+            self.note(
+                declared,
+                f"its constraints give no range with two ends; ${name} keeps the value {self.values[name][:40]}",
+            )
+        elif name in self.fixed:
+            self.note(
+                declared, f"${name} stands where nothing may vary here; it keeps the value {self.values[name][:40]}"
+            )
+        elif found.low <= at <= found.high:
+            self.ranges[name] = found
+        else:
+            self.refusals.append(str(Refused(declared, f"{at:g} is not within {found.low:g} to {found.high:g}")))
+
+    def _range(self, name: str, groups: list[Element]) -> ParameterRange | None:
+        """The range that a group of constraints gives; None where it has not two ends, or there are several groups."""
         bounds: dict[str, float] = {}
         for one in groups[0].inside:
             rule = one.attributes.get("rule", "")
-            side = "low" if rule in _LOWER else "high" if rule in _UPPER else None
-            if side is None:
-                raise Refused(one, f"the rule {rule!r} gives no range; write greaterOrEqual and lessOrEqual")
-            bounds[side] = self._float(one, one.attributes.get("value", ""))
+            value = one.attributes.get("value", "")
+            if rule not in _LOWER | _UPPER or len(groups) > 1 or value.strip().startswith("$"):
+                return None
+            bounds["low" if rule in _LOWER else "high"] = self._float(one, value)
         low, high = bounds.get("low"), bounds.get("high")
         if low is None or high is None or low > high:
-            raise Refused(declared, "its range has no two ends; write greaterOrEqual and lessOrEqual")
-        upper = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).upper()
-        return ParameterRange(name=upper if upper.startswith("OPT_") else f"OPT_{upper}", low=low, high=high, unit="1")
+            return None
+        return _varying(name, low, high)
 
     def text(self, element: Element, name: str, default: str | None = None) -> str:
         """What an attribute says; the value of a parameter in its place."""
         written = element.attributes.get(name, default)
         if written is None:
             raise Refused(element, f"it has no attribute {name!r}")
-        if (found := _REFERENCE.fullmatch(written)) is not None:
+        if (found := REFERENCE.fullmatch(written)) is not None:
             if found[1] not in self.values:
                 raise Refused(element, f"it speaks of ${found[1]}, which the file does not declare")
-            return self.values[found[1]]
+            if found[1] in self.ranges:
+                self.wanted.add(found[1])
+            written = self.values[found[1]]
+        if written.startswith("${"):
+            value = self._calculated(element, written)
+            return str(int(value)) if value == int(value) else repr(value)
         return written
+
+    def flag(self, element: Element, name: str, default: str = "false") -> bool:
+        """Whether an attribute says that something holds."""
+        return self.text(element, name, default).strip().lower() in ("true", "1")
 
     def sum(self, element: Element, name: str, default: str | None = None) -> Sum:
         """The number that an attribute says, of parameters that vary."""
@@ -97,14 +162,34 @@ class Given:
         written = written.strip()
         if not written.startswith("$"):
             return number(self._float(element, written))
+        names = self._names(written)
+        if not any(name in self.ranges for name in names):
+            return number(self._calculated(element, written))
         try:
-            expression = parse_expression(self._filled(element, written, ()))
-            found = sum_of(expression)
-        except (SnippetError, ZeroDivisionError) as error:
-            raise Refused(element, f"{written[:60]!r} is no number that can be said here ({error})") from error
-        if found is None:
-            raise Refused(element, f"{written[:60]!r} is no number; use + - * / abs max min")
+            found = sum_of(parse_expression(self._filled(element, written, ())))
+        except (SnippetError, ZeroDivisionError):
+            found = None
+        if found is None:  # more than a plan computes: what varies in it is to keep its value
+            self.wanted.update(name for name in names if name in self.ranges)
+            return number(self._calculated(element, written))
         return found
+
+    def _names(self, written: str) -> set[str]:
+        """The parameters in an expression, and in what they stand for."""
+        found: set[str] = set()
+        waiting = set(REFERENCE.findall(written))
+        while waiting:
+            found.add(name := waiting.pop())
+            waiting |= set(REFERENCE.findall(self.values.get(name, ""))) - found
+        return found
+
+    def _calculated(self, element: Element, written: str) -> float:
+        """The value of an expression, with every parameter at its value."""
+        try:
+            found = calculated(self._valued(element, written, ()))
+        except ValueError as error:
+            raise Refused(element, f"{written[:60]!r} is no number that can be said here ({error})") from error
+        return self._float(element, repr(found))
 
     def least(self, one: Sum) -> float:
         """The least that a sum is at the ends of the ranges of its parameters."""
@@ -116,10 +201,27 @@ class Given:
     def _filled(self, element: Element, written: str, within: tuple[str, ...]) -> str:
         """An expression with what each parameter stands for, which may be an expression of others."""
         inner = written[2:-1] if written.startswith("${") and written.endswith("}") else written
-        filled = _REFERENCE.sub(lambda one: self._spelled(element, one[1], within), inner)
+        filled = REFERENCE.sub(lambda one: self._spelled(element, one[1], within), inner)
         if len(filled) > MOST_CHARACTERS:
             raise Refused(element, f"{written[:40]!r} is longer than {MOST_CHARACTERS} characters with its parameters")
         return filled
+
+    def _valued(self, element: Element, written: str, within: tuple[str, ...]) -> str:
+        """An expression with the value of each parameter in it."""
+
+        def value(one: re.Match[str]) -> str:
+            name = one[1]
+            if name not in self.values:
+                raise Refused(element, f"it speaks of ${name}, which the file does not declare")
+            if name in within or len(within) > DEEPEST:
+                raise Refused(element, f"${name} is an expression of itself, or of too many others in a row")
+            text = self.values[name].strip()
+            if text.startswith("$"):
+                return f"({calculated(self._valued(element, text, (*within, name)))!r})"
+            return f"({self._float(element, {'true': '1', 'false': '0'}.get(text.lower(), text))!r})"
+
+        inner = written[2:-1] if written.startswith("${") and written.endswith("}") else written
+        return REFERENCE.sub(value, inner)
 
     def _spelled(self, element: Element, name: str, within: tuple[str, ...]) -> str:
         if name in self.ranges:
@@ -131,13 +233,15 @@ class Given:
         value = self.values[name].strip()
         if value.startswith("$"):
             return f"({self._filled(element, value, (*within, name))})"
+        value = {"true": "1.0", "false": "0.0"}.get(value.lower(), value)
         return f"({self._float(element, value)!r})"
 
     def number(self, element: Element, name: str, default: str | None = None) -> float:
-        """The number that an attribute says, which may not vary."""
+        """The number that an attribute says, where it may not vary: parameters in it are to keep their values."""
         found = self.sum(element, name, default)
         if found.number is None:
-            raise Refused(element, f"its {name} varies with a parameter, which can be said of few places here")
+            self.wanted.update(one for one in self._names(element.attributes.get(name, "")) if one in self.ranges)
+            return valued(found.expression, self.nominal)
         return found.number
 
     def _float(self, element: Element, written: str) -> float:
@@ -164,3 +268,8 @@ class Given:
             told = list(dict.fromkeys(self.refusals))
             more = f"\n  and {len(told) - REPORTED} more" if len(told) > REPORTED else ""
             raise ScenarioError(f"{path} cannot be said here:\n  " + "\n  ".join(told[:REPORTED]) + more)
+
+
+def _varying(name: str, low: float, high: float) -> ParameterRange:
+    upper = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).upper().lstrip("_")
+    return ParameterRange(name=upper if upper.startswith("OPT_") else f"OPT_{upper}", low=low, high=high, unit="1")

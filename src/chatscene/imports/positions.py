@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import math
-from functools import cached_property
+from functools import cached_property, lru_cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.player import InLane, lane_beside
+from chatscene.imports.shapes import Pose, shape_of
 from chatscene.imports.stranger_xml import Element
-from chatscene.maps.neighbours import section_beside
-from chatscene.maps.network import load_network
+from chatscene.maps.curves import read_all_curves
+from chatscene.maps.neighbours import numbered_beside
+from chatscene.maps.network import load_network, map_digest
 from chatscene.terms.polyline import Polyline
 from chatscene.world.places import laneLine
 
-Pose = tuple[float, float, float]  # x, y [m], heading [rad]
-_LANES_ACROSS = 12
+_BEYOND = 300.0  # [m] beyond the last waypoint of a route, where a place may still be: it goes straight on
 
 
 class Positions:
@@ -43,13 +45,9 @@ class Positions:
     def _roads(self) -> Any:
         """The roads as they are written, by number; that the network can be made shows that they can be read."""
         assert self.network is not None
-        from scenic.formats.opendrive.xodr_parser import RoadMap
+        return _roads_of(self._map_path, map_digest(self._map_path))
 
-        roads = RoadMap()
-        roads.parse(str(self._map_path))
-        return roads.roads
-
-    def pose(self, position: Element) -> Pose:
+    def pose(self, position: Element) -> Pose:  # noqa: PLR0911
         """Where a Position is; its heading is that of its road or of whatever it is told beside, turned as it says."""
         if len(position.inside) != 1:
             raise Refused(position, "it names no one place")
@@ -74,14 +72,93 @@ class Positions:
                 return x, y, self._turned(one, heading)
             case "RelativeLanePosition" | "RelativeRoadPosition":
                 return self._relative(one)
+            case "TrajectoryPosition":
+                return self._on_trajectory(one)
+            case "RoutePosition":
+                return self._on_route(one)
             case _:
                 raise Refused(one, "such a place is not read; write a WorldPosition or a LanePosition")
 
-    def _of(self, one: Element) -> Pose:
-        name = self._given.text(one, "entityRef")
+    def known_of(self, one: Element, name: str) -> Pose:
+        """Where somebody is at first.
+
+        Raises:
+            Refused: It is not told.
+        """
         if name not in self.known:
             raise Refused(one, f"where {name[:40]!r} is, is not told before")
         return self.known[name]
+
+    def _of(self, one: Element) -> Pose:
+        name = self._given.text(one, "entityRef")
+        return self.known_of(one, name)
+
+    def _on_trajectory(self, one: Element) -> Pose:
+        """So far along a trajectory, and so far to its left."""
+        trajectory = one.find("TrajectoryRef", "Trajectory")
+        if trajectory is None:
+            raise Refused(one, "its trajectory is not there")
+        line = Polyline(shape_of(trajectory, self._given, self.pose).points)
+        along, left = self._given.number(one, "s"), self._left * self._given.number(one, "t", "0")
+        there = (*line.point_at(along), line.heading_at(along))
+        x, y, heading = _beside(there, left)
+        return x, y, self._turned(one, heading)
+
+    def _on_route(self, one: Element) -> Pose:
+        """So far along a route, as its roads' reference lines run, and in a lane or so far beside that line."""
+        g = self._given
+        route = one.find("RouteRef", "Route") or one.find("Route")
+        inside = one.find("InRoutePosition")
+        told = inside.inside[0] if inside is not None and inside.inside else None
+        if route is None or told is None or told.tag not in ("FromLaneCoordinates", "FromRoadCoordinates"):
+            raise Refused(one, "where on its route it is, is not told by pathS")
+        line = self.route_line(route)
+        along = g.number(told, "pathS")
+        if not 0.0 <= along <= line.length + _BEYOND:
+            raise Refused(told, f"its route is {line.length:.0f} m long, and {along:g} m is not on it")
+        there = (*line.point_at(along), line.heading_at(along))
+        if told.tag == "FromRoadCoordinates":
+            x, y, heading = _beside(there, self._left * g.number(told, "t", "0"))
+            return x, y, self._turned(one, heading)
+        number = int(g.number(told, "laneId"))
+        x, y, heading = there
+        section = self.network.laneSectionAt(_beside(there, -1.0)[:2]) or self.network.laneSectionAt(there[:2])
+        if section is None:
+            raise Refused(told, "there is no lane at that place of its route")
+        beside = self.beside(told, section, number if int(section.openDriveID) * number > 0 else -number)
+        middle = laneLine(beside.lane, 0.0)
+        s, _, _ = middle.project(x, y)
+        px, py = middle.point_at(s)
+        x, y, heading = _beside((px, py, heading), g.number(told, "laneOffset", "0"))
+        return x, y, self._turned(one, heading)
+
+    def route_line(self, route: Element) -> Polyline:
+        """The reference lines of the roads between the waypoints of a route, in its order."""
+        roads: dict[str, tuple[float, float]] = {}
+        for position in (p for waypoint in route.all("Waypoint") for p in waypoint.all("Position")):
+            one = position.inside[0] if position.inside else position
+            if one.tag not in ("LanePosition", "RoadPosition"):
+                return Polyline([self.pose(p)[:2] for w in route.all("Waypoint") for p in w.all("Position")])
+            number, s = self._given.text(one, "roadId"), self._given.number(one, "s")
+            first, _ = roads.get(number, (s, s))
+            roads[number] = (first, s)
+        parts = [self._stretch(route, number, *ends) for number, ends in roads.items()]
+        return Polyline([point for part in _in_order(parts) for point in part])
+
+    def _stretch(self, one: Element, number: str, first: float, last: float) -> list[tuple[float, float]]:
+        """The reference line of a road between two arc lengths; the whole of it where only one is told."""
+        road = self._road(one, number)
+        length = sum(piece.length for piece in road.ref_line)
+        if first == last:
+            first, last = (0.0, length) if first <= length / 2 else (length, 0.0)
+        count = max(int(abs(last - first)), 1)
+        return [_reference(road, first + (last - first) * i / count)[0] for i in range(count + 1)]
+
+    def _road(self, one: Element, number: str) -> Any:
+        road = next((road for key, road in self._roads.items() if str(key) == number), None)
+        if road is None:
+            raise Refused(one, f"the map {self._map_path.name} has no road {number[:40]!r}; give another with --map")
+        return road
 
     def _turned(self, one: Element, usual: float) -> float:
         turn = one.find("Orientation")
@@ -99,9 +176,7 @@ class Positions:
     def _on_road(self, one: Element, s: float, lane: int, aside: float) -> Pose:
         """A point by its arc length on a road; of lane 0, `aside` counts from the road's reference line."""
         number = self._given.text(one, "roadId")
-        road = next((road for key, road in self._roads.items() if str(key) == number), None)
-        if road is None:
-            raise Refused(one, f"the map {self._map_path.name} has no road {number[:40]!r}; give another with --map")
+        road = self._road(one, number)
         length = sum(piece.length for piece in road.ref_line)
         if not 0.0 <= s <= length:
             raise Refused(one, f"road {number} is {length:.0f} m long, and {s:g} m is not on it")
@@ -128,15 +203,16 @@ class Positions:
         if lanes:  # counted to the left of whom it is told beside
             of = self.in_lane(section, (x, y, facing))
             section = self.beside(one, section, lane_beside(of.number, of.left * lanes))
-        line = laneLine(section.lane)
+        ahead = self._given.number(one, "ds" if "ds" in one.attributes else "dsLane", "0")
+        line = laneLine(section.lane, 0.0)
         along, aside, _ = line.project(x, y)
+        line = laneLine(section.lane, along + ahead + 1.0)
         against = int(section.openDriveID) > 0  # the lane's own line runs as it is driven, t counts left of the road's
         told = "offset" if one.tag == "RelativeLanePosition" else "dt"
         beside = self._given.number(one, told, "0")
         aside = 0.0 if told == "offset" else aside
         if not self._mirrored:
             aside += -beside if against else beside
-        ahead = self._given.number(one, "ds" if "ds" in one.attributes else "dsLane", "0")
         if against and ahead:
             self._given.notes.append(
                 f"line {one.line}: its lane is driven against the road's line; it lies so far on as the lane is driven"
@@ -159,14 +235,8 @@ class Positions:
 
     def beside(self, one: Element, section: Any, number: int) -> Any:
         """The lane section with a number in OpenDRIVE, beside another."""
-        for turn in (1, -1):
-            found = section
-            for _ in range(_LANES_ACROSS):
-                if found is None or int(found.openDriveID) == number:
-                    break
-                found = section_beside(found, turn if found.isForward == section.isForward else -turn)
-            if found is not None and int(found.openDriveID) == number:
-                return found
+        if (found := numbered_beside(section, number)) is not None:
+            return found
         raise Refused(one, f"there is no lane {number} beside lane {section.openDriveID}")
 
     def lane_line(self, one: Element, pose: Pose, number: int | None = None) -> Polyline | None:
@@ -187,6 +257,30 @@ class Positions:
         if number is None and min(abs(turn), math.pi - abs(turn)) > math.pi / 4:
             return None
         return line if abs(turn) < math.pi / 2 else Polyline(line.points[::-1])
+
+
+@lru_cache(maxsize=4)
+def _roads_of(path: Path, digest: str) -> Any:
+    """The roads of a map as they are written, by number."""
+    del digest  # tells one content of a file from another
+    from scenic.formats.opendrive.xodr_parser import RoadMap
+
+    read_all_curves()
+    roads = RoadMap()
+    roads.parse(str(path))
+    return roads.roads
+
+
+def _in_order(parts: list[list[tuple[float, float]]]) -> list[list[tuple[float, float]]]:
+    """Stretches one after the other, each turned so that it begins near where the one before ends."""
+    if len(parts) > 1 and min(math.dist(parts[0][0], p) for p in (parts[1][0], parts[1][-1])) < min(
+        math.dist(parts[0][-1], p) for p in (parts[1][0], parts[1][-1])
+    ):
+        parts[0].reverse()
+    for before, part in pairwise(parts):
+        if math.dist(before[-1], part[-1]) < math.dist(before[-1], part[0]):
+            part.reverse()
+    return parts
 
 
 def _beside(pose: Pose, left: float) -> Pose:

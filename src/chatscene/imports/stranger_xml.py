@@ -25,12 +25,19 @@ class Element:
         attributes: As they are written.
         line: Where it begins, from 1.
         inside: The elements in it, in order.
+        file: The name of the file that it stands in; empty for the file that was asked for.
     """
 
     tag: str
     attributes: Mapping[str, str]
     line: int
     inside: list[Element] = field(default_factory=list["Element"])
+    file: str = ""
+
+    @property
+    def where(self) -> str:
+        """Its file, where that is another than the one that was asked for, and its line."""
+        return f"{self.file}, line {self.line}" if self.file else f"line {self.line}"
 
     def all(self, tag: str) -> list[Element]:
         """The elements of a name directly in it."""
@@ -51,8 +58,12 @@ class Element:
             waiting.extend(reversed(one.inside))
 
 
-def read_xml(path: Path) -> Element:
+def read_xml(path: Path, *, file: str = "") -> Element:
     """The root of a file of XML.
+
+    Args:
+        path: Where it lies.
+        file: What its elements say of the file that they stand in.
 
     Raises:
         ScenarioError: It cannot be read, is no XML, or is larger, deeper or more than an XML file of a scenario is.
@@ -60,14 +71,14 @@ def read_xml(path: Path) -> Element:
     try:
         if not path.is_file():
             raise ScenarioError(f"there is no file {path}; give an .xosc file")
-        with path.open("rb") as file:
-            content = file.read(LARGEST + 1)
+        with path.open("rb") as opened:
+            content = opened.read(LARGEST + 1)
     except OSError as error:
         raise ScenarioError(f"{path} cannot be read: {error.strerror}") from error
     if len(content) > LARGEST:
         raise ScenarioError(f"{path} has more than {LARGEST // 2**20} MB, and a scenario has less; cut it down")
     try:
-        return _Reader(path).root(content)
+        return _Reader(path, file).root(content)
     except expat.ExpatError as error:
         raise ScenarioError(f"{path} is no complete XML: {error}; export it again") from error
     except (ValueError, LookupError) as error:
@@ -77,8 +88,8 @@ def read_xml(path: Path) -> Element:
 class _Reader:
     """Expat, told to stop at whatever is not plain elements."""
 
-    def __init__(self, path: Path) -> None:
-        self._path, self._count = path, 0
+    def __init__(self, path: Path, file: str) -> None:
+        self._path, self._file, self._count = path, file, 0
         self._open: list[Element] = []
         self._root: Element | None = None
         self._parser = expat.ParserCreate()
@@ -107,7 +118,7 @@ class _Reader:
             self._refuse(f"elements lie more than {DEEPEST} deep in one another; a scenario's do not")
         if any(len(value) > LONGEST for value in attributes.values()):
             self._refuse(f"an attribute of <{tag[:40]}> has more than {LONGEST} characters")
-        one = Element(tag.rpartition(":")[2], attributes, self._parser.CurrentLineNumber)
+        one = Element(tag.rpartition(":")[2], attributes, self._parser.CurrentLineNumber, file=self._file)
         if self._open:
             self._open[-1].inside.append(one)
         else:

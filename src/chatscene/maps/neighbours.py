@@ -40,6 +40,22 @@ def section_beside(section: Any, side: int) -> Any:
     return None
 
 
+_LANES_ACROSS = 12  # of a road, at most
+
+
+def numbered_beside(section: Any, number: int) -> Any:
+    """The lane section with a number in OpenDRIVE, beside another or the same; None if there is none."""
+    for turn in (1, -1):
+        found = section
+        for _ in range(_LANES_ACROSS):
+            if found is None or int(found.openDriveID) == number:
+                break
+            found = section_beside(found, turn if found.isForward == section.isForward else -turn)
+        if found is not None and int(found.openDriveID) == number:
+            return found
+    return None
+
+
 def opposes(lane: Any, other: Any) -> bool:
     """Whether a lane beside another runs against it."""
     return lane.group is not other.group

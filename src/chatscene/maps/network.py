@@ -23,6 +23,7 @@ from chatscene.files.atomic import write_whole
 from chatscene.files.bounded import is_there
 from chatscene.files.caches import cache_folder, only_mine
 from chatscene.maps.apart import read_apart, takes_seconds
+from chatscene.maps.curves import read_all_curves
 from chatscene.maps.unread import why_unread
 from chatscene.terms.scenario import Site
 
@@ -193,6 +194,7 @@ def parsed(path: Path, *, cached: bool) -> Any:
     """
     from scenic.formats.opendrive.xodr_parser import OpenDriveWarning
 
+    read_all_curves()
     parse = _scenic_from_file()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", OpenDriveWarning)

@@ -15,6 +15,8 @@ _NUMBERS = {
     "width": ("sOffset", "a", "b", "c", "d"),
 }
 
+_RANGES = ("normalized", "arcLength")
+
 
 def why_unread(root: Xml.Element, error: Exception) -> str:
     """Why the parser gave up on a map.
@@ -46,8 +48,8 @@ def _of_road(road: Xml.Element) -> Iterator[str]:
         if shape is None or shape.tag not in SHAPES:
             what = "without a shape" if shape is None else f"of the shape <{shape.tag}>"
             yield f"{at} {what}; {', '.join(SHAPES)} are read"
-        elif shape.tag == "paramPoly3" and shape.get("pRange", "normalized") != "normalized":
-            yield f"{at} with pRange={shape.get('pRange')!r}; only 'normalized' is read"
+        elif shape.tag == "paramPoly3" and shape.get("pRange", "normalized") not in _RANGES:
+            yield f"{at} with pRange={shape.get('pRange')!r}; {' and '.join(_RANGES)} are read"
     sections = list(road.iterfind("lanes/laneSection"))
     if not sections:
         yield "has no <laneSection>, so no lane"

@@ -103,7 +103,7 @@ def edit(
 
 def import_(
     desk: Desk,
-    file: Annotated[Path, Field(description="An OpenSCENARIO XML file (.xosc); its map lies beside it.")],
+    file: Annotated[Path, Field(description="An OpenSCENARIO XML file (.xosc); catalogs and map lie in the folder.")],
     save_as: Annotated[Path, Field(description="A new .scenic file.")],
     map: Annotated[str, Field(max_length=500, description="A packaged map, or an .xodr file.")] | None = None,  # noqa: A002
 ) -> str:
@@ -117,7 +117,7 @@ def import_(
     desk.folder.make_above(out)
     source = desk.folder.file(file, ".xosc")
     desk.folder.check_beside(source, ".xodr")
-    done = api.import_scenario(source, out=out, map=desk.folder.map(map))
+    done = api.import_scenario(source, out=out, map=desk.folder.map(map), within=desk.folder.root)
     notes = "".join(f"{note}\n" for note in done.notes)
     return f"{notes}written: {done.program}, on map {done.map_path}\nnext: verify {done.program}"
 

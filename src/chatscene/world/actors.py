@@ -24,6 +24,22 @@ class Placed:
         """X [m], y [m], heading [rad, 0 = +x, counter-clockwise], speed [m/s]."""
         return self.position.x, self.position.y, self.heading + QUARTER, self.speed
 
+    def jumpTo(self: Any, x: float, y: float, heading: float, speed: float = 0.0) -> None:  # noqa: N802
+        """Be at another place [m, rad] at once, at a speed [m/s]; only the story of a drive may ask for that.
+
+        Raises:
+            ValueError: Its simulator keeps elsewhere where it is, so that it cannot be put there.
+        """
+        body = self.body
+        if body.moves and not hasattr(body, "limits"):
+            raise ValueError("nothing jumps in this simulator; choose the embedded one, or leave the jump away")
+        body.x, body.y, body.heading, body.speed = x, y, heading, speed
+        body.cos, body.sin = math.cos(heading), math.sin(heading)
+        if not self.isWalker and body.moves:
+            body.wheel = 0.0
+        elif body.moves:
+            body.vx, body.vy = speed * body.cos, speed * body.sin
+
     def setPosition(self, position: Any, elevation: Any) -> None:  # noqa: N802, ARG002 - Scenic's name
         """Refuse to jump.
 
@@ -35,6 +51,9 @@ class Placed:
 
 class Lying(Placed):
     """A thing on the road that somebody may be told to be: whatever is asked of it, it stays where it is."""
+
+    def setSpeed(self, speed: float, steer: float) -> None:  # noqa: N802
+        """Nothing: it is not driven."""
 
     def setControls(self, throttle: float, brake: float, steer: float, reverse: bool) -> None:  # noqa: N802
         """Nothing: it has neither pedals nor a wheel."""
@@ -53,6 +72,11 @@ class Driven(Placed, Steers):
         body.steer = steer
         body.reverse = reverse
         body.target_speed = None
+
+    def setSpeed(self, speed: float, steer: float) -> None:  # noqa: N802
+        """A speed [m/s] that is reached within the pedals' limits, and the wheel in [-1, 1], right positive."""
+        self.body.target_speed = speed
+        self.body.steer = steer
 
     def setThrottle(self, throttle: float) -> None:  # noqa: N802
         """Throttle in [0, 1]."""

@@ -17,6 +17,7 @@ from scenic.domains.driving.model import *
 from chatscene.world.actions import DriveAction, WalkAction
 from chatscene.world.actors import Driven, Lying, Walking
 from chatscene.world.behaviors import *
+from chatscene.world.stories import PlayStory, TakePart
 from chatscene.world.places import (adjacentPath, against, asideOf, backFrom, besideRoad, brakingDistance, choose_route as _choose_route,
     crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, lastLane, leftAt, levelOn, lineThrough, onward,
     maximum, neighbourPath, offsetFrom, opposite, ownLane, ownWay, pointOn, progressOn, restsWithin, ringTraffic, route_along as _route_along,

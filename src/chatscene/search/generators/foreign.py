@@ -229,7 +229,7 @@ def _adversary_behavior(called: str, tree: Any, as_written: bool, searched_with:
         return ADVERSARY_BEHAVIOR
     if len(used) == 1 and used <= own and ADVERSARY_BEHAVIOR not in own:
         return used.pop()
-    if not searched_with or any(_plays_adversary(node) for node in _things(tree)):
+    if not searched_with or len(list(_things(tree))) == 1 or any(_plays_adversary(node) for node in _things(tree)):
         return ADVERSARY_BEHAVIOR
     found = f"found: {', '.join(sorted(used))}" if used else "nothing besides the ego has a behavior"
     raise ForeignCodeRefused(

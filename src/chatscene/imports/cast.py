@@ -1,0 +1,150 @@
+"""Whom and what a story may speak of: road users by name, places, the lines that are followed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from chatscene.imports.given import Given, Refused
+from chatscene.imports.positions import Pose, Positions
+from chatscene.imports.shapes import Shape, shape_of, thinned
+from chatscene.imports.stranger_xml import Element
+from chatscene.imports.written_story import Line, Told, plain
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.sums import Sum
+
+_OFF = 0.02  # [m] that a told line may be beside the one that was read
+_BESIDE = frozenset(("RelativeObjectPosition", "RelativeWorldPosition", "RelativeLanePosition", "RelativeRoadPosition"))
+
+
+@dataclass(slots=True, kw_only=True)
+class Cast:
+    """Whom a story may speak of.
+
+    Attributes:
+        given: The parameters of the file.
+        positions: Finds places; knows where everybody is at first.
+        ego: What the file calls the ego.
+        names: What the story calls each of the file's road users.
+        groups: The names of those that a selection holds, by its name.
+        things: Those that do nothing: things, by their names in the file.
+        route_of: The line of a Route.
+        mirrored: Whether metres count to the right of who drives, as in CARLA.
+        lines: The lines that are followed, by name; more are added.
+        refs: Names of parts of the story that conditions ask about.
+    """
+
+    given: Given
+    positions: Positions
+    ego: str
+    names: Mapping[str, str]
+    groups: Mapping[str, tuple[str, ...]]
+    things: frozenset[str]
+    route_of: Callable[[Element, Pose | None], Polyline]
+    mirrored: bool
+    lines: dict[str, Polyline] = field(default_factory=dict[str, Polyline])
+    refs: frozenset[str] = frozenset()
+
+    @property
+    def side(self) -> int:
+        """1 where the file counts to the left, -1 where to the right."""
+        return -1 if self.mirrored else 1
+
+    def who(self, element: Element, attribute: str = "entityRef") -> str:
+        """What the story calls somebody whom an element names.
+
+        Raises:
+            Refused: There is no such road user.
+        """
+        name = self.given.text(element, attribute)
+        if name not in self.names:
+            raise Refused(element, f"there is no {name[:40]!r}")
+        return self.names[name]
+
+    def several(self, elements: list[Element]) -> tuple[str, ...]:
+        """The names in the file of all whom elements name, selections taken apart; each once."""
+        found: dict[str, None] = {}
+        for one in elements:
+            name = self.given.text(one, "entityRef")
+            found.update(dict.fromkeys(self.groups.get(name, (name,))))
+            if name not in self.groups and name not in self.names:
+                raise Refused(one, f"there is no {name[:40]!r}")
+        return tuple(name for name in found if name in self.names)
+
+    def part(self, element: Element) -> str:
+        """The name of a part of the story; nothing where no condition asks about it."""
+        name = plain(element.attributes.get("name", ""))
+        return name if name in self.refs else ""
+
+    def value(self, element: Element, name: str, default: str | None = None) -> Any:
+        """A number of the story, which may vary with parameters."""
+        return told_number(self.given.sum(element, name, default))
+
+    def place(self, position: Element) -> Told:
+        """A place of the story.
+
+        Raises:
+            Refused: It cannot be told.
+        """
+        inner = position.inside[0] if len(position.inside) == 1 else None
+        if inner is not None and inner.tag in _BESIDE and (name := self.given.text(inner, "entityRef")) in self.names:
+            pose = _in_frame(self.positions.known_of(inner, name), self.positions.pose(position))
+            if inner.tag in ("RelativeLanePosition", "RelativeRoadPosition"):
+                self.given.note(inner, "it lies beside somebody as the road runs where that one is at first")
+            return ("beside", self.names[name], *(round(v, 4) for v in pose))
+        return ("at", *(round(v, 4) for v in self.positions.pose(position)))
+
+    def line(self, trajectory: Element, actor: str | None) -> tuple[Line | Told, Shape, float]:
+        """The line of a trajectory, as it stands in the program; its shape; its length [m].
+
+        Args:
+            trajectory: The element.
+            actor: Who follows it; None where it is followed from the beginning on, when nobody has moved yet.
+        """
+        frames: set[str] = set()
+
+        def place(position: Element) -> Pose:
+            inner = position.inside[0] if len(position.inside) == 1 else None
+            if inner is not None and inner.tag in _BESIDE:
+                frames.add(self.given.text(inner, "entityRef"))
+            return self.positions.pose(position)
+
+        shape = shape_of(trajectory, self.given, place)
+        told = list(trajectory.walk())
+        own = actor is not None and not any(one.tag in ("Position", "PositionStart") for one in told)
+        length = Polyline(shape.points).length
+        if actor is not None and (own or len(frames) == 1):
+            frame = actor if own else frames.pop()
+            if frame not in self.names:
+                raise Refused(trajectory, f"it lies beside {frame[:40]!r}, who is not there")
+            base = (0.0, 0.0, 0.0) if own else self.positions.known_of(trajectory, frame)
+            points = [_in_frame(base, (x, y, 0.0))[:2] for x, y in shape.points]
+            kept = tuple((round(points[i][0], 3), round(points[i][1], 3)) for i in thinned(points, _OFF))
+            return (("beside", self.names[frame], 0.0, 0.0, 0.0), kept), shape, length
+        if len(frames) > 1 and actor is not None:
+            raise Refused(trajectory, "its places lie beside several road users, who move; put it beside one")
+        return self.known(Polyline(shape.points)), shape, length
+
+    def known(self, line: Polyline) -> Line:
+        """A line by its name in the program."""
+        for name, other in self.lines.items():
+            if other.points.shape == line.points.shape and bool((abs(other.points - line.points) < 1e-6).all()):
+                return Line(name)
+        name = f"way{len(self.lines) + 1}"
+        self.lines[name] = line
+        return Line(name)
+
+
+def told_number(one: Sum) -> Any:
+    """A number of the story: itself, or an expression of parameters."""
+    return one.expression if one.number is None else one.number
+
+
+def _in_frame(frame: Pose, pose: Pose) -> Pose:
+    """A pose on the map as it is seen from another."""
+    fx, fy, turn = frame
+    dx, dy = pose[0] - fx, pose[1] - fy
+    c, s = math.cos(turn), math.sin(turn)
+    return dx * c + dy * s, dy * c - dx * s, pose[2] - turn

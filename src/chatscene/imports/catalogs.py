@@ -1,0 +1,154 @@
+"""Catalogs that a scenario names, and the parameters of its parts: all of it written out where it is used.
+
+What comes out is one tree in which nothing refers to another file and `$name` means a parameter of the whole file. A
+catalog is looked for in the folders that the file names, by paths from the file's own folder; a path that is no such
+path is not opened.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+
+from chatscene.errors import ScenarioError
+from chatscene.imports.given import REFERENCE, Given, Refused
+from chatscene.imports.stranger_xml import MOST, Element, read_xml
+
+MOST_FILES = 100  # catalogs of one scenario
+DEEPEST = 8  # catalogs whose entries name entries of others
+_ABSOLUTE = re.compile(r"/|[A-Za-z]:")
+_NOT_NEEDED = frozenset(("ObjectController", "AssignControllerAction", "Controller"))  # see `written_out`
+
+
+def written_out(root: Element, path: Path, given: Given) -> Element:
+    """A scenario with every entry of a catalog in the place of the reference to it.
+
+    Entries of controllers are not looked for, as controllers are not taken. Whatever cannot be found is refused by its
+    line, among the refusals of the file.
+
+    Args:
+        root: The file.
+        path: Where it lies.
+        given: Its parameters.
+    """
+    return _Writer(root, path, given).element(root, {}, 0, "")
+
+
+def relative(path: Path, named: str, within: Path | None = None) -> Path | None:
+    """Where a file or folder lies that a scenario names by a path from its own folder.
+
+    Args:
+        path: The scenario.
+        named: As it is written.
+        within: The folder in which it must lie, links followed; None for any.
+
+    Returns:
+        None of any other path.
+    """
+    text = named.replace("\\", "/").strip()
+    if not text or _ABSOLUTE.match(text) or "\0" in text:
+        return None
+    where = path.parent / text
+    if within is not None and not Path(os.path.realpath(where)).is_relative_to(os.path.realpath(within)):
+        return None
+    return where
+
+
+def bound(text: str, scope: Mapping[str, str]) -> str:
+    """A text with the values of the parameters of a scope in it; all others stand as they are."""
+    if "$" not in text or not scope:
+        return text
+    if (whole := REFERENCE.fullmatch(text)) is not None:
+        return scope.get(whole[1], text)
+    return REFERENCE.sub(lambda one: _bracketed(scope[one[1]]) if one[1] in scope else one[0], text)
+
+
+def _bracketed(value: str) -> str:
+    """A value as a part of an expression."""
+    inner = value.strip()
+    if inner.startswith("${") and inner.endswith("}"):
+        inner = inner[2:-1]
+    return f"({inner})" if inner and not re.fullmatch(r"\$?\w+", inner) else inner
+
+
+class _Writer:
+    def __init__(self, root: Element, path: Path, given: Given) -> None:
+        self._root, self._path, self._given = root, path, given
+        self._catalogs: dict[str, Element] | None = None
+        self._unread: list[str] = []
+        self._count = 0
+
+    def element(self, one: Element, scope: Mapping[str, str], depth: int, within: str) -> Element:
+        """An element with the parameters of its scope, its catalogs' entries and its own parameters written out."""
+        self._count += 1
+        if self._count > MOST:
+            raise ScenarioError(f"{self._path} has more than {MOST} elements with its catalogs; cut it down")
+        if one.tag == "CatalogReference" and within not in _NOT_NEEDED:
+            return self._entry(one, scope, depth)
+        declared = one.find("ParameterDeclarations") if one is not self._root else None
+        if declared is not None:
+            scope = {**{d.attributes.get("name", ""): d.attributes.get("value", "") for d in declared.inside}, **scope}
+        attributes = {name: bound(value, scope) for name, value in one.attributes.items()}
+        inside = [self.element(below, scope, depth, one.tag) for below in one.inside]
+        return replace(one, attributes=attributes, inside=inside)
+
+    def _entry(self, one: Element, scope: Mapping[str, str], depth: int) -> Element:
+        here = replace(one, attributes={name: bound(value, scope) for name, value in one.attributes.items()})
+        try:
+            catalog, entry = self._given.text(here, "catalogName"), self._given.text(here, "entryName")
+            found = self._found(here, catalog, entry, depth)
+        except Refused as reason:
+            self._given.refusals.append(str(reason))
+            return replace(here, inside=[])
+        told = {
+            p.attributes.get("parameterRef", "").lstrip("$"): bound(p.attributes.get("value", ""), scope)
+            for group in one.all("ParameterAssignments")
+            for p in group.inside
+        }
+        return self.element(found, told, depth + 1, "")
+
+    def _found(self, one: Element, catalog: str, entry: str, depth: int) -> Element:
+        if depth >= DEEPEST:
+            raise Refused(one, f"entries of catalogs name one another more than {DEEPEST} deep")
+        if self._catalogs is None:
+            self._catalogs = self._opened()
+        if catalog not in self._catalogs:
+            told = f"; could not be read: {'; '.join(self._unread)[:300]}" if self._unread else ""
+            known = ", ".join(sorted(self._catalogs)) or "none"
+            raise Refused(one, f"no folder that the file names has a catalog {catalog[:60]!r}; there is {known}{told}")
+        inside = self._catalogs[catalog].inside
+        found = next((part for part in inside if part.attributes.get("name") == entry), None)
+        if found is None:
+            raise Refused(one, f"the catalog {catalog[:60]!r} has no entry {entry[:60]!r}")
+        return found
+
+    def _opened(self) -> dict[str, Element]:
+        """All catalogs in the folders that the file names, by name; the first of a name counts."""
+        found: dict[str, Element] = {}
+        opened: dict[Path, None] = {}
+        locations = self._root.find("CatalogLocations")
+        for one in (folder for kind in (locations.inside if locations else []) for folder in kind.all("Directory")):
+            try:
+                named = self._given.text(one, "path", "")
+            except Refused as reason:
+                self._unread.append(str(reason))
+                continue
+            where = relative(self._path, named, self._given.within)
+            if where is None:
+                self._unread.append(f"{one.where}: {named[:60]!r} is no path from the file's own folder")
+                continue
+            files = [where] if where.is_file() else sorted(where.glob("*.xosc"))
+            opened.update(dict.fromkeys(f for f in files if relative(f, f.name, self._given.within) is not None))
+        for file in list(opened)[:MOST_FILES]:
+            try:
+                root = read_xml(file, file=file.name)
+            except ScenarioError as error:
+                self._unread.append(str(error))
+                continue
+            catalog = root.find("Catalog")
+            if catalog is not None:
+                found.setdefault(catalog.attributes.get("name", ""), catalog)
+        return found

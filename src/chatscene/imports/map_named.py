@@ -1,0 +1,63 @@
+"""The map that a scenario of OpenSCENARIO XML names."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+from pathlib import Path
+
+from chatscene.errors import ScenarioError
+from chatscene.imports.catalogs import relative
+from chatscene.imports.given import Given, Refused
+from chatscene.imports.stranger_xml import Element
+from chatscene.maps.network import check_opendrive, resolve_map
+
+_ABSOLUTE = re.compile(r"/|[A-Za-z]:/")
+
+
+def map_of(root: Element, path: Path, given: Given, map_name: str | None) -> Path:
+    """The map of a scenario: the one that is asked for, else the one that it names by a path from its own folder.
+
+    Raises:
+        ScenarioError: It names none, or one that does not lie there.
+        MapError: The map is broken.
+    """
+    if map_name is not None:
+        return resolve_map(map_name)
+    logic = root.find("RoadNetwork", "LogicFile")
+    try:
+        named = given.text(logic, "filepath", "").replace("\\", "/") if logic else ""
+    except Refused as reason:
+        raise ScenarioError(f"{path}: {reason}; name the map with --map") from reason
+    if not named:
+        raise ScenarioError(f"{path} names no map; name one with --map")
+    if re.fullmatch(r"\w+", named) and not (path.parent / f"{named}.xodr").is_file():
+        return resolve_map(named)  # as CARLA's towns are named
+    if re.fullmatch(r"\w+", named):
+        named += ".xodr"
+    if not named.endswith(".xodr"):
+        raise ScenarioError(f"{path}: its map {named[:60]!r} is no .xodr file; name one with --map")
+    beside = path.parent / Path(named).name
+    if _ABSOLUTE.match(named):
+        if os.path.normpath(Path.cwd() / named) != os.path.normpath(Path.cwd() / beside):
+            raise ScenarioError(
+                f"{path}: its map is named by a whole path, and none but one from the file's own folder is opened; "
+                f"name it with --map {shlex.quote(named[:200])}"
+            )
+        return _checked(beside, path)
+    where = relative(path, named, given.within)
+    if where is None:
+        raise ScenarioError(f"{path}: its map {named[:60]!r} lies where nothing is opened; name one with --map")
+    return _checked(where, path)
+
+
+def _checked(where: Path, path: Path) -> Path:
+    plain = Path(os.path.normpath(where))
+    where = plain if plain.is_file() or not where.is_file() else where  # links may lead up another way
+    if where.is_file():
+        check_opendrive(where)
+        return where
+    raise ScenarioError(
+        f"{path}: its map {str(where)[-200:]!r} does not lie there; put it there, or name one with --map"
+    )

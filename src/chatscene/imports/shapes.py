@@ -1,0 +1,204 @@
+"""The shapes of trajectories in a scenario file, as points: polylines, clothoids, splines of clothoids, NURBS."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from chatscene.imports.given import Given, Refused
+from chatscene.imports.stranger_xml import Element
+
+_STEP = 0.5  # [m] between points of a curve
+_PARTS = 8  # of a NURBS between two of its control points
+_MOST = 20_000  # points
+Pose = tuple[float, float, float]  # x, y [m], heading [rad]
+Places = Callable[[Element], Pose]
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """A trajectory.
+
+    Attributes:
+        points: x and y of each [m].
+        times: When each is passed [s]; None where no time is told.
+        faces: The direction told at its beginning [rad]; None where none is.
+    """
+
+    points: tuple[tuple[float, float], ...]
+    times: tuple[float, ...] | None
+    faces: float | None = None
+
+
+def shape_of(trajectory: Element, given: Given, place: Places) -> Shape:
+    """The shape of a trajectory.
+
+    Args:
+        trajectory: The element.
+        given: Parameters of the file.
+        place: Where a Position is; one that is left out is where the frame is in which it is told, (0, 0, 0).
+
+    Raises:
+        Refused: It has no shape that can be read.
+    """
+    shape = trajectory.find("Shape")
+    inner = shape.inside[0] if shape is not None and shape.inside else None
+    if inner is None:
+        raise Refused(trajectory, "it has no shape")
+    read = {"Polyline": _polyline, "Clothoid": _clothoid, "ClothoidSpline": _spline, "Nurbs": _nurbs}.get(inner.tag)
+    if read is None:
+        raise Refused(inner, "such a shape is not read; write a Polyline")
+    found = read(inner, given, place)
+    if len(found.points) > _MOST:
+        raise Refused(inner, f"it has more than {_MOST} points; cut it down")
+    return found
+
+
+def _polyline(one: Element, given: Given, place: Places) -> Shape:
+    points: list[tuple[float, float]] = []
+    times: list[float | None] = []
+    faces: float | None = None
+    for vertex in one.all("Vertex"):
+        position = vertex.find("Position")
+        if position is None:
+            raise Refused(vertex, "it has no Position")
+        x, y, heading = place(position)
+        if not points:
+            faces = heading
+        points.append((x, y))
+        times.append(given.number(vertex, "time") if "time" in vertex.attributes else None)
+    if len({(round(x, 2), round(y, 2)) for x, y in points}) < 2:
+        raise Refused(one, "it is no line of two points or more")
+    known = [time for time in times if time is not None]
+    return Shape(tuple(points), tuple(known) if len(known) == len(points) else None, faces)
+
+
+def _start(one: Element, tag: str, place: Places) -> Pose:
+    position = one.find(tag)
+    return place(position) if position is not None else (0.0, 0.0, 0.0)
+
+
+def _clothoid(one: Element, given: Given, place: Places) -> Shape:
+    length = given.number(one, "length")
+    prime = next((name for name in ("curvaturePrime", "curvatureDot") if name in one.attributes), "curvaturePrime")
+    curvature, slope = given.number(one, "curvature"), given.number(one, prime, "0")
+    bend = (length, curvature, curvature + slope * length, 0.0)
+    points = _bent(one, _start(one, "Position", place), [bend])
+    ends = [given.number(one, name) for name in ("startTime", "stopTime") if name in one.attributes]
+    return Shape(points, _evenly(points, ends[0], ends[1]) if len(ends) == 2 else None)
+
+
+def _spline(one: Element, given: Given, place: Places) -> Shape:
+    segments = one.all("ClothoidSplineSegment")
+    if not segments:
+        raise Refused(one, "it has no segment")
+    bends = [
+        (
+            given.number(part, "length"),
+            given.number(part, "curvatureStart"),
+            given.number(part, "curvatureEnd"),
+            given.number(part, "hOffset", "0"),
+        )
+        for part in segments
+    ]
+    points = _bent(one, _start(segments[0], "PositionStart", place), bends)
+    ends = [given.number(part, "timeEnd") for part in segments if "timeEnd" in part.attributes]
+    return Shape(points, _evenly(points, 0.0, ends[-1]) if len(ends) == len(segments) else None)
+
+
+def _bent(
+    one: Element, start: Pose, bends: Sequence[tuple[float, float, float, float]]
+) -> tuple[tuple[float, float], ...]:
+    """The points of curves whose curvature changes evenly: length [m], curvature at both ends [1/m], a turn before."""
+    x, y, heading = start
+    points = [(x, y)]
+    for length, first, last, turn in bends:
+        if not 0.0 < length < _MOST * _STEP:
+            raise Refused(one, f"a curve of {length:g} m is none")
+        heading += turn
+        steps = math.ceil(length / _STEP)
+        ds = length / steps
+        for i in range(steps):
+            at = heading + ds * (first + (last - first) * (i + 0.5) / steps) / 2
+            x, y = x + ds * math.cos(at), y + ds * math.sin(at)
+            heading += ds * (first + (last - first) * (i + 0.5) / steps)
+            points.append((x, y))
+    return tuple(points)
+
+
+def _evenly(points: Sequence[tuple[float, float]], begin: float, end: float) -> tuple[float, ...]:
+    """Times that pass evenly along points."""
+    steps = [math.dist(a, b) for a, b in pairwise(points)]
+    whole, gone, times = max(sum(steps), 1e-9), 0.0, [begin]
+    for step in steps:
+        gone += step
+        times.append(begin + (end - begin) * gone / whole)
+    return tuple(times)
+
+
+def _nurbs(one: Element, given: Given, place: Places) -> Shape:
+    order = round(given.number(one, "order"))
+    controls = one.all("ControlPoint")
+    knots = [given.number(knot, "value") for knot in one.all("Knot")]
+    if not (2 <= order <= len(controls) and len(knots) == len(controls) + order and knots == sorted(knots)):
+        raise Refused(one, "its order, control points and knots do not belong together")
+    points: list[tuple[float, float]] = []
+    for control in controls:
+        position = control.find("Position")
+        if position is None:
+            raise Refused(control, "it has no Position")
+        points.append(place(position)[:2])
+    weights = [given.number(control, "weight", "1") for control in controls]
+    low, high = knots[order - 1], knots[len(controls)]
+    count = _PARTS * len(controls)
+    curve = [_on_nurbs(low + (high - low) * i / count, order, points, weights, knots) for i in range(count + 1)]
+    told = [given.number(control, "time") for control in controls if "time" in control.attributes]
+    times = _evenly(curve, told[0], told[-1]) if len(told) == len(controls) else None
+    return Shape(tuple(curve), times)
+
+
+def _on_nurbs(
+    u: float, order: int, points: Sequence[tuple[float, float]], weights: Sequence[float], knots: Sequence[float]
+) -> tuple[float, float]:
+    """A point of a curve, by Cox and de Boor."""
+    last = len(points) - 1
+    base = [1.0 if a <= u < b or (u >= knots[last + 1] and i == last) else 0.0
+            for i, (a, b) in enumerate(pairwise(knots))]  # fmt: skip
+    for k in range(2, order + 1):
+        for i in range(len(knots) - k):
+            left, right = knots[i + k - 1] - knots[i], knots[i + k] - knots[i + 1]
+            one = base[i] * (u - knots[i]) / left if left else 0.0
+            other = base[i + 1] * (knots[i + k] - u) / right if right else 0.0
+            base[i] = one + other
+    parts = [weight * part for weight, part in zip(weights, base, strict=False)]
+    whole = sum(parts) or 1.0
+    x = sum(part * point[0] for part, point in zip(parts, points, strict=True)) / whole
+    y = sum(part * point[1] for part, point in zip(parts, points, strict=True)) / whole
+    return x, y
+
+
+def thinned(points: Sequence[tuple[float, float]], off: float) -> list[int]:
+    """The indices of the points of a line that are needed to stay within a distance [m] of it (Douglas and Peucker)."""
+    keep = {0, len(points) - 1}
+    waiting = [(0, len(points) - 1)]
+    while waiting:
+        first, last = waiting.pop()
+        (x0, y0), (x1, y1) = points[first], points[last]
+        whole = math.hypot(x1 - x0, y1 - y0)
+        worst, at = off, -1
+        for i in range(first + 1, last):
+            x, y = points[i]
+            if whole > 1e-9:
+                share = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / whole**2
+                share = min(max(share, 0.0), 1.0)
+                far = math.hypot(x - x0 - share * (x1 - x0), y - y0 - share * (y1 - y0))
+            else:
+                far = math.hypot(x - x0, y - y0)
+            if far > worst:
+                worst, at = far, i
+        if at >= 0:
+            keep.add(at)
+            waiting += [(first, at), (at, last)]
+    return sorted(keep)

@@ -1,0 +1,356 @@
+"""A scenario of OpenSCENARIO XML as a story that is played event by event."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+from chatscene.imports.cast import Cast
+from chatscene.imports.environment import surroundings_of
+from chatscene.imports.given import Refused
+from chatscene.imports.opening import EGO_DOES, Opening
+from chatscene.imports.story_actions import StoryActions
+from chatscene.imports.story_conditions import StoryConditions
+from chatscene.imports.stranger_xml import Element
+from chatscene.imports.written_story import Member, StoryProgram, Told, plain
+from chatscene.terms.actors import BY_CLASS, LIMITS
+from chatscene.terms.plan import Expression, Parameter, walk
+from chatscene.terms.storyboard import EGO_ROUTE
+from chatscene.terms.surroundings import Surroundings
+
+_AWAY = 5_000.0  # [m] from its place, where somebody is who is added later
+_SHORT = 3.0  # [s] that the ego's own events are taken to last where they do not say it
+_MOST_TIMES = 1_000  # that an event happens
+
+
+class StoryReader(Opening):
+    """Reads a story."""
+
+    def program(self) -> StoryProgram | None:
+        """The story; None where the ego is not known. What else is refused, is among the refusals."""
+        ego = self._attempt(self._entities.ego)
+        host = None if ego is None else self._attempt(lambda: self._host(ego))
+        if ego is None or host is None:
+            return None
+        x, y, heading = self._pose_of(host.start)
+        ahead = self._entities.body(self._objects[ego])[3]
+        first = Member(
+            name="ego", kind=host.kind, length=host.length, width=host.width, x=x, y=y, heading=heading, ahead=ahead,
+            speed=self._wanted(ego, host.speed), acts=False,
+        )  # fmt: skip
+        others = self._others(ego)
+        cast = Cast(
+            given=self._given,
+            positions=self._positions,
+            ego=ego,
+            names={ego: "ego", **{name: one.name for name, one in others.items()}},
+            groups=self._entities.groups,
+            things=frozenset(name for name, one in others.items() if not _moves(one.kind)),
+            route_of=self._line_of_route,
+            mirrored=self._side < 0,
+            refs=self._refs(),
+        )
+        variables: dict[str, Any] = {}
+        story = _Story(self, cast, variables)
+        acts = (*self._at_first(cast, others), *story.acts())
+        stop = self._attempt(story.stop)
+        acting = story.acting | {name for name, one in others.items() if one.speed}
+        members = [first, *(replace(one, acts=name in acting) for name, one in others.items())]
+        surroundings = self._attempt(lambda: surroundings_of(self._actions(), self._given)) or Surroundings()
+        if not any(one.acts for one in members):
+            self._given.note(self._root, "nobody but the ego does anything; everybody else stands")
+        read = {part.name for told in (acts, stop) for part in _parameters(told)}
+        return StoryProgram(
+            members=tuple(members),
+            route=self._lines[EGO_ROUTE],
+            lines=cast.lines,
+            acts=acts,
+            stop=stop,
+            variables=tuple(sorted(variables.items())),
+            parameters=tuple(sorted((r for r in self._given.ranges.values() if r.name in read), key=lambda r: r.name)),
+            surroundings=surroundings,
+        )
+
+    def _wanted(self, ego: str, speed: float) -> float:
+        """The speed that the ego wants: its first, or the first that its events bring it to."""
+        if speed:
+            return speed
+        for target in self._targets(ego):
+            value = self._attempt(lambda target=target: self._given.number(target, "value"))
+            if value:
+                self._given.note(target, f"the ego is to drive {value:g} m/s from the beginning")
+                return value
+        return speed
+
+    def _targets(self, ego: str) -> Iterator[Element]:
+        storyboard = self._root.find("Storyboard")
+        for group in storyboard.walk() if storyboard is not None else ():
+            refs = [ref for one in group.all("Actors") for ref in one.all("EntityRef")]
+            if group.tag == "ManeuverGroup" and any(ref.attributes.get("entityRef") == ego for ref in refs):
+                yield from (one for one in group.walk() if one.tag == "AbsoluteTargetSpeed")
+
+    def _refs(self) -> frozenset[str]:
+        asked = [one for one in self._root.walk() if one.tag == "StoryboardElementStateCondition"]
+        texts = [one.attributes.get("storyboardElementRef", "") for one in asked]
+        return frozenset(plain(part) for text in texts for part in (*text.split("::"), *self._values(text)))
+
+    def _values(self, text: str) -> tuple[str, ...]:
+        return (self._given.values[text[1:]],) if text[:1] == "$" and text[1:] in self._given.values else ()
+
+    # Who is where
+
+    def _others(self, ego: str) -> dict[str, Member]:
+        """Everybody but the ego; whoever is put beside somebody else comes after that one."""
+        waiting = [name for name in self._objects if name != ego]
+        found: dict[str, Member] = {}
+        refused: dict[str, Refused] = {}
+        while waiting:
+            left = []
+            for name in waiting:
+                try:
+                    member = self._member(name)
+                    if member is not None:
+                        found[name] = member
+                except Refused as reason:
+                    refused[name] = reason
+                    left.append(name)
+            if len(left) == len(waiting):
+                self._given.refusals += [str(refused[name]) for name in left]
+                break
+            waiting = left
+        return {name: found[name] for name in self._objects if name in found}
+
+    def _member(self, name: str) -> Member | None:
+        one = self._objects[name]
+        kind, length, width, ahead = self._entities.body(one)
+        away = 0.0
+        if not self._placed_first(name):
+            added = self._added_later(name)
+            if added is None and self._inits.get(name):
+                raise Refused(one, "where it is at first is not told; give it a TeleportAction in Init")
+            if added is None:
+                self._given.note(one, f"{name[:40]} is never put anywhere, so it is not there")
+                return None
+            x, y, heading = self._positions.pose(added)
+            away = _AWAY
+        else:
+            x, y, heading = self._origin(name, one)
+        self._positions.known[name] = (x, y, heading)
+        speed = self._first_speed(name, kind)
+        used = plain(name)
+        return Member(
+            name=used if used not in ("ego", "") else f"{used}_", kind=kind, length=length, width=width,
+            x=x + ahead * math.cos(heading) + away, y=y + ahead * math.sin(heading) + away, heading=heading,
+            ahead=ahead, speed=speed, acts=False,
+        )  # fmt: skip
+
+    def _added_later(self, name: str) -> Element | None:
+        for one in self._root.walk():
+            if one.tag == "EntityAction" and one.attributes.get("entityRef") == name:
+                position = one.find("AddEntityAction", "Position")
+                if position is not None:
+                    return position
+        return None
+
+    def _first_speed(self, name: str, kind: str) -> float:
+        """How fast somebody is at first [m/s]."""
+        for action in self._inits.get(name, []):
+            speed = action.find("SpeedAction") if action.tag == "LongitudinalAction" else None
+            if speed is None:
+                continue
+            absolute = speed.find("SpeedActionTarget", "AbsoluteTargetSpeed")
+            relative = speed.find("SpeedActionTarget", "RelativeTargetSpeed")
+            if absolute is not None:
+                value = self._given.number(absolute, "value")
+            elif relative is not None:
+                other = self._speed_told(self._given.text(relative, "entityRef"))
+                told = self._given.number(relative, "value")
+                value = (
+                    other * told
+                    if self._given.text(relative, "speedTargetValueType", "delta") == "factor"
+                    else other + told
+                )
+            else:
+                raise Refused(speed, "it has no target")
+            if not _moves(kind):
+                if value:
+                    raise Refused(action, "a thing does nothing here")
+                return 0.0
+            most = LIMITS[kind].top_speed
+            if abs(value) > most:
+                self._given.note(action, f"a {kind.lower()} goes at {most:g} m/s at most, where it says {value:g} m/s")
+            return min(max(value, -3.0), most)
+        return 0.0
+
+    def _speed_told(self, name: str) -> float:
+        for action in self._inits.get(name, []):
+            target = action.find("SpeedAction", "SpeedActionTarget", "AbsoluteTargetSpeed")
+            if target is not None:
+                return self._given.number(target, "value")
+        return 0.0
+
+    def _at_first(self, cast: Cast, others: dict[str, Member]) -> Iterator[Told]:
+        """What everybody but the ego begins to do at once, beyond having a place and a speed."""
+        actions = StoryActions(cast)
+        groups: list[Told] = []
+        for name, member in others.items():
+            told: list[Told] = []
+            for action in self._inits.get(name, []):
+                if action.tag == "TeleportAction" or self._only_speed(action):
+                    continue
+                found = self._attempt(lambda action=action, name=name: actions.of(name, action, at_first=True))
+                if found is not None and found != ("nothing",):
+                    told.append(("", *found))
+            if told:
+                if not _moves(member.kind):
+                    self._given.refusals.append(str(Refused(self._objects[name], "a thing does nothing here")))
+                event: Told = ("", "", "parallel", 1, None, tuple(told))
+                groups.append(("", 1, (member.name,), (event,)))
+        if groups:
+            yield ("", None, None, tuple(groups))
+
+    def _only_speed(self, action: Element) -> bool:
+        """Whether an action of Init is told by a speed at first."""
+        speed = action.find("SpeedAction") if action.tag == "LongitudinalAction" else None
+        relative = speed.find("SpeedActionTarget", "RelativeTargetSpeed") if speed is not None else None
+        return speed is not None and (relative is None or not self._given.flag(relative, "continuous"))
+
+    # What the story reader asks
+
+    def attempt(self, does: Any) -> Any:
+        """What something gives; None where it is refused."""
+        return self._attempt(does)
+
+    @property
+    def storyboard(self) -> Element:
+        """What happens."""
+        found = self._root.find("Storyboard")
+        assert found is not None
+        return found
+
+    @property
+    def whole(self) -> Element:
+        """The file."""
+        return self._root
+
+
+class _Story:
+    """Reads acts and the end."""
+
+    def __init__(self, opening: StoryReader, cast: Cast, variables: dict[str, Any]) -> None:
+        self._opening, self._cast, self._given = opening, cast, cast.given
+        tags = ("ParameterAction", "VariableAction", "ParameterSetAction", "VariableSetAction")
+        changing = [one for one in opening.whole.walk() if one.tag in tags]
+        names = {value for one in changing for key, value in one.attributes.items() if key.endswith("Ref")}
+        for one in (v for part in opening.whole.all("VariableDeclarations") for v in part.inside):
+            self._given.values.setdefault(one.attributes.get("name", ""), one.attributes.get("value", ""))
+        self._actions = StoryActions(cast)
+        self._conditions = StoryConditions(cast, frozenset(names), variables)
+        self.acting: set[str] = set()
+
+    def acts(self) -> Iterator[Told]:
+        """Every act in which somebody does something."""
+        for story in self._opening.storyboard.all("Story"):
+            for act in story.all("Act"):
+                found = self._opening.attempt(lambda act=act: self._act(act))
+                if found is not None and found[3]:
+                    yield found
+
+    def stop(self) -> Told | None:
+        """When the drive is over."""
+        return self._conditions.trigger(self._opening.storyboard.find("StopTrigger"), stops=True)
+
+    def _act(self, act: Element) -> Told:
+        start = self._conditions.trigger(act.find("StartTrigger"))
+        groups = [self._opening.attempt(lambda one=one: self._group(one)) for one in act.all("ManeuverGroup")]
+        if start == ():
+            return ("", None, None, ())  # it never begins
+        stop = self._conditions.trigger(act.find("StopTrigger"), stops=True)
+        return (self._cast.part(act), start, stop, tuple(group for group in groups if group is not None and group[3]))
+
+    def _group(self, group: Element) -> Told:
+        actors = group.find("Actors")
+        names = self._cast.several(actors.all("EntityRef") if actors is not None else [])
+        if actors is not None and self._given.flag(actors, "selectTriggeringEntities") and not names:
+            raise Refused(actors, "its actors are those that trigger it; name them")
+        events = [
+            found
+            for maneuver in group.all("Maneuver")
+            for event in maneuver.all("Event")
+            if (found := self._opening.attempt(lambda e=event, m=maneuver: self._event(e, m, names))) is not None
+        ]
+        if events and self._given.text(group, "maximumExecutionCount", "1") not in ("1", "0", ""):
+            self._given.note(group, "a group happens once; its events may happen more often")
+        return (self._cast.part(group), 1, tuple(self._cast.names[name] for name in names), tuple(events))
+
+    def _event(self, event: Element, maneuver: Element, names: tuple[str, ...]) -> Told | None:
+        start = self._conditions.trigger(event.find("StartTrigger"))
+        if start == ():
+            return None  # it never begins
+        actions: list[Told] = [
+            (self._cast.part(action), *self._does(inner, names))
+            for action in event.all("Action")
+            for inner in action.inside
+        ]
+        count = self._given.text(event, "maximumExecutionCount", "1")
+        times = int(count) if count.lstrip("-").isdigit() else 1
+        priority = self._given.text(event, "priority", "parallel")
+        return (
+            self._cast.part(maneuver),
+            self._cast.part(event),
+            priority,
+            times if 0 < times < _MOST_TIMES else _MOST_TIMES if times else 1,
+            start,
+            tuple(actions),
+        )
+
+    def _does(self, inner: Element, names: tuple[str, ...]) -> Told:
+        if inner.tag == "GlobalAction":
+            told = self._actions.of_world(inner)
+            if told[0] in ("away", "come"):
+                self.acting.update(name for name, called in self._cast.names.items() if called == told[1])
+            return told
+        if inner.tag == "UserDefinedAction":
+            self._given.note(inner, "a command to another program is left out")
+            return ("nothing",)
+        if inner.tag != "PrivateAction" or not inner.inside:
+            raise Refused(inner, "it is no action of a road user")
+        (kind,) = inner.inside[:1]
+        ego = self._cast.ego
+        others = tuple(name for name in names if name != ego)
+        told = self._actions.of(others[0] if len(others) == 1 else None, kind) if others else None
+        if ego in names:
+            self._given.note(inner, EGO_DOES)
+            if told is None:
+                return ("wait", self._lasts(kind))
+            raise Refused(inner, "the ego and others do it together; write it of each")
+        if told is None:
+            raise Refused(inner, "nobody does it; name its actors")
+        if told != ("nothing",):
+            self.acting.update(others)
+            still = [name for name in others if name in self._cast.things]
+            if still:
+                raise Refused(inner, f"{still[0][:40]} is a thing, which does nothing here")
+        return told
+
+    def _lasts(self, kind: Element) -> float:
+        """How long something that the ego does takes, as it is told [s]."""
+        for one in kind.walk():
+            if one.tag.endswith("Dynamics") and self._given.text(one, "dynamicsDimension", "") == "time":
+                return min(abs(self._given.number(one, "value", "0")), 60.0)
+        return _SHORT
+
+
+def _moves(kind: str) -> bool:
+    return kind in LIMITS and not BY_CLASS[kind].lies and bool(LIMITS[kind].top_speed)
+
+
+def _parameters(told: Any) -> Iterator[Parameter]:
+    """The parameters in a part of a story."""
+    if isinstance(told, tuple):
+        for one in told:  # type: ignore[reportUnknownVariableType]
+            yield from _parameters(one)
+    elif isinstance(told, Expression):
+        yield from (part for part in walk(told) if isinstance(part, Parameter))

@@ -1,0 +1,209 @@
+"""A scenario as a Scenic program that plays a story (`chatscene.world.story`), and the words it is written in."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+
+from chatscene.imports.shapes import thinned
+from chatscene.terms.actors import LIMITS
+from chatscene.terms.plan import Expression
+from chatscene.terms.plan_text import BEHAVIOR, print_expression
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.snippet import ParameterRange
+from chatscene.terms.storyboard import EGO_ROUTE
+from chatscene.terms.surroundings import Surroundings
+
+_COLUMNS = 110
+_OFF = 0.02  # [m] that a written line may be beside the one that was read
+_ODD = re.compile(r"[^A-Za-z0-9 ,.:!?_-]")
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line of the program, by name."""
+
+    name: str
+
+
+Told = tuple["Told | Line | Expression | str | float | bool | None", ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Member:
+    """Somebody in a story.
+
+    Attributes:
+        name: As the story calls it.
+        kind: Its class in the world model.
+        length: [m].
+        width: [m].
+        x: Of its centre [m].
+        y: Of its centre [m].
+        heading: [rad, 0 = +x].
+        ahead: How far its centre lies before its origin [m].
+        speed: [m/s] at first.
+        acts: Whether it does anything.
+    """
+
+    name: str
+    kind: str
+    length: float
+    width: float
+    x: float
+    y: float
+    heading: float
+    ahead: float
+    speed: float
+    acts: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StoryProgram:
+    """A scenario that is played as a story.
+
+    Attributes:
+        members: The ego first.
+        route: The ego's.
+        lines: Others, by name.
+        acts: What happens.
+        stop: When the drive is over.
+        variables: Values that conditions ask for, at first.
+        parameters: What varies, each within its range.
+        surroundings: Light, weather and road.
+    """
+
+    members: tuple[Member, ...]
+    route: Polyline
+    lines: Mapping[str, Polyline] = field(default_factory=dict[str, Polyline])
+    acts: Told = ()
+    stop: Told | None = None
+    variables: Told = ()
+    parameters: tuple[ParameterRange, ...] = ()
+    surroundings: Surroundings = field(default_factory=Surroundings)
+
+
+def plain(text: str) -> str:
+    """A name of a file as a text that may stand in a program."""
+    return _ODD.sub("_", text)[:100]
+
+
+def written_story(story: StoryProgram, name: str) -> str:
+    """The program of a story.
+
+    Args:
+        story: What happens.
+        name: Of what it was made, for its first line.
+    """
+    around = ", ".join(f"{key} = '{value}'" for key, value in asdict(story.surroundings).items())
+    acting = [one for one in story.members[1:] if one.acts]
+    other = next(iter(acting or story.members[1:]), None)
+    blocks = [
+        f"# Made of {' '.join(''.join(c if c.isprintable() else ' ' for c in name).split())[:80]}.",
+        "\n".join(
+            (
+                "model chatscene.world.model",
+                *([f"param {around}"] if str(story.surroundings) else []),
+                *(f"param {p.name} = Range({p.low!r}, {p.high!r})" for p in story.parameters),
+            )
+        ),
+        *(_line(line, path) for line, path in {EGO_ROUTE: story.route, **story.lines}.items()),
+        *([_behavior(story)] if acting else []),
+        _ego(story.members[0], story.route),
+        *(_placed(one, i, adversary=one is other) for i, one in enumerate(story.members) if i),
+    ]
+    return "\n\n".join(blocks) + "\n"
+
+
+def _line(name: str, line: Polyline) -> str:
+    points: list[tuple[float, float]] = [(x, y) for x, y in line.points.tolist()]
+    told = ", ".join(f"({points[i][0]:.2f}, {points[i][1]:.2f})" for i in thinned(points, _OFF))
+    made = "routeThrough" if name == EGO_ROUTE else "lineThrough"
+    return f"{name} = {made}(\n{textwrap.fill(told, _COLUMNS, initial_indent='    ', subsequent_indent='    ')})"
+
+
+def _behavior(story: StoryProgram) -> str:
+    names: Told = tuple((one.name, round(one.ahead, 3)) for one in story.members)
+    parts = [told(names, 8), told(story.acts, 8)]
+    if story.stop is not None or story.variables:
+        parts.append(told(story.stop, 8))
+    if story.variables:
+        parts.append(told(story.variables, 8))
+    inner = ",\n        ".join(parts)
+    return f"behavior {BEHAVIOR}():\n    do PlayStory(\n        {inner})"
+
+
+def told(value: Told | Line | Expression | str | float | bool | None, indent: int) -> str:  # noqa: PLR0911
+    """A part of a story as it stands in a program."""
+    if isinstance(value, tuple):
+        parts = [told(one, indent + 4) for one in value]
+        whole = f"({', '.join(parts)}{',' if len(parts) == 1 else ''})"
+        if "\n" not in whole and len(whole) + indent <= _COLUMNS:
+            return whole
+        return f"({_filled(parts, indent + 4)},)"
+    if isinstance(value, Line):
+        return value.name
+    if isinstance(value, str):
+        return f"'{plain(value)}'"
+    if value is None or isinstance(value, bool):
+        return repr(value)
+    if isinstance(value, int | float):
+        return f"{round(float(value), 4):g}" if abs(value) < 1e4 else repr(round(float(value), 3))
+    return print_expression(value)
+
+
+def _filled(parts: list[str], indent: int) -> str:
+    """Parts one after the other, as many in a line as it holds; what takes several lines begins one."""
+    gap = "\n" + " " * indent
+    text, room = "", 0
+    for i, part in enumerate(parts):
+        if i and ("\n" in part or len(part) + 2 > room):
+            text += f",{gap}"
+            room = _COLUMNS - indent
+        elif i:
+            text += ", "
+        else:
+            room = _COLUMNS - indent
+        text += part
+        room = -1 if "\n" in part else room - len(part) - 2
+    return text
+
+
+def _ego(one: Member, route: Polyline) -> str:
+    along, left, _ = route.project(one.x, one.y)
+    turn = one.heading - route.heading_at(along)
+    beside = f", {left:.3f}" if abs(left) >= 5e-4 else ""
+    turned = f", {turn:.4f}" if abs(turn) >= 5e-5 else ""
+    wants = f", with wantedSpeed {one.speed:g}" if one.speed >= 1e-3 else ""
+    return (
+        f"ego = new {one.kind} at pointOn({EGO_ROUTE}, {along:.3f}{beside}), "
+        f"facing directionOn({EGO_ROUTE}, {along:.3f}{turned}), with route {EGO_ROUTE}{_properties(one)}{wants}"
+    )
+
+
+def _properties(one: Member) -> str:
+    usual = LIMITS.get(one.kind)
+    own = (
+        []
+        if usual and (usual.length, usual.width) == (one.length, one.width)
+        else [f"with length {one.length:g}", f"with width {one.width:g}"]
+    )
+    speed = [f"with speed {one.speed:g}"] if one.speed else []
+    return "".join(f", {part}" for part in (*own, *speed))
+
+
+def _placed(one: Member, number: int, *, adversary: bool) -> str:
+    name = "AdvAgent" if adversary else f"Other{number}"
+    label = "".join(c if c.isascii() and c.isalnum() else "-" for c in one.name)[:40]
+    does = f", with behavior {BEHAVIOR if adversary else 'TakePart'}()" if one.acts else ""
+    does += "" if one.acts and adversary else f", with label '{label}'"
+    does += ", with role 'adversary'" if adversary and not one.acts else ""
+    return (
+        f"{name} = new {one.kind} at ({one.x:.3f}, {one.y:.3f}),\n"
+        f"    facing {one.heading - _QUARTER:.4f}{does}{_properties(one)}"
+    )
+
+
+_QUARTER = 1.5707963267948966  # [rad] from our headings, 0 = +x, to Scenic's, 0 = +y

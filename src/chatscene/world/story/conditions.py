@@ -1,0 +1,171 @@
+"""The conditions of a story: what must hold for something to begin or to stop.
+
+('time', rule, s)
+('value', rule, value, name)             of a variable; a value is a number or a text
+('number', rule, value, value)           of two numbers
+('element', type, name, state)           of a part of the story
+('never',) ('always',)
+about ('any' or 'all', (who, …)):
+('speed', quantor, whose, rule, m/s) ('acceleration', …, rule, m/s²) ('travelled', …, m)
+('stands', quantor, whose, s) ('lost', quantor, whose, s)
+('faster', quantor, whose, rule, m/s, than whom)
+('turned', quantor, whose, rad, tolerance)
+('apart', quantor, whose, rule, m, from whom or place, 'longitudinal' or 'lateral' or '', frame, freespace)
+('headway', …, the same, in s) ('collision-in', …, the same, in s)
+('reaches', quantor, whose, m, place)
+('touches', quantor, whose, (whom, …))
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from chatscene.world.story.entities import Entity, along, apart, offset
+from chatscene.world.story.places import Place
+
+RULES: dict[str, Callable[[Any, Any], bool]] = {
+    "lessThan": operator.lt,
+    "lessOrEqual": operator.le,
+    "greaterThan": operator.gt,
+    "greaterOrEqual": operator.ge,
+    "equalTo": operator.eq,
+    "notEqualTo": operator.ne,
+}
+_STILL = 1e-3  # [m/s]
+
+
+class World(Protocol):
+    """What conditions ask of a story."""
+
+    time: float
+    variables: dict[str, Any]
+
+    def entity(self, name: str) -> Entity:
+        """Somebody by name."""
+        ...
+
+    def place(self, told: tuple[Any, ...]) -> Place:
+        """A place."""
+        ...
+
+    def is_in(self, kind: str, name: str, state: str) -> bool:
+        """Whether a part of the story is in a state, or came into it just now."""
+        ...
+
+
+def truth_of(told: tuple[Any, ...], world: World) -> Callable[[], bool]:
+    """What a condition says, to be asked at each step.
+
+    Raises:
+        ValueError: There is no such condition.
+    """
+    kind, *rest = told
+    match kind:
+        case "always" | "never":
+            return lambda: kind == "always"
+        case "time":
+            rule, value = RULES[rest[0]], rest[1]
+            return lambda: rule(world.time, value)
+        case "number":
+            rule = RULES[rest[0]]
+            return lambda: rule(rest[1], rest[2])
+        case "value":
+            return lambda: _compared(rest[0], world.variables.get(rest[2], ""), rest[1])
+        case "element":
+            return lambda: world.is_in(rest[0], rest[1], rest[2])
+        case _:
+            quantor, whose, *more = rest
+            each = [_about(kind, world.entity(name), more, world) for name in whose]
+            held = all if quantor == "all" else any
+            return lambda: held([one() for one in each])
+
+
+def _compared(rule: str, one: Any, other: Any) -> bool:
+    """Whether a rule holds of two values: as numbers where both are numbers, else as texts."""
+    try:
+        return RULES[rule](float(one), float(other))
+    except (TypeError, ValueError):
+        return RULES[rule](str(one), str(other))
+
+
+def _about(kind: str, who: Entity, told: list[Any], world: World) -> Callable[[], bool]:  # noqa: C901, PLR0911
+    """What a condition says of one of those whom it is about."""
+    match kind:
+        case "speed":
+            rule = RULES[told[0]]
+            return lambda: rule(who.speed, told[1])
+        case "acceleration":
+            rule = RULES[told[0]]
+            return lambda: rule(who.gained, told[1])
+        case "travelled":
+            return lambda: who.travelled >= told[0]
+        case "stands":
+            return lambda: who.rests >= max(told[0], 1e-9)
+        case "lost":
+            return lambda: who.lost > told[0]
+        case "faster":
+            rule, than = RULES[told[0]], world.entity(told[2])
+            return lambda: rule(who.speed - than.speed, told[1])
+        case "turned":
+            return lambda: abs(math.remainder(who.agent.pose[2] - told[0], math.tau)) <= told[1]
+        case "touches":
+            others = [world.entity(name) for name in told[0]]
+            return lambda: any(other is not who and who.box().intersects(other.box()) for other in others)
+        case "reaches":
+            place = world.place(told[1])
+            return lambda: math.dist(who.origin[:2], place.pose()[:2]) <= told[0]
+        case "apart" | "headway" | "collision-in":
+            return _between(kind, who, told, world)
+        case _:
+            raise ValueError(f"a story has no condition {kind!r}")
+
+
+def _between(kind: str, who: Entity, told: list[Any], world: World) -> Callable[[], bool]:
+    """What is asked of the way between two, or between somebody and a place."""
+    rule, value, other, how, frame, freespace = told
+    holds = RULES[rule]
+    if isinstance(other, tuple):
+        place = world.place(other)
+
+        def far() -> float:
+            return _to(who, place.pose(), how, frame, freespace)
+
+        def closing() -> float:
+            return who.speed
+    else:
+        whom = world.entity(other)
+
+        def far() -> float:
+            return apart(who, whom, how, frame, freespace=freespace)
+
+        def closing() -> float:
+            return _closing(who, whom)
+
+    if kind == "apart":
+        return lambda: holds(far(), value)
+    pace = closing if kind == "collision-in" else lambda: who.speed
+    return lambda: holds(far() / pace() if pace() > _STILL else math.inf, value)
+
+
+def _to(who: Entity, place: tuple[float, ...], how: str, frame: str, freespace: bool) -> float:
+    x, y, heading = who.origin
+    if how not in ("longitudinal", "lateral"):
+        far = math.dist((x, y), place[:2])
+    elif frame == "entity":
+        dx, dy = place[0] - x, place[1] - y
+        c, s = math.cos(heading), math.sin(heading)
+        far = abs(dx * c + dy * s) if how == "longitudinal" else abs(dy * c - dx * s)
+    else:
+        (at, aside), (there, beside) = along(who.line, x, y), along(who.line, *place[:2])
+        far = abs(there - at) if how == "longitudinal" else abs(beside - aside)
+    return max(far - who.agent.length / 2 - who.ahead, 0.0) if freespace and how != "lateral" else far
+
+
+def _closing(one: Entity, other: Entity) -> float:
+    """How fast two come nearer to each other along the heading of one, or along the line between them [m/s]."""
+    ahead, _ = offset(one, other, "entity")
+    turn = other.agent.pose[2] - one.agent.pose[2]
+    return (one.speed - other.speed * math.cos(turn)) * (1.0 if ahead >= 0.0 else -1.0)

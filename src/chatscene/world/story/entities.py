@@ -1,0 +1,155 @@
+"""Who takes part in a story, as its conditions and actions see them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import shapely
+
+from chatscene.maps.neighbours import numbered_beside
+from chatscene.terms.polyline import Polyline
+from chatscene.world.places import laneLine
+
+STANDS = 0.1  # [m/s] below which somebody stands
+_ONWARD = 400.0  # [m] of a lane and of those it leads to that are followed at once
+_ACROSS = math.pi / 4  # [rad] from a lane's direction, beyond which somebody follows no lane
+
+
+class Entity:
+    """A road user or a thing of a story.
+
+    Args:
+        agent: The object of the scene.
+        name: As the story calls it.
+        ahead: How far its centre lies before its origin [m].
+        network: Scenic's road network.
+
+    Attributes:
+        line: The line that it follows, in the order in which it goes along it.
+        travelled: How far it has gone since the beginning [m].
+        rests: How long it has stood [s].
+        lost: How long it has been on no road [s].
+        gained: Its acceleration [m/s²].
+    """
+
+    def __init__(self, agent: Any, name: str, ahead: float, network: Any) -> None:
+        self.agent, self.name, self.ahead, self._network = agent, name, ahead, network
+        self.line: Polyline = agent.route.line if getattr(agent, "route", None) is not None else self.own_line()
+        self.travelled = self.rests = self.lost = self.gained = 0.0
+        self._before = agent.pose
+
+    @property
+    def origin(self) -> tuple[float, float, float]:
+        """X [m], y [m], heading [rad] of its origin."""
+        x, y, heading, _ = self.agent.pose
+        return x - self.ahead * math.cos(heading), y - self.ahead * math.sin(heading), heading
+
+    @property
+    def speed(self) -> float:
+        """[m/s]."""
+        return self.agent.pose[3]
+
+    def passes(self, dt: float) -> None:
+        """Count a step of time."""
+        x, y, _, speed = pose = self.agent.pose
+        bx, by, _, before = self._before
+        if (gone := math.hypot(x - bx, y - by)) < 2.0 * max(abs(speed), abs(before), 1.0) * dt:  # it may have jumped
+            self.travelled += gone
+        self.rests = self.rests + dt if abs(speed) < STANDS else 0.0
+        self.lost = self.lost + dt if self._network.roadAt((x, y)) is None else 0.0
+        self.gained = (speed - before) / dt
+        self._before = pose
+
+    def own_line(self) -> Polyline:
+        """The line of the lane that it stands on and of those it leads to; straight ahead where it follows no lane."""
+        x, y, heading, _ = self.agent.pose
+        section = None if self.agent.isWalker else self._network.laneSectionAt((x, y))
+        if section is not None:
+            line = laneLine(section.lane, 0.0)
+            along = line.project(x, y)[0]
+            turn = math.remainder(heading - line.heading_at(along), math.tau)
+            if abs(turn) < _ACROSS:
+                return laneLine(section.lane, along + _ONWARD)
+            if abs(turn) > math.pi - _ACROSS:
+                return Polyline(line.points[::-1])
+        return Polyline([(x + d * math.cos(heading), y + d * math.sin(heading)) for d in (-1.0, _ONWARD)])
+
+    def lane_line(self, number: int) -> Polyline:
+        """The line of a lane of its road, by its number in OpenDRIVE, in the order in which it goes along it.
+
+        Raises:
+            ValueError: There is no such lane beside its own.
+        """
+        x, y, heading, _ = self.agent.pose
+        section = self.section()
+        found = numbered_beside(section, number)
+        if found is None:
+            raise ValueError(
+                f"{self.name} is to change to lane {number}, and beside lane {section.openDriveID} is none"
+            )
+        line = laneLine(found.lane, 0.0)
+        along = line.project(x, y)[0]
+        with_it = math.cos(heading - line.heading_at(along)) >= 0.0
+        return laneLine(found.lane, along + _ONWARD) if with_it else Polyline(line.points[::-1])
+
+    def section(self) -> Any:
+        """Scenic's lane section that it is on, or the nearest one."""
+        x, y, _, _ = self.agent.pose
+        found = self._network.laneSectionAt((x, y))
+        return found if found is not None else min(self._network.laneSections, key=lambda s: s.distanceTo((x, y)))
+
+    def sides(self) -> tuple[int, int]:
+        """The number of its lane, and 1 where its left is that of the road's line; -1 where it faces against that."""
+        section = self.section()
+        number = int(section.openDriveID)
+        x, y, heading, _ = self.agent.pose
+        line = laneLine(section.lane, 0.0)
+        along = math.cos(heading - line.heading_at(line.project(x, y)[0])) >= 0.0
+        return number, 1 if along == (number < 0) else -1
+
+    def box(self) -> Any:
+        """Its outline."""
+        agent = self.agent
+        x, y, heading, _ = agent.pose
+        c, s, a, b = math.cos(heading), math.sin(heading), agent.length / 2, agent.width / 2
+        return shapely.Polygon(
+            [(x + u * c - v * s, y + u * s + v * c) for u, v in ((a, b), (-a, b), (-a, -b), (a, -b))]
+        )
+
+
+def apart(one: Entity, other: Entity, how: str, frame: str, *, freespace: bool) -> float:
+    """How far two are from each other [m], never negative.
+
+    Args:
+        one: From whom.
+        other: To whom.
+        how: ``longitudinal``, ``lateral``, or else straight.
+        frame: ``entity`` for along and across the heading of `one`; else along and across the line that it follows.
+        freespace: Whether it is the room between their outlines; else it is the distance of their origins.
+    """
+    if how not in ("longitudinal", "lateral"):
+        return one.box().distance(other.box()) if freespace else math.dist(one.origin[:2], other.origin[:2])
+    along, aside = offset(one, other, frame, of_centres=freespace)
+    far, size = (along, "length") if how == "longitudinal" else (aside, "width")
+    room = (getattr(one.agent, size) + getattr(other.agent, size)) / 2 if freespace else 0.0
+    return max(abs(far) - room, 0.0)
+
+
+def offset(one: Entity, other: Entity, frame: str, *, of_centres: bool = False) -> tuple[float, float]:
+    """How far another is ahead of somebody and to the left [m]."""
+    (x, y, heading), (ox, oy, _) = (e.agent.pose[:3] if of_centres else e.origin for e in (one, other))
+    if frame == "entity":
+        dx, dy = ox - x, oy - y
+        return dx * math.cos(heading) + dy * math.sin(heading), dy * math.cos(heading) - dx * math.sin(heading)
+    (s, t), (os, ot) = along(one.line, x, y), along(one.line, ox, oy)
+    return os - s, ot - t
+
+
+def along(line: Polyline, x: float, y: float) -> tuple[float, float]:
+    """How far along a line and to the left of it a place is [m], also before its beginning and beyond its end."""
+    s, left, _ = line.project(x, y)
+    if 0.0 < s < line.length:
+        return s, left
+    (px, py), heading = line.point_at(s), line.heading_at(s)
+    return s + (x - px) * math.cos(heading) + (y - py) * math.sin(heading), left

@@ -1,0 +1,48 @@
+"""Places of a story.
+
+('at', x, y, heading)               on the map
+('beside', whom, x, y, heading)     in the frame of somebody's origin, as it is when it is asked for
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from chatscene.world.story.entities import Entity
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A place that may move.
+
+    Attributes:
+        pose: Where it is now: x [m], y [m], heading [rad].
+    """
+
+    pose: Callable[[], tuple[float, float, float]]
+
+
+def place_of(told: tuple[Any, ...], entity: Callable[[str], Entity]) -> Place:
+    """A place.
+
+    Raises:
+        ValueError: There is no such place.
+    """
+    match told:
+        case ("at", x, y, heading):
+            return Place(lambda: (x, y, heading))
+        case ("beside", whom, x, y, heading):
+            who = entity(whom)
+            return Place(lambda: moved(who.origin, x, y, heading))
+        case _:
+            raise ValueError(f"a story has no place {told!r}")
+
+
+def moved(frame: tuple[float, float, float], x: float, y: float, heading: float) -> tuple[float, float, float]:
+    """A pose told in a frame, on the map."""
+    fx, fy, turn = frame
+    c, s = math.cos(turn), math.sin(turn)
+    return fx + x * c - y * s, fy + x * s + y * c, turn + heading

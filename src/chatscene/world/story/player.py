@@ -1,0 +1,398 @@
+"""Plays a story: which of its parts go on, and what everybody does meanwhile."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+from weakref import WeakKeyDictionary
+
+from scenic.core.simulators import Action
+
+from chatscene.world.story.conditions import truth_of
+from chatscene.world.story.entities import Entity
+from chatscene.world.story.pace import Pace, Steady, Waits, pace_of
+from chatscene.world.story.places import Place, place_of
+from chatscene.world.story.ways import Way, course, steering, way_of
+
+_AWAY = 5_000.0  # [m] to which somebody goes who is not there
+_STOPPING = frozenset(("overwrite", "override"))
+
+
+@dataclass(slots=True, eq=False)
+class Part:
+    """A part of a story that begins and ends: an act, a group, a maneuver, an event or an action.
+
+    Attributes:
+        kind: Which of these.
+        name: As the story calls it.
+        above: The part that it belongs to.
+        running: Whether it goes on.
+        count: How often it has begun.
+        began: When it last began, by steps; -1 for never.
+        ended: When it last ended.
+        most: How often it may begin.
+    """
+
+    kind: str
+    name: str
+    above: Part | None = None
+    running: bool = False
+    count: int = 0
+    began: int = -1
+    ended: int = -1
+    most: int = 1
+
+    @property
+    def complete(self) -> bool:
+        """Whether it is over and does not begin again."""
+        return not self.running and self.count >= self.most
+
+    @property
+    def path(self) -> str:
+        """Its name, with those of what it belongs to before it."""
+        return self.name if self.above is None else f"{self.above.path}::{self.name}"
+
+
+class Trigger:
+    """Groups of conditions, of which one must hold in all its parts."""
+
+    def __init__(self, told: Any, story: Story, *, empty: bool) -> None:
+        self._empty = empty if told is None else None
+        self._story = story
+        self._groups = [[_Condition(one, story) for one in group] for group in told or ()]
+
+    def holds(self) -> bool:
+        """Whether it holds now; to be asked once in each step in which it counts."""
+        if self._empty is not None:
+            return self._empty
+        asked = [[one.holds() for one in group] for group in self._groups]
+        return any(all(group) for group in asked if group)
+
+
+class _Condition:
+    def __init__(self, told: tuple[Any, ...], story: Story) -> None:
+        self._edge, self._delay, *what = told
+        self._story, self._truth = story, truth_of(tuple(what), story)
+        self._before: bool | None = None
+        self._since: list[tuple[float, bool]] = []
+
+    def holds(self) -> bool:
+        now = self._truth()
+        before, self._before = self._before, now
+        rises, falls = before is False and now, before is True and not now
+        met = {"rising": rises, "falling": falls, "risingOrFalling": rises or falls}.get(self._edge, now)
+        if not self._delay:
+            return met
+        self._since.append((self._story.time + self._delay, met))
+        met = False
+        while self._since and self._since[0][0] <= self._story.time + 1e-9:
+            met = self._since.pop(0)[1] or met
+        return met
+
+
+@dataclass(slots=True, eq=False)
+class _Action(Part):
+    told: tuple[Any, ...] = ()
+    modes: list[Pace | Way] = field(default_factory=list["Pace | Way"])
+
+
+@dataclass(slots=True, eq=False)
+class _Event(Part):
+    priority: str = "parallel"
+    start: Any = None
+    actions: list[_Action] = field(default_factory=list[_Action])
+    actors: tuple[str, ...] = ()
+    maneuver: Part | None = None
+
+
+@dataclass(slots=True, eq=False)
+class _Act(Part):
+    start: Any = None
+    stop: Any = None
+    events: list[_Event] = field(default_factory=list[_Event])
+    groups: list[Part] = field(default_factory=list[Part])
+    maneuvers: list[Part] = field(default_factory=list[Part])
+
+
+class Story:
+    """A story over the bodies of one drive.
+
+    Args:
+        simulation: The drive.
+        names: What its objects are called, in their order, and how far their centres lie before their origins [m].
+        acts: What it has happen.
+        stop: When it is over.
+        variables: What its variables are at first.
+
+    Attributes:
+        time: [s] since the beginning.
+        variables: What its variables are now.
+        over: Whether its end has come.
+    """
+
+    def __init__(self, simulation: Any, names: Any, acts: Any, stop: Any, variables: Any) -> None:
+        self._simulation = simulation
+        self.time, self._step, self.over = 0.0, -1, False
+        self.variables: dict[str, Any] = dict(variables)
+        network = simulation.scene.workspace.network
+        objects = list(simulation.objects)
+        self._entities = {
+            name: Entity(agent, name, ahead, network) for (name, ahead), agent in zip(names, objects, strict=True)
+        }
+        self._movers = {id(one.agent): Mover(one, self) for one in self._entities.values()}
+        self._parts: list[Part] = []
+        self._acts = [self._act(act) for act in acts]
+        self._stop = Trigger(stop, self, empty=False)
+
+    # What conditions ask
+
+    def entity(self, name: str) -> Entity:
+        """Somebody by name."""
+        return self._entities[name]
+
+    def place(self, told: tuple[Any, ...]) -> Place:
+        """A place."""
+        return place_of(told, self.entity)
+
+    def is_in(self, kind: str, name: str, state: str) -> bool:
+        """Whether a part of the story is in a state, or came into it in this step or the one before."""
+        found = [p for p in self._parts if p.kind == kind and (p.name == name or p.path.endswith(f"::{name}"))]
+        match state:
+            case "runningState":
+                return any(one.running for one in found)
+            case "completeState":
+                return any(one.complete for one in found)
+            case "standbyState":
+                return any(not one.running and not one.complete for one in found)
+            case "startTransition":
+                return any(0 <= self._step - one.began <= 1 and one.count for one in found)
+            case "endTransition" | "stopTransition":
+                return any(0 <= self._step - one.ended <= 1 and one.ended >= 0 for one in found)
+            case _:
+                return False
+
+    # What is told
+
+    def _act(self, told: Any) -> _Act:
+        name, start, stop, groups = told
+        act = self._known(_Act("act", name))
+        act.start, act.stop = Trigger(start, self, empty=True), Trigger(stop, self, empty=False)
+        for called, most, actors, events in groups:
+            group = self._known(Part("maneuverGroup", called, act, most=max(int(most), 1)))
+            act.groups.append(group)
+            maneuvers: dict[str, Part] = {}
+            for maneuver, event, priority, count, begins, actions in events:
+                if maneuver not in maneuvers:
+                    maneuvers[maneuver] = self._known(Part("maneuver", maneuver, group))
+                    act.maneuvers.append(maneuvers[maneuver])
+                one = self._known(_Event("event", event, maneuvers[maneuver], most=int(count)))
+                one.priority, one.actors, one.maneuver = priority, actors, maneuvers[maneuver]
+                one.start = Trigger(begins, self, empty=True)
+                one.actions = [self._known(_Action("action", a[0], one, most=1, told=tuple(a[1:]))) for a in actions]
+                act.events.append(one)
+        return act
+
+    def _known(self, part: Any) -> Any:
+        self._parts.append(part)
+        return part
+
+    # What goes on
+
+    def advance(self) -> None:
+        """Let what is due begin and end, once in each step of the drive."""
+        step = self._simulation.currentTime
+        if step == self._step:
+            return
+        dt = self._simulation.timestep
+        for one in self._entities.values():
+            if self._step >= 0:
+                one.passes(dt)
+        self._step, self.time = step, step * dt
+        for act in self._acts:
+            self._run(act)
+        if self._stop.holds():
+            self.over = True
+
+    def _run(self, act: _Act) -> None:
+        if act.complete:
+            return
+        if not act.running:
+            if not act.start.holds():
+                return
+            self._begin(act)
+            for below in (*act.groups, *act.maneuvers):
+                self._begin(below)
+        if act.stop.holds():
+            for event in act.events:
+                self._halt(event)
+                event.count = event.most
+            self._end_all(act)
+            return
+        for event in act.events:
+            self._follow(event, act)
+        if all(event.complete for event in act.events):
+            self._end_all(act)
+
+    def _follow(self, event: _Event, act: _Act) -> None:
+        """Let an event begin, or end once its actions are done."""
+        if event.running:
+            for action in event.actions:
+                if action.running and all(_over(mode) for mode in action.modes):
+                    self._end(action)
+            if not any(action.running for action in event.actions):
+                self._end(event)
+        elif not event.complete and event.start.holds():
+            self._start(event, act)
+        maneuver = event.maneuver
+        whole = [one for one in act.events if one.maneuver is maneuver]
+        if maneuver is not None and maneuver.running and all(one.complete for one in whole):
+            self._end(maneuver)
+
+    def _start(self, event: _Event, act: _Act) -> None:
+        """Let an event begin whose trigger holds, and what it overwrites end."""
+        others = [one for one in act.events if one.maneuver is event.maneuver and one.running]
+        if event.priority == "skip" and others:
+            return
+        if event.priority in _STOPPING:
+            for one in others:
+                self._halt(one)
+        self._begin(event)
+        for action in event.actions:
+            self._begin(action)
+            action.count = 1
+            action.modes = list(self._done(action.told, event.actors))
+            if not action.modes:
+                self._end(action)
+
+    def _done(self, told: tuple[Any, ...], actors: tuple[str, ...]) -> Iterator[Pace | Way]:
+        """Do something, and give what of it takes time."""
+        match told:
+            case ("set", name, value):
+                self.variables[name] = value
+            case ("add" | "multiply" as how, name, value):
+                before = float(self.variables.get(name, 0.0))
+                self.variables[name] = before + value if how == "add" else before * value
+            case ("nothing",):
+                pass
+            case ("away", whom):
+                self._movers[id(self.entity(whom).agent)].leave()
+            case ("come", whom, place):
+                self._movers[id(self.entity(whom).agent)].jump(*self.place(place).pose())
+            case ("jump", place):
+                for name in actors:
+                    self._movers[id(self.entity(name).agent)].jump(*self.place(place).pose())
+            case ("wait", seconds):
+                yield Waits(self, seconds)
+            case _:
+                for name in actors:
+                    mover = self._movers[id(self.entity(name).agent)]
+                    yield mover.told(told)
+
+    def _begin(self, part: Part) -> None:
+        part.running, part.began = True, self._step
+        part.count += 1
+
+    def _end(self, part: Part) -> None:
+        part.running, part.ended = False, self._step
+
+    def _end_all(self, act: _Act) -> None:
+        for part in (*act.groups, *act.maneuvers, act):
+            if part.running:
+                self._end(part)
+
+    def _halt(self, event: _Event) -> None:
+        if event.running:
+            for action in event.actions:
+                if action.running:
+                    self._end(action)
+            self._end(event)
+
+    def mover(self, agent: Any) -> Mover:
+        """Who moves an agent."""
+        return self._movers[id(agent)]
+
+
+def _over(mode: Pace | Way) -> bool:
+    return mode.passes() if isinstance(mode, Waits) else mode.done
+
+
+class Mover:
+    """Moves one of a story, by what it was told last about its speed and about its way."""
+
+    def __init__(self, who: Entity, story: Story) -> None:
+        self._who, self._story = who, story
+        self._pace: Pace = Steady(who.speed)
+        x, y, _ = who.origin
+        self._way = Way(who.line, who.line.project(x, y)[1])
+
+    def told(self, what: tuple[Any, ...]) -> Pace | Way:
+        """Begin to do something.
+
+        Raises:
+            ValueError: Nobody in a story does that.
+        """
+        pace = pace_of(what, self._who, self._story)
+        if pace is not None:
+            self._supersede(self._pace)
+            self._pace = pace
+            return pace
+        way = way_of(what, self._who, self._story)
+        if way is None:
+            raise ValueError(f"a story has nothing that is done as {what[0]!r}")
+        self._supersede(self._way)
+        self._way, self._who.line = way, way.line
+        return way
+
+    def _supersede(self, mode: Pace | Way) -> None:
+        mode.done = True
+
+    def jump(self, x: float, y: float, heading: float) -> None:
+        """Be somewhere else at once, and go on along the lane there."""
+        ahead = self._who.ahead
+        x, y = x + ahead * math.cos(heading), y + ahead * math.sin(heading)
+        self._who.agent.jumpTo(x, y, heading, self._who.speed)
+        self._who.line = self._who.own_line()
+        self._way = Way(self._who.line, self._who.line.project(x, y)[1])
+
+    def leave(self) -> None:
+        """Be gone: far from everything, standing."""
+        x, y, heading, _ = self._who.agent.pose
+        self._pace, self._way = Steady(0.0), Way(self._who.line)
+        self._who.agent.jumpTo(x + _AWAY, y + _AWAY, heading)
+
+    def drive(self, agent: Any, dt: float) -> None:
+        """Hand to the agent what it is to do in this step."""
+        who, way, time = self._who, self._way, self._story.time
+        table = way.hastens(who, dt)
+        speed = self._pace.speed(dt) if table is None else table
+        if agent.isWalker:
+            agent.setWalk(course(who, way, time), max(speed, 0.0))
+        else:
+            agent.setSpeed(speed, steering(who, way, time) if speed >= 0.0 else 0.0)
+        if way.done and way.ends:
+            who.line = who.own_line()
+            x, y, _ = who.origin
+            self._way = Way(who.line, who.line.project(x, y)[1])
+            if table is not None:
+                self._pace = Steady(who.speed)
+
+
+_stories: WeakKeyDictionary[Any, Story] = WeakKeyDictionary()
+
+
+def storyOf(simulation: Any, names: Any, acts: Any, stop: Any, variables: Any) -> Story:  # noqa: N802 - Scenic's naming
+    """The story of a drive, which begins with it."""
+    _stories[simulation] = story = Story(simulation, names, acts, stop, variables)
+    return story
+
+
+class StoryAction(Action):
+    """What the story of the drive has somebody do in this step."""
+
+    def applyTo(self, agent: Any, simulation: Any) -> None:  # noqa: N802 - Scenic's name
+        """Let the story go on, and hand over what it tells."""
+        story = _stories[simulation]
+        story.advance()
+        story.mover(agent).drive(agent, simulation.timestep)

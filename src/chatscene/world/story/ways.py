@@ -1,0 +1,223 @@
+"""Where those in a story go: the lateral half of what a story tells somebody to do.
+
+('lane', shape, dimension, amount, target, left)      target: ('to', number) or ('of', whom, lanes to its left)
+('aside', shape, most lateral acceleration, target, for good)   target: ('to' or 'mine', left) or ('of', whom, left)
+('line', line or (place, points), times, start)       times: () or (absolute, ((s, m), …)); start [m] along it
+('way', line)                                         a route: followed from now on
+('beside', whom, distance, side, freespace, for good)
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import Any
+
+from chatscene.terms.polyline import Polyline
+from chatscene.world.control import LOOK_AHEAD, LOOK_AHEAD_TIME, wheel_to
+from chatscene.world.places import line_of
+from chatscene.world.story.conditions import World
+from chatscene.world.story.entities import Entity, along
+from chatscene.world.story.pace import shaped
+from chatscene.world.story.places import moved
+
+_AT_END = 0.5  # [m] before the end of a line, where it is over
+_STEP_ASIDE = 1.0  # [s] that a change of lane takes at least, whatever is told: nothing jumps
+_PULLS = 1.0  # [1/s] with which a time table is kept
+_WALKS_AHEAD = 1.0  # [m] to the point of its line that somebody on foot goes to
+
+
+class Way:
+    """A line and how far beside it to go.
+
+    Args:
+        line: The line.
+        left: How far to the left of it [m].
+
+    Attributes:
+        done: Whether it is over.
+        ends: Whether nothing is left of it once it is over, so that somebody goes on along the lane there.
+        line: The line.
+    """
+
+    ends = False
+
+    def __init__(self, line: Polyline, left: float = 0.0) -> None:
+        self.line, self._left, self.done = line, left, True
+
+    def left(self, time: float) -> float:
+        """How far beside the line it is to be at a time [m]."""
+        del time
+        return self._left
+
+    def hastens(self, who: Entity, dt: float) -> float | None:
+        """The speed [m/s] that its time table asks for; None where it has none."""
+        del who, dt
+        return None
+
+
+class Shift(Way):
+    """Goes over to another distance from a line in some time."""
+
+    def __init__(self, world: World, line: Polyline, before: float, after: float, lasts: float, shape: str) -> None:
+        super().__init__(line, after)
+        self._world, self._before, self._lasts, self._shape = world, before, lasts, shape
+        self._began, self._for_good = world.time, False
+
+    def left(self, time: float) -> float:
+        """Where between the two it is at a time."""
+        share = (time - self._began) / self._lasts
+        self.done = not self._for_good and self._world.time - self._began >= self._lasts
+        return self._before + (self._left - self._before) * shaped(self._shape, share)
+
+
+class Beside(Way):
+    """Keeps a distance to the side of somebody."""
+
+    def __init__(self, who: Entity, other: Entity, told: tuple[Any, ...]) -> None:
+        super().__init__(who.line)
+        distance, side, freespace, self._for_good = told
+        self._other, self._who = other, who
+        room = (who.agent.width + other.agent.width) / 2 if freespace else 0.0
+        mine, theirs = (along(who.line, *e.origin[:2])[1] for e in (who, other))
+        self._want = (side or (1.0 if mine >= theirs else -1.0)) * (distance + room)
+        self.done = False
+
+    def left(self, time: float) -> float:
+        """Beside the other."""
+        del time
+        want = along(self.line, *self._other.origin[:2])[1] + self._want
+        self.done = not self._for_good and abs(along(self.line, *self._who.origin[:2])[1] - want) < 0.1
+        return want
+
+
+class Line(Way):
+    """Follows a line to its end, by a time table if it has one."""
+
+    ends = True
+
+    def __init__(self, who: Entity, world: World, line: Polyline, times: Any, start: float) -> None:
+        super().__init__(line)
+        self._who, self._world, self._start = who, world, start
+        absolute, table = times or (False, ())
+        self._table: list[tuple[float, float]] = list(table)
+        self._began = 0.0 if absolute else world.time
+        self.done = False
+
+    def left(self, time: float) -> float:
+        """On the line."""
+        del time
+        x, y, _ = self._who.origin
+        late = self._table and self._world.time - self._began >= self._table[-1][0]
+        self.done = bool(late) or along(self.line, x, y)[0] >= self.line.length - _AT_END
+        return 0.0
+
+    def hastens(self, who: Entity, dt: float) -> float | None:
+        """The speed of the table, and more or less where it is late or early."""
+        if not self._table:
+            return None
+        time = self._world.time - self._began
+        at, after = (self._due(one) for one in (time, time + dt))
+        behind = at - along(self.line, *who.origin[:2])[0]
+        return max((after - at) / dt + _PULLS * behind, 0.0)
+
+    def _due(self, time: float) -> float:
+        table = self._table
+        if time <= table[0][0]:
+            return table[0][1]
+        for (t0, s0), (t1, s1) in pairwise(table):
+            if time < t1:
+                return s0 + (s1 - s0) * (time - t0) / max(t1 - t0, 1e-9)
+        return table[-1][1]
+
+
+def way_of(told: tuple[Any, ...], who: Entity, world: World) -> Way | None:
+    """What a story tells somebody about where to go; None where it tells of something else."""
+    match told:
+        case ("lane", shape, dimension, amount, target, left):
+            return _lane(who, world, shape, dimension, amount, target, left)
+        case ("aside", shape, most, target, _):
+            return _aside(who, world, shape, most, target)
+        case ("line", line, times, start):
+            return Line(who, world, _placed(line, world), times, start)
+        case ("way", line):
+            return Way(line_of(line))
+        case ("beside", whom, *rest):
+            return Beside(who, world.entity(whom), tuple(rest))
+        case _:
+            return None
+
+
+def _placed(told: Any, world: World) -> Polyline:
+    """A line of the program, or the points of one in the frame of a place as it is now."""
+    if not isinstance(told, tuple):
+        return line_of(told)
+    place, points = told
+    frame = world.place(place).pose()
+    return Polyline([moved(frame, x, y, 0.0)[:2] for x, y in points])
+
+
+def _lane(
+    who: Entity, world: World, shape: str, dimension: str, amount: float, target: tuple[Any, ...], left: float
+) -> Way:
+    if target[0] == "to":
+        number = int(target[1])
+    else:
+        own, side = world.entity(target[1]).sides()
+        number = beside_lane(own, side * int(target[2]))
+    line = who.lane_line(number)
+    before, after = along(line, *who.origin[:2])[1], left * _same_side(who)
+    far, amount = abs(after - before), abs(amount)
+    if dimension == "rate":
+        amount = (
+            far / amount * (math.pi / 2 if shape == "sinusoidal" else 1.5 if shape == "cubic" else 1.0) if amount else 0
+        )
+    elif dimension == "distance":
+        amount /= max(who.speed, 0.1)
+    return Shift(world, line, before, after, max(amount, _STEP_ASIDE), shape if shape != "step" else "sinusoidal")
+
+
+def beside_lane(of: int, lanes: int) -> int:
+    """The number of the lane so many lanes beside another, as OpenDRIVE counts: there is no lane 0."""
+    to = of + lanes
+    return to if lanes == 0 or of * to > 0 else to + (1 if lanes > 0 else -1)
+
+
+def _same_side(who: Entity) -> int:
+    """1 where metres to the left of the road's line are to the left of who goes there, else -1."""
+    return who.sides()[1] if not who.agent.isWalker else 1
+
+
+def _aside(who: Entity, world: World, shape: str, most: float, target: tuple[Any, ...]) -> Way:
+    """A change of the distance to its line; it takes as long as the lateral acceleration that is told lets it."""
+    if target[0] == "mine":
+        after = target[1]
+    elif target[0] == "to":
+        after = target[1] * _same_side(who)
+    else:
+        after = along(who.line, *world.entity(target[1]).origin[:2])[1] + target[2] * _same_side(who)
+    before = along(who.line, *who.origin[:2])[1]
+    far = abs(after - before)
+    peak = {"sinusoidal": math.pi**2 / 2, "cubic": 6.0}.get(shape, 4.0)  # of its second derivative
+    lasts = math.sqrt(peak * far / most) if most > 0.0 else _STEP_ASIDE
+    return Shift(world, who.line, before, after, max(lasts, _STEP_ASIDE), shape if shape != "step" else "sinusoidal")
+
+
+def steering(who: Entity, way: Way, time: float) -> float:
+    """The wheel with which a vehicle follows its way: toward where it is to be once it has come as far as it looks."""
+    agent = who.agent
+    x, y, _, speed = pose = agent.pose
+    ahead = max(LOOK_AHEAD, LOOK_AHEAD_TIME * abs(speed))
+    left = way.left(time + ahead / max(abs(speed), 1.0))
+    at = way.line.project(x, y)[0]
+    return wheel_to(way.line, at, pose, left, agent.wheelbase, agent.wheelAngle)
+
+
+def course(who: Entity, way: Way, time: float) -> float:
+    """The direction [rad] in which somebody on foot follows a way."""
+    x, y, _, _ = who.agent.pose
+    left = way.left(time)
+    at = along(way.line, x, y)[0] + _WALKS_AHEAD
+    px, py = way.line.point_at(at)
+    heading = way.line.heading_at(at)
+    return math.atan2(py + left * math.cos(heading) - y, px - left * math.sin(heading) - x)

@@ -1,0 +1,332 @@
+# ruff: noqa: E501 - elements stand in one line each
+"""What others' scenarios hold beyond plans: catalogs, variants, stories that are played event by event."""
+
+from __future__ import annotations
+
+import math
+import xml.etree.ElementTree as Xml
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from chatscene.ego.policy import load_ego, observation_of, pedals_of
+from chatscene.errors import ScenarioError, SettingsError
+from chatscene.imports.calculated import calculated
+from chatscene.imports.given import Given
+from chatscene.imports.import_file import import_scenario
+from chatscene.imports.openscenario import Imported, read_openscenario
+from chatscene.imports.shapes import shape_of, thinned
+from chatscene.imports.stranger_xml import Element, read_xml
+from chatscene.imports.variants import variants_of
+from chatscene.imports.written_story import StoryProgram, written_story
+from chatscene.maps.curves import normalised
+from chatscene.maps.network import resolve_map
+from chatscene.program.sample import scene_at
+from chatscene.search.generators.foreign import foreign_program
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.embedded.physics import make_simulator
+from chatscene.terms.episode import Episode
+from chatscene.terms.scene import Rejected
+from red_team.scenario_files import CAR, NEAR, SLOWS, event, scenario
+
+TIME = '<ByValueCondition><SimulationTimeCondition value="{}" rule="greaterThan"/></ByValueCondition>'
+SPEED = '<LongitudinalAction><SpeedAction><SpeedActionDynamics dynamicsShape="{shape}" dynamicsDimension="time" value="{time}"/><SpeedActionTarget><AbsoluteTargetSpeed value="{speed}"/></SpeedActionTarget></SpeedAction></LongitudinalAction>'
+DISTANCE = '<LongitudinalAction><LongitudinalDistanceAction entityRef="ego" distance="8" freespace="true" continuous="true"/></LongitudinalAction>'
+
+
+@pytest.fixture
+def beside(tmp_path: Path) -> Path:
+    (tmp_path / "town.xodr").symlink_to(resolve_map("town"))
+    return tmp_path
+
+
+def read(folder: Path, text: str, **told: str) -> Imported:
+    path = folder / "theirs.xosc"
+    path.write_text(text)
+    return read_openscenario(path, **told)  # type: ignore[arg-type]
+
+
+def story(folder: Path, text: str) -> StoryProgram:
+    board = read(folder, text).board
+    assert isinstance(board, StoryProgram)
+    return board
+
+
+def driven(folder: Path, text: str, steps: int = 80) -> Episode:
+    """A scenario as it is driven, by `idm` in the place of the ego."""
+    program = foreign_program("theirs", written_story(story(folder, text), "theirs.xosc"))
+    scene = replace(scene_at(program, 0, 0.5, name="seed-0"), seed=0)
+    ego = load_ego("idm")
+    drive = make_simulator(resolve_map("town"), SimulationSettings()).open(
+        program, scene, observation=observation_of(ego), pedals=pedals_of(ego)
+    )
+    assert not isinstance(drive, Rejected), drive.reason
+    try:
+        while drive.ending is None and not drive.rejection and drive.step_number < steps:
+            drive.step(ego.act(drive.observation))
+        assert not drive.rejection
+        return drive.episode(scene.id, "idm")
+    finally:
+        drive.close()
+
+
+def speed(value: float, time: float = 2.0, shape: str = "linear") -> str:
+    return SPEED.format(speed=value, time=time, shape=shape)
+
+
+# Parameters and expressions
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("1/4*pi", math.pi / 4), ("round(2.5)", 3.0), ("sqrt(16)-pow(2,3)", -4.0), ("7 % 4", 3.0), ("not (1 > 2)", 1.0)],
+)
+def test_an_expression_has_the_value_that_the_standard_gives_it(text: str, value: float) -> None:
+    assert calculated(text) == pytest.approx(value)
+
+
+@pytest.mark.parametrize("text", ["open(1)", "1/0", "a.b", "[1]", "9**9**9", "(" * 3000])
+def test_what_is_no_expression_of_numbers_has_no_value(text: str) -> None:
+    with pytest.raises(ValueError):
+        calculated(text)
+
+
+def test_a_parameter_that_stands_where_nothing_may_vary_keeps_its_value_and_that_is_noted(beside: Path) -> None:
+    found = read(beside, scenario(place='<WorldPosition x="136.75" y="${-365 + $near}" h="1.5708"/>'))
+    assert any("$near stands where nothing may vary here; it keeps the value 20" in note for note in found.notes)
+    assert "OPT_NEAR" not in str(found.board)
+
+
+def test_a_parameter_with_one_bound_keeps_its_value_and_that_is_noted(beside: Path) -> None:
+    found = read(beside, scenario().replace('<ValueConstraint rule="lessOrEqual" value="30"/>', ""))
+    assert any("$near keeps the value 20" in note for note in found.notes)
+
+
+# Catalogs
+
+
+def with_catalog(folder: Path, reference: str) -> str:
+    (folder / "cars").mkdir()
+    body = CAR.replace('length="4.5"', 'length="$long"').replace(
+        "<BoundingBox>", '<ParameterDeclarations><ParameterDeclaration name="long" parameterType="double" value="4"/></ParameterDeclarations><BoundingBox>'
+    )  # fmt: skip
+    (folder / "cars" / "all.xosc").write_text(f'<OpenSCENARIO><Catalog name="cars">{body}</Catalog></OpenSCENARIO>')
+    where = '<CatalogLocations><VehicleCatalog><Directory path=".\\cars"/></VehicleCatalog></CatalogLocations>'
+    return scenario(body=reference).replace("<CatalogLocations/>", where)
+
+
+def test_a_body_of_a_catalog_has_the_parameters_that_are_assigned(beside: Path) -> None:
+    assigned = (
+        '<ParameterAssignments><ParameterAssignment parameterRef="long" value="${2 + 3}"/></ParameterAssignments>'
+    )
+    text = with_catalog(beside, f'<CatalogReference catalogName="cars" entryName="v">{assigned}</CatalogReference>')
+    found = read(beside, text)
+    assert [actor.length for actor in found.board.actors] == [4.5, 5.0]  # type: ignore[union-attr]
+    plainly = read(beside, text.replace(assigned, ""))
+    assert [actor.length for actor in plainly.board.actors] == [4.5, 4.0]  # type: ignore[union-attr]
+
+
+def test_an_entry_that_a_catalog_lacks_is_refused_by_its_line(beside: Path) -> None:
+    text = with_catalog(beside, '<CatalogReference catalogName="cars" entryName="w"/>')
+    with pytest.raises(ScenarioError, match=r"line \d+: <CatalogReference>: the catalog 'cars' has no entry 'w'"):
+        read(beside, text)
+
+
+def test_what_is_refused_in_a_catalog_is_told_by_its_file(beside: Path) -> None:
+    text = with_catalog(beside, '<CatalogReference catalogName="cars" entryName="v"/>')
+    body = (beside / "cars" / "all.xosc").read_text()
+    (beside / "cars" / "all.xosc").write_text(body.replace('"car"', '"submarine"'))
+    with pytest.raises(ScenarioError, match=r"all\.xosc, line 1: <Vehicle>: nobody here is a 'submarine'"):
+        read(beside, text)
+
+
+def test_a_map_in_another_folder_is_found_by_its_path_from_the_file(beside: Path) -> None:
+    (beside / "deep").mkdir()
+    assert read(beside / "deep", scenario(map_name="../town.xodr")).map_path == beside / "town.xodr"
+
+
+def test_where_only_one_folder_is_open_no_other_file_is_read(beside: Path) -> None:
+    (beside / "deep").mkdir()
+    (beside / "deep" / "theirs.xosc").write_text(scenario(map_name="../town.xodr"))
+    with pytest.raises(ScenarioError, match="lies where nothing is opened"):
+        import_scenario(beside / "deep" / "theirs.xosc", within=beside / "deep")
+    text = with_catalog(beside, '<CatalogReference catalogName="cars" entryName="v"/>').replace(".\\cars", "../cars")
+    (beside / "deep" / "theirs.xosc").write_text(text)
+    with pytest.raises(ScenarioError, match="no folder that the file names has a catalog 'cars'"):
+        import_scenario(beside / "deep" / "theirs.xosc", map_name="town", within=beside / "deep")
+
+
+# Variants
+
+
+def variants(folder: Path, inner: str) -> Path:
+    (folder / "theirs.xosc").write_text(scenario())
+    path = folder / "values.xosc"
+    told = f'<ParameterValueDistribution><ScenarioFile filepath="theirs.xosc"/>{inner}</ParameterValueDistribution>'
+    path.write_text(f"<OpenSCENARIO>{told}</OpenSCENARIO>")
+    return path
+
+
+STEPS = '<Deterministic><DeterministicSingleParameterDistribution parameterName="near"><DistributionRange stepWidth="{}"><Range lowerLimit="10" upperLimit="30"/></DistributionRange></DeterministicSingleParameterDistribution></Deterministic>'
+
+
+def test_each_set_of_parameter_values_is_a_program(beside: Path) -> None:
+    path = variants(beside, STEPS.format(10))
+    done = import_scenario(path)
+    assert [one.name for one in done.programs] == ["values-1.scenic", "values-2.scenic", "values-3.scenic"]
+    assert ["< 10.0" in done.programs[0].read_text(), "< 30.0" in done.programs[2].read_text()] == [True, True]
+    (alone,) = import_scenario(path, out=beside / "one.scenic", variant=2).programs
+    assert alone.read_text() == done.programs[1].read_text()
+    with pytest.raises(SettingsError, match="variants 1 to 3, and no 4"):
+        import_scenario(path, out=beside / "four.scenic", variant=4)
+
+
+def test_a_range_of_very_many_steps_is_searched_and_that_is_noted(beside: Path) -> None:
+    done = import_scenario(variants(beside, STEPS.format(0.1)))
+    assert "param OPT_NEAR = Range(10.0, 30.0)" in done.program.read_text()
+    assert any("201 variants are too many programs" in note for note in done.notes)
+
+
+def test_values_that_belong_together_are_taken_together_and_drawn_ones_vary(tmp_path: Path) -> None:
+    pairs = "".join(
+        f'<ParameterValueSet><ParameterAssignment parameterRef="a" value="{a}"/><ParameterAssignment parameterRef="b" value="{b}"/></ParameterValueSet>'
+        for a, b in ((1, 2), (3, 4))
+    )
+    inner = f"<Deterministic><DeterministicMultiParameterDistribution><ValueSetDistribution>{pairs}</ValueSetDistribution></DeterministicMultiParameterDistribution></Deterministic>"
+    drawn = '<Stochastic><StochasticDistribution parameterName="c"><NormalDistribution expectedValue="5" variance="4"/></StochasticDistribution></Stochastic>'
+    path = variants(tmp_path, inner + drawn)
+    found = variants_of(read_xml(path), path)
+    assert found is not None
+    assert [dict(found.number(n)) for n in (1, 2)] == [{"a": "1", "b": "2"}, {"a": "3", "b": "4"}]
+    assert found.spans == {"c": (-1.0, 11.0)}
+
+
+# Shapes
+
+
+def shaped(folder: Path, inner: str) -> Element:
+    path = folder / "shape.xosc"
+    path.write_text(f"<Trajectory><Shape>{inner}</Shape></Trajectory>")
+    return read_xml(path)
+
+
+def _place(position: Element) -> tuple[float, float, float]:
+    one = position.inside[0]
+    return float(one.attributes["x"]), float(one.attributes["y"]), 0.0
+
+
+def test_a_clothoid_without_a_place_bends_from_where_its_follower_is(tmp_path: Path) -> None:
+    found = shape_of(
+        shaped(tmp_path, '<Clothoid curvature="0.1" curvaturePrime="0" length="15.707963"/>'), Given(), _place
+    )
+    assert found.points[-1] == pytest.approx((10.0, 10.0), abs=0.01)
+
+
+def test_a_nurbs_of_order_two_is_the_polyline_of_its_control_points(tmp_path: Path) -> None:
+    at = '<ControlPoint><Position><WorldPosition x="{}" y="{}"/></Position></ControlPoint>'
+    points = at.format(0, 0) + at.format(10, 0) + at.format(10, 10)
+    knots = "".join(f'<Knot value="{k}"/>' for k in (0, 0, 1, 2, 2))
+    found = shape_of(shaped(tmp_path, f'<Nurbs order="2">{points}{knots}</Nurbs>'), Given(), _place)
+    kept = [found.points[i] for i in thinned(found.points, 0.01)]
+    assert kept == [pytest.approx(one) for one in ((0, 0), (10, 0), (10, 10))]
+
+
+def test_a_curve_by_its_arc_length_is_the_same_with_a_parameter_from_0_to_1() -> None:
+    text = '<r><geometry length="10"><paramPoly3 aU="1" bU="2" cU="3" dU="4" aV="0" bV="0" cV="0.5" dV="0" pRange="arcLength"/></geometry></r>'
+    curve = normalised(Xml.ElementTree(Xml.fromstring(text))).getroot().find("geometry/paramPoly3")
+    assert curve is not None
+    assert [float(curve.get(name, 0)) for name in ("aU", "bU", "cU", "dU", "cV")] == [1.0, 20.0, 300.0, 4000.0, 50.0]
+
+
+# Stories
+
+
+def test_a_speed_that_is_told_with_a_time_is_reached_in_that_time(beside: Path) -> None:
+    text = scenario(events=event(speed(8), TIME.format(1)) + event(DISTANCE, TIME.format(90), "later"))
+    track = next(t for t in driven(beside, text, 60).tracks if t.actor == "adversary")
+    assert float(track.speed[10]) == pytest.approx(5.0, abs=0.1)
+    assert float(track.speed[21]) == pytest.approx(6.5, abs=0.3)
+    assert float(track.speed[35]) == pytest.approx(8.0, abs=0.1)
+
+
+def test_an_event_that_waits_for_another_begins_when_that_is_over(beside: Path) -> None:
+    waits = '<ByValueCondition><StoryboardElementStateCondition storyboardElementType="event" storyboardElementRef="m::first" state="completeState"/></ByValueCondition>'
+    text = scenario(events=event(speed(7), TIME.format(1), "first") + event(speed(2), waits, "second") + event(DISTANCE, TIME.format(90), "later"))  # fmt: skip
+    track = next(t for t in driven(beside, text, 70).tracks if t.actor == "adversary")
+    fastest = int(np.argmax(track.speed))
+    assert 28 <= fastest <= 34
+    assert float(track.speed[60]) == pytest.approx(2.0, abs=0.2)
+
+
+def test_who_goes_across_on_a_line_of_the_file_comes_to_its_end(beside: Path) -> None:
+    line = '<Polyline><Vertex><Position><WorldPosition x="136.75" y="-340"/></Position></Vertex><Vertex><Position><WorldPosition x="136.75" y="-310"/></Position></Vertex></Polyline>'
+    follows = f'<RoutingAction><FollowTrajectoryAction><TrajectoryRef><Trajectory name="t" closed="false"><Shape>{line}</Shape></Trajectory></TrajectoryRef><TimeReference><None/></TimeReference></FollowTrajectoryAction></RoutingAction>'
+    text = scenario(events=event(follows, TIME.format(1)) + event(speed(6), TIME.format(1), "too") + event(DISTANCE, TIME.format(90), "later"))  # fmt: skip
+    track = next(t for t in driven(beside, text, 70).tracks if t.actor == "adversary")
+    assert float(track.y[-1]) > -312
+    assert abs(float(track.x[-1]) - 136.75) < 0.3
+
+
+def test_the_end_that_a_file_tells_ends_the_drive(beside: Path) -> None:
+    stop = f'<StopTrigger><ConditionGroup><Condition name="x" delay="1" conditionEdge="none">{TIME.format(1)}</Condition></ConditionGroup></StopTrigger></Storyboard>'
+    text = scenario(events=event(DISTANCE, TIME.format(1))).replace("<StopTrigger/></Storyboard>", stop)
+    found = driven(beside, text)
+    assert str(found.ending) == "scenario-done"
+    assert 20 <= len(found.tracks[0].x) <= 23
+
+
+@pytest.mark.parametrize("text", [scenario().replace('entityRef="lead"/></Actors>', 'entityRef="ego"/></Actors>')])
+def test_a_file_in_which_only_the_ego_does_something_has_the_other_as_adversary(text: str, beside: Path) -> None:
+    board = story(beside, text.replace('<AbsoluteTargetSpeed value="5"/>', '<AbsoluteTargetSpeed value="0"/>'))
+    assert not any(one.acts for one in board.members)
+    program = written_story(board, "theirs.xosc")
+    assert "behavior" not in program
+    assert "with role 'adversary'" in program
+    foreign_program("theirs", program)
+
+
+def test_a_file_with_nobody_but_an_ego_is_a_program(beside: Path) -> None:
+    text = scenario()
+    body = text[text.index('<ScenarioObject name="lead">') : text.index("</Entities>")]
+    init = text[text.index('<Private entityRef="lead">') : text.index("</Actions></Init>")]
+    tale = text[text.index("<Story ") : text.index("<StopTrigger/></Storyboard>")]
+    for part in (body, init, tale):
+        text = text.replace(part, "")
+    foreign_program("theirs", written_story(story(beside, text), "theirs.xosc"))
+
+
+def test_the_ego_may_be_named_and_else_the_first_vehicle_is_taken_and_that_is_noted(beside: Path) -> None:
+    text = scenario().replace('"ego"', '"first"')
+    assert any("first is taken; else name one with --ego: lead" in note for note in read(beside, text).notes)
+    assert read(beside, text.replace('"first"', '"VUT"')).board.actors[0].name == "ego"  # type: ignore[union-attr]
+    with pytest.raises(ScenarioError, match="there is no 'nobody' that could be the ego"):
+        read(beside, text, ego="nobody")
+
+
+@pytest.mark.parametrize(
+    ("action", "why"),
+    [
+        ("<TrailerAction><DisconnectTrailerAction/></TrailerAction>", "<DisconnectTrailerAction>: nobody does this here"),
+        ('<ControllerAction><OverrideControllerValueAction><Brake active="true" value="1"/></OverrideControllerValueAction></ControllerAction>', "it takes over pedals"),
+    ],
+)  # fmt: skip
+def test_what_has_a_meaning_and_is_not_played_is_refused_by_its_line(action: str, why: str, beside: Path) -> None:
+    with pytest.raises(ScenarioError, match=rf"line \d+: .*{why}"):
+        read(beside, scenario(events=event(action)))
+
+
+@pytest.mark.parametrize(
+    ("action", "told"),
+    [
+        ("<VisibilityAction/>", "everybody is visible"),
+        ("<AppearanceAction/>", "lamps and looks are not shown"),
+        ("<ControllerAction/>", "controllers are not taken"),
+    ],
+)
+def test_what_has_no_meaning_for_the_conflict_is_left_out_and_that_is_noted(
+    action: str, told: str, beside: Path
+) -> None:
+    found = read(beside, scenario(events=event(action) + event(SLOWS, NEAR, "then")))
+    assert any(told in note and note.startswith("line ") for note in found.notes)
