@@ -131,9 +131,9 @@ def test_what_is_built_is_kept_verified_told_and_edited(folder: Path) -> None:
     assert "model chatscene.world.model" in built["text"]
     shown = called(folder, "verify", what="kept/one.scenic", said_file="kept/one.yaml", draws=1)
     assert "shown: 1 of 1" in shown["text"]
-    not_shown = called(folder, "verify", what="kept/one.scenic", said="The car ahead brakes hard.", draws=1)
+    not_shown = called(folder, "verify", what="drive.csv", said="The car ahead brakes hard.")
     assert "NOT shown" in not_shown["text"]
-    assert not_shown["text"].endswith("next: story kept/one.scenic")
+    assert not_shown["text"].endswith("next: story drive.csv")
     changed = called(folder, "edit", file="kept/one.yaml", edit="make it a child", save_as="kept/two.yaml")
     assert "pedestrian → child" in changed["text"]
     assert read_text((folder / "kept" / "two.yaml").read_text()).others[0].kind == "child"
