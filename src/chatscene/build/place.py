@@ -77,7 +77,7 @@ def at_junction(situation: Situation) -> bool:
 def _turns_across(one: Other) -> bool:
     """Whether somebody who comes the other way turns off over the ego's way: there is a junction, as roads have."""
     drives = one.kind.moves in (Moves.DRIVES, Moves.RIDES)
-    return drives and one.starts.where is Where.ONCOMING and bool(one.does) and one.does[0].act in WAYS
+    return drives and one.starts.where is Where.ONCOMING and bool(one.does) and one.does[0].act is Act.TURN_LEFT
 
 
 def is_marked(found: Found) -> bool:
