@@ -105,6 +105,17 @@ def test_files_that_programs_and_situations_name_are_held_to_the_folder_too(fold
         assert "outside the folder" in answer["error"], (tool, answer)
 
 
+@pytest.mark.parametrize("named", ["../outside/secret.xodr", "..\\\\outside", "link/secret.xodr"])
+def test_a_scenario_that_names_files_elsewhere_is_refused(folder: Path, named: str) -> None:
+    text = (folder / "crash.xosc").read_text()
+    (folder / "far.xosc").write_text(text.replace("town.xodr", named))
+    for tool, arguments in (
+        ("import", {"file": "far.xosc", "save_as": "far-imported.scenic"}),
+        ("verify", {"what": "far.xosc", "said": CROSSES}),
+    ):
+        assert "outside the folder" in called(folder, tool, **arguments)["error"]
+
+
 def test_a_run_that_names_a_map_or_an_ego_from_elsewhere_is_refused(folder: Path) -> None:
     record = json.loads((folder / "runs" / "brakes" / "run.json").read_text())
     for changed in ({"map_name": "/etc/x.xodr"}, {"egos": ["../mine.py"]}):
