@@ -363,7 +363,9 @@ class Mover:
         self._who.agent.jumpTo(x + _AWAY, y + _AWAY, heading)
 
     def drive(self, agent: Any, dt: float) -> None:
-        """Hand to the agent what it is to do in this step."""
+        """Hand to the agent what it is to do in this step; a thing does nothing."""
+        if not agent.body.moves:
+            return
         who, way, time = self._who, self._way, self._story.time
         table = way.hastens(who, dt)
         speed = self._pace.speed(dt) if table is None else table
