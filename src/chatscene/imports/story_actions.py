@@ -122,8 +122,13 @@ class StoryActions:
         shape = self._shape(dynamics)
         dimension = self._given.text(dynamics, "dynamicsDimension", "time") if dynamics is not None else "time"
         amount = self._cast.value(dynamics, "value", "0") if dynamics is not None else 0.0
-        if self._cast.mirrored and shape == "step" and amount:
-            return ("speed", "step", dimension, 0.0, self._target(one, "SpeedActionTarget", "TargetSpeed"))
+        if shape == "step" and not self._cast.mirrored:
+            amount = 0.0
+        elif shape == "step" and amount != 0.0 and dynamics is not None:
+            self._given.note(
+                dynamics,
+                f"a step takes no time, but what follows waits for its {dimension}, as in ScenarioRunner",
+            )
         return ("speed", shape, dimension, amount, self._target(one, "SpeedActionTarget", "TargetSpeed"))
 
     def _target(self, one: Element, within: str, what: str) -> Told:

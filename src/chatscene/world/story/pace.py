@@ -84,13 +84,14 @@ def target_of(told: tuple[Any, ...], world: World) -> Any:
 
 
 class Change:
-    """Brings a speed to another within a time, over a distance or at a rate."""
+    """Brings a speed to another within a time, over a distance or at a rate; a step is held for as long as is told."""
 
     def __init__(self, who: Entity, world: World, shape: str, dimension: str, amount: float, target: Any) -> None:
         self._who, self._world = who, world
         self._target, self._for_good = target_of(target, world)
         self._shape = shape
         self._from, self._began, self._at = who.speed, world.time, who.travelled
+        self._holds, self._in_metres = (abs(amount) if shape == "step" else 0.0), dimension == "distance"
         change, mean = abs(self._target() - self._from), abs(self._target() + self._from) / 2
         amount = abs(amount)
         if shape == "step" or amount == 0.0:
@@ -108,7 +109,8 @@ class Change:
         wish = self._target()
         now = self._from + (wish - self._from) * shaped(self._shape, share)
         reached = share >= 1.0 and (abs(self._who.speed - wish) < _NEAR or since > self._lasts + _LATE)
-        self.done = reached and not self._for_good
+        held = self._who.travelled - self._at if self._in_metres else since
+        self.done = reached and not self._for_good and held >= self._holds
         return now
 
 
