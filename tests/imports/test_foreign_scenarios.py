@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 import xml.etree.ElementTree as Xml
 from dataclasses import replace
 from pathlib import Path
@@ -330,3 +331,20 @@ def test_what_has_no_meaning_for_the_conflict_is_left_out_and_that_is_noted(
 ) -> None:
     found = read(beside, scenario(events=event(action) + event(SLOWS, NEAR, "then")))
     assert any(told in note and note.startswith("line ") for note in found.notes)
+
+
+def test_the_page_names_every_action_and_condition_that_is_read_and_no_other() -> None:
+    root = Path(__file__).parents[2]
+    page = (root / "docs" / "imports.md").read_text(encoding="utf-8")
+    source = "".join(
+        (root / "src" / "chatscene" / "imports" / f"{name}.py").read_text(encoding="utf-8")
+        for name in ("story_actions", "story_conditions", "opening", "told_as_story")
+    )
+    rows = [row.split("|")[1:3] for row in page.splitlines() if row.startswith("| `")]
+    named = {name for what, _ in rows for name in re.findall(r"\w+(?:Action|Condition)\b", what)}
+    refused = {n for what, how in rows if "refused" in how for n in re.findall(r"\w+(?:Action|Condition)\b", what)}
+    read_here = set(re.findall(r'"(\w+(?:Action|Condition))"', source)) - {"GlobalAction", "PrivateAction", "ByEntityCondition", "ByValueCondition", "SetAction", "ModifyAction", "ControllerAction", "RoutingAction", "LongitudinalAction", "EntityAction", "EntityCondition"}  # fmt: skip
+    assert read_here - {"SetMonitorAction", "ParameterSetAction", "VariableSetAction"} <= named
+    assert not refused & read_here
+    missing = {name for name in named - refused if f'"{name}"' not in source}
+    assert missing <= {"AssignControllerAction"}  # told as its ControllerAction
