@@ -89,7 +89,7 @@ def test_a_function_takes_what_its_command_takes(verb: str) -> None:
     command, words = COMMANDS[verb]
     options = {words.get(str(option.name), str(option.name)) for option in command.params}
     taken = set(inspect.signature(getattr(api, verb)).parameters)
-    assert taken - {"settings", "progress"} == options - {"as_json", "show_program"}
+    assert taken - {"settings", "progress", "within"} == options - {"as_json", "show_program"}
 
 
 class Asked(Exception):  # noqa: N818

@@ -23,6 +23,7 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import load_simulator
 from chatscene.situations.form import from_plain
 from chatscene.terms.scene import Rejected
+from chatscene.terms.storyboard import Storyboard
 from places import TESTS
 
 GOLDEN = TESTS / "golden" / "logical"
@@ -78,6 +79,7 @@ def written(said: str, folder: Path) -> Path:
 def test_what_is_built_is_read_back_as_the_same_plans_from_the_same_starts(said: str, tmp_path: Path) -> None:
     board = retold(kept(said))
     back = read_openscenario(written(said, tmp_path), board_map(said)).board
+    assert isinstance(back, Storyboard)
     assert [actor.plan for actor in back.actors] == [actor.plan for actor in board.actors]
     assert [actor.start for actor in back.actors[1:]] == [actor.start for actor in board.actors[1:]]
 

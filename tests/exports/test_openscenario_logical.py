@@ -172,6 +172,7 @@ def test_what_is_said_of_every_packaged_behavior_is_read_back_as_the_same_plan_f
         path = tmp_path / "one.xosc"
         Xml.ElementTree(scenario(board, tracks, "town.xodr", behavior.id, 20.0)).write(path)
         back = read_openscenario(path, "town").board
+        assert isinstance(back, Storyboard)
         assert back.actors == board.actors, behavior.id
         assert [(p.name, p.low, p.high) for p in back.parameters] == [(p.name, p.low, p.high) for p in board.parameters]
         assert back.values == pytest.approx(board.values)

@@ -45,8 +45,14 @@ def read(folder: Path, text: str) -> Imported:
     return read_openscenario(path)
 
 
+def board_of(found: Imported) -> Storyboard:
+    """The plan of a file that can be told as one."""
+    assert isinstance(found.board, Storyboard)
+    return found.board
+
+
 def plan(folder: Path, text: str) -> str:
-    (found,) = [actor.plan for actor in read(folder, text).board.actors if actor.plan is not None]
+    (found,) = [actor.plan for actor in board_of(read(folder, text)).actors if actor.plan is not None]
     return print_plan(found)
 
 
@@ -97,14 +103,16 @@ def test_somebody_on_foot_goes_where_he_faces(beside: Path) -> None:
 
 
 def test_a_place_may_be_told_by_road_lane_or_beside_somebody(beside: Path) -> None:
-    there = read(beside, scenario()).board
+    there = board_of(read(beside, scenario()))
     relative = '<RelativeObjectPosition entityRef="ego" dx="29" dy="0"/>'
-    again = read(beside, scenario(place=relative)).board
+    again = board_of(read(beside, scenario(place=relative)))
     one, other = (board.actors[1].start.along for board in (there, again))
     assert isinstance(one, Number)
     assert isinstance(other, Number)
     assert other.value == pytest.approx(one.value, abs=0.01)
-    ahead = read(beside, scenario(place='<RelativeLanePosition entityRef="ego" dLane="0" ds="29" offset="0"/>')).board
+    ahead = board_of(
+        read(beside, scenario(place='<RelativeLanePosition entityRef="ego" dLane="0" ds="29" offset="0"/>'))
+    )
     x, y = (board.lines["leadWay"].point_at(board.actors[1].start.along.value) for board in (there, ahead))  # type: ignore[union-attr]
     assert x == pytest.approx(y, abs=0.3)
 
@@ -432,7 +440,7 @@ def test_the_ego_begins_as_far_beside_its_lane_and_turned_as_much_as_is_written(
     offset: float, h: float, beside: Path
 ) -> None:
     ego = f'<LanePosition roadId="10" laneId="-1" s="11" offset="{offset}"><Orientation type="relative" h="{h}"/></LanePosition>'
-    board = read(beside, placed(ego)).board
+    board = board_of(read(beside, placed(ego)))
     start = board.actors[0].start
     ahead = 1.4  # from its origin to its centre
     assert isinstance(start.left, Number)
@@ -451,7 +459,7 @@ def test_an_ego_that_faces_against_its_lane_is_refused_and_not_turned_round(besi
 
 def test_an_ego_whose_direction_is_not_told_faces_along_its_lane_and_that_is_noted(beside: Path) -> None:
     found = read(beside, placed('<WorldPosition x="136.75" y="-374"/>'))
-    assert found.board.actors[0].start.turn == 0.0
+    assert board_of(found).actors[0].start.turn == 0.0
     assert any("how the ego is turned is not told" in note for note in found.notes)
 
 
@@ -461,7 +469,7 @@ def test_who_begins_beside_the_middle_of_a_lane_stays_there(beside: Path) -> Non
     assert "do DrivePath(leadWay, 5.0, 0.6) until" in said
     assert said.rstrip().endswith("do BrakeOnPath(leadWay, 0.5, 0.6)")
     (nobody,) = [
-        a.plan for a in read(beside, without_events(there)).board.actors if a.plan is not None and a.name == "lead"
+        a.plan for a in board_of(read(beside, without_events(there))).actors if a.plan is not None and a.name == "lead"
     ]
     assert print_plan(nobody).rstrip().endswith("do DrivePath(leadWay, 5.0, 0.6)")
 
@@ -519,7 +527,7 @@ def test_of_a_weather_that_is_shown_as_it_is_written_nothing_is_noted(beside: Pa
 
 
 def test_rain_of_no_strength_does_not_fall(beside: Path) -> None:
-    assert str(read(beside, under(RAIN.replace('"2"', '"0"'))).board.surroundings.weather) == "clear"
+    assert str(board_of(read(beside, under(RAIN.replace('"2"', '"0"')))).surroundings.weather) == "clear"
 
 
 def test_a_category_that_nobody_here_has_is_noted_with_what_is_shown(beside: Path) -> None:
