@@ -3,10 +3,10 @@
     python benchmarks/watched.py TEXTS.jsonl --out FOLDER [--ego planner] [--scenes 6] [--drives 2]
 
 TEXTS has a JSON object a line with `id` and `text`. Each is run as `chatscene run` does, on one route with seed 0.
-FOLDER gets a file per text: what is told first, the reading in words, what is offered beside it, or the refusal; and
-of the first drives that the run shows, where everybody is, twice a second: `gone` metres of the ego's way, `ahead` and
-`left` of the ego's middle in metres, seen by the ego, `km/h`, and `faces` in degrees against the ego. Texts that have
-a file already are not run again, so that it goes on after it was stopped.
+FOLDER gets a file per text: what is told first, the reading in words and how many drives our own judge sees it in, or
+the refusal; and of the first drives that the run shows, where everybody is, twice a second: `gone` metres of the ego's
+way, `ahead` and `left` of the ego's middle in metres, seen by the ego, `km/h`, and `faces` in degrees against the ego.
+A text that has a file already is not run again, so that one that was stopped goes on.
 """
 
 from __future__ import annotations

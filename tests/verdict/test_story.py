@@ -75,3 +75,14 @@ def test_a_collision_is_told_with_who_ran_into_whom(tmp_path: Path) -> None:
     assert told.ending == "collision"
     assert "the ego runs into the other (car)" in told.told[-1].what
     assert "closing at 36 km/h" in told.told[-1].what
+
+
+def test_of_many_the_nearest_are_told_of_and_how_many_are_not_is_said(tmp_path: Path) -> None:
+    rows = ["time,id,kind,x,y,heading,speed,ego"]
+    for step in range(20):
+        rows += [f"{step / 10},car1,car,{step},0,0,10,1"]
+        rows += [f"{step / 10},other{n},car,{40 + 10 * n},{5 + n},0,0,0" for n in range(8)]
+    (tmp_path / "many.csv").write_text("\n".join(rows))
+    told = chatscene.story(tmp_path / "many.csv")
+    assert "2 more who are farther from the ego are not told of" in told.notes
+    assert not any("other7" in one.who for one in told.told)

@@ -104,11 +104,9 @@ def _check_there(actor: Actor) -> None:
     there, seconds = goes_over(actor.found.route, actor.ego)
     seconds += actor.ego.late
     sign = -1.0 if actor.stand.behind else 1.0
-    ahead, (slow, fast) = (
-        sorted(sign * one for one in actor.numbers.range_of("Y")[:2]),
-        actor.numbers.range_of("SPEED")[:2],
-    )
-    soonest, latest = (there - ahead[1]) / fast, (there - ahead[0]) / slow
+    least, most = sorted(sign * one for one in actor.numbers.range_of("Y")[:2])
+    slow, fast = actor.numbers.range_of("SPEED")[:2]
+    soonest, latest = (there - most) / fast, (there - least) / slow
     if soonest > seconds + LATEST and actor.ledger.situation.ego.speed is None:  # a slower one is there with it
         actor.given, actor.needs = seconds, latest
     elif latest < seconds - EARLIEST or soonest > seconds + LATEST:

@@ -167,12 +167,14 @@ def story(what: Path, settings: VerifySettings) -> Story:
     played = as_cast(one.episode, {})
     episode = played.episode
     begins = (f"told from {played.begin:.1f} s on, while everybody told of is there",) if played.cut else ()
+    more = len(episode.tracks) - 1 - NEAREST
+    others = (f"{more} more who are farther from the ego are not told of",) if more > 0 else ()
     return Story(
         what=str(what),
         scene=one.episode.scene_id,
         seconds=round(episode.duration, 3),
         ending=episode.ending.value,
-        notes=(*found.notes, *begins, *one.unplayed),
+        notes=(*found.notes, *begins, *others, *one.unplayed),
         told=told_of(episode, one.route, played.begin),
         _episode=episode,
         _drawing=found.drawing,
