@@ -77,6 +77,45 @@ def test_a_collision_is_told_with_who_ran_into_whom(tmp_path: Path) -> None:
     assert "closing at 36 km/h" in told.told[-1].what
 
 
+RAGGED = """time,id,kind,x,y,heading,speed,ego
+0,car1,car,0,0,0,10,1
+6,car1,car,60,0,0,10,1
+0,first,car,-30,4,0,5,0
+2,first,car,-20,4,0,5,0
+2.5,late,car,{late},0,0,0,0
+6,late,car,{late},0,0,0,0
+{after},after,car,100,9,0,0,0
+6,after,car,100,9,0,0,0
+"""
+
+
+def test_who_comes_later_and_is_hit_is_told_and_so_is_who_goes_and_who_is_left_out(tmp_path: Path) -> None:
+    path = tmp_path / "ragged.csv"
+    path.write_text(RAGGED.format(late=45, after=5.9))
+    told = chatscene.story(path)
+    lines = [str(one) for one in told.told]
+    assert any("2.1 s  the first (car) is not there any more" in line for line in lines)
+    assert any("2.5 s  the late (car) is there from now on, 20 m ahead of the ego" in line for line in lines)
+    assert "the ego runs into the late (car) (the ego's front, the other's rear)" in lines[-1]
+    assert "the other at 0 km/h, closing at 36 km/h" in lines[-1]
+    assert [note for note in told.notes if "after" in note] == [
+        "not told of: after, who is there for a moment at most"
+    ]
+    for moment in (None, 0.0, 2.5, 4.1):
+        assert told.picture(moment).startswith(PNG)
+    verdict = chatscene.verify(path, "A car is ahead of us in our lane.")
+    assert verdict.draws[0].collision == "A"
+    assert verdict.who == {"A": "late"}
+
+
+def test_who_is_there_from_inside_the_ego_is_no_collision(tmp_path: Path) -> None:
+    path = tmp_path / "load.csv"
+    path.write_text(RAGGED.format(late=25, after=1))
+    told = chatscene.story(path)
+    assert told.ending == "timeout"
+    assert any("nearest: 0.0 m between the ego and the late" in one.what for one in told.told)
+
+
 def test_of_many_the_nearest_are_told_of_and_how_many_are_not_is_said(tmp_path: Path) -> None:
     rows = ["time,id,kind,x,y,heading,speed,ego"]
     for step in range(20):

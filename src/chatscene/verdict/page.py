@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ from chatscene.errors import SettingsError
 from chatscene.files.atomic import write_whole
 from chatscene.report.animation import still
 from chatscene.report.templates import asset, fill, policy
-from chatscene.terms.episode import Episode
+from chatscene.terms.episode import Episode, Track
 from chatscene.verdict.verdict import VERDICTS, Answer, Fact, Seen, Verdict
 from chatscene.verdict.watched import Drawing
 
@@ -63,7 +64,9 @@ def verdict_page(verdict: Verdict, drawing: Drawing | None) -> str:
                 "at": f"{place[1]:.1f} s",
                 "draw": place[0],
                 "lines": lines,
-                "picture": base64.b64encode(_picture(verdict, *place, drawing)).decode(),
+                "picture": base64.b64encode(
+                    picture(verdict.played[place[0]], place[1] - verdict.draws[place[0]].begin, drawing)
+                ).decode(),
             }
             for place, lines in sorted(moments.items())
         ],
@@ -101,10 +104,28 @@ def _timed(fact: Fact) -> Iterator[Seen]:
     yield from (one for one in fact.seen if one.at is not None and one.shown is wanted)
 
 
-def _picture(verdict: Verdict, draw: int, at: float, drawing: Drawing | None) -> bytes:
-    episode = verdict.played[draw]
-    step = min(round((at - verdict.draws[draw].begin) / episode.dt), len(episode.ego_track.x) - 1)
-    return still(episode, drawing(box_of(episode)) if drawing else {}, step)
+def picture(episode: Episode, at: float, drawing: Drawing | None, form: str = "WEBP") -> bytes:
+    """A moment of a drive from above, with those who are there then.
+
+    Args:
+        episode: The drive; somebody has no numbers (nan) while it is not there.
+        at: When, from its begin [s]; after its end, the end.
+        drawing: The map; None where there is none.
+        form: ``WEBP`` or ``PNG``.
+    """
+    step = min(round(at / episode.dt), len(episode.ego_track.x) - 1)
+    there = tuple(_since(track) for track in episode.tracks if np.isfinite(track.x[step]))
+    gone = {track.actor for track in episode.tracks} - {track.actor for track in there}
+    events = tuple(one for one in episode.events if one.other not in gone)
+    shown = replace(episode, tracks=there, events=events)
+    return still(shown, drawing(box_of(shown)) if drawing else {}, step, form)
+
+
+def _since(track: Track) -> Track:
+    """A track whose way begins where somebody first is, if that is later than the drive does."""
+    first = int(np.argmax(np.isfinite(track.x)))
+    x, y = (np.concatenate([np.full(first, row[first]), row[first:]]) for row in (track.x, track.y))
+    return replace(track, x=x, y=y) if first else track
 
 
 def box_of(episode: Episode) -> tuple[float, float, float, float]:

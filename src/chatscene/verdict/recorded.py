@@ -83,12 +83,12 @@ def _apart(x: Array, y: Array) -> list[int]:
 
 
 def _collision(tracks: tuple[Track, ...]) -> Event | None:
-    """The first contact of the ego; whoever it touches from the start on is a part of it, or its load."""
+    """The first contact of the ego; who touches it as soon as it is there is a part of it, or its load."""
     ego, *others = tracks
     first: tuple[int, Track] | None = None
     for other in others:
         touching = Pair.of(Boxes.of(ego), Boxes.of(other)).touching
-        if touching.any() and not touching[0]:
+        if touching.any() and not touching[np.argmax(np.isfinite(other.x))]:
             step = int(np.argmax(touching))
             first = (step, other) if first is None or step < first[0] else first
     if first is None:

@@ -20,7 +20,6 @@ from chatscene.measure.severity import in_kmh
 from chatscene.program.deeds import STANDING, Act, runs
 from chatscene.program.doing import ACTS
 from chatscene.program.watching import Seen, watch
-from chatscene.report.animation import still
 from chatscene.settings import VerifySettings
 from chatscene.simulate.boxes import gaps
 from chatscene.terms.actors import named
@@ -28,10 +27,10 @@ from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, Trac
 from chatscene.terms.route import Route
 from chatscene.terms.vocabulary import Act as Said
 from chatscene.terms.vocabulary import UserKind
-from chatscene.verdict.page import box_of
+from chatscene.verdict.page import picture
 from chatscene.verdict.sources import watching
 from chatscene.verdict.watched import Drawing
-from chatscene.verdict.who import as_cast
+from chatscene.verdict.who import between
 
 MOVEMENTS = (
     Said.TURN_LEFT,
@@ -111,8 +110,8 @@ class Story:
     notes: tuple[str, ...]
     told: tuple[Told, ...]
     _episode: Episode = field(repr=False, compare=False)
+    _moment: float = field(repr=False, compare=False)
     _drawing: Drawing | None = field(default=None, repr=False, compare=False)
-    _begin: float = field(default=0.0, repr=False, compare=False)
 
     def picture(self, at: float | None = None) -> bytes:
         """A moment seen from above, as PNG.
@@ -123,13 +122,9 @@ class Story:
         Raises:
             SettingsError: The drive is not as long.
         """
-        if at is not None and not self._begin <= at <= self._begin + self.seconds + self._episode.dt:
-            end = self._begin + self.seconds
-            raise SettingsError(f"there is no picture at {at:g} s: the drive is from {self._begin:.1f} to {end:.1f} s")
-        step = None if at is None else round((at - self._begin) / self._episode.dt)
-        steps = len(self._episode.ego_track.x)
-        drawing = self._drawing(box_of(self._episode)) if self._drawing else {}
-        return still(self._episode, drawing, None if step is None else min(step, steps - 1), form="PNG")
+        if at is not None and not 0.0 <= at <= self.seconds + self._episode.dt:
+            raise SettingsError(f"there is no picture at {at:g} s: the drive is from 0.0 to {self.seconds:.1f} s")
+        return picture(self._episode, self._moment if at is None else at, self._drawing, "PNG")
 
     def as_dict(self) -> dict[str, Any]:
         """For a script."""
@@ -144,7 +139,7 @@ class Story:
 
     def __str__(self) -> str:
         """For a person."""
-        end = f"{self._begin + self.seconds:5.1f} s  the drive ends: {_ENDINGS.get(self.ending, self.ending)}"
+        end = f"{self.seconds:5.1f} s  the drive ends: {_ENDINGS.get(self.ending, self.ending)}"
         return "\n".join((f"{self.scene}: {self.seconds:.1f} s", *self.notes, *map(str, self.told), end))
 
 
@@ -164,56 +159,135 @@ def story(what: Path, settings: VerifySettings) -> Story:
         why = "; ".join(dict.fromkeys(found.rejected)) or "nothing was driven"
         raise SettingsError(f"{what} has no drive: {why}; try another seed")
     one = found.drives[0]
-    played = as_cast(one.episode, {})
-    episode = played.episode
-    begins = (f"told from {played.begin:.1f} s on, while everybody told of is there",) if played.cut else ()
-    more = len(episode.tracks) - 1 - NEAREST
+    episode, there = one.episode, met(one.episode)
+    nearest = _nearest(there)
+    more = len(there) - len(nearest)
     others = (f"{more} more who are farther from the ego are not told of",) if more > 0 else ()
     return Story(
         what=str(what),
-        scene=one.episode.scene_id,
+        scene=episode.scene_id,
         seconds=round(episode.duration, 3),
         ending=episode.ending.value,
-        notes=(*found.notes, *begins, *others, *one.unplayed),
-        told=told_of(episode, one.route, played.begin),
+        notes=(*found.notes, *_absent(episode, there), *others, *one.unplayed),
+        told=told_of(episode, one.route, there),
         _episode=episode,
+        _moment=_moment(episode, nearest),
         _drawing=found.drawing,
-        _begin=played.begin,
     )
 
 
-def told_of(episode: Episode, route: Route, begin: float = 0.0) -> tuple[Told, ...]:
+@dataclass(frozen=True, slots=True, eq=False)
+class Met:
+    """Somebody beside the ego.
+
+    Attributes:
+        part: The drive from when to when it is there, with the ego and nobody else, and with what befell both.
+        first: The step at which it is there first.
+    """
+
+    part: Episode
+    first: int
+
+    @property
+    def track(self) -> Track:
+        """Its track while it is there."""
+        return self.part.tracks[1]
+
+
+def met(episode: Episode) -> tuple[Met, ...]:
+    """Everybody who is there for two steps at least, each for as long as it is there."""
+    found = list[Met]()
+    for track in episode.tracks[1:]:
+        steps = np.flatnonzero(np.isfinite(track.x))
+        if len(steps) > 1:
+            first, end = int(steps[0]), int(steps[-1]) + 1
+            part = between(episode, (episode.ego_track, track), first, end)
+            events = tuple(one for one in part.events if one.other == track.actor)
+            found.append(Met(replace(part, events=events), first))
+    return tuple(found)
+
+
+def told_of(episode: Episode, route: Route, there: Sequence[Met]) -> tuple[Told, ...]:
     """What happened in a drive, in order of time.
 
     Args:
         episode: The drive.
         route: The ego's.
-        begin: When it begins [s], of one of which only a part is told.
+        there: Who is in it beside the ego, as `met` gives them.
     """
     contact = episode.collision.step if episode.collision is not None else None
-    ego, others = episode.ego_track, _nearest(episode)
-    own = watch(episode, route, ego, contact)
+    ego, others = episode.ego_track, _nearest(there)
     way = f"{_pace(ego)}; its way is {route.maneuver.value}"
-    lines = [Told(at=0.0, who="the ego", what=way), *(_first(track, episode, route) for track in others)]
+    lines = [Told(at=0.0, who="the ego", what=way)]
+    own = watch(episode, route, ego, contact)
     lines += [*_paces("the ego", own), *_leaves(own)]
-    for track in others:
-        if track.role is not Role.OCCLUDER:
-            seen, who = watch(episode, route, track, contact), _name(track, episode.kinds)
-            lines += [*_deeds(who, _may(track), seen), *_paces(who, seen)]
-    lines += [_event(event, episode) for event in episode.events]
+    for one in others:
+        begin = one.first * episode.dt
+        lines += [
+            replace(line, at=line.at + begin, until=None if line.until is None else line.until + begin)
+            for line in _of(one, route, contact, begin > 0.0)
+        ]
+        lines += _goes(one, episode)
+    lines += [_event(event, episode, there) for event in episode.events]
     if contact is None and others:
-        lines.append(_nearest_gap(episode, others))
+        lines.append(_nearest_gap(others, there))
     lines.sort(key=lambda one: one.at)
     return tuple(
-        replace(one, at=round(one.at + begin, 3), until=None if one.until is None else round(one.until + begin, 3))
-        for one in lines
+        replace(one, at=round(one.at, 3), until=None if one.until is None else round(one.until, 3)) for one in lines
     )
 
 
-def _nearest(episode: Episode) -> list[Track]:
-    ego = episode.ego_track
-    others = sorted(episode.tracks[1:], key=lambda one: float(np.min(np.hypot(one.x - ego.x, one.y - ego.y))))
-    return others[:NEAREST]
+def _of(one: Met, route: Route, contact: int | None, comes: bool) -> Iterator[Told]:
+    """What is told of somebody else, until the first contact of the drive; times are from when it is there."""
+    until = None if contact is None else contact - one.first
+    if until is not None and until < 1:
+        return
+    seen, who = watch(one.part, route, one.track, until), _name(one.track, one.part.kinds)
+    yield _first(seen, who, comes)
+    if one.track.role is not Role.OCCLUDER:
+        yield from _deeds(who, _may(one.track), seen)
+        yield from _paces(who, seen)
+
+
+def _goes(one: Met, episode: Episode) -> Iterator[Told]:
+    """That somebody is not there any more, of one who is not until the end."""
+    end = one.first + len(one.track.x)
+    if end < len(episode.ego_track.x):
+        yield Told(at=end * episode.dt, who=_name(one.track, episode.kinds), what="is not there any more")
+
+
+def _absent(episode: Episode, there: Sequence[Met]) -> Iterator[str]:
+    """Who is in a drive for so short that nothing can be told."""
+    told = {one.track.actor for one in there}
+    names = [track.actor for track in episode.tracks[1:] if track.actor not in told]
+    if names:
+        yield f"not told of: {', '.join(names)}, who {'is' if len(names) == 1 else 'are'} there for a moment at most"
+
+
+def _nearest(there: Sequence[Met]) -> list[Met]:
+    def apart(one: Met) -> float:
+        ego = one.part.ego_track
+        return float(np.min(np.hypot(one.track.x - ego.x, one.track.y - ego.y)))
+
+    return sorted(there, key=apart)[:NEAREST]
+
+
+def _nearest_of(others: Sequence[Met]) -> tuple[Met, int, float]:
+    """To whom the ego comes nearest, at which step of theirs, and how near [m]."""
+    apart = [gaps(one.part.ego_track, one.track) for one in others]
+    least = min(range(len(others)), key=lambda number: float(apart[number].min()))
+    step = int(apart[least].argmin())
+    return others[least], step, float(apart[least][step])
+
+
+def _moment(episode: Episode, others: Sequence[Met]) -> float:
+    """The contact, or when the ego is nearest to somebody [s]; the end, where there is nobody."""
+    if episode.collision is not None:
+        return episode.collision.step * episode.dt
+    if not others:
+        return episode.duration
+    nearest, step, _ = _nearest_of(others)
+    return (nearest.first + step) * episode.dt
 
 
 def _may(track: Track) -> frozenset[Said]:
@@ -233,14 +307,14 @@ def _pace(track: Track) -> str:
     return f"goes backwards at {in_kmh(-speed)}" if speed < 0.0 else f"goes at {in_kmh(speed)}"
 
 
-def _first(track: Track, episode: Episode, route: Route) -> Told:
+def _first(seen: Seen, who: str, comes: bool) -> Told:
     """Where somebody is at first, as the ego sees it, and how fast."""
-    seen = watch(episode, route, track, 0)
     along, across = float(seen.along[0]), float(seen.across[0])
     where = f"{abs(along):.0f} m {'ahead of' if along >= 0.0 else 'behind'} the ego"
     if abs(across) >= 0.5:
         where += f" and {abs(across):.1f} m to its {'left' if across > 0.0 else 'right'}"
-    return Told(at=0.0, who=_name(track, episode.kinds), what=f"is {where}, and {_pace(track)}")
+    begins = "is there from now on," if comes else "is"
+    return Told(at=0.0, who=who, what=f"{begins} {where}, and {_pace(seen.track)}")
 
 
 def _deeds(who: str, may: frozenset[Said], seen: Seen) -> Iterator[Told]:
@@ -248,7 +322,7 @@ def _deeds(who: str, may: frozenset[Said], seen: Seen) -> Iterator[Told]:
     dt, told = seen.dt, list[Act]()
     for act in (*MOVEMENTS, *BESIDE):
         for once in ACTS[act](seen) if act in may else ():
-            under_way = once.done is None and act in _NO_MOVEMENT
+            under_way = once.done is None and act in _ONCE_DONE
             if under_way or (act in MOVEMENTS and any(_overlap(once, other) for other in told)):
                 continue
             if act in MOVEMENTS:
@@ -259,7 +333,7 @@ def _deeds(who: str, may: frozenset[Said], seen: Seen) -> Iterator[Told]:
             yield Told(at=once.began * dt, until=until, who=who, what=f"{act.meaning} ({act}){undone}, at {fast} first")
 
 
-_NO_MOVEMENT = frozenset((Said.SWERVE, Said.DRIFT, *BESIDE))
+_ONCE_DONE = frozenset((Said.SWERVE, Said.DRIFT, *BESIDE))
 """What is told once it is done: until then it may be anything."""
 
 
@@ -311,34 +385,34 @@ def _leaves(seen: Seen) -> Iterator[Told]:
         yield Told(at=first * seen.dt, until=(end - 1) * seen.dt, who="the ego", what=what)
 
 
-def _event(event: Event, episode: Episode) -> Told:
+def _event(event: Event, episode: Episode, there: Sequence[Met]) -> Told:
     at = event.step * episode.dt
     if event.kind is not EventKind.COLLISION:
         other = f" ({event.other})" if event.other else ""
         return Told(at=at, who="", what=f"the ego's {event.kind}{other}")
-    other = next((one for one in episode.tracks if one.actor == event.other), episode.ego_track)
-    mine, theirs = "the ego", _name(other, episode.kinds)
-    first = event is episode.collision
-    who = fault(episode) if first else None
-    striker, struck = (theirs, mine) if who is not None and not who.by_ego else (mine, theirs)
-    before = max(event.step - 1, 0)
-    fast = f"the ego at {in_kmh(abs(float(episode.ego_track.speed[before])))}, the other at "
-    fast += f"{in_kmh(abs(float(other.speed[before])))}, closing at {in_kmh(event.impact_speed)}"
+    ego, closing = episode.ego_track, f"closing at {in_kmh(event.impact_speed)}"
+    mine = f"the ego at {in_kmh(abs(float(ego.speed[max(event.step - 1, 0)])))}"
+    one = next((one for one in there if one.track.actor == event.other), None)
+    if one is None:
+        return Told(at=at, who="", what=f"COLLISION: the ego and {event.other}, who has no track; {mine}, {closing}")
+    their = replace(event, step=event.step - one.first)
+    other, before = one.track, max(their.step - 1, 0)
+    ours, theirs = "the ego", _name(other, episode.kinds)
+    who = fault(one.part) if event is episode.collision else None
+    striker, struck = (theirs, ours) if who is not None and not who.by_ego else (ours, theirs)
+    fast = f"{mine}, the other at {in_kmh(abs(float(other.speed[before])))}, {closing}"
     parts = [f"the ego's {event.side}"] if event.side else []
-    parts += [f"the other's {part}"] if (part := part_struck(other, episode.ego_track, event)) else []
+    parts += [f"the other's {part}"] if (part := part_struck(other, one.part.ego_track, their)) else []
     where = f" ({', '.join(parts)})" if parts else ""
     return Told(at=at, who="", what=f"COLLISION: {striker} runs into {struck}{where}; {fast}")
 
 
-def _nearest_gap(episode: Episode, others: Sequence[Track]) -> Told:
+def _nearest_gap(others: Sequence[Met], there: Sequence[Met]) -> Told:
     """When the ego is nearest to whom, where nobody touches it."""
-    ego = episode.ego_track
-    apart = {track.actor: gaps(ego, track) for track in others}
-    nearest = min(others, key=lambda track: float(apart[track.actor].min()))
-    step = int(apart[nearest.actor].argmin())
-    soon = happened(episode)
-    seconds = "" if soon.seconds is None else f"; the least gap in time to an adversary is {soon.seconds:.1f} s"
-    gap = f"{float(apart[nearest.actor][step]):.1f} m"
-    fast = f"the ego at {in_kmh(abs(float(ego.speed[step])))}"
-    what = f"nearest: {gap} between the ego and {_name(nearest, episode.kinds)}, {fast}{seconds}"
-    return Told(at=step * episode.dt, who="", what=what)
+    one, step, apart = _nearest_of(others)
+    every = (found for found in (happened(each.part).seconds for each in there) if found is not None)
+    soon = min(every, default=None)
+    seconds = "" if soon is None else f"; the least gap in time to an adversary is {soon:.1f} s"
+    fast = f"the ego at {in_kmh(abs(float(one.part.ego_track.speed[step])))}"
+    what = f"nearest: {apart:.1f} m between the ego and {_name(one.track, one.part.kinds)}, {fast}{seconds}"
+    return Told(at=(one.first + step) * one.part.dt, who="", what=what)

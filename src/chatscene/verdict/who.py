@@ -99,20 +99,26 @@ def _while_there(episode: Episode, names: Collection[str]) -> Played:
         if track.actor in names and (there & np.isfinite(track.x)).sum() > 1:
             there &= np.isfinite(track.x)
     first, end = int(np.argmax(there)), len(there) - int(np.argmax(there[::-1]))
+    stay = [track for track in episode.tracks if np.isfinite(track.x[first:end]).all()]
+    made = between(episode, stay, first, end)
+    return Played(episode=made, begin=first * episode.dt, cut=end - first < len(there))
+
+
+def between(episode: Episode, tracks: Sequence[Track], first: int, end: int) -> Episode:
+    """The part of a drive from one step to before another, with some of those who are there, the ego first."""
 
     def part(track: Track) -> Track:
         x, y, heading, speed = (row[first:end] for row in (track.x, track.y, track.heading, track.speed))
         return replace(track, x=x, y=y, heading=heading, speed=speed)
 
-    parts = map(part, episode.tracks)
-    made = replace(
+    return replace(
         episode,
-        tracks=tuple(track for track in parts if np.isfinite(track.x).all()),
+        tracks=tuple(map(part, tracks)),
         events=tuple(replace(one, step=one.step - first) for one in episode.events if first < one.step < end),
+        signals=tuple(replace(one, state=one.state[first:end]) for one in episode.signals),
         distance_to_route=episode.distance_to_route[first:end],
         off_road=episode.off_road[first:end],
     )
-    return Played(episode=made, begin=first * episode.dt, cut=end - first < len(there))
 
 
 def _failing(situation: Situation, drives: Sequence[Watched], cast: Cast) -> int:
@@ -130,7 +136,9 @@ def _failing(situation: Situation, drives: Sequence[Watched], cast: Cast) -> int
 def _casts(situation: Situation, episode: Episode) -> Iterator[Cast]:
     """Every way in which some may be who was said, nobody twice; first those to whom the ego comes nearest."""
     ego = episode.ego_track
-    actors = [track for track in episode.tracks[1:] if not _is_part(track, episode)]
+    actors = [
+        track for track in episode.tracks[1:] if np.isfinite(track.x).any() and not _is_part(track, episode)
+    ]
     actors.sort(key=lambda track: float(np.nanmin(np.hypot(track.x - ego.x, track.y - ego.y))))
     choices = [list(_choices(one, actors)) or [()] for one in situation.others]
     for chosen in product(*choices):
