@@ -428,6 +428,7 @@ def run(
     program: Name | None = None,
     trust: bool = False,
     as_written: bool = False,
+    within: Name | None = None,
     edit: Names | None = None,
     map: Name | None = None,  # noqa: A002 - the word of the command line
     ego: Name = EGO,
@@ -459,6 +460,7 @@ def run(
         program: File of a Scenic program of one's own, in place of the sentence.
         trust: Whether the program may use all of Scenic and Python, in this process; else it runs in the sandbox.
         as_written: Whether the program's own ego drives; else `ego` does, on a route that follows from the program.
+        within: The folder in which the map lies that the program names, if it may lie nowhere else.
         edit: What is to be another than the sentence says, in words, edit by edit. A text with edits, and be it none
             of them (``[]``), is read as a sentence that can be edited, also by a language model.
         map: Packaged ``town``, ``outskirts`` or ``region``, or an ``.xodr`` file; None for the town, or for the
@@ -517,6 +519,8 @@ def run(
     simulation = _changed(settings.simulation, simulator=simulator, physics=physics)
     where = _folder(folder)
     own = None if program is None else _own(_path(program), trusted=trust, as_written=as_written)
+    if own and within is not None:
+        own.check_map(_path(within))
     if own and speed is not None:
         own = replace(own, program=_at_speed(own.program, speed))
     if own and own.map_path:
@@ -866,6 +870,7 @@ def verify(
     trust: bool = False,
     ego_id: str | None = None,
     scene: str | None = None,
+    within: Name | None = None,
     page: Name | None = None,
     library: Name | None = None,
     embedder: str | None = None,
@@ -888,6 +893,7 @@ def verify(
         trust: Whether a program may use all of Scenic and Python, in this process.
         ego_id: Whose track of a recording is the ego's; None for the one that is marked.
         scene: Which scene of a run; None for those that it keeps.
+        within: The folder in which map and catalogs lie that a program names, if they may lie nowhere else.
         page: Where a page with the moment of each fact is written; None for none.
         library: As `explain`, where it is refused: snippets have no facts to be judged by.
         embedder: As `explain`.
@@ -916,6 +922,7 @@ def verify(
         map_name=None if map is None else str(map),
         ego_id=ego_id,
         scene_id=scene,
+        within=None if within is None else str(_path(within)),
     )
     path = what.folder if isinstance(what, Run) else _path(what)
     chosen = _reading(RetrievalSettings(), library, embedder, language_model, reader, reading)
@@ -936,6 +943,7 @@ def story(
     map: Name | None = None,  # noqa: A002 - the word of the command line
     trust: bool = False,
     ego_id: str | None = None,
+    within: Name | None = None,
 ) -> Story:
     """What happened in a drive of a program, a run or a recording, in words, with times and speeds.
 
@@ -949,6 +957,7 @@ def story(
         map: The map of a program that names none.
         trust: Whether a program may use all of Scenic and Python, in this process.
         ego_id: Whose track of a recording is the ego's; None for the one that is marked.
+        within: The folder in which map and catalogs lie that a program names, if they may lie nowhere else.
 
     Raises:
         ChatSceneError: It cannot be read or driven, or has no such scene.
@@ -964,6 +973,7 @@ def story(
         map_name=None if map is None else str(map),
         ego_id=ego_id,
         scene_id=scene,
+        within=None if within is None else str(_path(within)),
     )
     return told(what.folder if isinstance(what, Run) else _path(what), settings)
 

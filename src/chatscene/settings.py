@@ -135,6 +135,7 @@ class VerifySettings:
         trust: Whether a program may use all of Scenic and Python, in this process.
         ego_id: Whose track of a recording is the ego's; empty for the one that is marked.
         scene_id: Which scene of a run; empty for those that it keeps.
+        within: The folder in which every other file lies that a program names; empty for any.
     """
 
     draws: int = 10
@@ -145,6 +146,7 @@ class VerifySettings:
     trust: bool = False
     ego_id: str = ""
     scene_id: str = ""
+    within: str = ""
 
     def __post_init__(self) -> None:
         check_settings(self, {"draws": (1, 1_000), "seed": (0, 2**63 - 1), "least": (0.0, 1.0)})

@@ -23,6 +23,7 @@ from chatscene.mcp import server as serving
 from chatscene.mcp.server import MOST_ERROR, MOST_TEXT, agent_server, require_mcp
 from chatscene.mcp.tools import TOOLS
 from chatscene.mcp.transports import guarded
+from chatscene.mcp.walls import served_model
 
 mcp = pytest.importorskip("mcp")
 
@@ -255,6 +256,20 @@ def test_without_the_package_the_extra_is_named(monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr(serving, "find_spec", nowhere)
     with pytest.raises(MissingExtra, match=r"\[mcp\]"):
         require_mcp()
+
+
+def test_a_language_model_is_one_that_is_built_in_and_its_file_has_a_whole_path(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "model.gguf").write_bytes(b"GGUF")
+    assert served_model("offline") == "offline"
+    assert served_model("openai:small") == "openai:small"
+    assert served_model("gguf:model.gguf") == f"gguf:{tmp_path / 'model.gguf'}"
+    for wrong in ("mine:make:x", "gguf:", "gguf:none.gguf", "offline:x", ""):
+        refused = CliRunner().invoke(main, ["mcp", str(tmp_path), "--language-model", wrong])
+        assert refused.exit_code == 1, wrong
+        assert "language model" in refused.output
 
 
 def test_the_command_needs_a_folder_and_a_long_token(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

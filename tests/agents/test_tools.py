@@ -105,15 +105,19 @@ def test_files_that_programs_and_situations_name_are_held_to_the_folder_too(fold
         assert "outside the folder" in answer["error"], (tool, answer)
 
 
-@pytest.mark.parametrize("named", ["../outside/secret.xodr", "..\\\\outside", "link/secret.xodr"])
-def test_a_scenario_that_names_files_elsewhere_is_refused(folder: Path, named: str) -> None:
-    text = (folder / "crash.xosc").read_text()
-    (folder / "far.xosc").write_text(text.replace("town.xodr", named))
+@pytest.mark.parametrize("named", ["../outside/secret.xodr", "..\\\\outside.xodr", "link/secret.xodr", "&#46;./x.xodr"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
+def test_a_scenario_that_names_files_elsewhere_is_refused(folder: Path, named: str, encoding: str) -> None:
+    text = (folder / "crash.xosc").read_text().replace("town.xodr", named)
+    head, _, body = text.partition("?>")
+    assert head.startswith("<?xml")
+    (folder / "far.xosc").write_text(f'<?xml version="1.0" encoding="{encoding}"?>{body}', encoding=encoding)
     for tool, arguments in (
         ("import", {"file": "far.xosc", "save_as": "far-imported.scenic"}),
         ("verify", {"what": "far.xosc", "said": CROSSES}),
+        ("story", {"what": "far.xosc"}),
     ):
-        assert "outside the folder" in called(folder, tool, **arguments)["error"]
+        assert "lies where nothing is opened" in called(folder, tool, **arguments)["error"]
 
 
 def test_a_run_that_names_a_map_or_an_ego_from_elsewhere_is_refused(folder: Path) -> None:

@@ -98,9 +98,7 @@ def test_who_comes_later_and_is_hit_is_told_and_so_is_who_goes_and_who_is_left_o
     assert any("2.5 s  the late (car) is there from now on, 20 m ahead of the ego" in line for line in lines)
     assert "the ego runs into the late (car) (the ego's front, the other's rear)" in lines[-1]
     assert "the other at 0 km/h, closing at 36 km/h" in lines[-1]
-    assert [note for note in told.notes if "after" in note] == [
-        "not told of: after, who is there for a moment at most"
-    ]
+    assert [note for note in told.notes if "after" in note] == ["not told of: after, who is there for a moment at most"]
     for moment in (None, 0.0, 2.5, 4.1):
         assert told.picture(moment).startswith(PNG)
     verdict = chatscene.verify(path, "A car is ahead of us in our lane.")

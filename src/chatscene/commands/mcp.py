@@ -29,8 +29,9 @@ def mcp(folder: Path, http: bool, port: int, language_model: str) -> None:
     chatscene mcp scenes --http --port 8765
     """
     from chatscene.mcp.transports import TOKEN, serve_http, serve_stdio
+    from chatscene.mcp.walls import served_model
 
-    reading = {"language_model": language_model}
+    reading = {"language_model": served_model(language_model)}
     if port and not http:
         raise click.UsageError("--port needs --http")
     if not http:

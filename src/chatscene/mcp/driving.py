@@ -114,6 +114,7 @@ def verify(
         map=on,
         ego_id=ego_id,
         scene=scene,
+        within=desk.folder.root,
         page=out,
         set=facts or None,
         **desk.reading,
@@ -146,6 +147,7 @@ def story(
         ego=desk.folder.ego(ego),
         map=desk.folder.map(map),
         ego_id=ego_id,
+        within=desk.folder.root,
     )
     return Answer(str(told), told.picture(at) if picture or at is not None else b"")
 
@@ -226,33 +228,13 @@ def export(
 
 
 def seen(desk: Desk, what: str) -> Place:
-    """What is to be judged or told, which names nothing outside the folder that would be read with it.
+    """What is to be judged or told.
 
     Raises:
-        SettingsError: It does, or there is none.
+        SettingsError: There is none, or it is a run that names what lies outside the folder.
     """
     path = desk.folder.there(what)
-    if (desk.folder.root / path).is_dir():
-        return desk.folder.run(what)
-    if path.suffix.lower() == ".scenic":
-        check_map(desk, path)
-    if path.suffix.lower() == ".xosc":
-        desk.folder.check_beside(path, ".xodr")
-    return path
-
-
-def check_map(desk: Desk, path: Place) -> None:
-    """Refuse a program whose map lies outside the folder.
-
-    Raises:
-        SettingsError: It does.
-        ForeignCodeRefused: The program cannot be read.
-    """
-    from chatscene.search.generators.foreign import read_foreign
-
-    asked = read_foreign(path, as_written=True, searched_with=False).map_path
-    if asked is not None and asked.exists():
-        desk.folder.map(str(asked))
+    return desk.folder.run(what) if (desk.folder.root / path).is_dir() else path
 
 
 def _source(desk: Desk, sentence: str | None, file: str | None) -> dict[str, Any]:
@@ -261,8 +243,7 @@ def _source(desk: Desk, sentence: str | None, file: str | None) -> dict[str, Any
         return {"text": sentence}
     path = desk.folder.file(file or "", *SITUATIONS, ".scenic", *REPORTS)
     if path.suffix.lower() == ".scenic":
-        check_map(desk, path)
-        return {"program": path}
+        return {"program": path, "within": desk.folder.root}
     return {"report": path} if path.suffix.lower() in REPORTS else {"text": situation_in(desk, str(path))}
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -13,9 +12,7 @@ from chatscene.files.bounded import is_there
 
 RECORD = "run.json"
 LONGEST = 500  # characters of a path
-MOST_READ = 2**24  # bytes of a file that is looked through; no scenario is as long
 MOST_FILES = 20_000  # that are looked at for a list
-_NAMED = re.compile(rb"""\b(?:file)?path\s*=\s*["']([^"'<>]{1,400})["']""", re.IGNORECASE)
 SIMULATORS = ("native", "embedded", "confined")
 
 
@@ -93,22 +90,6 @@ class Folder:
         if (self.root / path).exists() or path == Path():
             raise SettingsError(f"{name!r} is there already; give another name")
         return path
-
-    def check_beside(self, path: Path, suffix: str) -> None:
-        """Refuse a scenario that names files elsewhere: by a path, or one beside it of a kind that is a link out.
-
-        Raises:
-            SettingsError: It does.
-        """
-        with (self.root / path).open("rb") as file:
-            text = file.read(MOST_READ)
-        for named in _NAMED.findall(text):
-            name = named.decode(errors="replace").replace("\\", "/").strip()
-            if name and not name.startswith(("/", "~")):  # which nobody opens
-                self._inside(str(path.parent / name))
-        for one in sorted((self.root / path).parent.glob(f"*{suffix}")):
-            if one.name.encode() in text:
-                self._inside(str(one.relative_to(self.root)))
 
     def map(self, name: str | None) -> str | None:
         """A map by its name: a packaged one, or a file of the folder.

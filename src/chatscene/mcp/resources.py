@@ -132,7 +132,7 @@ def _picture(desk: Desk, path: str, asked: dict[str, str]) -> Content:
         at = float(asked["at"]) if "at" in asked else None
     except ValueError:
         raise SettingsError(f"at={asked['at'][:40]!r} is no time; give seconds, such as at=2.5") from None
-    told = api.story(seen(desk, path), scene=asked.get("scene"))
+    told = api.story(seen(desk, path), scene=asked.get("scene"), within=desk.folder.root)
     return Content("image/png", picture=told.picture(at))
 
 

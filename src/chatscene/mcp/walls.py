@@ -12,7 +12,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+from chatscene.errors import SettingsError
 from chatscene.files.caches import cache_folder
+from chatscene.models.language.protocol import LANGUAGE_MODELS
 from chatscene.simulate.confined.confinement import python_folders
 from chatscene.simulate.confined.landlock import kept_to
 from chatscene.simulate.confined.seccomp import no_new_privileges
@@ -23,7 +25,30 @@ SYSTEM = (
 )  # fmt: skip
 NETWORK = ("/etc/hosts", "/etc/resolv.conf", "/etc/nsswitch.conf", "/etc/ssl", "/etc/pki", "/etc/gai.conf")
 DEVICES = ("/dev/null", "/dev/shm")
-OFFLINE, LOCAL = "offline", "gguf:"
+OFFLINE = "offline"
+LOCAL = ("gguf", "scripted")  # language models that are a file of this machine
+
+
+def served_model(name: str) -> str:
+    """A language model by the name that a user types, as the process knows it that works in an agent's folder.
+
+    A file is named by its whole path. Models that somebody brings are refused: their code would be looked for there.
+
+    Raises:
+        SettingsError: It is none of those that are built in, or its file is not there.
+    """
+    kind, _, which = name.partition(":")
+    if name == OFFLINE:
+        return name
+    if kind not in LANGUAGE_MODELS.built_in or not which.strip():
+        known = ", ".join((OFFLINE, *(f"{one}:…" for one in LANGUAGE_MODELS.built_in)))
+        raise SettingsError(f"{name[:60]!r} is no language model that can read for agents; there are {known}")
+    if kind not in LOCAL:
+        return name
+    file = os.path.realpath(which)
+    if not os.path.isfile(file):  # noqa: PTH113 - Path.is_file() raises for a path that the system refuses
+        raise SettingsError(f"{which[:200]!r}, the file of the language model, is not there")
+    return f"{kind}:{file}"
 
 
 def stay_in(folder: Path, temporary: Path, language_model: str = OFFLINE) -> bool:
@@ -32,7 +57,7 @@ def stay_in(folder: Path, temporary: Path, language_model: str = OFFLINE) -> boo
     Args:
         folder: The agent's.
         temporary: A folder for what is in between.
-        language_model: Who reads sentences.
+        language_model: Who reads sentences, as `served_model` gives it.
 
     Returns:
         Whether the kernel keeps to it; False where it has no Landlock.
@@ -41,9 +66,10 @@ def stay_in(folder: Path, temporary: Path, language_model: str = OFFLINE) -> boo
     os.environ["MPLCONFIGDIR"] = str(temporary)
     caches = cache_folder("code").parent
     caches.mkdir(parents=True, exist_ok=True)
-    network = language_model != OFFLINE and not language_model.startswith(LOCAL)
+    kind, _, file = language_model.partition(":")
+    network = kind not in (OFFLINE, *LOCAL)
     readable = [*python_folders(), sys.prefix, sys.base_prefix, *SYSTEM, *(NETWORK if network else ())]
-    if language_model.startswith(LOCAL):
-        readable.append(language_model.removeprefix(LOCAL))
+    if kind in LOCAL:
+        readable.append(file)
     no_new_privileges()
     return kept_to(readable, [str(folder), str(temporary), str(caches), *DEVICES], network=network)

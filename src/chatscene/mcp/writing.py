@@ -116,7 +116,6 @@ def import_(
     out = desk.folder.free(save_as, ".scenic")
     desk.folder.make_above(out)
     source = desk.folder.file(file, ".xosc")
-    desk.folder.check_beside(source, ".xodr")
     done = api.import_scenario(source, out=out, map=desk.folder.map(map), within=desk.folder.root)
     notes = "".join(f"{note}\n" for note in done.notes)
     return f"{notes}written: {done.program}, on map {done.map_path}\nnext: verify {done.program}"

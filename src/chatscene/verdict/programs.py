@@ -35,8 +35,11 @@ def watch_program(path: Path, settings: VerifySettings) -> Watching:
         ForeignCodeRefused: It cannot be read, or uses what strangers may not use.
         ProgramError: It does not compile, or its own code fails.
         MapError: No map has what it asks for.
+        SettingsError: Its map lies where it may not.
     """
     own = read_foreign(path, trusted=settings.trust, as_written=not settings.ego, searched_with=False)
+    if settings.within:
+        own.check_map(Path(settings.within))
     if own.program.as_written and own.program.model == OWN_MODEL and not drives_itself(own.program.source):
         own = replace(own, program=replace(own.program, as_written=False))
     notes = ["its own ego drives"] if own.program.as_written else [f"{settings.ego or EGO} drives the ego"]
@@ -51,8 +54,10 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
     """
     from chatscene.imports.import_file import import_scenario
 
+    within = Path(settings.within) if settings.within else None
     with TemporaryDirectory(prefix="chatscene-") as folder:
-        made = import_scenario(path, out=Path(folder) / "scenario.scenic", map_name=settings.map_name or None)
+        out = Path(folder) / "scenario.scenic"
+        made = import_scenario(path, out=out, map_name=settings.map_name or None, within=within)
         own = read_foreign(made.program, searched_with=False)
         own = replace(own, map_path=made.map_path.resolve())  # read in a process that works elsewhere
         notes = (f"{settings.ego or EGO} drives the ego", *made.notes)

@@ -136,9 +136,7 @@ def _failing(situation: Situation, drives: Sequence[Watched], cast: Cast) -> int
 def _casts(situation: Situation, episode: Episode) -> Iterator[Cast]:
     """Every way in which some may be who was said, nobody twice; first those to whom the ego comes nearest."""
     ego = episode.ego_track
-    actors = [
-        track for track in episode.tracks[1:] if np.isfinite(track.x).any() and not _is_part(track, episode)
-    ]
+    actors = [track for track in episode.tracks[1:] if np.isfinite(track.x).any() and not _is_part(track, episode)]
     actors.sort(key=lambda track: float(np.nanmin(np.hypot(track.x - ego.x, track.y - ego.y))))
     choices = [list(_choices(one, actors)) or [()] for one in situation.others]
     for chosen in product(*choices):

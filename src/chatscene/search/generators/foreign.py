@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from chatscene.errors import ForeignCodeRefused
+from chatscene.errors import ForeignCodeRefused, SettingsError
 from chatscene.library.load import names_of
 from chatscene.simulate.confined.allow_list import check_foreign, model_of, parse_foreign, refused
 from chatscene.simulate.confined.asked_map import map_of
@@ -51,6 +51,18 @@ class ForeignProgram:
     program: ScenicProgram
     renamed: str = ""
     map_path: Path | None = None
+
+    def check_map(self, within: Path) -> None:
+        """Hold the map that it asks for to lying in a folder, links followed; one that is not there is never read.
+
+        Raises:
+            SettingsError: It lies elsewhere.
+        """
+        asked = self.map_path
+        if asked is None or not os.path.exists(asked):  # noqa: PTH110 - Path.exists() raises for what is too long
+            return
+        if not asked.is_relative_to(os.path.realpath(within)):
+            raise SettingsError(f"{self.path} asks for a map that lies outside the folder; put it below the folder")
 
 
 def foreign_files(path: Path) -> tuple[Path, ...]:
