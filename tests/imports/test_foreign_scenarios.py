@@ -159,6 +159,31 @@ def test_where_only_one_folder_is_open_no_other_file_is_read(beside: Path) -> No
         import_scenario(beside / "deep" / "theirs.xosc", map_name="town", within=beside / "deep")
 
 
+@pytest.mark.parametrize("name", ["{folder}/town.xodr", "town", "town.xodr", "in/../../town.xodr"])
+def test_no_link_and_no_name_leads_out_of_the_open_folder(
+    name: str, beside: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (folder := beside / "deep").mkdir()
+    (folder / "a" / "b").mkdir(parents=True)
+    (folder / "in").symlink_to(folder / "a" / "b")
+    if not name.startswith("in"):
+        (folder / "town.xodr").symlink_to(resolve_map("town"))
+    (folder / "a" / "town.xodr").write_text("<OpenDRIVE/>")
+    (folder / "theirs.xosc").write_text(scenario(map_name=name.format(folder=folder)))
+    monkeypatch.chdir(beside)
+    with pytest.raises(ScenarioError, match="lies where nothing is opened"):
+        import_scenario(folder / "theirs.xosc", within=folder)
+
+
+def test_a_bare_name_is_no_file_of_the_working_directory(beside: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (folder := beside / "deep").mkdir()
+    (beside / "Town").symlink_to(resolve_map("town"))
+    monkeypatch.chdir(beside)
+    with pytest.raises(ScenarioError, match=r"'[^']*Town\.xodr' does not lie there"):
+        read(folder, scenario(map_name="Town"))
+    assert read(folder, scenario(map_name="town")).map_path == resolve_map("town")
+
+
 # Variants
 
 

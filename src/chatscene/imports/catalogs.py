@@ -52,9 +52,12 @@ def relative(path: Path, named: str, within: Path | None = None) -> Path | None:
     if not text or _ABSOLUTE.match(text) or "\0" in text:
         return None
     where = path.parent / text
-    if within is not None and not Path(os.path.realpath(where)).is_relative_to(os.path.realpath(within)):
-        return None
-    return where
+    return where if lies_within(where, within) else None
+
+
+def lies_within(where: Path, within: Path | None) -> bool:
+    """Whether a file or folder lies in a folder, links followed; everything does where no folder is given."""
+    return within is None or Path(os.path.realpath(where)).is_relative_to(os.path.realpath(within))
 
 
 def bound(text: str, scope: Mapping[str, str]) -> str:
