@@ -566,6 +566,16 @@ def test_the_value_of_a_parameter_may_be_an_expression_of_others(beside: Path) -
     assert plan(beside, declaring(("kph", "18"), ("factor", "3.6"), ("mps", "${$kph/$factor}"))) == by_number
 
 
+def test_parameters_that_name_one_another_twice_are_computed_once_each(beside: Path) -> None:
+    chain = [("p0", "2"), *((f"p{i + 1}", f"${{$p{i} - $p{i}}}") for i in range(48)), ("mps", "${$p48 + 5}")]
+    assert plan(beside, declaring(*chain)) == plan(beside, declaring(("mps", "5")))
+
+
+def test_an_expression_that_is_long_with_its_parameters_is_refused(beside: Path) -> None:
+    with pytest.raises(ScenarioError, match="longer than 4000 characters with its parameters"):
+        read(beside, declaring(("kph", "18"), ("mps", "${" + "+".join(["$kph"] * 900) + "}")))
+
+
 @pytest.mark.parametrize(
     ("parameters", "told"),
     [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import product
 from pathlib import Path
@@ -57,6 +57,7 @@ class Given:
     told: Mapping[str, str] = field(default_factory=dict[str, str])
     spans: Mapping[str, tuple[float, float]] = field(default_factory=dict[str, tuple[float, float]])
     within: Path | None = None
+    _known: dict[str, float] = field(default_factory=dict[str, float])
 
     def note(self, element: Element, what: str) -> None:
         """Note what was taken otherwise than it is written."""
@@ -71,6 +72,7 @@ class Given:
             notes=list(self.notes),
             refusals=list(self.refusals),
             wanted=set(self.wanted),
+            _known={},
         )
 
     def declare(self, root: Element) -> None:
@@ -186,7 +188,7 @@ class Given:
     def _calculated(self, element: Element, written: str) -> float:
         """The value of an expression, with every parameter at its value."""
         try:
-            found = calculated(self._valued(element, written, ()))
+            found = self._evaluated(element, written, ())
         except ValueError as error:
             raise Refused(element, f"{written[:60]!r} is no number that can be said here ({error})") from error
         return self._float(element, repr(found))
@@ -200,41 +202,42 @@ class Given:
 
     def _filled(self, element: Element, written: str, within: tuple[str, ...]) -> str:
         """An expression with what each parameter stands for, which may be an expression of others."""
-        inner = written[2:-1] if written.startswith("${") and written.endswith("}") else written
-        filled = REFERENCE.sub(lambda one: self._spelled(element, one[1], within), inner)
-        if len(filled) > MOST_CHARACTERS:
-            raise Refused(element, f"{written[:40]!r} is longer than {MOST_CHARACTERS} characters with its parameters")
-        return filled
-
-    def _valued(self, element: Element, written: str, within: tuple[str, ...]) -> str:
-        """An expression with the value of each parameter in it."""
-
-        def value(one: re.Match[str]) -> str:
-            name = one[1]
-            if name not in self.values:
-                raise Refused(element, f"it speaks of ${name}, which the file does not declare")
-            if name in within or len(within) > DEEPEST:
-                raise Refused(element, f"${name} is an expression of itself, or of too many others in a row")
-            text = self.values[name].strip()
-            if text.startswith("$"):
-                return f"({calculated(self._valued(element, text, (*within, name)))!r})"
-            return f"({self._float(element, {'true': '1', 'false': '0'}.get(text.lower(), text))!r})"
-
-        inner = written[2:-1] if written.startswith("${") and written.endswith("}") else written
-        return REFERENCE.sub(value, inner)
+        return _replaced(element, written, lambda name: self._spelled(element, name, within))
 
     def _spelled(self, element: Element, name: str, within: tuple[str, ...]) -> str:
         if name in self.ranges:
             return f"{PARAMETERS}.{self.ranges[name].name}"
+        text = self._defined(element, name, within)
+        if text.startswith("$"):
+            return f"({self._filled(element, text, (*within, name))})"
+        return f"({self._float(element, text)!r})"
+
+    def _evaluated(self, element: Element, written: str, within: tuple[str, ...]) -> float:
+        """The value of an expression.
+
+        Raises:
+            ValueError: It has none.
+        """
+        return calculated(_replaced(element, written, lambda name: f"({self._value(element, name, within)!r})"))
+
+    def _value(self, element: Element, name: str, within: tuple[str, ...]) -> float:
+        """The value of a parameter, computed once however often expressions name it."""
+        if name not in self._known:
+            text = self._defined(element, name, within)
+            computed = text.startswith("$")
+            self._known[name] = (
+                self._evaluated(element, text, (*within, name)) if computed else self._float(element, text)
+            )
+        return self._known[name]
+
+    def _defined(self, element: Element, name: str, within: tuple[str, ...]) -> str:
+        """What a parameter stands for, as it is written; `within` are those of whose expressions it is a part."""
         if name not in self.values:
             raise Refused(element, f"it speaks of ${name}, which the file does not declare")
         if name in within or len(within) > DEEPEST:
             raise Refused(element, f"${name} is an expression of itself, or of too many others in a row")
-        value = self.values[name].strip()
-        if value.startswith("$"):
-            return f"({self._filled(element, value, (*within, name))})"
-        value = {"true": "1.0", "false": "0.0"}.get(value.lower(), value)
-        return f"({self._float(element, value)!r})"
+        text = self.values[name].strip()
+        return {"true": "1", "false": "0"}.get(text.lower(), text)
 
     def number(self, element: Element, name: str, default: str | None = None) -> float:
         """The number that an attribute says, where it may not vary: parameters in it are to keep their values."""
@@ -243,6 +246,13 @@ class Given:
             self.wanted.update(one for one in self._names(element.attributes.get(name, "")) if one in self.ranges)
             return valued(found.expression, self.nominal)
         return found.number
+
+    def count(self, element: Element, name: str, default: str | None = None) -> int:
+        """The whole number that an attribute says."""
+        found = self.number(element, name, default)
+        if found != int(found):
+            raise Refused(element, f"its {name} is {found:g}, and is to be a whole number")
+        return int(found)
 
     def _float(self, element: Element, written: str) -> float:
         try:
@@ -268,6 +278,19 @@ class Given:
             told = list(dict.fromkeys(self.refusals))
             more = f"\n  and {len(told) - REPORTED} more" if len(told) > REPORTED else ""
             raise ScenarioError(f"{path} cannot be said here:\n  " + "\n  ".join(told[:REPORTED]) + more)
+
+
+def _replaced(element: Element, written: str, of: Callable[[str], str]) -> str:
+    """An expression with something in the place of each parameter.
+
+    Raises:
+        Refused: It is too long then.
+    """
+    inner = written[2:-1] if written.startswith("${") and written.endswith("}") else written
+    replaced = REFERENCE.sub(lambda one: of(one[1]), inner)
+    if len(replaced) > MOST_CHARACTERS:
+        raise Refused(element, f"{written[:40]!r} is longer than {MOST_CHARACTERS} characters with its parameters")
+    return replaced
 
 
 def _varying(name: str, low: float, high: float) -> ParameterRange:
