@@ -15,7 +15,7 @@ import pytest
 from chatscene.ego.policy import load_ego, observation_of, pedals_of
 from chatscene.errors import ScenarioError, SettingsError
 from chatscene.imports.calculated import calculated
-from chatscene.imports.given import Given
+from chatscene.imports.given import Given, Refused
 from chatscene.imports.import_file import import_scenario
 from chatscene.imports.openscenario import Imported, read_openscenario
 from chatscene.imports.shapes import shape_of, thinned
@@ -129,6 +129,24 @@ def test_a_body_of_a_catalog_has_the_parameters_that_are_assigned(beside: Path) 
     assert [actor.length for actor in plainly.board.actors] == [4.5, 4.0]  # type: ignore[union-attr]
 
 
+def test_parameters_of_catalogs_that_grow_are_refused_before_they_are_written_out(beside: Path) -> None:
+    text = with_catalog(beside, '<CatalogReference catalogName="cars" entryName="v"/>')
+    body = (beside / "cars" / "all.xosc").read_text()
+    declared = '<ParameterDeclaration name="long" parameterType="double" value="4"/>'
+    grown = declared.replace('"4"', f'"{"4" * 5_000}"')
+    (beside / "cars" / "all.xosc").write_text(body.replace(declared, grown).replace('"$long"', '"${$long + $long}"'))
+    with pytest.raises(ScenarioError, match="has more than 10000 characters with its parameters"):
+        read(beside, text)
+
+
+def test_the_catalogs_of_a_file_have_one_bound_together(beside: Path) -> None:
+    text = with_catalog(beside, '<CatalogReference catalogName="cars" entryName="v"/>')
+    for name in ("0", "1"):
+        (beside / "cars" / f"{name}.xosc").write_text(f"<OpenSCENARIO>{'<a/>' * 110_000}</OpenSCENARIO>")
+    with pytest.raises(ScenarioError, match=r"could not be read: .*1\.xosc, line 1: it has more than 89999 elements"):
+        read(beside, text)
+
+
 def test_an_entry_that_a_catalog_lacks_is_refused_by_its_line(beside: Path) -> None:
     text = with_catalog(beside, '<CatalogReference catalogName="cars" entryName="w"/>')
     with pytest.raises(ScenarioError, match=r"line \d+: <CatalogReference>: the catalog 'cars' has no entry 'w'"):
@@ -184,6 +202,48 @@ def test_a_bare_name_is_no_file_of_the_working_directory(beside: Path, monkeypat
     assert read(folder, scenario(map_name="town")).map_path == resolve_map("town")
 
 
+# Files that end a reading
+
+
+def routed(waypoints: str) -> str:
+    """A scenario whose road user is put on a route."""
+    inside = '<InRoutePosition><FromRoadCoordinates pathS="1" t="0"/></InRoutePosition>'
+    return scenario(
+        place=f'<RoutePosition><RouteRef><Route name="r" closed="false">{waypoints}</Route></RouteRef>{inside}</RoutePosition>'
+    )
+
+
+WAYPOINT = '<Waypoint routeStrategy="shortest"><Position>{}</Position></Waypoint>'
+AT = '<WorldPosition x="{}" y="-340" h="0"/>'
+SLIVER = "".join(f"<Vertex><Position>{AT.format(x)}</Position></Vertex>" for x in (136.7549, 136.7551))
+FOLLOWS = f'<RoutingAction><FollowTrajectoryAction><TrajectoryRef><Trajectory name="t" closed="false"><Shape><Polyline>{SLIVER}</Polyline></Shape></Trajectory></TrajectoryRef><TimeReference><None/></TimeReference></FollowTrajectoryAction></RoutingAction>'
+CONTINUOUS = (
+    '<SpeedActionTarget><RelativeTargetSpeed entityRef="ego" value="0" continuous="$nobody"/></SpeedActionTarget>'
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        (scenario().replace('<Private entityRef="lead">', '<Private entityRef="$nobody">'), r"\$nobody"),
+        (scenario().replace("</Entities>", '<EntitySelection name="all"><Members><EntityRef entityRef="$nobody"/></Members></EntitySelection></Entities>'), r"\$nobody"),
+        (scenario(events=event(DISTANCE)).replace('<SpeedActionTarget><AbsoluteTargetSpeed value="5"/></SpeedActionTarget>', CONTINUOUS), r"\$nobody"),
+        (scenario(events=event(DISTANCE).replace("<Event ", '<Event maximumExecutionCount="²" ')), "'²' is no number"),
+        (scenario(events=event(DISTANCE).replace("<Event ", '<Event maximumExecutionCount="--5" ')), "'--5' is no number"),
+        (scenario(events=event(DISTANCE).replace("<Event ", '<Event maximumExecutionCount="1.5" ')), "to be a whole number"),
+        (routed(WAYPOINT.format(AT.format(136))), "no line of two points"),
+        (routed(""), "no line of two points"),
+        (routed("".join(WAYPOINT.format(f'<RoadPosition roadId="1" s="{s}" t="0"/>') for s in (1, 900_000))), "900000 m is not on it"),
+        (scenario(events=event(FOLLOWS)), "no line of two points"),
+        (scenario(events=event("<LongitudinalAction/>")), "nobody does this here"),
+    ],
+    ids=[*"abcdefghijk"],
+)  # fmt: skip
+def test_whatever_cannot_be_read_is_refused_by_its_line(text: str, why: str, beside: Path) -> None:
+    with pytest.raises(ScenarioError, match=rf"cannot be said here:\n(.*\n)*  line \d+: .*{why}"):
+        read(beside, text)
+
+
 # Variants
 
 
@@ -229,7 +289,30 @@ def test_values_that_belong_together_are_taken_together_and_drawn_ones_vary(tmp_
     assert found.spans == {"c": (-1.0, 11.0)}
 
 
+@pytest.mark.parametrize("axes", [3, 2_000])
+def test_more_variants_than_are_read_are_refused_before_they_are_made(axes: int, beside: Path) -> None:
+    one = STEPS.format(0.02).removeprefix("<Deterministic>").removesuffix("</Deterministic>")
+    path = variants(beside, f"<Deterministic>{one * axes}</Deterministic>")
+    with pytest.raises(ScenarioError, match="tells more than 1000000 variants"):
+        variants_of(read_xml(path), path)
+
+
 # Shapes
+
+
+@pytest.mark.parametrize(
+    ("inner", "why"),
+    [
+        ('<ClothoidSpline>' + '<ClothoidSplineSegment length="900" curvatureStart="0" curvatureEnd="0"/>' * 12 + "</ClothoidSpline>", "more than 20000 points"),
+        ('<Clothoid curvature="0" curvaturePrime="0" length="1000000"/>', "more than 20000 points"),
+        ('<Clothoid curvature="0" curvaturePrime="0" length="0.001"/>', "no line of two points"),
+        ('<Nurbs order="13"/>', "its order is 13"),
+        ("<Nurbs order=\"2\">" + "<ControlPoint/>" * 2_501 + "</Nurbs>", "more than 20000 points"),
+    ],
+)  # fmt: skip
+def test_a_shape_of_too_many_points_is_refused_before_they_are_made(inner: str, why: str, tmp_path: Path) -> None:
+    with pytest.raises(Refused, match=why):
+        shape_of(shaped(tmp_path, inner), Given(), _place)
 
 
 def shaped(folder: Path, inner: str) -> Element:

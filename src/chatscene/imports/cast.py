@@ -9,7 +9,7 @@ from typing import Any
 
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.positions import Pose, Positions
-from chatscene.imports.shapes import Shape, shape_of, thinned
+from chatscene.imports.shapes import Shape, line_through, shape_of, thinned
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written_story import Line, Told, plain
 from chatscene.terms.polyline import Polyline
@@ -114,7 +114,7 @@ class Cast:
         shape = shape_of(trajectory, self.given, place)
         told = list(trajectory.walk())
         own = actor is not None and not any(one.tag in ("Position", "PositionStart") for one in told)
-        length = Polyline(shape.points).length
+        length = line_through(trajectory, shape.points).length
         if actor is not None and (own or len(frames) == 1):
             frame = actor if own else frames.pop()
             if frame not in self.names:
@@ -125,7 +125,7 @@ class Cast:
             return (("beside", self.names[frame], 0.0, 0.0, 0.0), kept), shape, length
         if len(frames) > 1 and actor is not None:
             raise Refused(trajectory, "its places lie beside several road users, who move; put it beside one")
-        return self.known(Polyline(shape.points)), shape, length
+        return self.known(line_through(trajectory, shape.points)), shape, length
 
     def known(self, line: Polyline) -> Line:
         """A line by its name in the program."""

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from chatscene.errors import ScenarioError
 from chatscene.imports.given import REFERENCE, Given, Refused
-from chatscene.imports.stranger_xml import MOST, Element, read_xml
+from chatscene.imports.stranger_xml import LARGEST, LONGEST, MOST, Element, TooMany, read_xml
 
 MOST_FILES = 100  # catalogs of one scenario
 DEEPEST = 8  # catalogs whose entries name entries of others
@@ -61,9 +61,15 @@ def lies_within(where: Path, within: Path | None) -> bool:
 
 
 def bound(text: str, scope: Mapping[str, str]) -> str:
-    """A text with the values of the parameters of a scope in it; all others stand as they are."""
+    """A text with the values of the parameters of a scope in it; all others stand as they are.
+
+    Raises:
+        ValueError: It is longer then than an attribute may be.
+    """
     if "$" not in text or not scope:
         return text
+    if len(text) + sum(len(scope.get(one[1], "")) for one in REFERENCE.finditer(text)) > LONGEST:
+        raise ValueError(f"{text[:40]!r} has more than {LONGEST} characters with its parameters")
     if (whole := REFERENCE.fullmatch(text)) is not None:
         return scope.get(whole[1], text)
     return REFERENCE.sub(lambda one: _bracketed(scope[one[1]]) if one[1] in scope else one[0], text)
@@ -82,7 +88,7 @@ class _Writer:
         self._root, self._path, self._given = root, path, given
         self._catalogs: dict[str, Element] | None = None
         self._unread: list[str] = []
-        self._count = 0
+        self._count = self._characters = self._opened_elements = 0
 
     def element(self, one: Element, scope: Mapping[str, str], depth: int, within: str) -> Element:
         """An element with the parameters of its scope, its catalogs' entries and its own parameters written out."""
@@ -94,12 +100,29 @@ class _Writer:
         declared = one.find("ParameterDeclarations") if one is not self._root else None
         if declared is not None:
             scope = {**{d.attributes.get("name", ""): d.attributes.get("value", "") for d in declared.inside}, **scope}
-        attributes = {name: bound(value, scope) for name, value in one.attributes.items()}
+        attributes = self._bound(one, scope)
         inside = [self.element(below, scope, depth, one.tag) for below in one.inside]
         return replace(one, attributes=attributes, inside=inside)
 
+    def _bound(self, one: Element, scope: Mapping[str, str]) -> dict[str, str]:
+        """The attributes of an element with the values of the parameters of a scope.
+
+        Raises:
+            ScenarioError: They are longer than those of a file may be.
+        """
+        try:
+            found = {name: bound(value, scope) for name, value in one.attributes.items()}
+        except ValueError as error:
+            raise ScenarioError(f"{self._path}: {Refused(one, str(error))}") from error
+        self._characters += sum(map(len, found.values()))
+        if self._characters > LARGEST:
+            raise ScenarioError(
+                f"{self._path} has more than {LARGEST // 2**20} MB with its catalogs and parameters; cut it down"
+            )
+        return found
+
     def _entry(self, one: Element, scope: Mapping[str, str], depth: int) -> Element:
-        here = replace(one, attributes={name: bound(value, scope) for name, value in one.attributes.items()})
+        here = replace(one, attributes=self._bound(one, scope))
         try:
             catalog, entry = self._given.text(here, "catalogName"), self._given.text(here, "entryName")
             found = self._found(here, catalog, entry, depth)
@@ -107,7 +130,7 @@ class _Writer:
             self._given.refusals.append(str(reason))
             return replace(here, inside=[])
         told = {
-            p.attributes.get("parameterRef", "").lstrip("$"): bound(p.attributes.get("value", ""), scope)
+            p.attributes.get("parameterRef", "").lstrip("$"): self._bound(p, scope).get("value", "")
             for group in one.all("ParameterAssignments")
             for p in group.inside
         }
@@ -147,10 +170,14 @@ class _Writer:
             opened.update(dict.fromkeys(f for f in files if relative(f, f.name, self._given.within) is not None))
         for file in list(opened)[:MOST_FILES]:
             try:
-                root = read_xml(file, file=file.name)
+                root = read_xml(file, file=file.name, most=MOST - self._opened_elements)
+            except TooMany as error:  # the catalogs of a file have one bound together
+                self._unread.append(str(error))
+                break
             except ScenarioError as error:
                 self._unread.append(str(error))
                 continue
+            self._opened_elements += sum(1 for _ in root.walk())
             catalog = root.find("Catalog")
             if catalog is not None:
                 found.setdefault(catalog.attributes.get("name", ""), catalog)

@@ -96,7 +96,7 @@ class _Reader:
                 if action.find("VariableAction", "SetAction") is None:
                     raise Refused(action.inside[0] if action.inside else action, "the world does not change meanwhile")
                 continue
-            if action.tag != "PrivateAction" or len(action.inside) != 1:
+            if action.tag != "PrivateAction" or len(action.inside) != 1 or not action.inside[0].inside:
                 raise Refused(action, "it is no action of a road user")
             (kind,) = action.inside
             if kind.tag == "LongitudinalAction" and speed is None:

@@ -20,6 +20,7 @@ from chatscene.terms.sums import Sum, number, sum_of, valued
 REPORTED = 20  # refusals in one message
 DEEPEST = 50  # parameters, each an expression of the next
 MOST_CHARACTERS = 4_000  # of an expression with its parameters: each may name another twice
+MOST_VARYING = 6  # parameters in one expression: a sum is looked at in every corner of their ranges
 REFERENCE = re.compile(r"\$([A-Za-z_][A-Za-z0-9_]*)")
 _RANGED = frozenset(("double", "int", "integer", "unsignedInt", "unsignedShort"))
 _LOWER, _UPPER = frozenset(("greaterOrEqual", "greaterThan")), frozenset(("lessOrEqual", "lessThan"))
@@ -165,14 +166,16 @@ class Given:
         if not written.startswith("$"):
             return number(self._float(element, written))
         names = self._names(written)
-        if not any(name in self.ranges for name in names):
+        varying = [name for name in names if name in self.ranges]
+        if not varying:
             return number(self._calculated(element, written))
         try:
-            found = sum_of(parse_expression(self._filled(element, written, ())))
+            few = len(varying) <= MOST_VARYING
+            found = sum_of(parse_expression(self._filled(element, written, ()))) if few else None
         except (SnippetError, ZeroDivisionError):
             found = None
         if found is None:  # more than a plan computes: what varies in it is to keep its value
-            self.wanted.update(name for name in names if name in self.ranges)
+            self.wanted.update(varying)
             return number(self._calculated(element, written))
         return found
 

@@ -13,7 +13,7 @@ from chatscene.errors import MapError
 from chatscene.imports.entities import Entities
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.positions import Pose, Positions
-from chatscene.imports.shapes import shape_of
+from chatscene.imports.shapes import line_through, shape_of
 from chatscene.imports.stranger_xml import Element
 from chatscene.maps.onward import LENGTH, route_onward
 from chatscene.terms.actors import BY_CLASS, LIMITS, Manner
@@ -133,7 +133,7 @@ class Opening:
         trajectory = follows.find("TrajectoryRef", "Trajectory") or follows.find("Trajectory")
         if trajectory is None:
             raise Refused(follows, "its trajectory is not there")
-        return Polyline(shape_of(trajectory, self._given, self._positions.pose).points)
+        return line_through(trajectory, shape_of(trajectory, self._given, self._positions.pose).points)
 
     def _along(self, one: Element, ahead: float) -> Start:
         trajectory, turned = one.find("TrajectoryRef", "Trajectory"), one.find("Orientation")
@@ -155,9 +155,7 @@ class Opening:
             if vertex.tag == "Vertex"
             for position in vertex.all("Position")
         ]
-        if len({(round(x, 3), round(y, 3)) for x, y in points}) < 2:
-            raise Refused(trajectory, "it is no line of two points or more; clothoids and curves are not read")
-        line = Polyline(points)
+        line = line_through(trajectory, points)
         name = GONE.sub("_", self._given.text(trajectory, "name", ""))
         usual = f"{prefix}Way"
         for known in (name, usual) if name.endswith("Way") or name == EGO_ROUTE else (usual,):
@@ -262,8 +260,6 @@ class Opening:
         points = [self._positions.pose(position)[:2] for position in positions]
         if len(points) < 2 and place is not None:
             points = [place[:2], *points]
-        if len({(round(x, 2), round(y, 2)) for x, y in points}) < 2:
-            raise Refused(route, "it names no way from one place to another")
         line = self._through(one, route, points)
         if place is None:
             return line
@@ -275,7 +271,7 @@ class Opening:
     def _through(self, one: Element, route: Element, points: Sequence[tuple[float, float]]) -> Polyline:
         """A line through points: straight where there is road all the way, else by the lanes that lead there."""
         network = self._positions.network
-        line = Polyline(points)
+        line = line_through(route, points)
         if all(network.laneAt(point) is not None for point in line.resampled(_DENSE).points.tolist()):
             return line
         lanes = [network.laneAt(point) for point in points]

@@ -7,13 +7,14 @@ line, all of it at once.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar
 
 from chatscene.errors import ScenarioError
 from chatscene.imports.catalogs import written_out
-from chatscene.imports.given import Given
+from chatscene.imports.given import Given, Refused
 from chatscene.imports.map_named import map_of
 from chatscene.imports.stranger_xml import Element, read_xml
 from chatscene.imports.told_as_plan import PlanReader
@@ -21,6 +22,8 @@ from chatscene.imports.told_as_story import StoryReader
 from chatscene.imports.written_story import StoryProgram
 from chatscene.maps.network import load_network
 from chatscene.terms.storyboard import Storyboard
+
+_T = TypeVar("_T")
 
 VERSIONS = (0, 1, 2, 3)  # of 1.x
 
@@ -95,7 +98,16 @@ def _read(
     whole = written_out(root, path, given)
     as_story = given.copied()
     if not given.refusals:
-        plans = PlanReader(whole, given, map_path, ego).board()
+        plans = _unless_refused(lambda: PlanReader(whole, given, map_path, ego).board(), given)
         if plans is not None and not given.refusals:
             return plans, given
-    return StoryReader(whole, as_story, map_path, ego).program(), as_story
+    return _unless_refused(lambda: StoryReader(whole, as_story, map_path, ego).program(), as_story), as_story
+
+
+def _unless_refused(reading: Callable[[], _T], given: Given) -> _T | None:
+    """What a reading gives; None where it ends at something that is refused, which is among the refusals then."""
+    try:
+        return reading()
+    except Refused as reason:
+        given.refusals.append(str(reason))
+        return None

@@ -10,7 +10,7 @@ from typing import Any
 
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.player import InLane, lane_beside
-from chatscene.imports.shapes import Pose, shape_of
+from chatscene.imports.shapes import Pose, line_through, shape_of
 from chatscene.imports.stranger_xml import Element
 from chatscene.maps.curves import read_all_curves
 from chatscene.maps.neighbours import numbered_beside
@@ -98,7 +98,7 @@ class Positions:
         trajectory = one.find("TrajectoryRef", "Trajectory")
         if trajectory is None:
             raise Refused(one, "its trajectory is not there")
-        line = Polyline(shape_of(trajectory, self._given, self.pose).points)
+        line = line_through(trajectory, shape_of(trajectory, self._given, self.pose).points)
         along, left = self._given.number(one, "s"), self._left * self._given.number(one, "t", "0")
         there = (*line.point_at(along), line.heading_at(along))
         x, y, heading = _beside(there, left)
@@ -120,7 +120,7 @@ class Positions:
         if told.tag == "FromRoadCoordinates":
             x, y, heading = _beside(there, self._left * g.number(told, "t", "0"))
             return x, y, self._turned(one, heading)
-        number = int(g.number(told, "laneId"))
+        number = g.count(told, "laneId")
         x, y, heading = there
         section = self.network.laneSectionAt(_beside(there, -1.0)[:2]) or self.network.laneSectionAt(there[:2])
         if section is None:
@@ -138,21 +138,27 @@ class Positions:
         for position in (p for waypoint in route.all("Waypoint") for p in waypoint.all("Position")):
             one = position.inside[0] if position.inside else position
             if one.tag not in ("LanePosition", "RoadPosition"):
-                return Polyline([self.pose(p)[:2] for w in route.all("Waypoint") for p in w.all("Position")])
+                return line_through(route, [self.pose(p) for w in route.all("Waypoint") for p in w.all("Position")])
             number, s = self._given.text(one, "roadId"), self._given.number(one, "s")
             first, _ = roads.get(number, (s, s))
             roads[number] = (first, s)
         parts = [self._stretch(route, number, *ends) for number, ends in roads.items()]
-        return Polyline([point for part in _in_order(parts) for point in part])
+        return line_through(route, [point for part in _in_order(parts) for point in part])
 
     def _stretch(self, one: Element, number: str, first: float, last: float) -> list[tuple[float, float]]:
         """The reference line of a road between two arc lengths; the whole of it where only one is told."""
         road = self._road(one, number)
         length = sum(piece.length for piece in road.ref_line)
+        for s in (first, last):
+            self._on_it(one, number, s, length)
         if first == last:
             first, last = (0.0, length) if first <= length / 2 else (length, 0.0)
         count = max(int(abs(last - first)), 1)
         return [_reference(road, first + (last - first) * i / count)[0] for i in range(count + 1)]
+
+    def _on_it(self, one: Element, number: str, s: float, length: float) -> None:
+        if not 0.0 <= s <= length:
+            raise Refused(one, f"road {number} is {length:.0f} m long, and {s:g} m is not on it")
 
     def _road(self, one: Element, number: str) -> Any:
         road = next((road for key, road in self._roads.items() if str(key) == number), None)
@@ -178,8 +184,7 @@ class Positions:
         number = self._given.text(one, "roadId")
         road = self._road(one, number)
         length = sum(piece.length for piece in road.ref_line)
-        if not 0.0 <= s <= length:
-            raise Refused(one, f"road {number} is {length:.0f} m long, and {s:g} m is not on it")
+        self._on_it(one, number, s, length)
         (x, y), heading = _reference(road, s)
         left = aside + (0.0 if lane == 0 else self._middle(one, road, s, lane))
         return x - left * math.sin(heading), y + left * math.cos(heading), heading
@@ -199,7 +204,7 @@ class Positions:
         section = self.network.laneSectionAt((x, y))
         if section is None:
             raise Refused(one, "whom it is told beside stands on no lane")
-        lanes = int(self._given.number(one, "dLane", "0"))
+        lanes = self._given.count(one, "dLane", "0")
         if lanes:  # counted to the left of whom it is told beside
             of = self.in_lane(section, (x, y, facing))
             section = self.beside(one, section, lane_beside(of.number, of.left * lanes))

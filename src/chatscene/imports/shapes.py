@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.stranger_xml import Element
+from chatscene.terms.polyline import Polyline
 
 _STEP = 0.5  # [m] between points of a curve
 _PARTS = 8  # of a NURBS between two of its control points
 _MOST = 20_000  # points
+_HIGHEST = 12  # order of a NURBS
+_SHORTEST = 0.02  # [m] that a line is long at least: a program says its points to the centimetre
 Pose = tuple[float, float, float]  # x, y [m], heading [rad]
 Places = Callable[[Element], Pose]
 
@@ -51,16 +55,39 @@ def shape_of(trajectory: Element, given: Given, place: Places) -> Shape:
     if read is None:
         raise Refused(inner, "such a shape is not read; write a Polyline")
     found = read(inner, given, place)
-    if len(found.points) > _MOST:
-        raise Refused(inner, f"it has more than {_MOST} points; cut it down")
+    line_through(inner, found.points)
     return found
+
+
+def line_through(one: Element, points: Sequence[tuple[float, ...]]) -> Polyline:
+    """The line through points, each x and y [m].
+
+    Raises:
+        Refused: They are not two or more places.
+    """
+    if max((math.dist(points[0][:2], point[:2]) for point in points), default=0.0) < _SHORTEST:
+        raise Refused(one, "it is no line of two points or more")
+    return Polyline(points)
+
+
+def _counted(one: Element, points: int) -> int:
+    """A number of points, before they are made.
+
+    Raises:
+        Refused: They are too many.
+    """
+    if points > _MOST:
+        raise Refused(one, f"it has more than {_MOST} points; cut it down")
+    return points
 
 
 def _polyline(one: Element, given: Given, place: Places) -> Shape:
     points: list[tuple[float, float]] = []
     times: list[float | None] = []
     faces: float | None = None
-    for vertex in one.all("Vertex"):
+    vertices = one.all("Vertex")
+    _counted(one, len(vertices))
+    for vertex in vertices:
         position = vertex.find("Position")
         if position is None:
             raise Refused(vertex, "it has no Position")
@@ -69,8 +96,6 @@ def _polyline(one: Element, given: Given, place: Places) -> Shape:
             faces = heading
         points.append((x, y))
         times.append(given.number(vertex, "time") if "time" in vertex.attributes else None)
-    if len({(round(x, 2), round(y, 2)) for x, y in points}) < 2:
-        raise Refused(one, "it is no line of two points or more")
     known = [time for time in times if time is not None]
     return Shape(tuple(points), tuple(known) if len(known) == len(points) else None, faces)
 
@@ -114,11 +139,12 @@ def _bent(
     """The points of curves whose curvature changes evenly: length [m], curvature at both ends [1/m], a turn before."""
     x, y, heading = start
     points = [(x, y)]
-    for length, first, last, turn in bends:
-        if not 0.0 < length < _MOST * _STEP:
-            raise Refused(one, f"a curve of {length:g} m is none")
+    if (none := next((length for length, *_ in bends if length <= 0.0), None)) is not None:
+        raise Refused(one, f"a curve of {none:g} m is none")
+    parts = [math.ceil(length / _STEP) for length, *_ in bends]
+    _counted(one, sum(parts))
+    for (length, first, last, turn), steps in zip(bends, parts, strict=True):
         heading += turn
-        steps = math.ceil(length / _STEP)
         ds = length / steps
         for i in range(steps):
             at = heading + ds * (first + (last - first) * (i + 0.5) / steps) / 2
@@ -139,9 +165,12 @@ def _evenly(points: Sequence[tuple[float, float]], begin: float, end: float) -> 
 
 
 def _nurbs(one: Element, given: Given, place: Places) -> Shape:
-    order = round(given.number(one, "order"))
+    order = given.count(one, "order")
     controls = one.all("ControlPoint")
+    count = _counted(one, _PARTS * len(controls))
     knots = [given.number(knot, "value") for knot in one.all("Knot")]
+    if order > _HIGHEST:
+        raise Refused(one, f"its order is {order}, and at most {_HIGHEST} is read")
     if not (2 <= order <= len(controls) and len(knots) == len(controls) + order and knots == sorted(knots)):
         raise Refused(one, "its order, control points and knots do not belong together")
     points: list[tuple[float, float]] = []
@@ -152,7 +181,6 @@ def _nurbs(one: Element, given: Given, place: Places) -> Shape:
         points.append(place(position)[:2])
     weights = [given.number(control, "weight", "1") for control in controls]
     low, high = knots[order - 1], knots[len(controls)]
-    count = _PARTS * len(controls)
     curve = [_on_nurbs(low + (high - low) * i / count, order, points, weights, knots) for i in range(count + 1)]
     told = [given.number(control, "time") for control in controls if "time" in control.attributes]
     times = _evenly(curve, told[0], told[-1]) if len(told) == len(controls) else None
@@ -162,8 +190,11 @@ def _nurbs(one: Element, given: Given, place: Places) -> Shape:
 def _on_nurbs(
     u: float, order: int, points: Sequence[tuple[float, float]], weights: Sequence[float], knots: Sequence[float]
 ) -> tuple[float, float]:
-    """A point of a curve, by Cox and de Boor."""
-    last = len(points) - 1
+    """A point of a curve, by Cox and de Boor, of the control points that bear on it: as many as its order."""
+    first = min(bisect_right(knots, u), len(points)) - order
+    points, weights = points[first : first + order], weights[first : first + order]
+    knots = knots[first : first + 2 * order]
+    last = order - 1
     base = [1.0 if a <= u < b or (u >= knots[last + 1] and i == last) else 0.0
             for i, (a, b) in enumerate(pairwise(knots))]  # fmt: skip
     for k in range(2, order + 1):

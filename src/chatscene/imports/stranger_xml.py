@@ -16,6 +16,10 @@ LONGEST = 10_000  # characters of an attribute
 _BUILT_IN = "&lt; &gt; &amp; &quot; &apos;"
 
 
+class TooMany(ScenarioError):  # noqa: N818 - reads as what it says
+    """A file has more elements than are read."""
+
+
 @dataclass(frozen=True, slots=True)
 class Element:
     """An element of XML.
@@ -58,12 +62,13 @@ class Element:
             waiting.extend(reversed(one.inside))
 
 
-def read_xml(path: Path, *, file: str = "") -> Element:
+def read_xml(path: Path, *, file: str = "", most: int = MOST) -> Element:
     """The root of a file of XML.
 
     Args:
         path: Where it lies.
         file: What its elements say of the file that they stand in.
+        most: Elements that it may have.
 
     Raises:
         ScenarioError: It cannot be read, is no XML, or is larger, deeper or more than an XML file of a scenario is.
@@ -78,7 +83,7 @@ def read_xml(path: Path, *, file: str = "") -> Element:
     if len(content) > LARGEST:
         raise ScenarioError(f"{path} has more than {LARGEST // 2**20} MB, and a scenario has less; cut it down")
     try:
-        return _Reader(path, file).root(content)
+        return _Reader(path, file, most).root(content)
     except expat.ExpatError as error:
         raise ScenarioError(f"{path} is no complete XML: {error}; export it again") from error
     except (ValueError, LookupError) as error:
@@ -88,8 +93,8 @@ def read_xml(path: Path, *, file: str = "") -> Element:
 class _Reader:
     """Expat, told to stop at whatever is not plain elements."""
 
-    def __init__(self, path: Path, file: str) -> None:
-        self._path, self._file, self._count = path, file, 0
+    def __init__(self, path: Path, file: str, most: int) -> None:
+        self._path, self._file, self._most, self._count = path, file, most, 0
         self._open: list[Element] = []
         self._root: Element | None = None
         self._parser = expat.ParserCreate()
@@ -105,15 +110,19 @@ class _Reader:
         return self._root
 
     def _refuse(self, why: str) -> None:
-        raise ScenarioError(f"{self._path}, line {self._parser.CurrentLineNumber}: {why}")
+        raise ScenarioError(f"{self._path}, {self._line}: {why}")
+
+    @property
+    def _line(self) -> str:
+        return f"line {self._parser.CurrentLineNumber}"
 
     def _doctype(self, *_: object) -> None:
         self._refuse(f"it declares a document type, and with it entities; leave that away, {_BUILT_IN} need none")
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self._count += 1
-        if self._count > MOST:
-            self._refuse(f"it has more than {MOST} elements; a scenario has less")
+        if self._count > self._most:
+            raise TooMany(f"{self._path}, {self._line}: it has more than {self._most} elements; a scenario has less")
         if len(self._open) >= DEEPEST:
             self._refuse(f"elements lie more than {DEEPEST} deep in one another; a scenario's do not")
         if any(len(value) > LONGEST for value in attributes.values()):

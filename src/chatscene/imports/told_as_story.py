@@ -294,8 +294,7 @@ class _Story:
             for action in event.all("Action")
             for inner in action.inside
         ]
-        count = self._given.text(event, "maximumExecutionCount", "1")
-        times = int(count) if count.lstrip("-").isdigit() else 1
+        times = self._given.count(event, "maximumExecutionCount", "1")
         priority = self._given.text(event, "priority", "parallel")
         return (
             self._cast.part(maneuver),

@@ -83,16 +83,26 @@ def variants_of(root: Element, path: Path, within: Path | None = None) -> Varian
     spans: dict[str, tuple[float, float]] = {}
     ranges: dict[str, tuple[float, float]] = {}
     try:
-        axes = [
-            *(_axis(one, ranges) for group in told.all("Deterministic") for one in group.inside),
-            *(found for group in told.all("Stochastic") for found in _drawn(group, spans, notes)),
-        ]
+        axes = list[list[Values]]()
+        for one in (one for group in told.all("Deterministic") for one in group.inside):
+            axes.append(_axis(one, ranges))
+            _bounded(axes, path)
+        for one in (one for group in told.all("Stochastic") for one in group.all("StochasticDistribution")):
+            axes += _drawn(one, spans, notes)
+            _bounded(axes, path)
     except Refused as reason:
         raise ScenarioError(f"{path}: {reason}") from reason
-    found = Variants(scenario=where, axes=tuple(map(tuple, axes)), spans=spans, ranges=ranges, notes=tuple(notes))
-    if found.count > MOST:
-        raise ScenarioError(f"{path} tells {found.count} variants, and at most {MOST} are read; cut it down")
-    return found
+    return Variants(scenario=where, axes=tuple(map(tuple, axes)), spans=spans, ranges=ranges, notes=tuple(notes))
+
+
+def _bounded(axes: list[list[Values]], path: Path) -> None:
+    """Stop before more is made where there are too many variants already.
+
+    Raises:
+        ScenarioError: There are.
+    """
+    if math.prod(map(len, axes)) > MOST:
+        raise ScenarioError(f"{path} tells more than {MOST} variants; cut it down")
 
 
 def _axis(one: Element, ranges: dict[str, tuple[float, float]]) -> list[Values]:
@@ -117,27 +127,24 @@ def _axis(one: Element, ranges: dict[str, tuple[float, float]]) -> list[Values]:
     return [{name: f"{low + i * step:.10g}"} for i in range(math.floor((high - low) / step + 1e-9) + 1)]
 
 
-def _drawn(group: Element, spans: dict[str, tuple[float, float]], notes: list[str]) -> list[list[Values]]:
+def _drawn(one: Element, spans: dict[str, tuple[float, float]], notes: list[str]) -> list[list[Values]]:
     """Values that are drawn: each of a set is a variant; what is drawn from a range varies in all of them."""
-    axes: list[list[Values]] = []
-    for one in group.all("StochasticDistribution"):
-        name, how = _name(one), one.inside[0] if one.inside else one
-        if how.tag == "ProbabilityDistributionSet":
-            axes.append([{name: part.attributes.get("value", "")} for part in how.all("Element")] or [{}])
-            continue
-        if how.find("Range") is not None:
-            spans[name] = _ends(how)
-        elif how.tag == "Histogram" and how.all("Bin"):
-            ends = [end for part in how.all("Bin") for end in _ends(part)]
-            spans[name] = min(ends), max(ends)
-        elif how.tag == "NormalDistribution":
-            mean, spread = _float(how, "expectedValue"), _WIDE * math.sqrt(max(_float(how, "variance"), 0.0))
-            spans[name] = mean - spread, mean + spread
-        else:
-            raise Refused(how, "such a distribution has no ends that are known; write a Range")
-        low, high = spans[name]
-        notes.append(f"{how.where}: ${name} varies from {low:g} to {high:g}; how often each value comes is left out")
-    return axes
+    name, how = _name(one), one.inside[0] if one.inside else one
+    if how.tag == "ProbabilityDistributionSet":
+        return [[{name: part.attributes.get("value", "")} for part in how.all("Element")] or [{}]]
+    if how.find("Range") is not None:
+        spans[name] = _ends(how)
+    elif how.tag == "Histogram" and how.all("Bin"):
+        ends = [end for part in how.all("Bin") for end in _ends(part)]
+        spans[name] = min(ends), max(ends)
+    elif how.tag == "NormalDistribution":
+        mean, spread = _float(how, "expectedValue"), _WIDE * math.sqrt(max(_float(how, "variance"), 0.0))
+        spans[name] = mean - spread, mean + spread
+    else:
+        raise Refused(how, "such a distribution has no ends that are known; write a Range")
+    low, high = spans[name]
+    notes.append(f"{how.where}: ${name} varies from {low:g} to {high:g}; how often each value comes is left out")
+    return []
 
 
 def _name(one: Element) -> str:
