@@ -6,6 +6,7 @@ import base64
 import json
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Generator, Mapping
 from pathlib import Path
@@ -24,6 +25,7 @@ from chatscene.mcp.server import MOST_ERROR, MOST_TEXT, agent_server, require_mc
 from chatscene.mcp.tools import TOOLS
 from chatscene.mcp.transports import guarded
 from chatscene.mcp.walls import served_model
+from chatscene.view.child import Ended
 
 mcp = pytest.importorskip("mcp")
 
@@ -127,6 +129,49 @@ def test_long_work_says_how_far_it_is_and_ends_when_it_is_cancelled(
     assert not portal.call(client.call_tool, "vocabulary", {"about": "brake"}).is_error
     assert time.monotonic() - began < 60.0  # not after a thousand scenes
     assert json.loads((folder / "cancelled" / "run.json").read_text())["status"] != "done"
+
+
+class Starting:
+    """A process that is being started for as long as nobody ends it."""
+
+    def __init__(self, *_: Any) -> None:
+        self.begun, self.ended, self.told = threading.Event(), threading.Event(), list[str]()
+
+    def start(self) -> None:
+        self.begun.set()
+        assert self.ended.wait(10)
+        self.told.append("there")
+
+    def end(self) -> None:
+        self.told.append("ended")
+        self.ended.set()
+
+    def ask(self, *_: Any) -> dict[str, Any]:
+        if self.told[-1] == "ended":
+            raise Ended("ended")
+        self.told.append("asked")
+        return {}
+
+    def close(self) -> None:
+        self.ended.set()
+
+
+def test_a_call_that_is_cancelled_while_the_process_starts_is_not_worked_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(serving, "Child", Starting)
+
+    async def begin() -> list[str]:
+        worker: Any = serving.Worker(tmp_path, {})
+        async with anyio.create_task_group() as group:
+            group.start_soon(worker.ask, {"list": 0}, None)
+            while not worker._child.begun.is_set():
+                await anyio.sleep(0.01)
+            group.cancel_scope.cancel()
+        worker.close()
+        return worker._child.told
+
+    assert anyio.run(begin) == ["ended", "there", "ended"]
 
 
 def test_an_unknown_tool_and_an_unknown_address_are_told_by_their_nearest(client: Any, portal: BlockingPortal) -> None:

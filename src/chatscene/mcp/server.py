@@ -16,6 +16,7 @@ from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from threading import Event
 from typing import TYPE_CHECKING, Any
 
 from chatscene.errors import MissingExtra, no_such
@@ -92,11 +93,11 @@ class Worker:
         import anyio
         import anyio.to_thread
 
-        done, answer, state = anyio.Event(), dict[str, Any](), dict[str, Any]()
+        done, answer, state, cancelled = anyio.Event(), dict[str, Any](), dict[str, Any](), Event()
 
         async def work() -> None:
             try:
-                answer.update(await anyio.to_thread.run_sync(partial(self._answer, question, state)))
+                answer.update(await anyio.to_thread.run_sync(partial(self._answer, question, state, cancelled)))
             finally:
                 done.set()
 
@@ -106,13 +107,16 @@ class Worker:
             try:
                 await done.wait()
             except anyio.get_cancelled_exc_class():
+                cancelled.set()
                 self._child.end()
                 raise
         return answer
 
-    def _answer(self, question: Mapping[str, Any], state: dict[str, Any]) -> dict[str, Any]:
+    def _answer(self, question: Mapping[str, Any], state: dict[str, Any], cancelled: Event) -> dict[str, Any]:
         try:
             self._child.start()
+            if cancelled.is_set():  # before there was a process to end
+                self._child.end()
             return self._child.ask(question, state.update)
         except Ended as error:
             return {"error": f"{error}. What was finished in the folder is kept; call again"}

@@ -43,8 +43,9 @@ class Child:
         # -P: the working folder is no place of modules; a session of its own: it ends with all that it started
         command = [sys.executable, "-P", "-m", self._module]
         pipe = subprocess.PIPE
-        self._process = subprocess.Popen(command, stdin=pipe, stdout=pipe, start_new_session=True)
-        _write(self._process, self._setup())
+        self._process = process = subprocess.Popen(command, stdin=pipe, stdout=pipe, start_new_session=True)
+        with suppress(BrokenPipeError):  # it was ended already, which is told when it is asked
+            _write(process, self._setup())
 
     def ask(self, question: Mapping[str, Any], told: Callable[[Answer], None] = lambda _: None) -> Answer:
         """Its answer to a question.
@@ -70,9 +71,10 @@ class Child:
 
     def end(self) -> None:
         """End it, and whatever it started, at once."""
-        if self._process is not None and self._process.poll() is None:
-            os.killpg(self._process.pid, signal.SIGKILL)
-            self._process.wait()
+        process = self._process  # which another thread may let go of meanwhile
+        if process is not None and process.poll() is None:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
 
     def close(self) -> None:
         """End it, and let go of it; nobody may be asking it."""
