@@ -496,6 +496,13 @@ def run(
 
     if sum((bool(text), report is not None, program is not None)) > 1:
         raise SettingsError("say what to run: a text, a report or a program, and only one of them")
+    _check_asked(
+        program is not None,
+        told=isinstance(text, Situation),
+        driven=trust or as_written,
+        changed=edit is not None or bool(set),
+        reading=reading or 0,
+    )
     settings = settings or Settings(simulation=SimulationSettings(simulator=SIMULATOR))
     chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading)
     if report is not None:
@@ -1281,6 +1288,27 @@ def _reading(
         reading=reading,
         stated=facts,
     )
+
+
+def _check_asked(program: bool, *, told: bool, driven: bool, changed: bool, reading: int) -> None:
+    """Refuse what is asked of a run that has no place in what is run, which would else be dropped.
+
+    Args:
+        program: Whether a program is run.
+        told: Whether a situation is.
+        driven: Whether it is said how a program is driven.
+        changed: Whether facts or edits are said.
+        reading: Which reading of a text is taken; 0 where that is not said.
+
+    Raises:
+        SettingsError: There is such a thing.
+    """
+    if driven and not program:
+        raise SettingsError("`trust` and `as_written` are about a program, and none is run")
+    if changed and program:
+        raise SettingsError("`edit` and `set` are about what is said, and a program is run as it is; leave them away")
+    if reading and (program or told):
+        raise SettingsError("`reading` is about a text; there is one way to read a situation or a program")
 
 
 def _only_conflict(report: Name, reading: RetrievalSettings) -> Conflict:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -128,6 +129,24 @@ def test_a_run_that_names_a_map_or_an_ego_from_elsewhere_is_refused(folder: Path
         (odd / "run.json").write_text(json.dumps({**record, **changed}))
         for tool in ("why", "rate", "story"):
             assert "error" in called(folder, tool, **{"what" if tool == "story" else "run": "odd"})
+
+
+def test_arguments_that_are_about_something_else_are_refused_and_none_is_dropped(folder: Path) -> None:
+    (folder / "own.scenic").write_text("model scenic.domains.driving.model\nego = new Car\n")
+    (folder / "told.txt").write_text(CROSSES)
+    for arguments, says in (
+        ({"file": "crosses.yaml", "reading": 2}, "`reading` is about a text"),
+        ({"file": "own.scenic", "reading": 2}, "`reading` is about a text"),
+        ({"file": "own.scenic", "facts": {"side": "left"}}, "`set` are about what is said"),
+        ({"file": "crosses.yaml", "as_written": True}, "`as_written` are about a program"),
+        ({"sentence": CROSSES, "as_written": True}, "`as_written` are about a program"),
+    ):
+        assert says in called(folder, "run", out="dropped", **arguments)["error"], arguments
+    assert not (folder / "dropped").exists()
+    desk = replace(desk_in(folder), reading={"language_model": "scripted:none.json"})
+    for arguments in ({"file": "told.txt"}, {"sentence": CROSSES}):
+        answer = answered(desk, {"tool": "run", "arguments": {**arguments, "out": "by-a-model"}})
+        assert "none.json" in answer["error"], arguments
 
 
 def test_a_sentence_that_names_a_file_is_not_read_as_one(folder: Path) -> None:

@@ -259,10 +259,6 @@ def run(
 
     if sum(one is not None for one in (text, report, program)) != 1:
         raise click.UsageError("say what to run: a TEXT, --report FILE or --program FILE")
-    if edit and program is not None:
-        raise click.UsageError("--edit is about a TEXT")
-    if (trust or as_written) and program is None:
-        raise click.UsageError("--trust and --as-written are about a --program")
     asked: list[tuple[str, str | Conflict | Situation, Path | None]] = [(text or "", text or "", None)]
     stated = situation_file(text) if text is not None else None
     if stated is not None and text is not None:

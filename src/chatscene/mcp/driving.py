@@ -56,11 +56,10 @@ def run(
     where, on, driver = desk.folder.free(name), desk.folder.map(map), desk.folder.ego(ego)
     source = _source(desk, sentence, file)
     desk.folder.make_above(where)
-    reads: dict[str, Any] = {} if file else {"reading": reading or None, **desk.reading}
     made = api.run(
         **source,
-        **reads,
         folder=where,
+        reading=reading or None,
         as_written=as_written,
         map=on,
         ego=driver or EGO,
@@ -240,11 +239,13 @@ def seen(desk: Desk, what: str) -> Place:
 def _source(desk: Desk, sentence: str | None, file: str | None) -> dict[str, Any]:
     """What is run, as `chatscene.run` takes it."""
     if sentence is not None:
-        return {"text": sentence}
+        return {"text": sentence, **desk.reading}
     path = desk.folder.file(file or "", *SITUATIONS, ".scenic", *REPORTS)
     if path.suffix.lower() == ".scenic":
         return {"program": path, "within": desk.folder.root}
-    return {"report": path} if path.suffix.lower() in REPORTS else {"text": situation_in(desk, str(path))}
+    if path.suffix.lower() in REPORTS:
+        return {"report": path, **desk.reading}
+    return {"text": situation_in(desk, str(path))}
 
 
 def _said(desk: Desk, said: str | None, said_file: str | None) -> Any:
