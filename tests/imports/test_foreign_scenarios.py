@@ -21,6 +21,7 @@ from chatscene.imports.openscenario import Imported, read_openscenario
 from chatscene.imports.shapes import shape_of, thinned
 from chatscene.imports.stranger_xml import Element, read_xml
 from chatscene.imports.variants import variants_of
+from chatscene.imports.written import written
 from chatscene.imports.written_story import StoryProgram, written_story
 from chatscene.maps.curves import normalised
 from chatscene.maps.network import resolve_map
@@ -30,6 +31,7 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.embedded.physics import make_simulator
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected
+from chatscene.terms.storyboard import Storyboard
 from red_team.scenario_files import CAR, NEAR, SLOWS, event, scenario
 
 TIME = '<ByValueCondition><SimulationTimeCondition value="{}" rule="greaterThan"/></ByValueCondition>'
@@ -213,6 +215,7 @@ def routed(waypoints: str) -> str:
     )
 
 
+NEARBY = '<WorldPosition x="136.75" y="-330" h="1.570796"/>'
 WAYPOINT = '<Waypoint routeStrategy="shortest"><Position>{}</Position></Waypoint>'
 AT = '<WorldPosition x="{}" y="-340" h="0"/>'
 SLIVER = "".join(f"<Vertex><Position>{AT.format(x)}</Position></Vertex>" for x in (136.7549, 136.7551))
@@ -360,13 +363,89 @@ def test_a_speed_that_is_told_with_a_time_is_reached_in_that_time(beside: Path) 
     assert float(track.speed[35]) == pytest.approx(8.0, abs=0.1)
 
 
-def test_an_event_that_waits_for_another_begins_when_that_is_over(beside: Path) -> None:
-    waits = '<ByValueCondition><StoryboardElementStateCondition storyboardElementType="event" storyboardElementRef="m::first" state="completeState"/></ByValueCondition>'
+STATE = '<ByValueCondition><StoryboardElementStateCondition storyboardElementType="{}" storyboardElementRef="{}" state="{}"/></ByValueCondition>'
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["m::first", "first", "a::g::m::first", "s::a::g::m::first", "$which"],
+    ids=lambda path: path.replace("::", "-"),
+)
+def test_an_event_that_waits_for_another_begins_when_that_is_over(path: str, beside: Path) -> None:
+    waits = STATE.format("event", path, "completeState")
     text = scenario(events=event(speed(7), TIME.format(1), "first") + event(speed(2), waits, "second") + event(DISTANCE, TIME.format(90), "later"))  # fmt: skip
+    which = '<ParameterDeclaration name="which" parameterType="string" value="s::a::g::m::first"/>'
+    text = text.replace("<ParameterDeclarations>", f"<ParameterDeclarations>{which}", 1)
     track = next(t for t in driven(beside, text, 70).tracks if t.actor == "adversary")
     fastest = int(np.argmax(track.speed))
     assert 28 <= fastest <= 34
     assert float(track.speed[60]) == pytest.approx(2.0, abs=0.2)
+
+
+@pytest.mark.parametrize(("state", "slows"), [("stopTransition", True), ("endTransition", False)])
+def test_who_waits_for_an_event_to_be_stopped_does_not_wait_for_its_end(state: str, slows: bool, beside: Path) -> None:
+    waits = STATE.format("event", "first", state)
+    text = scenario(events=event(speed(9, 30), TIME.format(1), "first") + event(speed(7), TIME.format(2), "second") + event(speed(1), waits, "third") + event(DISTANCE, TIME.format(90), "later"))  # fmt: skip
+    track = next(t for t in driven(beside, text, 60).tracks if t.actor == "adversary")
+    assert (float(track.speed[-1]) < 2.0) is slows
+
+
+def test_an_event_overwrites_none_of_another_maneuver(beside: Path) -> None:
+    later = event(DISTANCE, TIME.format(90), "later") + '</Maneuver><Maneuver name="n">'
+    first = event(speed(9, 4), TIME.format(1), "first")
+    beside_it = '<LateralAction><LaneOffsetAction continuous="false"><LaneOffsetActionDynamics dynamicsShape="step"/><LaneOffsetTarget><AbsoluteTargetLaneOffset value="0.5"/></LaneOffsetTarget></LaneOffsetAction></LateralAction>'
+    text = scenario(events=first + later + event(beside_it, TIME.format(2), "second") + event(speed(1), STATE.format("event", "first", "stopTransition"), "third"))  # fmt: skip
+    track = next(t for t in driven(beside, text, 55).tracks if t.actor == "adversary")
+    assert float(track.speed[-1]) > 8.5
+
+
+def with_another(text: str, name: str, like: str) -> str:
+    """A scenario with one road user more, who stands."""
+    two = text[text.index(f'<ScenarioObject name="{like}"') : text.index("</Entities>")].replace(
+        f'"{like}"', f'"{name}"'
+    )
+    init = f'<Private entityRef="{name}"><PrivateAction><TeleportAction><Position>{NEARBY}</Position></TeleportAction></PrivateAction></Private>'
+    return text.replace("</Entities>", f"{two}</Entities>").replace("</Actions></Init>", f"{init}</Actions></Init>")
+
+
+def test_road_users_of_a_plan_whose_names_are_alike_keep_their_own_lines_and_labels(beside: Path) -> None:
+    found = read(beside, with_another(scenario(name="lead-1"), "lead_1", "lead-1").replace('"lead"', '"lead-1"')).board
+    assert isinstance(found, Storyboard)
+    assert [one.start.line for one in found.actors] == ["egoRoute", "alead_1Way", "lead_1Way"]
+    found = read(beside, with_another(scenario(name="é"), "ö", "é").replace('"lead"', '"é"')).board
+    assert isinstance(found, Storyboard)
+    assert [one.start.line for one in found.actors] == ["egoRoute", "a_Way", "a__2Way"]
+    third = replace(found, actors=(*found.actors, replace(found.actors[2], name="ü")))
+    assert re.findall(r"label '([^']*)'", written(third, "theirs.xosc")) == ["--2", "--3"]
+
+
+def test_parts_and_road_users_whose_names_are_alike_in_a_program_keep_their_own(beside: Path) -> None:
+    waits = STATE.format("event", "é", "completeState")
+    events = event(speed(7), TIME.format(1), "é") + event(speed(6), TIME.format(9), "ü") + event(speed(2), waits, "x")
+    text = scenario(events=events + event(DISTANCE, TIME.format(90), "later"), name="ä")
+    found = story(beside, with_another(text, "ö", "ä"))
+    assert [one.name for one in found.members] == ["ego", "_", "__2"]
+    told = str(found.acts)
+    assert "'_', 'parallel'" not in told
+    assert "('rising', 0.0, 'element', 'event', '__3', 'completeState')" in told
+    program = written_story(found, "theirs.xosc")
+    labels = re.findall(r"label '([^']*)'", program)
+    assert len(set(labels)) == len(labels)
+
+
+@pytest.mark.parametrize(
+    ("asked", "why"),
+    [(("story", "s", "completeState"), "the type 'story'"), (("event", "first", "skipTransition"), "the state 'skipTransition'")],
+)  # fmt: skip
+def test_a_type_or_state_that_no_part_has_here_is_refused(asked: tuple[str, str, str], why: str, beside: Path) -> None:
+    with pytest.raises(ScenarioError, match=rf"line \d+: <StoryboardElementStateCondition>: {why}"):
+        read(beside, scenario(events=event(DISTANCE, STATE.format(*asked))))
+
+
+def test_that_nothing_has_the_name_that_is_waited_for_is_noted(beside: Path) -> None:
+    waits = STATE.format("event", "nobody", "completeState")
+    found = read(beside, scenario(events=event(DISTANCE, TIME.format(1)) + event(speed(1), waits, "then")))
+    assert any("there is no event 'nobody'; this never holds" in note for note in found.notes)
 
 
 def test_who_goes_across_on_a_line_of_the_file_comes_to_its_end(beside: Path) -> None:

@@ -8,10 +8,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from chatscene.imports.given import Given, Refused
+from chatscene.imports.names import Names
 from chatscene.imports.positions import Pose, Positions
 from chatscene.imports.shapes import Shape, line_through, shape_of, thinned
 from chatscene.imports.stranger_xml import Element
-from chatscene.imports.written_story import Line, Told, plain
+from chatscene.imports.written_story import Line, Told
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.sums import Sum
 
@@ -32,8 +33,10 @@ class Cast:
         things: Those that do nothing: things, by their names in the file.
         route_of: The line of a Route.
         mirrored: Whether metres count to the right of who drives, as in CARLA.
+        called: What the story calls its parts and variables.
         lines: The lines that are followed, by name; more are added.
-        refs: Names of parts of the story that conditions ask about.
+        refs: Names in the file of parts of the story that conditions ask about.
+        parts: The parts of the story: the type of each, and its name with none, some or all of those above it.
     """
 
     given: Given
@@ -44,8 +47,10 @@ class Cast:
     things: frozenset[str]
     route_of: Callable[[Element, Pose | None], Polyline]
     mirrored: bool
+    called: Names
     lines: dict[str, Polyline] = field(default_factory=dict[str, Polyline])
     refs: frozenset[str] = frozenset()
+    parts: frozenset[tuple[str, tuple[str, ...]]] = frozenset()
 
     @property
     def side(self) -> int:
@@ -73,10 +78,10 @@ class Cast:
                 raise Refused(one, f"there is no {name[:40]!r}")
         return tuple(name for name in found if name in self.names)
 
-    def part(self, element: Element) -> str:
-        """The name of a part of the story; nothing where no condition asks about it."""
-        name = plain(element.attributes.get("name", ""))
-        return name if name in self.refs else ""
+    def part(self, element: Element, *, told: bool = False) -> str:
+        """The name of a part of the story; nothing where no condition asks about it, unless it is to be told."""
+        name = element.attributes.get("name", "")
+        return self.called.of(name) if told or name in self.refs else ""
 
     def value(self, element: Element, name: str, default: str | None = None) -> Any:
         """A number of the story, which may vary with parameters."""

@@ -289,9 +289,6 @@ class Opening:
         except MapError as error:
             raise Refused(one, str(error)) from error
 
-    def _prefix(self, name: str) -> str:
-        return f"_{name}"[1:] if name[:1].isalpha() and not GONE.search(name) else f"a{GONE.sub('_', name)}"
-
 
 def _alike(one: Polyline, other: Polyline) -> bool:
     return one.points.shape == other.points.shape and bool((abs(one.points - other.points) < 1e-6).all())

@@ -57,10 +57,10 @@ class StoryActions:
 
     def _sets(self, inner: Element, name: str) -> Told:
         if (to := inner.find("SetAction")) is not None:
-            return ("set", name, text_or_number(self._given.text(to, "value")))
+            return ("set", self._cast.called.of(name), text_or_number(self._given.text(to, "value")))
         for tag, word in (("AddValue", "add"), ("MultiplyByValue", "multiply")):
             if (by := inner.find("ModifyAction", "Rule", tag)) is not None:
-                return (word, name, self._cast.value(by, "value"))
+                return (word, self._cast.called.of(name), self._cast.value(by, "value"))
         raise Refused(inner, "it sets nothing")
 
     # Of a road user

@@ -6,8 +6,9 @@ from typing import Any
 
 from chatscene.imports.cast import Cast, told_number
 from chatscene.imports.given import Refused
+from chatscene.imports.names import plain
 from chatscene.imports.stranger_xml import Element
-from chatscene.imports.written_story import Told, plain
+from chatscene.imports.written_story import Told
 
 RULES = frozenset(["lessThan", "lessOrEqual", "greaterThan", "greaterOrEqual", "equalTo", "notEqualTo"])
 EDGES = frozenset(["none", "rising", "falling", "risingOrFalling"])
@@ -16,12 +17,13 @@ _STATES = frozenset(
         "startTransition",
         "endTransition",
         "stopTransition",
-        "skipTransition",
         "completeState",
         "runningState",
         "standbyState",
     )
 )
+DEPTHS = {"act": 2, "maneuverGroup": 3, "maneuver": 4, "event": 5, "action": 6}
+"""Types of parts of a storyboard, and how many names are on the path to one, its own and that of its story included."""
 _LATEST = 1e5  # [s]
 _NEVER: Told = ("never",)
 _ALWAYS: Told = ("always",)
@@ -105,12 +107,22 @@ class StoryConditions:
                 name = self._given.text(one, "variableRef")
                 return ("value", self._rule(one), text_or_number(self._given.text(one, "value")), self._asked(name))
             case "StoryboardElementStateCondition":
-                state, kind = self._given.text(one, "state"), self._given.text(one, "storyboardElementType", "event")
-                if state not in _STATES:
-                    raise Refused(one, f"the state {state[:40]!r} is not known")
-                return ("element", kind, plain(self._ref(one)), state)
+                return self._of_part(one)
             case _:
                 raise Refused(one, "such a condition is not asked here; write one of time, distance, speed or events")
+
+    def _of_part(self, one: Element) -> Told:
+        state, kind = self._given.text(one, "state"), self._given.text(one, "storyboardElementType", "event")
+        if state not in _STATES:
+            raise Refused(one, f"the state {state[:40]!r} is not known; known are {', '.join(sorted(_STATES))}")
+        if kind not in DEPTHS:
+            raise Refused(one, f"the type {kind[:40]!r} is not asked about; write one of {', '.join(DEPTHS)}")
+        path = tuple(self._ref(one).split("::"))
+        if (kind, path) not in self._cast.parts:
+            self._given.note(one, f"there is no {kind} {'::'.join(path)[:60]!r}; this never holds")
+            return _NEVER
+        below = path[1:] if len(path) == DEPTHS[kind] else path  # without the name of the story
+        return ("element", kind, "::".join(map(self._cast.called.of, below)), state)
 
     def _ref(self, one: Element) -> str:
         """The part of the story that a condition asks about; a name may be a text in ${…}, which stands as it is."""
@@ -125,7 +137,7 @@ class StoryConditions:
             return False
 
     def _asked(self, name: str) -> str:
-        called = plain(name)
+        called = self._cast.called.of(name)
         self._variables.setdefault(called, text_or_number(self._given.values.get(name, "")))
         return called
 

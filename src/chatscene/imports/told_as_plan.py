@@ -13,7 +13,8 @@ from functools import partial
 from chatscene.imports.environment import surroundings_of
 from chatscene.imports.events import plan_of
 from chatscene.imports.given import Refused
-from chatscene.imports.opening import EGO_DOES, LEFT_ALONE, OFF, Opening
+from chatscene.imports.names import numbered
+from chatscene.imports.opening import EGO_DOES, GONE, LEFT_ALONE, OFF, Opening
 from chatscene.imports.player import InLane, Player
 from chatscene.imports.positions import Pose
 from chatscene.imports.stranger_xml import Element
@@ -40,7 +41,10 @@ class PlanReader(Opening):
             return None
         events = self._attempt(lambda: self._events(ego)) or {}
         others = [name for name in self._objects if name != ego]
-        made = [self._attempt(partial(self._actor, name, ego, events.get(name))) for name in others]
+        prefixes: dict[str, str] = {}
+        for name in others:
+            prefixes[name] = numbered(_prefix(name), prefixes.values(), "_")
+        made = [self._attempt(partial(self._actor, name, ego, prefixes[name], events.get(name))) for name in others]
         actors = [first, *(actor for actor in made if actor is not None)]
         surroundings = self._attempt(lambda: surroundings_of(self._actions(), self._given)) or Surroundings()
         self._endings()
@@ -55,11 +59,12 @@ class PlanReader(Opening):
             surroundings=surroundings,
         )
 
-    def _actor(self, name: str, ego: str, events: tuple[list[Element], list[Element]] | None) -> Actor | None:
+    def _actor(
+        self, name: str, ego: str, prefix: str, events: tuple[list[Element], list[Element]] | None
+    ) -> Actor | None:
         one = self._objects[name]
         kind, length, width, ahead = self._entities.body(one)
         place = self._place(name, one, ahead)
-        prefix = self._prefix(name)
         walks = kind not in LIMITS or BY_CLASS[kind].row.manner is Manner.WALKS or BY_CLASS[kind].lies
         speed = self._speed(name)
         for action in self._inits.get(name, []):
@@ -91,7 +96,8 @@ class PlanReader(Opening):
             player = self._player(name, ego, prefix, kind, speed, None if walks else way, pose, beside)
             moved, first = events or ([], [])
             plan = plan_of(player, moved, self._given, first) if moved else Plan(phases=(self._goes_on(player),))
-        return Actor(name=name, kind=kind, length=length, width=width, start=start, speed=speed, plan=plan)
+        called = name if name != "ego" else numbered(name, {name, *self._objects}, "_")
+        return Actor(name=called, kind=kind, length=length, width=width, start=start, speed=speed, plan=plan)
 
     def _goes_on(self, player: Player) -> Phase:
         speed = number(player.speed).expression
@@ -194,6 +200,11 @@ class PlanReader(Opening):
             self._given.notes.append(
                 f"line {one.line}: a drive ends with a collision, at the end of the route or after 30 s"
             )
+
+
+def _prefix(name: str) -> str:
+    """A name as the beginning of one of the program."""
+    return name if name[:1].isalpha() and not GONE.search(name) else f"a{GONE.sub('_', name)}"
 
 
 def _straight(pose: Pose) -> Polyline:

@@ -9,12 +9,13 @@ from typing import Any
 
 from chatscene.imports.cast import Cast
 from chatscene.imports.environment import surroundings_of
-from chatscene.imports.given import Refused
+from chatscene.imports.given import REFERENCE, Refused
+from chatscene.imports.names import Names
 from chatscene.imports.opening import EGO_DOES, Opening
 from chatscene.imports.story_actions import StoryActions
-from chatscene.imports.story_conditions import StoryConditions
+from chatscene.imports.story_conditions import DEPTHS, StoryConditions
 from chatscene.imports.stranger_xml import Element
-from chatscene.imports.written_story import Member, StoryProgram, Told, plain
+from chatscene.imports.written_story import Member, StoryProgram, Told
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.plan import Expression, Parameter, walk
 from chatscene.terms.storyboard import EGO_ROUTE
@@ -40,7 +41,8 @@ class StoryReader(Opening):
             name="ego", kind=host.kind, length=host.length, width=host.width, x=x, y=y, heading=heading, ahead=ahead,
             speed=self._wanted(ego, host.speed), acts=False,
         )  # fmt: skip
-        others = self._others(ego)
+        called = Names({ego: "ego"})
+        others = self._others(ego, called)
         cast = Cast(
             given=self._given,
             positions=self._positions,
@@ -50,7 +52,9 @@ class StoryReader(Opening):
             things=frozenset(name for name, one in others.items() if not _moves(one.kind)),
             route_of=self._line_of_route,
             mirrored=self._side < 0,
+            called=called,
             refs=self._refs(),
+            parts=frozenset(self._parts(self.storyboard, ())),
         )
         variables: dict[str, Any] = {}
         story = _Story(self, cast, variables)
@@ -94,14 +98,21 @@ class StoryReader(Opening):
     def _refs(self) -> frozenset[str]:
         asked = [one for one in self._root.walk() if one.tag == "StoryboardElementStateCondition"]
         texts = [one.attributes.get("storyboardElementRef", "") for one in asked]
-        return frozenset(plain(part) for text in texts for part in (*text.split("::"), *self._values(text)))
+        named = [self._given.values.get(one[1], "") if (one := REFERENCE.fullmatch(text)) else text for text in texts]
+        return frozenset(part for text in named for part in text.split("::"))
 
-    def _values(self, text: str) -> tuple[str, ...]:
-        return (self._given.values[text[1:]],) if text[:1] == "$" and text[1:] in self._given.values else ()
+    def _parts(self, one: Element, above: tuple[str, ...]) -> Iterator[tuple[str, tuple[str, ...]]]:
+        """The type of each part of the story, with each end of the path of names to it."""
+        for below in one.inside:
+            kind = below.tag[:1].lower() + below.tag[1:]
+            if kind == "story" or (len(above) + 1 == DEPTHS.get(kind)):
+                path = (*above, below.attributes.get("name", ""))
+                yield from ((kind, path[i:]) for i in range(len(path)))
+                yield from self._parts(below, path)
 
     # Who is where
 
-    def _others(self, ego: str) -> dict[str, Member]:
+    def _others(self, ego: str, called: Names) -> dict[str, Member]:
         """Everybody but the ego; whoever is put beside somebody else comes after that one."""
         waiting = [name for name in self._objects if name != ego]
         found: dict[str, Member] = {}
@@ -110,7 +121,7 @@ class StoryReader(Opening):
             left = []
             for name in waiting:
                 try:
-                    member = self._member(name)
+                    member = self._member(name, called)
                     if member is not None:
                         found[name] = member
                 except Refused as reason:
@@ -122,7 +133,7 @@ class StoryReader(Opening):
             waiting = left
         return {name: found[name] for name in self._objects if name in found}
 
-    def _member(self, name: str) -> Member | None:
+    def _member(self, name: str, called: Names) -> Member | None:
         one = self._objects[name]
         kind, length, width, ahead = self._entities.body(one)
         away = 0.0
@@ -139,9 +150,8 @@ class StoryReader(Opening):
             x, y, heading = self._origin(name, one)
         self._positions.known[name] = (x, y, heading)
         speed = self._first_speed(name, kind)
-        used = plain(name)
         return Member(
-            name=used if used not in ("ego", "") else f"{used}_", kind=kind, length=length, width=width,
+            name=called.of(name), kind=kind, length=length, width=width,
             x=x + ahead * math.cos(heading) + away, y=y + ahead * math.sin(heading) + away, heading=heading,
             ahead=ahead, speed=speed, acts=False,
         )  # fmt: skip
@@ -275,17 +285,18 @@ class _Story:
         names = self._cast.several(actors.all("EntityRef") if actors is not None else [])
         if actors is not None and self._given.flag(actors, "selectTriggeringEntities") and not names:
             raise Refused(actors, "its actors are those that trigger it; name them")
+        maneuvers = [(one, self._cast.part(one, told=len(group.all("Maneuver")) > 1)) for one in group.all("Maneuver")]
         events = [
             found
-            for maneuver in group.all("Maneuver")
+            for maneuver, called in maneuvers
             for event in maneuver.all("Event")
-            if (found := self._opening.attempt(lambda e=event, m=maneuver: self._event(e, m, names))) is not None
+            if (found := self._opening.attempt(lambda e=event, m=called: self._event(e, m, names))) is not None
         ]
         if events and self._given.text(group, "maximumExecutionCount", "1") not in ("1", "0", ""):
             self._given.note(group, "a group happens once; its events may happen more often")
         return (self._cast.part(group), 1, tuple(self._cast.names[name] for name in names), tuple(events))
 
-    def _event(self, event: Element, maneuver: Element, names: tuple[str, ...]) -> Told | None:
+    def _event(self, event: Element, maneuver: str, names: tuple[str, ...]) -> Told | None:
         start = self._conditions.trigger(event.find("StartTrigger"))
         if start == ():
             return None  # it never begins
@@ -297,7 +308,7 @@ class _Story:
         times = self._given.count(event, "maximumExecutionCount", "1")
         priority = self._given.text(event, "priority", "parallel")
         return (
-            self._cast.part(maneuver),
+            maneuver,
             self._cast.part(event),
             priority,
             times if 0 < times < _MOST_TIMES else _MOST_TIMES if times else 1,

@@ -6,6 +6,7 @@ import textwrap
 from dataclasses import asdict, replace
 
 from chatscene.errors import ScenarioError
+from chatscene.imports.names import labels
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.plan_text import BEHAVIOR, print_expression, print_plan
 from chatscene.terms.polyline import Polyline
@@ -30,6 +31,7 @@ def written(board: Storyboard, name: str) -> str:
     behaviors = {actor.name: BEHAVIOR if i == 0 else f"{BEHAVIOR}{i + 1}" for i, actor in enumerate(acting)}
     around = ", ".join(f"{key} = '{value}'" for key, value in asdict(board.surroundings).items())
     ego, *others = board.actors
+    _, *called = labels(actor.name for actor in board.actors)
     blocks = [
         f"# Made of {' '.join(''.join(c if c.isprintable() else ' ' for c in name).split())[:80]}.",
         "\n".join(
@@ -44,7 +46,7 @@ def written(board: Storyboard, name: str) -> str:
         f"ego = new {ego.kind} {_at(ego)}, with route {EGO_ROUTE}"
         + _properties(ego)
         + (f", with wantedSpeed {ego.speed:g}" if ego.speed >= 1e-3 else ""),
-        *(_placed(actor, behaviors.get(actor.name, ""), i) for i, actor in enumerate(others)),
+        *(_placed(actor, behaviors.get(actor.name, ""), i, called[i]) for i, actor in enumerate(others)),
     ]
     return "\n\n".join(blocks) + "\n"
 
@@ -86,11 +88,10 @@ def _at(ego: Actor) -> str:
     return f"at pointOn({EGO_ROUTE}, {along}{beside}), facing directionOn({EGO_ROUTE}, {along}{turn})"
 
 
-def _placed(actor: Actor, behavior: str, number: int) -> str:
+def _placed(actor: Actor, behavior: str, number: int, label: str) -> str:
     start = actor.start
     along, left = print_expression(start.along), print_expression(start.left)
     name = "AdvAgent" if behavior == BEHAVIOR else f"Other{number + 1}"
-    label = "".join(c if c.isascii() and c.isalnum() else "-" for c in actor.name)[:40]
     does = f", with behavior {behavior}()" if behavior else ""
     does += f", with label '{label}'" if behavior != BEHAVIOR else ""  # that one is called the adversary
     turn = f", {start.turn:g}" if start.turn else ""

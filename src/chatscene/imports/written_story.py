@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 
+from chatscene.imports.names import ODD, labels
 from chatscene.imports.shapes import thinned
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.plan import Expression
@@ -15,10 +15,10 @@ from chatscene.terms.polyline import Polyline
 from chatscene.terms.snippet import ParameterRange
 from chatscene.terms.storyboard import EGO_ROUTE
 from chatscene.terms.surroundings import Surroundings
+from chatscene.world.actors import QUARTER
 
 _COLUMNS = 110
 _OFF = 0.02  # [m] that a written line may be beside the one that was read
-_ODD = re.compile(r"[^A-Za-z0-9 ,.:!?_-]")
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,11 +85,6 @@ class StoryProgram:
     surroundings: Surroundings = field(default_factory=Surroundings)
 
 
-def plain(text: str) -> str:
-    """A name of a file as a text that may stand in a program."""
-    return _ODD.sub("_", text)[:100]
-
-
 def written_story(story: StoryProgram, name: str) -> str:
     """The program of a story.
 
@@ -100,6 +95,7 @@ def written_story(story: StoryProgram, name: str) -> str:
     around = ", ".join(f"{key} = '{value}'" for key, value in asdict(story.surroundings).items())
     acting = [one for one in story.members[1:] if one.acts]
     other = next(iter(acting or story.members[1:]), None)
+    called = labels(one.name for one in story.members)
     blocks = [
         f"# Made of {' '.join(''.join(c if c.isprintable() else ' ' for c in name).split())[:80]}.",
         "\n".join(
@@ -112,7 +108,7 @@ def written_story(story: StoryProgram, name: str) -> str:
         *(_line(line, path) for line, path in {EGO_ROUTE: story.route, **story.lines}.items()),
         *([_behavior(story)] if acting else []),
         _ego(story.members[0], story.route),
-        *(_placed(one, i, adversary=one is other) for i, one in enumerate(story.members) if i),
+        *(_placed(one, i, called[i], adversary=one is other) for i, one in enumerate(story.members) if i),
     ]
     return "\n\n".join(blocks) + "\n"
 
@@ -146,7 +142,7 @@ def told(value: Told | Line | Expression | str | float | bool | None, indent: in
     if isinstance(value, Line):
         return value.name
     if isinstance(value, str):
-        return f"'{plain(value)}'"
+        return f"'{ODD.sub('_', value)}'"
     if value is None or isinstance(value, bool):
         return repr(value)
     if isinstance(value, int | float):
@@ -194,16 +190,12 @@ def _properties(one: Member) -> str:
     return "".join(f", {part}" for part in (*own, *speed))
 
 
-def _placed(one: Member, number: int, *, adversary: bool) -> str:
+def _placed(one: Member, number: int, label: str, *, adversary: bool) -> str:
     name = "AdvAgent" if adversary else f"Other{number}"
-    label = "".join(c if c.isascii() and c.isalnum() else "-" for c in one.name)[:40]
     does = f", with behavior {BEHAVIOR if adversary else 'TakePart'}()" if one.acts else ""
     does += "" if one.acts and adversary else f", with label '{label}'"
     does += ", with role 'adversary'" if adversary and not one.acts else ""
     return (
         f"{name} = new {one.kind} at ({one.x:.3f}, {one.y:.3f}),\n"
-        f"    facing {one.heading - _QUARTER:.4f}{does}{_properties(one)}"
+        f"    facing {one.heading - QUARTER:.4f}{does}{_properties(one)}"
     )
-
-
-_QUARTER = 1.5707963267948966  # [rad] from our headings, 0 = +x, to Scenic's, 0 = +y

@@ -32,6 +32,7 @@ class Part:
         count: How often it has begun.
         began: When it last began, by steps; -1 for never.
         ended: When it last ended.
+        stopped: Whether something else ended it then.
         most: How often it may begin.
     """
 
@@ -42,6 +43,7 @@ class Part:
     count: int = 0
     began: int = -1
     ended: int = -1
+    stopped: bool = False
     most: int = 1
 
     @property
@@ -158,7 +160,7 @@ class Story:
 
     def is_in(self, kind: str, name: str, state: str) -> bool:
         """Whether a part of the story is in a state, or came into it in this step or the one before."""
-        found = [p for p in self._parts if p.kind == kind and (p.name == name or p.path.endswith(f"::{name}"))]
+        found = [p for p in self._parts if p.kind == kind and f"::{p.path}".endswith(f"::{name}")]
         match state:
             case "runningState":
                 return any(one.running for one in found)
@@ -169,9 +171,10 @@ class Story:
             case "startTransition":
                 return any(0 <= self._step - one.began <= 1 and one.count for one in found)
             case "endTransition" | "stopTransition":
-                return any(0 <= self._step - one.ended <= 1 and one.ended >= 0 for one in found)
+                just = [p for p in found if 0 <= self._step - p.ended <= 1 and p.ended >= 0]
+                return any(one.stopped is (state == "stopTransition") for one in just)
             case _:
-                return False
+                raise ValueError(f"a part of a story has no state {state!r}")
 
     # What is told
 
@@ -228,7 +231,7 @@ class Story:
             for event in act.events:
                 self._halt(event)
                 event.count = event.most
-            self._end_all(act)
+            self._end_all(act, stopped=True)
             return
         for event in act.events:
             self._follow(event, act)
@@ -294,20 +297,20 @@ class Story:
         part.running, part.began = True, self._step
         part.count += 1
 
-    def _end(self, part: Part) -> None:
-        part.running, part.ended = False, self._step
+    def _end(self, part: Part, *, stopped: bool = False) -> None:
+        part.running, part.ended, part.stopped = False, self._step, stopped
 
-    def _end_all(self, act: _Act) -> None:
+    def _end_all(self, act: _Act, *, stopped: bool = False) -> None:
         for part in (*act.groups, *act.maneuvers, act):
             if part.running:
-                self._end(part)
+                self._end(part, stopped=stopped)
 
     def _halt(self, event: _Event) -> None:
         if event.running:
             for action in event.actions:
                 if action.running:
-                    self._end(action)
-            self._end(event)
+                    self._end(action, stopped=True)
+            self._end(event, stopped=True)
 
     def mover(self, agent: Any) -> Mover:
         """Who moves an agent."""
