@@ -23,13 +23,12 @@ import time
 from collections import Counter, defaultdict
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 import click
 
 from chatscene.ego.policy import load_ego, observation_of, pedals_of
 from chatscene.errors import ChatSceneError
-from chatscene.imports.import_file import import_scenario
+from chatscene.imports.import_file import ImportedScenario, import_scenario
 from chatscene.program.sample import scene_at
 from chatscene.search.generators.foreign import read_foreign
 from chatscene.settings import SimulationSettings
@@ -82,7 +81,7 @@ class Maps:
         return str(found) if found else None
 
 
-def imported(path: Path, out: Path, map_name: str | None) -> Any:
+def imported(path: Path, out: Path, map_name: str | None) -> ImportedScenario:
     """What an import wrote, in bounded time."""
 
     def late(*_: object) -> None:
@@ -175,11 +174,10 @@ def _count(
     try:
         done = imported(path, out, map_name)
         one.count[f"{values} imported"] += 1
-        programs = list(getattr(done, "programs", (done.program,)))
-        one.count["variants"] += len(programs) if values == "values" else 0
+        one.count["variants"] += len(done.programs) if values == "values" else 0
         told = "imported"
-        for program in programs[:driven]:
-            told = ends(program, done.map_path, simulators)
+        for program, map_path in list(zip(done.programs, done.maps, strict=True))[:driven]:
+            told = ends(program, map_path, simulators)
         if driven:
             one.count[f"{values} run"] += 1
     except Exception as error:  # noqa: BLE001 - whatever comes is counted

@@ -12,8 +12,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import chatscene
 from chatscene.ego.policy import load_ego, observation_of, pedals_of
-from chatscene.errors import ScenarioError, SettingsError
+from chatscene.errors import ForeignCodeRefused, ScenarioError, SettingsError
 from chatscene.imports.calculated import calculated
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.import_file import import_scenario
@@ -268,8 +269,90 @@ def test_each_set_of_parameter_values_is_a_program(beside: Path) -> None:
     assert ["< 10.0" in done.programs[0].read_text(), "< 30.0" in done.programs[2].read_text()] == [True, True]
     (alone,) = import_scenario(path, out=beside / "one.scenic", variant=2).programs
     assert alone.read_text() == done.programs[1].read_text()
-    with pytest.raises(SettingsError, match="variants 1 to 3, and no 4"):
-        import_scenario(path, out=beside / "four.scenic", variant=4)
+
+
+@pytest.mark.parametrize("variant", [-1, 0, 4])
+def test_a_variant_that_a_file_does_not_have_is_refused(variant: int, beside: Path) -> None:
+    with pytest.raises(SettingsError, match=f"variants 1 to 3, and no {variant}"):
+        import_scenario(variants(beside, STEPS.format(10)), variant=variant)
+
+
+SETS = '<Deterministic><DeterministicSingleParameterDistribution parameterName="{}"><DistributionSet>{}</DistributionSet></DeterministicSingleParameterDistribution></Deterministic>'
+
+
+def sets(name: str, *values: str) -> str:
+    return SETS.format(name, "".join(f'<Element value="{value}"/>' for value in values))
+
+
+def test_each_variant_is_run_on_the_map_that_it_names(beside: Path) -> None:
+    (beside / "other.xodr").symlink_to(resolve_map("town"))
+    path = variants(beside, sets("where", "town.xodr", "other.xodr"))
+    declared = '<ParameterDeclaration name="where" parameterType="string" value="town.xodr"/></ParameterDeclarations>'
+    text = scenario(map_name="$where").replace("</ParameterDeclarations>", declared)
+    (beside / "theirs.xosc").write_text(text)
+    done = import_scenario(path)
+    assert [one.name for one in done.maps] == ["town.xodr", "other.xodr"]
+    assert done.map_path == done.maps[0]
+    assert any(f"values-2.scenic lies on another map, {beside / 'other.xodr'}" in note for note in done.notes)
+
+
+def test_where_one_variant_is_refused_no_program_is_written(beside: Path) -> None:
+    with pytest.raises(ScenarioError, match=r"variant 2 of .*values\.xosc, near = far: .*\n.*'far' is no number"):
+        import_scenario(variants(beside, sets("near", "20", "far")))
+    assert not list(beside.glob("*.scenic"))
+    (beside / "values-2.scenic").write_text("mine")
+    with pytest.raises(SettingsError, match=r"values-2\.scenic is there already"):
+        import_scenario(variants(beside, sets("near", "20", "30")))
+    assert [one.name for one in beside.glob("*.scenic")] == ["values-2.scenic"]
+
+
+def test_where_one_program_cannot_be_written_none_is_there(beside: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(path: Path, content: bytes) -> None:
+        if path.name == "values-2.scenic":
+            raise OSError(28, "No space left on device")
+        path.write_bytes(content)
+
+    monkeypatch.setattr("chatscene.imports.import_file.write_whole", full)
+    with pytest.raises(SettingsError, match=r"cannot write .*values-2\.scenic: No space left"):
+        import_scenario(variants(beside, sets("near", "20", "30")))
+    assert not list(beside.glob("*.scenic"))
+
+
+def test_every_variant_is_held_to_what_a_program_of_a_user_may_be(
+    beside: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def bounded(name: str, source: str) -> None:
+        if "< 30.0" in source:
+            raise ForeignCodeRefused("it is too long")
+
+    monkeypatch.setattr("chatscene.imports.import_file.foreign_program", bounded)
+    with pytest.raises(ScenarioError, match=r"variant 3 of .*it is too long"):
+        import_scenario(variants(beside, STEPS.format(10)))
+
+
+@pytest.mark.parametrize("second", [sets("near", "1"), '<Stochastic><StochasticDistribution parameterName="near"><NormalDistribution expectedValue="5" variance="4"/></StochasticDistribution></Stochastic>'])  # fmt: skip
+def test_a_parameter_whose_values_are_told_twice_is_refused(second: str, beside: Path) -> None:
+    with pytest.raises(ScenarioError, match=r"line \d+: .*the values of \$near are told twice"):
+        import_scenario(variants(beside, STEPS.format(0.1) + second))
+
+
+def test_a_file_is_read_once_however_many_variants_it_has(beside: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    opened: list[str] = []
+
+    def counting(path: Path, **how: object) -> Element:
+        opened.append(path.name)
+        return read_xml(path, **how)  # type: ignore[arg-type]
+
+    for name in ("import_file", "openscenario", "catalogs"):
+        monkeypatch.setattr(f"chatscene.imports.{name}.read_xml", counting)
+    text = with_catalog(beside, '<CatalogReference catalogName="cars" entryName="v"/>')
+    path = variants(beside, STEPS.format(10))
+    (beside / "theirs.xosc").write_text(text)
+    import_scenario(path)
+    assert opened == ["values.xosc", "theirs.xosc", "all.xosc"]
+    opened.clear()
+    import_scenario(beside / "theirs.xosc", out=beside / "one.scenic")
+    assert opened == ["theirs.xosc", "all.xosc"]
 
 
 def test_a_range_of_very_many_steps_is_searched_and_that_is_noted(beside: Path) -> None:
@@ -298,6 +381,11 @@ def test_more_variants_than_are_read_are_refused_before_they_are_made(axes: int,
     path = variants(beside, f"<Deterministic>{one * axes}</Deterministic>")
     with pytest.raises(ScenarioError, match="tells more than 1000000 variants"):
         variants_of(read_xml(path), path)
+
+
+def test_that_one_of_several_variants_is_judged_is_told(beside: Path) -> None:
+    verdict = chatscene.verify(variants(beside, sets("near", "20", "30")), "The car ahead brakes hard.", draws=1)
+    assert any("variant 1 of 2 is judged" in note for note in verdict.notes)
 
 
 # Shapes

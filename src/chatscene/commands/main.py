@@ -686,6 +686,7 @@ def import_scenario(
         "program": str(done.program),
         "programs": [str(one) for one in done.programs],
         "map": str(done.map_path),
+        "maps": [str(one) for one in done.maps],
         "notes": done.notes,
         "command": done.command,
     }

@@ -23,7 +23,7 @@ _ABSOLUTE = re.compile(r"/|[A-Za-z]:")
 _NOT_NEEDED = frozenset(("ObjectController", "AssignControllerAction", "Controller"))  # see `written_out`
 
 
-def written_out(root: Element, path: Path, given: Given) -> Element:
+def written_out(root: Element, path: Path, given: Given, catalogs: Catalogs) -> Element:
     """A scenario with every entry of a catalog in the place of the reference to it.
 
     Entries of controllers are not looked for, as controllers are not taken. Whatever cannot be found is refused by its
@@ -33,8 +33,9 @@ def written_out(root: Element, path: Path, given: Given) -> Element:
         root: The file.
         path: Where it lies.
         given: Its parameters.
+        catalogs: Its catalogs.
     """
-    return _Writer(root, path, given).element(root, {}, 0, "")
+    return _Writer(root, path, given, catalogs).element(root, {}, 0, "")
 
 
 def relative(path: Path, named: str, within: Path | None = None) -> Path | None:
@@ -83,12 +84,77 @@ def _bracketed(value: str) -> str:
     return f"({inner})" if inner and not re.fullmatch(r"\$?\w+", inner) else inner
 
 
+class Catalogs:
+    """The catalogs in the folders that a scenario names; opened once, however often the scenario is read.
+
+    Args:
+        root: The scenario.
+        path: Where it lies.
+    """
+
+    def __init__(self, root: Element, path: Path) -> None:
+        self._root, self._path = root, path
+        self._files: tuple[Path, ...] = ()
+        self._found: Mapping[str, Element] = {}
+        self._unread: tuple[str, ...] = ()
+
+    def opened(self, given: Given) -> tuple[Mapping[str, Element], tuple[str, ...]]:
+        """All catalogs by name, of which the first of a name counts; and what could not be read.
+
+        Args:
+            given: The parameters of the scenario, of which folders may be made.
+        """
+        files, unread = self._named(given)
+        if files != self._files:
+            self._files, (self._found, self._unread) = files, _read(files)
+        return self._found, (*unread, *self._unread)
+
+    def _named(self, given: Given) -> tuple[tuple[Path, ...], tuple[str, ...]]:
+        files: dict[Path, None] = {}
+        unread: list[str] = []
+        locations = self._root.find("CatalogLocations")
+        for one in (folder for kind in (locations.inside if locations else []) for folder in kind.all("Directory")):
+            try:
+                named = given.text(one, "path", "")
+            except Refused as reason:
+                unread.append(str(reason))
+                continue
+            where = relative(self._path, named, given.within)
+            if where is None:
+                unread.append(f"{one.where}: {named[:60]!r} is no path from the file's own folder")
+                continue
+            inside = [where] if where.is_file() else sorted(where.glob("*.xosc"))
+            files.update(dict.fromkeys(f for f in inside if relative(f, f.name, given.within) is not None))
+        return tuple(files)[:MOST_FILES], tuple(unread)
+
+
+def _read(files: tuple[Path, ...]) -> tuple[Mapping[str, Element], tuple[str, ...]]:
+    """The catalogs in files, by name, and what could not be read."""
+    found: dict[str, Element] = {}
+    unread: list[str] = []
+    count = 0
+    for file in files:
+        try:
+            root = read_xml(file, file=file.name, most=MOST - count)
+        except TooMany as error:  # the catalogs of a file have one bound together
+            unread.append(str(error))
+            break
+        except ScenarioError as error:
+            unread.append(str(error))
+            continue
+        count += sum(1 for _ in root.walk())
+        catalog = root.find("Catalog")
+        if catalog is not None:
+            found.setdefault(catalog.attributes.get("name", ""), catalog)
+    return found, tuple(unread)
+
+
 class _Writer:
-    def __init__(self, root: Element, path: Path, given: Given) -> None:
-        self._root, self._path, self._given = root, path, given
-        self._catalogs: dict[str, Element] | None = None
-        self._unread: list[str] = []
-        self._count = self._characters = self._opened_elements = 0
+    def __init__(self, root: Element, path: Path, given: Given, catalogs: Catalogs) -> None:
+        self._root, self._path, self._given, self._catalogs = root, path, given, catalogs
+        self._known: Mapping[str, Element] | None = None
+        self._unread: tuple[str, ...] = ()
+        self._count = self._characters = 0
 
     def element(self, one: Element, scope: Mapping[str, str], depth: int, within: str) -> Element:
         """An element with the parameters of its scope, its catalogs' entries and its own parameters written out."""
@@ -139,46 +205,14 @@ class _Writer:
     def _found(self, one: Element, catalog: str, entry: str, depth: int) -> Element:
         if depth >= DEEPEST:
             raise Refused(one, f"entries of catalogs name one another more than {DEEPEST} deep")
-        if self._catalogs is None:
-            self._catalogs = self._opened()
-        if catalog not in self._catalogs:
+        if self._known is None:
+            self._known, self._unread = self._catalogs.opened(self._given)
+        if catalog not in self._known:
             told = f"; could not be read: {'; '.join(self._unread)[:300]}" if self._unread else ""
-            known = ", ".join(sorted(self._catalogs)) or "none"
+            known = ", ".join(sorted(self._known)) or "none"
             raise Refused(one, f"no folder that the file names has a catalog {catalog[:60]!r}; there is {known}{told}")
-        inside = self._catalogs[catalog].inside
+        inside = self._known[catalog].inside
         found = next((part for part in inside if part.attributes.get("name") == entry), None)
         if found is None:
             raise Refused(one, f"the catalog {catalog[:60]!r} has no entry {entry[:60]!r}")
-        return found
-
-    def _opened(self) -> dict[str, Element]:
-        """All catalogs in the folders that the file names, by name; the first of a name counts."""
-        found: dict[str, Element] = {}
-        opened: dict[Path, None] = {}
-        locations = self._root.find("CatalogLocations")
-        for one in (folder for kind in (locations.inside if locations else []) for folder in kind.all("Directory")):
-            try:
-                named = self._given.text(one, "path", "")
-            except Refused as reason:
-                self._unread.append(str(reason))
-                continue
-            where = relative(self._path, named, self._given.within)
-            if where is None:
-                self._unread.append(f"{one.where}: {named[:60]!r} is no path from the file's own folder")
-                continue
-            files = [where] if where.is_file() else sorted(where.glob("*.xosc"))
-            opened.update(dict.fromkeys(f for f in files if relative(f, f.name, self._given.within) is not None))
-        for file in list(opened)[:MOST_FILES]:
-            try:
-                root = read_xml(file, file=file.name, most=MOST - self._opened_elements)
-            except TooMany as error:  # the catalogs of a file have one bound together
-                self._unread.append(str(error))
-                break
-            except ScenarioError as error:
-                self._unread.append(str(error))
-                continue
-            self._opened_elements += sum(1 for _ in root.walk())
-            catalog = root.find("Catalog")
-            if catalog is not None:
-                found.setdefault(catalog.attributes.get("name", ""), catalog)
         return found

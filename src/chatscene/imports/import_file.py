@@ -8,7 +8,7 @@ from pathlib import Path
 
 from chatscene.errors import ForeignCodeRefused, ScenarioError, SettingsError
 from chatscene.files.atomic import write_whole
-from chatscene.imports.openscenario import Imported, read_openscenario
+from chatscene.imports.openscenario import Imported, ScenarioFile
 from chatscene.imports.stranger_xml import read_xml
 from chatscene.imports.variants import Variants, variants_of
 from chatscene.imports.written import written
@@ -28,12 +28,14 @@ class ImportedScenario:
         map_path: The map that it lies on.
         notes: What was taken otherwise than it is written, or left to others, each with its line.
         programs: All programs, one for each variant that was asked for.
+        maps: The map of each of them.
     """
 
     program: Path
     map_path: Path
     notes: tuple[str, ...]
-    programs: tuple[Path, ...] = ()
+    programs: tuple[Path, ...]
+    maps: tuple[Path, ...]
 
     @property
     def command(self) -> str:
@@ -70,36 +72,47 @@ def import_scenario(
     Raises:
         ScenarioError: It cannot be read, or says what cannot be said here; the message names each element and its line.
         MapError: The map is not there, or is broken.
-        SettingsError: A program is there already, or there is no such variant.
+        SettingsError: A program is there already, cannot be written, or there is no such variant; nothing is written
+            then.
     """
     out = out or path.with_suffix(".scenic")
     if out.suffix != ".scenic":
         raise SettingsError(f"a program's name ends in .scenic, and {str(out)!r} does not")
-    found = variants_of(read_xml(path), path, within)
+    root = read_xml(path)
+    found = variants_of(root, path, within)
     if found is None:
         if variant is not None:
             raise SettingsError(f"{path} is one scenario and has no variants; leave --variant away")
-        read = read_openscenario(path, map_name, ego=ego, within=within)
-        return ImportedScenario(
-            program=out, map_path=read.map_path, notes=read.notes, programs=(_written(read, path, out),)
-        )
+        scenario = ScenarioFile(path, map_name, ego=ego, within=within, root=root)
+        return _written({out: _program(scenario.said(), path, out)})
     if variant is None and found.count > MOST_PROGRAMS:
         found = found.searched()
     chosen = _chosen(found, variant, path)
-    programs: list[Path] = []
-    notes: dict[str, None] = dict.fromkeys(found.notes)
-    read = None
+    where = {n: out if len(chosen) == 1 else out.with_name(f"{out.stem}-{n}.scenic") for n in chosen}
+    for one in where.values():
+        _free(one)
+    scenario = ScenarioFile(found.scenario, map_name, ego=ego, within=within)
+    made: dict[Path, _Program] = {}
     for number, values in chosen.items():
-        where = out if len(chosen) == 1 else out.with_name(f"{out.stem}-{number}.scenic")
-        read = read_openscenario(found.scenario, map_name, ego=ego, told=values, spans=found.spans, within=within)
-        programs.append(_written(read, path, where, checked=bool(programs)))
-        notes.update(dict.fromkeys(read.notes))
-    assert read is not None
+        try:
+            said = scenario.said(values, found.spans)
+            made[where[number]] = _program(said, path, where[number])
+        except ScenarioError as error:
+            raise ScenarioError(f"variant {number} of {path}, {_said(values)}: {error}") from error
     told = f"{found.count} variants of {found.scenario.name}"
     if len(chosen) == 1:
         ((number, values),) = chosen.items()
         told = f"variant {number} of {found.count} of {found.scenario.name}: {_said(values)}"
-    return ImportedScenario(program=programs[0], map_path=read.map_path, notes=(told, *notes), programs=tuple(programs))
+    return _written(made, told, *found.notes)
+
+
+@dataclass(frozen=True, slots=True)
+class _Program:
+    """A program that is to be written: its text, its map, and what was noted of it."""
+
+    text: str
+    map_path: Path
+    notes: tuple[str, ...]
 
 
 def _chosen(found: Variants, variant: int | None, path: Path) -> dict[int, Mapping[str, str]]:
@@ -107,7 +120,7 @@ def _chosen(found: Variants, variant: int | None, path: Path) -> dict[int, Mappi
         if found.count > MOST_PROGRAMS:
             raise SettingsError(f"{path} has {found.count} variants, too many programs; choose one with --variant N")
         return {number: found.number(number) for number in range(1, found.count + 1)}
-    if variant > found.count:
+    if not 1 <= variant <= found.count:
         raise SettingsError(f"{path} has variants 1 to {found.count}, and no {variant}")
     return {variant: found.number(variant)}
 
@@ -117,30 +130,56 @@ def _said(values: Mapping[str, str]) -> str:
     return ", ".join(told[:_TOLD]) + (f" and {len(told) - _TOLD} more" if len(told) > _TOLD else "")
 
 
-def _written(read: Imported, path: Path, out: Path, *, checked: bool = False) -> Path:
-    """Write a program.
+def _free(out: Path) -> None:
+    """Make sure that nothing is overwritten.
+
+    Raises:
+        SettingsError: A file is there.
+    """
+    if out.exists():
+        raise SettingsError(f"{out} is there already; delete it, or give another name with --out")
+
+
+def _program(read: Imported, path: Path, out: Path) -> _Program:
+    """The program of what was read.
 
     Args:
         read: What was read.
         path: Of what it is made.
-        out: Where to.
-        checked: Whether one that differs from it in numbers alone was found to be a program already.
+        out: What it will be called.
 
     Raises:
         ScenarioError: It is more than a program of a user's may be.
-        SettingsError: It is there already, or cannot be written.
+        SettingsError: It is there already.
     """
-    if out.exists():
-        raise SettingsError(f"{out} is there already; delete it, or give another name with --out")
+    _free(out)
     board = read.board
     text = written_story(board, path.name) if isinstance(board, StoryProgram) else written(board, path.name)
     try:
-        if not checked:
-            foreign_program(out.stem, text)
+        foreign_program(out.stem, text)
     except ForeignCodeRefused as error:
         raise ScenarioError(f"{path} is more than a program of a user's may be: {error}; cut it down") from error
+    return _Program(text, read.map_path, read.notes)
+
+
+def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
+    """Write programs: all of them, or none.
+
+    Raises:
+        SettingsError: One cannot be written.
+    """
+    done: list[Path] = []
     try:
-        write_whole(out, text.encode())
+        for out, one in made.items():
+            write_whole(out, one.text.encode())
+            done.append(out)
     except OSError as error:
-        raise SettingsError(f"cannot write {out}: {error.strerror}") from error
-    return out
+        for out in done:
+            out.unlink(missing_ok=True)
+        raise SettingsError(f"cannot write {list(made)[len(done)]}: {error.strerror}") from error
+    maps = tuple(one.map_path for one in made.values())
+    others = [f"{out.name} lies on another map, {one.map_path}" for out, one in made.items() if one.map_path != maps[0]]
+    every = (*notes, *others, *(note for one in made.values() for note in one.notes))
+    return ImportedScenario(
+        program=done[0], map_path=maps[0], notes=tuple(dict.fromkeys(every)), programs=tuple(done), maps=maps
+    )

@@ -11,27 +11,50 @@ from chatscene.errors import ScenarioError
 from chatscene.imports.catalogs import lies_within, relative
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.stranger_xml import Element
-from chatscene.maps.network import PACKAGED, check_opendrive, resolve_map
+from chatscene.maps.network import PACKAGED, check_opendrive, load_network, resolve_map
 
 _ABSOLUTE = re.compile(r"/|[A-Za-z]:/")
 
 
-def map_of(root: Element, path: Path, given: Given, map_name: str | None) -> Path:
-    """The map of a scenario: the one that is asked for, else the one that it names by a path from its own folder.
+class Maps:
+    """Finds the map of a scenario, each once: the one that is asked for, else the one that the scenario names.
 
-    Raises:
-        ScenarioError: It names none, or one that does not lie there.
-        MapError: The map is broken.
+    Args:
+        root: The scenario.
+        path: Where it lies.
+        map_name: The map that is asked for; None for the one that the scenario names by a path from its own folder.
     """
-    if map_name is not None:
-        return resolve_map(map_name)
-    logic = root.find("RoadNetwork", "LogicFile")
-    try:
-        named = given.text(logic, "filepath", "").replace("\\", "/") if logic else ""
-    except Refused as reason:
-        raise ScenarioError(f"{path}: {reason}; name the map with --map") from reason
-    if not named:
-        raise ScenarioError(f"{path} names no map; name one with --map")
+
+    def __init__(self, root: Element, path: Path, map_name: str | None) -> None:
+        self._logic, self._path, self._asked = root.find("RoadNetwork", "LogicFile"), path, map_name
+        self._found: dict[str | None, Path] = {}
+
+    def of(self, given: Given) -> Path:
+        """The map, where parameters have these values.
+
+        Raises:
+            ScenarioError: The scenario names none, or one that does not lie there.
+            MapError: The map is broken.
+        """
+        named = self._named(given) if self._asked is None else None
+        if named not in self._found:
+            found = resolve_map(self._asked or "") if named is None else _map_at(named, self._path, given)
+            load_network(found)  # whatever is the matter with the map, is no fault of a place in the file
+            self._found[named] = found
+        return self._found[named]
+
+    def _named(self, given: Given) -> str:
+        try:
+            named = given.text(self._logic, "filepath", "") if self._logic else ""
+        except Refused as reason:
+            raise ScenarioError(f"{self._path}: {reason}; name the map with --map") from reason
+        if not named:
+            raise ScenarioError(f"{self._path} names no map; name one with --map")
+        return named.replace("\\", "/")
+
+
+def _map_at(named: str, path: Path, given: Given) -> Path:
+    """The map that a scenario names by a path from its own folder."""
     if re.fullmatch(r"\w+", named):  # as CARLA's towns are named
         if named in PACKAGED and not (path.parent / f"{named}.xodr").is_file():
             return PACKAGED[named]

@@ -13,14 +13,13 @@ from pathlib import Path
 from typing import TypeVar
 
 from chatscene.errors import ScenarioError
-from chatscene.imports.catalogs import written_out
+from chatscene.imports.catalogs import Catalogs, written_out
 from chatscene.imports.given import Given, Refused
-from chatscene.imports.map_named import map_of
+from chatscene.imports.map_named import Maps
 from chatscene.imports.stranger_xml import Element, read_xml
 from chatscene.imports.told_as_plan import PlanReader
 from chatscene.imports.told_as_story import StoryReader
 from chatscene.imports.written_story import StoryProgram
-from chatscene.maps.network import load_network
 from chatscene.terms.storyboard import Storyboard
 
 _T = TypeVar("_T")
@@ -43,65 +42,86 @@ class Imported:
     notes: tuple[str, ...]
 
 
-def read_openscenario(
-    path: Path,
-    map_name: str | None = None,
-    *,
-    ego: str | None = None,
-    told: Mapping[str, str] | None = None,
-    spans: Mapping[str, tuple[float, float]] | None = None,
-    within: Path | None = None,
-) -> Imported:
-    """Read a scenario.
+class ScenarioFile:
+    """A scenario in a file, which is opened once, whatever values its parameters are given then.
 
     Args:
         path: An ``.xosc`` file.
         map_name: A packaged map or an ``.xodr`` file; None for the one that the file names by a path from its folder.
         ego: What the file calls the ego; None where that is told by the file.
-        told: Values of parameters in place of those in the file, by name.
-        spans: Ends between which parameters vary in place of a value, by name.
         within: The folder in which catalogs and the map lie, if they may lie nowhere else.
+        root: What stands in the file; None where it is still to be read.
 
     Raises:
-        ScenarioError: It cannot be read, or says what cannot be said here; the message names elements and lines.
-        MapError: The map is not there, or is broken.
+        ScenarioError: It cannot be read, or tells no scenario.
     """
-    root = read_xml(path)
-    if root.tag != "OpenSCENARIO":
-        raise ScenarioError(f"{path} is no OpenSCENARIO XML: its root is <{root.tag[:40]}>")
-    header = root.find("FileHeader")
-    version = (header.attributes.get("revMajor"), header.attributes.get("revMinor")) if header else (None, None)
-    if version[0] != "1" or str(version[1]) not in map(str, VERSIONS):
-        raise ScenarioError(f"{path} is of version {'.'.join(str(part) for part in version)}; known are 1.0 to 1.3")
-    if root.find("Entities") is None or root.find("Storyboard", "Init", "Actions") is None:
-        raise ScenarioError(f"{path} tells no scenario: it has no Entities, or no Storyboard with an Init")
-    fixed: frozenset[str] = frozenset()
-    map_path: Path | None = None
-    while True:  # once more where a parameter varies that stands where nothing may vary
-        given = Given(fixed=fixed, told=told or {}, spans=spans or {}, within=within)
-        given.declare(root)
-        map_path = map_path or map_of(root, path, given, map_name)
-        load_network(map_path)  # whatever is the matter with the map, is no fault of a place in the file
-        board, given = _read(root, path, given, map_path, ego)
-        if given.wanted <= fixed:
-            break
-        fixed |= given.wanted
-    given.raise_refusals(path)
-    assert board is not None
-    return Imported(board=board, map_path=map_path, notes=tuple(dict.fromkeys(given.notes)))
+
+    def __init__(
+        self,
+        path: Path,
+        map_name: str | None = None,
+        *,
+        ego: str | None = None,
+        within: Path | None = None,
+        root: Element | None = None,
+    ) -> None:
+        self._path, self._ego, self._within = path, ego, within
+        self._root = root = root or read_xml(path)
+        if root.tag != "OpenSCENARIO":
+            raise ScenarioError(f"{path} is no OpenSCENARIO XML: its root is <{root.tag[:40]}>")
+        header = root.find("FileHeader")
+        version = (header.attributes.get("revMajor"), header.attributes.get("revMinor")) if header else (None, None)
+        if version[0] != "1" or str(version[1]) not in map(str, VERSIONS):
+            raise ScenarioError(f"{path} is of version {'.'.join(str(part) for part in version)}; known are 1.0 to 1.3")
+        if root.find("Entities") is None or root.find("Storyboard", "Init", "Actions") is None:
+            raise ScenarioError(f"{path} tells no scenario: it has no Entities, or no Storyboard with an Init")
+        self._maps, self._catalogs = Maps(root, path, map_name), Catalogs(root, path)
+
+    def said(
+        self, told: Mapping[str, str] | None = None, spans: Mapping[str, tuple[float, float]] | None = None
+    ) -> Imported:
+        """What the scenario says.
+
+        Args:
+            told: Values of parameters in place of those in the file, by name.
+            spans: Ends between which parameters vary in place of a value, by name.
+
+        Raises:
+            ScenarioError: It says what cannot be said here; the message names elements and lines.
+            MapError: The map is not there, or is broken.
+        """
+        fixed: frozenset[str] = frozenset()
+        while True:  # once more where a parameter varies that stands where nothing may vary
+            given = Given(fixed=fixed, told=told or {}, spans=spans or {}, within=self._within)
+            given.declare(self._root)
+            map_path = self._maps.of(given)
+            board, given = self._read(given, map_path)
+            if given.wanted <= fixed:
+                break
+            fixed |= given.wanted
+        given.raise_refusals(self._path)
+        assert board is not None
+        return Imported(board=board, map_path=map_path, notes=tuple(dict.fromkeys(given.notes)))
+
+    def _read(self, given: Given, map_path: Path) -> tuple[Storyboard | StoryProgram | None, Given]:
+        """What a file says, and what was noted: as plans, where nothing of it is refused; else as a story."""
+        whole = written_out(self._root, self._path, given, self._catalogs)
+        as_story = given.copied()
+        if not given.refusals:
+            plans = _unless_refused(lambda: PlanReader(whole, given, map_path, self._ego).board(), given)
+            if plans is not None and not given.refusals:
+                return plans, given
+        return (
+            _unless_refused(lambda: StoryReader(whole, as_story, map_path, self._ego).program(), as_story),
+            as_story,
+        )
 
 
-def _read(
-    root: Element, path: Path, given: Given, map_path: Path, ego: str | None
-) -> tuple[Storyboard | StoryProgram | None, Given]:
-    """What a file says, and what was noted: as plans, where nothing of it is refused; else as a story."""
-    whole = written_out(root, path, given)
-    as_story = given.copied()
-    if not given.refusals:
-        plans = _unless_refused(lambda: PlanReader(whole, given, map_path, ego).board(), given)
-        if plans is not None and not given.refusals:
-            return plans, given
-    return _unless_refused(lambda: StoryReader(whole, as_story, map_path, ego).program(), as_story), as_story
+def read_openscenario(
+    path: Path, map_name: str | None = None, *, ego: str | None = None, within: Path | None = None
+) -> Imported:
+    """Read a scenario; arguments and errors are those of a `ScenarioFile` and of what it says."""
+    return ScenarioFile(path, map_name, ego=ego, within=within).said()
 
 
 def _unless_refused(reading: Callable[[], _T], given: Given) -> _T | None:

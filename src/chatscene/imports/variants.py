@@ -84,12 +84,15 @@ def variants_of(root: Element, path: Path, within: Path | None = None) -> Varian
     ranges: dict[str, tuple[float, float]] = {}
     try:
         axes = list[list[Values]]()
+        known = set[str]()
         for one in (one for group in told.all("Deterministic") for one in group.inside):
             axes.append(_axis(one, ranges))
             _bounded(axes, path)
+            _once(one, {name for values in axes[-1] for name in values}, known)
         for one in (one for group in told.all("Stochastic") for one in group.all("StochasticDistribution")):
             axes += _drawn(one, spans, notes)
             _bounded(axes, path)
+            _once(one, {_name(one)}, known)
     except Refused as reason:
         raise ScenarioError(f"{path}: {reason}") from reason
     return Variants(scenario=where, axes=tuple(map(tuple, axes)), spans=spans, ranges=ranges, notes=tuple(notes))
@@ -103,6 +106,17 @@ def _bounded(axes: list[list[Values]], path: Path) -> None:
     """
     if math.prod(map(len, axes)) > MOST:
         raise ScenarioError(f"{path} tells more than {MOST} variants; cut it down")
+
+
+def _once(one: Element, names: set[str], known: set[str]) -> None:
+    """Take the parameters of a distribution among those that are known.
+
+    Raises:
+        Refused: One of them is known: it would have two values in one variant.
+    """
+    if twice := sorted(names & known):
+        raise Refused(one, f"the values of ${twice[0]} are told twice; tell each parameter's once")
+    known |= names
 
 
 def _axis(one: Element, ranges: dict[str, tuple[float, float]]) -> list[Values]:

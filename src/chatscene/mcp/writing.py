@@ -118,7 +118,8 @@ def import_(
     source = desk.folder.file(file, ".xosc")
     done = api.import_scenario(source, out=out, map=desk.folder.map(map), within=desk.folder.root)
     notes = "".join(f"{note}\n" for note in done.notes)
-    return f"{notes}written: {done.program}, on map {done.map_path}\nnext: verify {done.program}"
+    more = f" and {len(done.programs) - 1} more" if len(done.programs) > 1 else ""
+    return f"{notes}written: {done.program}{more}, on map {done.map_path}\nnext: verify {done.program}"
 
 
 def _situation(desk: Desk, text: str | None, file: str | None) -> Situation:

@@ -60,7 +60,12 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
         made = import_scenario(path, out=out, map_name=settings.map_name or None, within=within)
         own = read_foreign(made.program, searched_with=False)
         own = replace(own, map_path=made.map_path.resolve())  # read in a process that works elsewhere
-        notes = (f"{settings.ego or EGO} drives the ego", *made.notes)
+        notes = [f"{settings.ego or EGO} drives the ego", *made.notes]
+        if len(made.programs) > 1:
+            notes.append(
+                f"variant 1 of {len(made.programs)} is judged; for another: chatscene import {path} --variant N, and "
+                "judge its program"
+            )
         return _watched(own, "OpenSCENARIO file", settings, notes)
 
 
