@@ -131,6 +131,30 @@ def test_a_run_that_names_a_map_or_an_ego_from_elsewhere_is_refused(folder: Path
             assert "error" in called(folder, tool, **{"what" if tool == "story" else "run": "odd"})
 
 
+VALUES = """<OpenSCENARIO><ParameterValueDistribution><ScenarioFile filepath="crash.xosc"/><Deterministic>
+<DeterministicSingleParameterDistribution parameterName="OPT_A_Y"><DistributionRange stepWidth="0.25"><Range
+lowerLimit="18" upperLimit="{most}"/></DistributionRange></DeterministicSingleParameterDistribution></Deterministic>
+</ParameterValueDistribution></OpenSCENARIO>"""
+
+
+def test_an_import_of_many_programs_tells_of_all_and_one_can_be_chosen(folder: Path) -> None:
+    for count, most in ((3, 18.5), (25, 24)):
+        (folder / f"values-{count}.xosc").write_text(VALUES.format(most=most))
+    told = called(folder, "import", file="values-3.xosc", save_as="sets/of.scenic")["text"]
+    assert [line for line in told.splitlines() if line.startswith("written")] == [
+        f"written: sets/of-{number}.scenic" for number in (1, 2, 3)
+    ]
+    assert (folder / "sets" / "of-3.scenic").is_file()
+    many = called(folder, "import", file="values-25.xosc", save_as="sets/many.scenic")["text"]
+    assert "  and 5 more" in many
+    assert "sets/many-21.scenic" not in many
+    one = called(folder, "import", file="values-3.xosc", save_as="sets/second.scenic", variant=2)["text"]
+    assert "variant 2 of 3" in one
+    assert "next: verify sets/second.scenic" in one
+    refused = called(folder, "import", file="crash.xosc", save_as="sets/nobody.scenic", ego="nobody")["error"]
+    assert "nobody" in refused
+
+
 def test_arguments_that_are_about_something_else_are_refused_and_none_is_dropped(folder: Path) -> None:
     (folder / "own.scenic").write_text("model scenic.domains.driving.model\nego = new Car\n")
     (folder / "told.txt").write_text(CROSSES)

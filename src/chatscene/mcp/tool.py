@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Annotated, Any, get_type_hints
@@ -16,6 +16,7 @@ from chatscene.mcp.folder import LONGEST, Folder
 from chatscene.runs.progress import Progress, silent
 
 MOST_FAULTS = 5  # of a call that are told
+MOST_LISTED = 20  # lines of one kind in an answer
 MOST_TEXT = 100_000  # characters of a text that a call may have
 
 Path = Annotated[str, Field(min_length=1, max_length=LONGEST, description="A path below the folder.")]
@@ -110,6 +111,17 @@ class Tool:
         told = [_fault(one, known) for one in faults[:MOST_FAULTS]]
         told += [f"and {len(faults) - MOST_FAULTS} more"] * (len(faults) > MOST_FAULTS)
         return f"{self.name}: {'; '.join(dict.fromkeys(told))}. It takes: {', '.join(known)}"
+
+
+def first_of(lines: Sequence[str], more: str = "") -> list[str]:
+    """The first of many lines, and how many more there are.
+
+    Args:
+        lines: All of them.
+        more: Where the others can be seen.
+    """
+    left_out = len(lines) - MOST_LISTED
+    return [*lines[:MOST_LISTED], *[f"  and {left_out} more{more}"] * (left_out > 0)]
 
 
 def short(value: object, most: int = 80) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, cast
 from pydantic import Field
 
 from chatscene.errors import SettingsError
-from chatscene.mcp.tool import Desk, Path, Text
+from chatscene.mcp.tool import Desk, Path, Text, first_of
 
 if TYPE_CHECKING:
     from chatscene.report.stated import Stated
@@ -104,22 +104,28 @@ def edit(
 def import_(
     desk: Desk,
     file: Annotated[Path, Field(description="An OpenSCENARIO XML file (.xosc); catalogs and map lie in the folder.")],
-    save_as: Annotated[Path, Field(description="A new .scenic file.")],
+    save_as: Annotated[Path, Field(description="A new .scenic file; of several programs each has a number behind it.")],
     map: Annotated[str, Field(max_length=500, description="A packaged map, or an .xodr file.")] | None = None,  # noqa: A002
+    ego: Annotated[str, Field(max_length=200, description="What the file calls the ego, if it is not told.")]
+    | None = None,
+    variant: Annotated[int, Field(ge=1, le=10**9, description="One set of parameter values, from 1; else all.")]
+    | None = None,
 ) -> str:
     """Turn an OpenSCENARIO XML file into a Scenic program. Nothing of it is run.
 
-    What cannot be said here is refused by its element and line.
+    A file of parameter values for a scenario gives a program for each set of them, a hundred at most. What cannot be
+    said here is refused by its element and line.
     """
     from chatscene import api
 
     out = desk.folder.free(save_as, ".scenic")
     desk.folder.make_above(out)
     source = desk.folder.file(file, ".xosc")
-    done = api.import_scenario(source, out=out, map=desk.folder.map(map), within=desk.folder.root)
-    notes = "".join(f"{note}\n" for note in done.notes)
-    more = f" and {len(done.programs) - 1} more" if len(done.programs) > 1 else ""
-    return f"{notes}written: {done.program}{more}, on map {done.map_path}\nnext: verify {done.program}"
+    done = api.import_scenario(
+        source, out=out, map=desk.folder.map(map), ego=ego, variant=variant, within=desk.folder.root
+    )
+    written = [f"written: {program}" for program in done.programs]
+    return "\n".join([*done.notes, *first_of(written), f"map: {done.map_path}", f"next: verify {done.program}"])
 
 
 def _situation(desk: Desk, text: str | None, file: str | None) -> Situation:
