@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import base64
 import json
+import platform
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Generator, Mapping
@@ -21,10 +23,12 @@ from hypothesis import strategies as st
 from chatscene.commands.main import main
 from chatscene.errors import MissingExtra
 from chatscene.mcp import server as serving
+from chatscene.mcp import walls
 from chatscene.mcp.server import MOST_ERROR, MOST_TEXT, agent_server, require_mcp
 from chatscene.mcp.tools import TOOLS
 from chatscene.mcp.transports import guarded
 from chatscene.mcp.walls import served_model
+from chatscene.simulate.confined.landlock import landlock_version
 from chatscene.view.child import Ended
 
 mcp = pytest.importorskip("mcp")
@@ -315,6 +319,46 @@ def test_a_language_model_is_one_that_is_built_in_and_its_file_has_a_whole_path(
         refused = CliRunner().invoke(main, ["mcp", str(tmp_path), "--language-model", wrong])
         assert refused.exit_code == 1, wrong
         assert "language model" in refused.output
+
+
+WALLED = """
+import errno, socket, sys
+from pathlib import Path
+from chatscene.mcp.walls import stay_in
+assert stay_in(Path(sys.argv[1]), Path(sys.argv[1]), sys.argv[2]) == ()
+socket.socketpair()
+def made(family, kind):
+    try:
+        socket.socket(family, kind).close()
+    except PermissionError:
+        return "refused"
+    return "made"
+families = (socket.AF_INET, socket.AF_INET6, socket.AF_UNIX)
+print(*{made(family, kind) for family in families for kind in (socket.SOCK_STREAM, socket.SOCK_DGRAM)})
+"""
+
+
+@pytest.mark.parametrize(("model", "sockets"), [("offline", "refused"), ("openai:small", "made")])
+def test_who_works_for_an_agent_makes_no_socket_unless_a_model_elsewhere_reads(
+    tmp_path: Path, model: str, sockets: str
+) -> None:
+    if landlock_version() == 0 or platform.machine() not in ("x86_64", "aarch64"):
+        pytest.skip("this kernel or machine has no such walls")
+    command = [sys.executable, "-c", WALLED, str(tmp_path), model]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip() == sockets
+
+
+def test_what_the_kernel_does_not_keep_to_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def neither(*_: Any, **__: Any) -> bool:
+        return False
+
+    for name in ("TMPDIR", "MPLCONFIGDIR"):
+        monkeypatch.setenv(name, "")
+    monkeypatch.setattr(tempfile, "tempdir", None)
+    for name in ("kept_to", "filter_sockets", "no_new_privileges"):
+        monkeypatch.setattr(walls, name, neither)
+    assert walls.stay_in(tmp_path, tmp_path) == (walls.NO_LANDLOCK, walls.NO_FILTER)
+    assert walls.stay_in(tmp_path, tmp_path, "openai:small") == (walls.NO_LANDLOCK,)
 
 
 def test_the_command_needs_a_folder_and_a_long_token(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

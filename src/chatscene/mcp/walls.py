@@ -2,7 +2,8 @@
 
 The first is `chatscene.mcp.folder`, which refuses such names in words. After this one the process that works, and all
 that it starts, can read Python, the packages and the system's libraries, and write to the folder, to a temporary one of
-its own and to chatscene's caches; without a language model on another machine it reaches no network.
+its own and to chatscene's caches: Landlock, from Linux 5.13 on. Without a language model on another machine it makes no
+socket: a filter of system calls, on x86_64 and aarch64.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from chatscene.files.caches import cache_folder
 from chatscene.models.language.protocol import LANGUAGE_MODELS
 from chatscene.simulate.confined.confinement import python_folders
 from chatscene.simulate.confined.landlock import kept_to
-from chatscene.simulate.confined.seccomp import no_new_privileges
+from chatscene.simulate.confined.seccomp import filter_sockets, no_new_privileges
 
 SYSTEM = (
     "/usr", "/lib", "/lib64", "/bin", "/proc", "/sys/devices", "/sys/bus", "/sys/class", "/sys/fs/cgroup",
@@ -27,6 +28,10 @@ NETWORK = ("/etc/hosts", "/etc/resolv.conf", "/etc/nsswitch.conf", "/etc/ssl", "
 DEVICES = ("/dev/null", "/dev/shm")
 OFFLINE = "offline"
 LOCAL = ("gguf", "scripted")  # language models that are a file of this machine
+NO_LANDLOCK = "this kernel has no Landlock: only chatscene's own checks keep agents in the folder"
+NO_FILTER = (
+    "this machine has no filter of system calls: agents are kept from TCP alone, and before Linux 6.7 from nothing"
+)
 
 
 def served_model(name: str) -> str:
@@ -51,7 +56,7 @@ def served_model(name: str) -> str:
     return f"{kind}:{file}"
 
 
-def stay_in(folder: Path, temporary: Path, language_model: str = OFFLINE) -> bool:
+def stay_in(folder: Path, temporary: Path, language_model: str = OFFLINE) -> tuple[str, ...]:
     """Give up for ever, in this process, every file but those of a folder and what working in it takes.
 
     Args:
@@ -60,7 +65,7 @@ def stay_in(folder: Path, temporary: Path, language_model: str = OFFLINE) -> boo
         language_model: Who reads sentences, as `served_model` gives it.
 
     Returns:
-        Whether the kernel keeps to it; False where it has no Landlock.
+        What the kernel does not keep to here, in words.
     """
     os.environ["TMPDIR"] = tempfile.tempdir = str(temporary)
     os.environ["MPLCONFIGDIR"] = str(temporary)
@@ -72,4 +77,6 @@ def stay_in(folder: Path, temporary: Path, language_model: str = OFFLINE) -> boo
     if kind in LOCAL:
         readable.append(file)
     no_new_privileges()
-    return kept_to(readable, [str(folder), str(temporary), str(caches), *DEVICES], network=network)
+    kept = kept_to(readable, [str(folder), str(temporary), str(caches), *DEVICES], network=network)
+    alone = network or filter_sockets()
+    return (*[NO_LANDLOCK] * (not kept), *[NO_FILTER] * (not alone))

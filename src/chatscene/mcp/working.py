@@ -33,8 +33,8 @@ def working(setup: Question, tell: Tell) -> Answering:
     os.chdir(setup["folder"])
     reading = setup["reading"]
     folder = Folder(Path())
-    if not stay_in(folder.root, Path(setup["temporary"]), reading.get("language_model", OFFLINE)):
-        print("this kernel has no Landlock: only chatscene's own checks keep agents in the folder", file=sys.stderr)
+    for missing in stay_in(folder.root, Path(setup["temporary"]), reading.get("language_model", OFFLINE)):
+        print(missing, file=sys.stderr)
     desk = Desk(folder, reading)
 
     def progress(what: str, done: int, total: int) -> None:
