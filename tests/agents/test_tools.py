@@ -13,6 +13,8 @@ from folder_of_agents import CALLS, CROSSES, SECRET, SITUATION, called, desk_in,
 
 import chatscene
 from chatscene.errors import SettingsError
+from chatscene.mcp import resources
+from chatscene.mcp import tool as tooling
 from chatscene.mcp.folder import Folder
 from chatscene.mcp.resources import KINDS
 from chatscene.mcp.server import MOST_TEXT, in_parts
@@ -282,6 +284,60 @@ def test_what_there_is_is_listed_without_links(folder: Path) -> None:
     assert {"schema", "crosses.yaml", "runs/brakes"} <= set(names)
     assert not [name for name in names if name.startswith("link")]
     assert found["next"] is None
+
+
+def test_what_there_is_is_listed_in_order_of_paths_some_at_a_time(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(resources, "PAGE", 4)
+    for name in ("b/z.yaml", "b/run.json", "a.scenic", "b-c/run.json", "run.json", "b/closed/x.yaml", "c.csv"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text("")
+    (tmp_path / "b" / "pipe.yaml").symlink_to("z.yaml")
+    names, begin = list[str](), 0
+    while begin is not None:
+        page, begin = resources.listed_resources(desk_in(tmp_path), begin)
+        assert 0 < len(page) <= 4
+        names += [one["uri"].removeprefix("chatscene://") for one in page]
+    always = [name for name, kind in KINDS.items() if not kind.behind]
+    assert names == [
+        *always, "file/a.scenic", "file/b/closed/x.yaml", "report/b", "file/b/z.yaml", "report/b-c", "report/.",
+    ]  # fmt: skip
+    assert list(Folder(tmp_path).files()) == sorted(Folder(tmp_path).files())
+
+
+def test_the_kept_scenes_of_a_run_are_some_in_its_answer_and_all_in_its_report(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(tooling, "MOST_LISTED", 1)
+    ran = called(folder, "run", file="crosses.yaml", scenes=4, out="runs/kept of many")["text"].splitlines()
+    report = resource(folder, "chatscene://report/runs/kept%20of%20many")["text"].splitlines()
+    begin, kept = ran.index("kept scenes:"), report[report.index("kept scenes:") + 1 :]
+    assert ran[begin + 1] == kept[0]
+    assert len(kept) > 1
+    more = f"  and {len(kept) - 1} more; chatscene://report/runs/kept%20of%20many lists them"
+    assert ran[begin + 2] == more
+    monkeypatch.setattr(resources, "MOST", 40)
+    cut = resource(folder, "chatscene://report/runs/kept%20of%20many")["text"]
+    assert cut.endswith("\n… more than 40 characters; the rest is left out")
+
+
+def test_a_folder_that_is_a_run_itself_is_one_by_the_name_that_is_listed(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = folder / "runs" / "brakes"
+    monkeypatch.chdir(run)
+    assert next(Folder(run).runs()) == "."
+    assert "kept scenes" in resource(run, "chatscene://report/.")["text"]
+    assert "error" not in called(run, "story", what=".")
+
+
+def test_facts_are_of_bounded_length(folder: Path) -> None:
+    for facts in ({"others.A.kind": "x" * 201}, {"x" * 201: 1}):
+        assert "at most 200 characters" in called(folder, "build", file="crosses.yaml", facts=facts)["error"]
+    for most in (1e308, 10**400):
+        answer = called(folder, "build", file="crosses.yaml", facts={"others.A.does.0.speed": most})
+        assert "a fault of chatscene" not in answer["error"]
 
 
 def test_a_long_answer_is_cut_at_the_ends_of_lines_and_nothing_is_lost() -> None:

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path as Place
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
+from urllib.parse import quote
 
 from pydantic import Field
 
 from chatscene.errors import SettingsError
-from chatscene.mcp.tool import Answer, Desk, Path
+from chatscene.mcp.tool import SCHEME, Answer, Desk, Path, first_of
 from chatscene.mcp.writing import SITUATIONS, Facts, Sentence, situation_in
 from chatscene.settings import EGO
+
+if TYPE_CHECKING:
+    from chatscene.api import Run
 
 Ego = Annotated[
     str, Field(max_length=60, description="Who drives: planner, idm, hardened, rule-based, sac, ppo or td3.")
@@ -21,7 +25,6 @@ SceneId = Annotated[str, Field(max_length=300, description="The id of a scene, a
 RunFolder = Annotated[Path, Field(description="The folder of a run.")]
 Picture = Annotated[bool, Field(description="Whether a picture from above comes with the answer.")]
 REPORTS = (".txt", ".md")
-MOST_KEPT = 20  # scenes that a run lists
 
 
 def run(
@@ -70,9 +73,8 @@ def run(
         set=facts or None,
         progress=desk.progress,
     )
-    kept = [f"  {_outcome(one.row)}  {one.id}" for one in made.kept]
-    more = [f"  and {len(kept) - MOST_KEPT} more"] * (len(kept) > MOST_KEPT)
-    return "\n".join([str(made), "kept scenes:", *kept[:MOST_KEPT], *more, f"next: story {where}, verify {where}"])
+    kept = first_of(kept_scenes(made), f"; {SCHEME}://report/{quote(str(where))} lists them")
+    return "\n".join([str(made), "kept scenes:", *kept, f"next: story {where}, verify {where}"])
 
 
 def verify(
@@ -236,6 +238,13 @@ def seen(desk: Desk, what: str) -> Place:
     return desk.folder.run(what) if (desk.folder.root / path).is_dir() else path
 
 
+def kept_scenes(run: Run) -> list[str]:
+    """The scenes that a run keeps, a line each: what happened, and the id."""
+    from chatscene.report.what_happened import outcome_in_words
+
+    return [f"  {outcome_in_words(one.row)}  {one.id}" for one in run.kept]
+
+
 def _source(desk: Desk, sentence: str | None, file: str | None) -> dict[str, Any]:
     """What is run, as `chatscene.run` takes it."""
     if sentence is not None:
@@ -258,9 +267,3 @@ def _said(desk: Desk, said: str | None, said_file: str | None) -> Any:
     if said is not None and said.strip().lower().endswith((*SITUATIONS, *REPORTS)):
         raise SettingsError(f"{said[:60]!r} names a file; give it in `said_file`")
     return said
-
-
-def _outcome(row: Any) -> str:
-    from chatscene.report.what_happened import outcome_in_words
-
-    return outcome_in_words(row)

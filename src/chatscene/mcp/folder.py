@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from itertools import islice
 from pathlib import Path
 
 from chatscene.errors import SettingsError, no_such
@@ -12,7 +13,7 @@ from chatscene.files.bounded import is_there
 
 RECORD = "run.json"
 LONGEST = 500  # characters of a path
-MOST_FILES = 20_000  # that are looked at for a list
+MOST_RUNS = 10  # that a message names
 SIMULATORS = ("native", "embedded", "confined")
 
 
@@ -67,7 +68,9 @@ class Folder:
         path = self.there(name)
         record = self.root / path / RECORD
         if not is_there(record) or record.is_symlink():
-            known = ", ".join(map(repr, list(self.runs())[:10])) or "none yet; make one with run"
+            first = [*islice(self.runs(), MOST_RUNS + 1)]
+            known = ", ".join(map(repr, first[:MOST_RUNS])) or "none yet; make one with run"
+            known += " and more" * (len(first) > MOST_RUNS)
             raise SettingsError(f"{name!r} is no folder of a run; runs here: {known}")
         made = runs.read_record(runs.Workspace(self.root / path), runs.RunRecord)
         self.map(made.map_name)
@@ -142,21 +145,18 @@ class Folder:
             raise SettingsError(f"cannot write {path}: {error.strerror}") from error
 
     def runs(self) -> Iterator[str]:
-        """The runs below the folder, in order of their paths."""
+        """The runs in the folder, in order of their paths; ``.`` if it is one itself."""
         return (str(path.parent) for path in self.files() if path.name == RECORD)
 
-    def files(self, *suffixes: str) -> Iterator[Path]:
-        """The files below the folder whose names end so, in order of their paths; no link is followed."""
-        seen = 0
-        for above, folders, names in os.walk(self.root):
-            folders.sort()
-            for name in sorted(names):
-                seen += 1
-                if seen > MOST_FILES:
-                    return
-                path = Path(above, name)
-                if (not suffixes or path.suffix.lower() in suffixes) and not path.is_symlink():
-                    yield path.relative_to(self.root)
+    def files(self) -> Iterator[Path]:
+        """The files below the folder, in order of their paths; no link is followed, what is closed to us is none."""
+        waiting = _entries(self.root)
+        while waiting:
+            one = waiting.pop()
+            if one.is_dir(follow_symlinks=False):
+                waiting += _entries(one)
+            elif one.is_file(follow_symlinks=False):
+                yield Path(one.path).relative_to(self.root)
 
     def _inside(self, name: str) -> Path:
         """A path below the folder, relative to it, with all links followed.
@@ -177,3 +177,12 @@ class Folder:
     def _nearby(self) -> str:
         names = sorted(one.name + "/" * one.is_dir() for one in self.root.iterdir())
         return ", ".join(names[:20]) + f" and {len(names) - 20} more" * (len(names) > 20) or "nothing yet"
+
+
+def _entries(folder: Path | os.DirEntry[str]) -> list[os.DirEntry[str]]:
+    """What lies in a folder, the last first; nothing, if it is not open to us or gone."""
+    try:
+        with os.scandir(folder) as found:
+            return sorted(found, key=lambda one: one.name, reverse=True)
+    except OSError:
+        return []

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import islice
 from urllib.parse import parse_qs, quote, unquote, urlsplit
 
 from chatscene.errors import SettingsError, no_such
-from chatscene.mcp.driving import REPORTS, seen
-from chatscene.mcp.tool import Desk
+from chatscene.mcp.driving import REPORTS, kept_scenes, seen
+from chatscene.mcp.folder import RECORD
+from chatscene.mcp.tool import SCHEME, Desk
 from chatscene.mcp.words import explained, listed
 from chatscene.mcp.writing import SITUATIONS
 
-SCHEME = "chatscene"
 TEXTS = (".scenic", *SITUATIONS, *REPORTS, ".xosc", ".toml", ".csv")
-MOST = 100_000  # characters of a file that are read
+LISTED = (".scenic", ".yaml", ".yml")  # files that are listed
+MOST = 100_000  # characters of a resource
 PAGE = 100  # resources that are listed at a time
 
 
@@ -71,22 +73,24 @@ def read(desk: Desk, uri: str) -> Content:
 
 def listed_resources(desk: Desk, begin: int) -> tuple[list[dict[str, str]], int | None]:
     """Some of the resources there are, and where the next ones begin; None where there are no more."""
-    always = [
-        {"uri": f"{SCHEME}://{name}", "name": name, "says": kind.says, "media": kind.media}
-        for name, kind in KINDS.items()
-        if not kind.behind
-    ]
-    found = [
-        {"uri": f"{SCHEME}://file/{quote(str(path))}", "name": str(path), "says": "A file.", "media": "text/plain"}
-        for path in desk.folder.files(".scenic", ".yaml", ".yml")
-    ]
-    found += [
-        {"uri": f"{SCHEME}://report/{quote(run)}", "name": run, "says": "What a run came to.", "media": "text/plain"}
-        for run in desk.folder.runs()
-    ]
-    every = [*always, *found]
-    end = begin + PAGE
-    return every[begin:end], end if end < len(every) else None
+    found = [*islice(_every(desk), begin, begin + PAGE + 1)]
+    return found[:PAGE], begin + PAGE if len(found) > PAGE else None
+
+
+def _every(desk: Desk) -> Iterator[dict[str, str]]:
+    for name, kind in KINDS.items():
+        if not kind.behind:
+            yield {"uri": f"{SCHEME}://{name}", "name": name, "says": kind.says, "media": kind.media}
+    for path in desk.folder.files():
+        if path.suffix.lower() in LISTED:
+            yield _address("file", str(path))
+        elif path.name == RECORD:
+            yield _address("report", str(path.parent))
+
+
+def _address(kind: str, name: str) -> dict[str, str]:
+    row = KINDS[kind]
+    return {"uri": f"{SCHEME}://{kind}/{quote(name)}", "name": name, "says": row.says, "media": row.media}
 
 
 _ADDRESSES = f"addresses are such as {SCHEME}://acts, {SCHEME}://file/PATH"
@@ -112,17 +116,19 @@ def _file(desk: Desk, path: str, _asked: dict[str, str]) -> Content:
             text = file.read(MOST + 1)
     except OSError as error:
         raise SettingsError(f"{path!r} cannot be read: {error.strerror}") from error
-    more = f"\n… more than {MOST:,} characters; the rest is left out" * (len(text) > MOST)
-    return Content("text/plain", text[:MOST] + more)
+    return Content("text/plain", _bounded(text))
 
 
 def _report(desk: Desk, path: str, _asked: dict[str, str]) -> Content:
     from chatscene import api
-    from chatscene.report.what_happened import outcome_in_words
 
     run = api.Run(desk.folder.run(path))
-    kept = [f"  {outcome_in_words(one.row)}  {one.id}" for one in run.kept]
-    return Content("text/plain", "\n".join((str(run), "kept scenes:", *kept)))
+    return Content("text/plain", _bounded("\n".join((str(run), "kept scenes:", *kept_scenes(run)))))
+
+
+def _bounded(text: str) -> str:
+    more = f"\n… more than {MOST:,} characters; the rest is left out" * (len(text) > MOST)
+    return text[:MOST] + more
 
 
 def _picture(desk: Desk, path: str, asked: dict[str, str]) -> Content:
@@ -142,7 +148,7 @@ KINDS: dict[str, Kind] = {
     "places": Kind(says="Where road users may start, with meanings.", reads=_words("Where")),
     "vocabulary": Kind(says="All words of a situation.", reads=_words("")),
     "word": Kind(says="One word, table, noun or path of a situation.", reads=_words(""), behind="/{word}"),
-    "file": Kind(says="A program, situation or table of the folder.", reads=_file, behind="/{+path}"),
+    "file": Kind(says="A program, situation, table or other text of the folder.", reads=_file, behind="/{+path}"),
     "report": Kind(says="What a run of the folder came to.", reads=_report, behind="/{+run}"),
     "picture": Kind(
         says="A moment of a drive from above; at in seconds.",

@@ -21,8 +21,8 @@ from typing import TYPE_CHECKING, Any
 
 from chatscene.errors import MissingExtra, no_such
 from chatscene.mcp.folder import Folder
-from chatscene.mcp.resources import KINDS, SCHEME
-from chatscene.mcp.tool import Tool, WrongArguments, short
+from chatscene.mcp.resources import KINDS
+from chatscene.mcp.tool import SCHEME, Tool, WrongArguments, short
 from chatscene.mcp.tools import TOOLS
 from chatscene.view.child import Child, Ended
 

@@ -15,6 +15,7 @@ from chatscene.errors import ChatSceneError
 from chatscene.mcp.folder import LONGEST, Folder
 from chatscene.runs.progress import Progress, silent
 
+SCHEME = "chatscene"  # of the addresses of resources
 MOST_FAULTS = 5  # of a call that are told
 MOST_LISTED = 20  # lines of one kind in an answer
 MOST_TEXT = 100_000  # characters of a text that a call may have

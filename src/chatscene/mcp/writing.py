@@ -17,8 +17,9 @@ if TYPE_CHECKING:
 
 SITUATIONS = (".yaml", ".yml", ".json")
 Sentence = Annotated[str, Field(max_length=2000, description="One situation in plain English, up to 2,000 characters.")]
+_Short = Annotated[str, Field(max_length=200)]
 Facts = Annotated[
-    dict[str, str | int | float | bool],
+    dict[_Short, _Short | int | float | bool],
     Field(max_length=50, description='Facts that hold whatever the text says, by path: {"others.A.kind": "truck"}.'),
 ]
 Written = Annotated[Text, Field(description="A situation as YAML or JSON text. Give this or `file`.")]

@@ -124,8 +124,10 @@ class Amount:
 
     def __str__(self) -> str:
         """As `of` reads it, in the first of its units in which the number is short; else in SI units, to the bit."""
+        finite = [end for end in (self.low, self.high) if math.isfinite(end)]
         for unit, scale in self.UNITS.items():
-            if unit and type(self).of(said := self._in(unit, scale)) == self:
+            sayable = unit and all(math.isfinite(end / scale) for end in finite)
+            if sayable and type(self).of(said := self._in(unit, scale)) == self:
                 return said
         return self._in(next((unit for unit, scale in self.UNITS.items() if unit and scale == 1.0), ""))
 
