@@ -13,72 +13,21 @@ import numpy as np
 import pytest
 
 import chatscene
-from chatscene.ego.policy import load_ego, observation_of, pedals_of
 from chatscene.errors import ForeignCodeRefused, ScenarioError, SettingsError
 from chatscene.imports.calculated import calculated
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.import_file import import_scenario
-from chatscene.imports.openscenario import Imported, read_openscenario
 from chatscene.imports.shapes import shape_of, thinned
 from chatscene.imports.stranger_xml import Element, read_xml
 from chatscene.imports.variants import variants_of
 from chatscene.imports.written import written
-from chatscene.imports.written_story import StoryProgram, written_story
+from chatscene.imports.written_story import written_story
 from chatscene.maps.curves import normalised
 from chatscene.maps.network import resolve_map
-from chatscene.program.sample import scene_at
 from chatscene.search.generators.foreign import foreign_program
-from chatscene.settings import SimulationSettings
-from chatscene.simulate.embedded.physics import make_simulator
-from chatscene.terms.episode import Episode
-from chatscene.terms.scene import Rejected
 from chatscene.terms.storyboard import Storyboard
+from played import DISTANCE, STATE, TIME, driven, read, speed, story
 from red_team.scenario_files import CAR, NEAR, SLOWS, event, scenario
-
-TIME = '<ByValueCondition><SimulationTimeCondition value="{}" rule="greaterThan"/></ByValueCondition>'
-SPEED = '<LongitudinalAction><SpeedAction><SpeedActionDynamics dynamicsShape="{shape}" dynamicsDimension="time" value="{time}"/><SpeedActionTarget><AbsoluteTargetSpeed value="{speed}"/></SpeedActionTarget></SpeedAction></LongitudinalAction>'
-DISTANCE = '<LongitudinalAction><LongitudinalDistanceAction entityRef="ego" distance="8" freespace="true" continuous="true"/></LongitudinalAction>'
-
-
-@pytest.fixture
-def beside(tmp_path: Path) -> Path:
-    (tmp_path / "town.xodr").symlink_to(resolve_map("town"))
-    return tmp_path
-
-
-def read(folder: Path, text: str, **told: str) -> Imported:
-    path = folder / "theirs.xosc"
-    path.write_text(text)
-    return read_openscenario(path, **told)  # type: ignore[arg-type]
-
-
-def story(folder: Path, text: str) -> StoryProgram:
-    board = read(folder, text).board
-    assert isinstance(board, StoryProgram)
-    return board
-
-
-def driven(folder: Path, text: str, steps: int = 80) -> Episode:
-    """A scenario as it is driven, by `idm` in the place of the ego."""
-    program = foreign_program("theirs", written_story(story(folder, text), "theirs.xosc"))
-    scene = replace(scene_at(program, 0, 0.5, name="seed-0"), seed=0)
-    ego = load_ego("idm")
-    drive = make_simulator(resolve_map("town"), SimulationSettings()).open(
-        program, scene, observation=observation_of(ego), pedals=pedals_of(ego)
-    )
-    assert not isinstance(drive, Rejected), drive.reason
-    try:
-        while drive.ending is None and not drive.rejection and drive.step_number < steps:
-            drive.step(ego.act(drive.observation))
-        assert not drive.rejection
-        return drive.episode(scene.id, "idm")
-    finally:
-        drive.close()
-
-
-def speed(value: float, time: float = 2.0, shape: str = "linear") -> str:
-    return SPEED.format(speed=value, time=time, shape=shape)
-
 
 # Parameters and expressions
 
@@ -449,9 +398,6 @@ def test_a_speed_that_is_told_with_a_time_is_reached_in_that_time(beside: Path) 
     assert float(track.speed[10]) == pytest.approx(5.0, abs=0.1)
     assert float(track.speed[21]) == pytest.approx(6.5, abs=0.3)
     assert float(track.speed[35]) == pytest.approx(8.0, abs=0.1)
-
-
-STATE = '<ByValueCondition><StoryboardElementStateCondition storyboardElementType="{}" storyboardElementRef="{}" state="{}"/></ByValueCondition>'
 
 
 @pytest.mark.parametrize(

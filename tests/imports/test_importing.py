@@ -33,12 +33,6 @@ from red_team.scenario_files import AT, ATTACKS, CAR, NEAR, SLOWS, WALKER, event
 AFTER = '<ByValueCondition><StoryboardElementStateCondition storyboardElementType="event" storyboardElementRef="brakes" state="completeState"/></ByValueCondition>'
 
 
-@pytest.fixture
-def beside(tmp_path: Path) -> Path:
-    (tmp_path / "town.xodr").symlink_to(resolve_map("town"))
-    return tmp_path
-
-
 def read(folder: Path, text: str) -> Imported:
     path = folder / "theirs.xosc"
     path.write_text(text)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from chatscene.imports.entities import Entities
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.names import Names
 from chatscene.imports.positions import Pose, Positions
@@ -29,7 +30,7 @@ class Cast:
         positions: Finds places; knows where everybody is at first.
         ego: What the file calls the ego.
         names: What the story calls each of the file's road users.
-        groups: The names of those that a selection holds, by its name.
+        entities: Who there is in the file.
         things: Those that do nothing: things, by their names in the file.
         route_of: The line of a Route.
         mirrored: Whether metres count to the right of who drives, as in CARLA.
@@ -43,7 +44,7 @@ class Cast:
     positions: Positions
     ego: str
     names: Mapping[str, str]
-    groups: Mapping[str, tuple[str, ...]]
+    entities: Entities
     things: frozenset[str]
     route_of: Callable[[Element, Pose | None], Polyline]
     mirrored: bool
@@ -73,10 +74,14 @@ class Cast:
         found: dict[str, None] = {}
         for one in elements:
             name = self.given.text(one, "entityRef")
-            found.update(dict.fromkeys(self.groups.get(name, (name,))))
-            if name not in self.groups and name not in self.names:
+            found.update(dict.fromkeys(self.entities.groups.get(name, (name,))))
+            if name not in self.entities.groups and name not in self.names:
                 raise Refused(one, f"there is no {name[:40]!r}")
-        return tuple(name for name in found if name in self.names)
+        return self.there(found)
+
+    def there(self, names: Iterable[str]) -> tuple[str, ...]:
+        """Those of names in the file who are there."""
+        return tuple(name for name in names if name in self.names)
 
     def part(self, element: Element, *, told: bool = False) -> str:
         """The name of a part of the story; nothing where no condition asks about it, unless it is to be told."""
@@ -101,8 +106,8 @@ class Cast:
             return ("beside", self.names[name], *(round(v, 4) for v in pose))
         return ("at", *(round(v, 4) for v in self.positions.pose(position)))
 
-    def line(self, trajectory: Element, actor: str | None) -> tuple[Line | Told, Shape, float]:
-        """The line of a trajectory, as it stands in the program; its shape; its length [m].
+    def line(self, trajectory: Element, actor: str | None) -> tuple[Line | Told, Shape]:
+        """The line of a trajectory, as it stands in the program; its shape.
 
         Args:
             trajectory: The element.
@@ -119,7 +124,6 @@ class Cast:
         shape = shape_of(trajectory, self.given, place)
         told = list(trajectory.walk())
         own = actor is not None and not any(one.tag in ("Position", "PositionStart") for one in told)
-        length = line_through(trajectory, shape.points).length
         if actor is not None and (own or len(frames) == 1):
             frame = actor if own else frames.pop()
             if frame not in self.names:
@@ -127,10 +131,10 @@ class Cast:
             base = (0.0, 0.0, 0.0) if own else self.positions.known_of(trajectory, frame)
             points = [_in_frame(base, (x, y, 0.0))[:2] for x, y in shape.points]
             kept = tuple((round(points[i][0], 3), round(points[i][1], 3)) for i in thinned(points, _OFF))
-            return (("beside", self.names[frame], 0.0, 0.0, 0.0), kept), shape, length
+            return (("beside", self.names[frame], 0.0, 0.0, 0.0), kept), shape
         if len(frames) > 1 and actor is not None:
             raise Refused(trajectory, "its places lie beside several road users, who move; put it beside one")
-        return self.known(line_through(trajectory, shape.points)), shape, length
+        return self.known(line_through(trajectory, shape.points)), shape
 
     def known(self, line: Polyline) -> Line:
         """A line by its name in the program."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.stranger_xml import Element
@@ -12,6 +13,12 @@ from chatscene.terms.storyboard import THING
 _ALIKE = {"semitrailer": "Truck", "trailer": "Truck", "train": "Tram", "motorcycle": "Motorcycle"}
 _LEAST = 0.1  # [m] that anything is long and wide
 _ONE_OF = frozenset(("animal",))  # categories that say less than which of those here it is
+_TYPES = {
+    "vehicle": "Vehicle",
+    "pedestrian": "Pedestrian",
+    "miscellaneous": "MiscObject",
+    "external": "ExternalObjectReference",
+}
 _NAMED = ("ego", "hero", "vut", "sut", "host")  # VUT: Euro NCAP's vehicle under test
 _EGOS = re.compile(r"(?i)(ego|hero)")
 
@@ -27,12 +34,18 @@ class Entities:
     Attributes:
         objects: Their elements, by name.
         groups: The names of those that a selection holds, by its name.
+        types: The names of those of a type, by what a file calls it.
     """
 
     def __init__(self, root: Element, given: Given, ego: str | None = None) -> None:
         self._root, self._given, self._asked = root, given, ego
-        self.groups: dict[str, tuple[str, ...]] = {}
+        self._selections: dict[str, Element] = {}
         self.objects = self._found(root)
+        self.types: dict[str, tuple[str, ...]] = {
+            kind: tuple(name for name, one in self.objects.items() if one.find(tag) is not None)
+            for kind, tag in _TYPES.items()
+        }
+        self.groups = {name: tuple(dict.fromkeys(self._members(one, ()))) for name, one in self._selections.items()}
 
     def _found(self, root: Element) -> dict[str, Element]:
         entities = root.find("Entities")
@@ -42,11 +55,37 @@ class Entities:
             if one.tag == "ScenarioObject" and one.attributes.get("name"):
                 found[one.attributes["name"]] = one
             elif one.tag == "EntitySelection" and one.attributes.get("name"):
-                refs = [ref for ref in one.walk() if ref.tag == "EntityRef"]
-                self.groups[one.attributes["name"]] = tuple(self._given.text(ref, "entityRef") for ref in refs)
+                self._selections[one.attributes["name"]] = one
             else:
                 self._given.refusals.append(str(Refused(one, "only single road users with a name are read")))
         return found
+
+    def _members(self, selection: Element, within: tuple[str, ...]) -> Iterator[str]:
+        """The names of those that a selection holds, of whatever selections it holds in turn."""
+        held = [one for one in selection.walk() if one.tag in ("EntityRef", "ByType")]
+        if not held:
+            raise Refused(selection, "it holds nobody; write EntityRef or ByType")
+        for one in held:
+            if one.tag == "ByType":
+                yield from self.of_type(one, "objectType")
+                continue
+            name = self._given.text(one, "entityRef")
+            if name in within or name not in self.objects.keys() | self._selections.keys():
+                raise Refused(one, f"{name[:40]!r} is nobody who could be in it")
+            yield from [name] if name in self.objects else self._members(self._selections[name], (*within, name))
+
+    def of_type(self, one: Element, attribute: str) -> tuple[str, ...]:
+        """The names of those of the type that an element names.
+
+        Raises:
+            Refused: There is no such type.
+        """
+        kind = self._given.text(one, attribute)
+        if kind not in self.types:
+            raise Refused(one, f"the type {kind[:40]!r} is not known; known are {', '.join(self.types)}")
+        if not self.types[kind]:
+            self._given.note(one, f"there is nobody of the type {kind}")
+        return self.types[kind]
 
     def ego(self) -> str:
         """The name of the ego.

@@ -197,6 +197,8 @@ class _Reader:
         stood = state.way == AHEAD and all(phase.primitive == "Halt" for phase in state.phases)
         if state.phases and state.way not in (None, name) and not stood:
             raise Refused(trajectory, "it comes to another line while it drives; write a LaneChangeAction")
+        if self._given.sum(way, "initialDistanceOffset", "0").number != 0:
+            self._given.note(way, "it follows its line from where it is, whatever distance along it is told")
         player.lines.setdefault(name, line)
         state.way = name
 

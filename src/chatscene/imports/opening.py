@@ -126,6 +126,8 @@ class Opening:
             return self._positions.pose(place)
         line = self._followed(place)
         along = self._given.number(place, "initialDistanceOffset", "0")
+        if not 0.0 <= along <= line.length:
+            raise Refused(place, f"its line is {line.length:.0f} m long, and {along:g} m is not on it")
         return *line.point_at(along), line.heading_at(along)
 
     def _followed(self, follows: Element) -> Polyline:

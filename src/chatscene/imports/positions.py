@@ -100,6 +100,8 @@ class Positions:
             raise Refused(one, "its trajectory is not there")
         line = line_through(trajectory, shape_of(trajectory, self._given, self.pose).points)
         along, left = self._given.number(one, "s"), self._left * self._given.number(one, "t", "0")
+        if not 0.0 <= along <= line.length:
+            raise Refused(one, f"its trajectory is {line.length:.0f} m long, and {along:g} m is not on it")
         there = (*line.point_at(along), line.heading_at(along))
         x, y, heading = _beside(there, left)
         return x, y, self._turned(one, heading)

@@ -82,6 +82,7 @@ class StoryConditions:
         names = self._cast.several(triggering.all("EntityRef") if triggering is not None else [])
         whose = tuple(self._cast.names[name] for name in names)
         if not whose:
+            self._given.note(by_entity, "nobody whom it is about is there; this never holds")
             return _NEVER
         quantor = self._given.text(triggering, "triggeringEntitiesRule", "any") if triggering is not None else "any"
         kind, *rest = self._by_entity(asked.inside[0])
@@ -219,9 +220,10 @@ class StoryConditions:
             raise Refused(one, "it asks across or upward; nobody moves so here")
 
     def _touched(self, one: Element) -> tuple[str, ...]:
-        refs = [below for below in one.inside if below.tag == "EntityRef"]
-        names = self._cast.several(refs) if refs else tuple(self._cast.names)
-        return tuple(self._cast.names[name] for name in names)
+        refs, types = one.all("EntityRef"), one.all("ByType")
+        names = dict.fromkeys(self._cast.several(refs))
+        names |= dict.fromkeys(self._cast.there(n for t in types for n in self._cast.entities.of_type(t, "type")))
+        return tuple(self._cast.names[name] for name in (names if refs or types else self._cast.names))
 
     def _place(self, one: Element) -> Told:
         position = one.find("Position")

@@ -20,8 +20,9 @@ from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.plan import Expression, Parameter, walk
 from chatscene.terms.storyboard import EGO_ROUTE
 from chatscene.terms.surroundings import Surroundings
+from chatscene.world.story.places import AWAY
 
-_AWAY = 5_000.0  # [m] from its place, where somebody is who is added later
+_BACKS = 3.0  # [m/s] at which somebody drives backwards at most
 _SHORT = 3.0  # [s] that the ego's own events are taken to last where they do not say it
 _MOST_TIMES = 1_000  # that an event happens
 
@@ -48,7 +49,7 @@ class StoryReader(Opening):
             positions=self._positions,
             ego=ego,
             names={ego: "ego", **{name: one.name for name, one in others.items()}},
-            groups=self._entities.groups,
+            entities=self._entities,
             things=frozenset(name for name, one in others.items() if not _moves(one.kind)),
             route_of=self._line_of_route,
             mirrored=self._side < 0,
@@ -65,6 +66,8 @@ class StoryReader(Opening):
         surroundings = self._attempt(lambda: surroundings_of(self._actions(), self._given)) or Surroundings()
         if not any(one.acts for one in members):
             self._given.note(self._root, "nobody but the ego does anything; everybody else stands")
+        if stop is not None and len(members) == 1:
+            self._given.note(self._root, "there is nobody but the ego, and its drive ends as any does, not as is told")
         read = {part.name for told in (acts, stop) for part in _parameters(told)}
         return StoryProgram(
             members=tuple(members),
@@ -145,7 +148,7 @@ class StoryReader(Opening):
                 self._given.note(one, f"{name[:40]} is never put anywhere, so it is not there")
                 return None
             x, y, heading = self._positions.pose(added)
-            away = _AWAY
+            away = AWAY
         else:
             x, y, heading = self._origin(name, one)
         self._positions.known[name] = (x, y, heading)
@@ -188,10 +191,10 @@ class StoryReader(Opening):
                 if value:
                     raise Refused(action, "a thing does nothing here")
                 return 0.0
-            most = LIMITS[kind].top_speed
-            if abs(value) > most:
-                self._given.note(action, f"a {kind.lower()} goes at {most:g} m/s at most, where it says {value:g} m/s")
-            return min(max(value, -3.0), most)
+            kept = min(max(value, -_BACKS), LIMITS[kind].top_speed)
+            if kept != value:
+                self._given.note(action, f"a {kind.lower()} goes at {kept:g} m/s at most, where it says {value:g} m/s")
+            return kept
         return 0.0
 
     def _speed_told(self, name: str) -> float:
@@ -332,10 +335,11 @@ class _Story:
         others = tuple(name for name in names if name != ego)
         told = self._actions.of(others[0] if len(others) == 1 else None, kind) if others else None
         if ego in names:
-            self._given.note(inner, EGO_DOES)
-            if told is None:
-                return ("wait", self._lasts(kind))
-            raise Refused(inner, "the ego and others do it together; write it of each")
+            if told is not None:
+                raise Refused(inner, "the ego and others do it together; write it of each")
+            seconds, why = self._lasts(kind)
+            self._given.note(inner, f"{EGO_DOES}; what waits for it, goes on after {seconds:g} s, {why}")
+            return ("wait", seconds)
         if told is None:
             raise Refused(inner, "nobody does it; name its actors")
         if told != ("nothing",):
@@ -345,12 +349,12 @@ class _Story:
                 raise Refused(inner, f"{still[0][:40]} is a thing, which does nothing here")
         return told
 
-    def _lasts(self, kind: Element) -> float:
-        """How long something that the ego does takes, as it is told [s]."""
+    def _lasts(self, kind: Element) -> tuple[float, str]:
+        """How long something that the ego does takes [s], and where that is from."""
         for one in kind.walk():
             if one.tag.endswith("Dynamics") and self._given.text(one, "dynamicsDimension", "") == "time":
-                return min(abs(self._given.number(one, "value", "0")), 60.0)
-        return _SHORT
+                return abs(self._given.number(one, "value", "0")), "as is told"
+        return _SHORT, "as no time is told"
 
 
 def _moves(kind: str) -> bool:

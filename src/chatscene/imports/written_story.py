@@ -95,6 +95,7 @@ def written_story(story: StoryProgram, name: str) -> str:
     around = ", ".join(f"{key} = '{value}'" for key, value in asdict(story.surroundings).items())
     acting = [one for one in story.members[1:] if one.acts]
     other = next(iter(acting or story.members[1:]), None)
+    plays = other is not None and (other.acts or story.stop is not None)  # somebody is to play it to its end
     called = labels(one.name for one in story.members)
     blocks = [
         f"# Made of {' '.join(''.join(c if c.isprintable() else ' ' for c in name).split())[:80]}.",
@@ -106,9 +107,13 @@ def written_story(story: StoryProgram, name: str) -> str:
             )
         ),
         *(_line(line, path) for line, path in {EGO_ROUTE: story.route, **story.lines}.items()),
-        *([_behavior(story)] if acting else []),
+        *([_behavior(story)] if plays else []),
         _ego(story.members[0], story.route),
-        *(_placed(one, i, called[i], adversary=one is other) for i, one in enumerate(story.members) if i),
+        *(
+            _placed(one, i, called[i], adversary=one is other, plays=one is other and plays)
+            for i, one in enumerate(story.members)
+            if i
+        ),
     ]
     return "\n\n".join(blocks) + "\n"
 
@@ -190,11 +195,11 @@ def _properties(one: Member) -> str:
     return "".join(f", {part}" for part in (*own, *speed))
 
 
-def _placed(one: Member, number: int, label: str, *, adversary: bool) -> str:
+def _placed(one: Member, number: int, label: str, *, adversary: bool, plays: bool) -> str:
     name = "AdvAgent" if adversary else f"Other{number}"
-    does = f", with behavior {BEHAVIOR if adversary else 'TakePart'}()" if one.acts else ""
-    does += "" if one.acts and adversary else f", with label '{label}'"
-    does += ", with role 'adversary'" if adversary and not one.acts else ""
+    does = f", with behavior {BEHAVIOR if plays else 'TakePart'}()" if plays or one.acts else ""
+    does += "" if plays else f", with label '{label}'"
+    does += ", with role 'adversary'" if adversary and not plays else ""
     return (
         f"{name} = new {one.kind} at ({one.x:.3f}, {one.y:.3f}),\n"
         f"    facing {one.heading - QUARTER:.4f}{does}{_properties(one)}"

@@ -23,7 +23,7 @@ import operator
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from chatscene.world.story.entities import Entity, along, apart, offset
+from chatscene.world.story.entities import Entity, Motion, apart, closing, seen
 from chatscene.world.story.places import Place
 
 RULES: dict[str, Callable[[Any, Any], bool]] = {
@@ -133,39 +133,32 @@ def _between(kind: str, who: Entity, told: list[Any], world: World) -> Callable[
         def far() -> float:
             return _to(who, place.pose(), how, frame, freespace)
 
-        def closing() -> float:
-            return who.speed
+        def motion() -> Motion:
+            return place.pose()[:2], place.velocity()
     else:
         whom = world.entity(other)
 
         def far() -> float:
             return apart(who, whom, how, frame, freespace=freespace)
 
-        def closing() -> float:
-            return _closing(who, whom)
+        def motion() -> Motion:
+            return whom.origin[:2], whom.velocity
 
     if kind == "apart":
         return lambda: holds(far(), value)
-    pace = closing if kind == "collision-in" else lambda: who.speed
-    return lambda: holds(far() / pace() if pace() > _STILL else math.inf, value)
+
+    def seconds() -> float:
+        pace = closing(who, motion(), how, frame) if kind == "collision-in" else who.speed
+        return far() / pace if pace > _STILL else math.inf
+
+    return lambda: holds(seconds(), value)
 
 
 def _to(who: Entity, place: tuple[float, ...], how: str, frame: str, freespace: bool) -> float:
-    x, y, heading = who.origin
+    x, y, _ = who.origin
     if how not in ("longitudinal", "lateral"):
         far = math.dist((x, y), place[:2])
-    elif frame == "entity":
-        dx, dy = place[0] - x, place[1] - y
-        c, s = math.cos(heading), math.sin(heading)
-        far = abs(dx * c + dy * s) if how == "longitudinal" else abs(dy * c - dx * s)
     else:
-        (at, aside), (there, beside) = along(who.line, x, y), along(who.line, *place[:2])
-        far = abs(there - at) if how == "longitudinal" else abs(beside - aside)
+        ahead, aside = seen(who.origin, who.line, (place[0], place[1]), frame)
+        far = abs(ahead if how == "longitudinal" else aside)
     return max(far - who.agent.length / 2 - who.ahead, 0.0) if freespace and how != "lateral" else far
-
-
-def _closing(one: Entity, other: Entity) -> float:
-    """How fast two come nearer to each other along the heading of one, or along the line between them [m/s]."""
-    ahead, _ = offset(one, other, "entity")
-    turn = other.agent.pose[2] - one.agent.pose[2]
-    return (one.speed - other.speed * math.cos(turn)) * (1.0 if ahead >= 0.0 else -1.0)

@@ -13,6 +13,7 @@ from chatscene.world.places import laneLine
 
 STANDS = 0.1  # [m/s] below which somebody stands
 _ONWARD = 400.0  # [m] of a lane and of those it leads to that are followed at once
+Motion = tuple[tuple[float, float], tuple[float, float]]  # x, y [m]; velocity along both [m/s]
 _ACROSS = math.pi / 4  # [rad] from a lane's direction, beyond which somebody follows no lane
 
 
@@ -49,6 +50,12 @@ class Entity:
     def speed(self) -> float:
         """[m/s]."""
         return self.agent.pose[3]
+
+    @property
+    def velocity(self) -> tuple[float, float]:
+        """Along x and y [m/s]."""
+        _, _, heading, speed = self.agent.pose
+        return speed * math.cos(heading), speed * math.sin(heading)
 
     def passes(self, dt: float) -> None:
         """Count a step of time."""
@@ -138,12 +145,46 @@ def apart(one: Entity, other: Entity, how: str, frame: str, *, freespace: bool) 
 
 def offset(one: Entity, other: Entity, frame: str, *, of_centres: bool = False) -> tuple[float, float]:
     """How far another is ahead of somebody and to the left [m]."""
-    (x, y, heading), (ox, oy, _) = (e.agent.pose[:3] if of_centres else e.origin for e in (one, other))
+    here, there = (e.agent.pose[:3] if of_centres else e.origin for e in (one, other))
+    return seen(here, one.line, there[:2], frame)
+
+
+def seen(
+    pose: tuple[float, float, float], line: Polyline, place: tuple[float, float], frame: str
+) -> tuple[float, float]:
+    """How far a place is ahead of a pose and to the left [m]: along its heading, or else along a line."""
+    x, y, heading = pose
     if frame == "entity":
-        dx, dy = ox - x, oy - y
-        return dx * math.cos(heading) + dy * math.sin(heading), dy * math.cos(heading) - dx * math.sin(heading)
-    (s, t), (os, ot) = along(one.line, x, y), along(one.line, ox, oy)
+        return _turned(place[0] - x, place[1] - y, heading)
+    (s, t), (os, ot) = along(line, x, y), along(line, *place)
     return os - s, ot - t
+
+
+def closing(one: Entity, other: Motion, how: str, frame: str) -> float:
+    """How fast somebody and another come nearer to each other [m/s]; negative where they part.
+
+    Args:
+        one: Somebody.
+        other: Where the other is, and how it moves.
+        how: ``longitudinal``, ``lateral``, or else straight.
+        frame: ``entity`` for along and across the heading of `one`; else along and across the line that it follows.
+    """
+    (x, y, heading), (ox, oy), (vx, vy), (ux, uy) = one.origin, other[0], one.velocity, other[1]
+    if how not in ("longitudinal", "lateral"):
+        far = math.dist((x, y), (ox, oy))
+        return ((vx - ux) * (ox - x) + (vy - uy) * (oy - y)) / far if far else 0.0
+    own = theirs = heading
+    if frame != "entity":
+        own, theirs = (one.line.heading_at(one.line.project(*at)[0]) for at in ((x, y), (ox, oy)))
+    ahead, aside = seen(one.origin, one.line, (ox, oy), frame)
+    axis, far = (0, ahead) if how == "longitudinal" else (1, aside)
+    return (_turned(vx, vy, own)[axis] - _turned(ux, uy, theirs)[axis]) * math.copysign(1.0, far)
+
+
+def _turned(x: float, y: float, heading: float) -> tuple[float, float]:
+    """How much of a vector is along a heading, and how much to its left."""
+    c, s = math.cos(heading), math.sin(heading)
+    return x * c + y * s, y * c - x * s
 
 
 def along(line: Polyline, x: float, y: float) -> tuple[float, float]:

@@ -13,6 +13,8 @@ from typing import Any
 
 from chatscene.world.story.entities import Entity
 
+AWAY = 5_000.0  # [m] along x and y from its place, where somebody is who is not there
+
 
 @dataclass(frozen=True, slots=True)
 class Place:
@@ -20,9 +22,11 @@ class Place:
 
     Attributes:
         pose: Where it is now: x [m], y [m], heading [rad].
+        velocity: How it moves [m/s], without what the turning of its frame does.
     """
 
     pose: Callable[[], tuple[float, float, float]]
+    velocity: Callable[[], tuple[float, float]]
 
 
 def place_of(told: tuple[Any, ...], entity: Callable[[str], Entity]) -> Place:
@@ -33,10 +37,10 @@ def place_of(told: tuple[Any, ...], entity: Callable[[str], Entity]) -> Place:
     """
     match told:
         case ("at", x, y, heading):
-            return Place(lambda: (x, y, heading))
+            return Place(lambda: (x, y, heading), lambda: (0.0, 0.0))
         case ("beside", whom, x, y, heading):
             who = entity(whom)
-            return Place(lambda: moved(who.origin, x, y, heading))
+            return Place(lambda: moved(who.origin, x, y, heading), lambda: who.velocity)
         case _:
             raise ValueError(f"a story has no place {told!r}")
 

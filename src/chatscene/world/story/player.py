@@ -13,10 +13,9 @@ from scenic.core.simulators import Action
 from chatscene.world.story.conditions import truth_of
 from chatscene.world.story.entities import Entity
 from chatscene.world.story.pace import Pace, Steady, Waits, pace_of
-from chatscene.world.story.places import Place, place_of
+from chatscene.world.story.places import AWAY, Place, place_of
 from chatscene.world.story.ways import Way, course, steering, way_of
 
-_AWAY = 5_000.0  # [m] to which somebody goes who is not there
 _STOPPING = frozenset(("overwrite", "override"))
 
 
@@ -322,13 +321,15 @@ def _over(mode: Pace | Way) -> bool:
 
 
 class Mover:
-    """Moves one of a story, by what it was told last about its speed and about its way."""
+    """Moves one of a story, by what it was told last about its speed and about its way.
+
+    Whatever is told in the place of something ends that, so that nobody waits for it any longer.
+    """
 
     def __init__(self, who: Entity, story: Story) -> None:
         self._who, self._story = who, story
         self._pace: Pace = Steady(who.speed)
-        x, y, _ = who.origin
-        self._way = Way(who.line, who.line.project(x, y)[1])
+        self._way = self._onward()
 
     def told(self, what: tuple[Any, ...]) -> Pace | Way:
         """Begin to do something.
@@ -338,32 +339,48 @@ class Mover:
         """
         pace = pace_of(what, self._who, self._story)
         if pace is not None:
-            self._supersede(self._pace)
-            self._pace = pace
+            if self._way.timed:  # what tells speeds with its line, is over with either
+                self._goes(self._way.untimed())
+            self._paces(pace)
             return pace
         way = way_of(what, self._who, self._story)
         if way is None:
             raise ValueError(f"a story has nothing that is done as {what[0]!r}")
-        self._supersede(self._way)
-        self._way, self._who.line = way, way.line
+        self._goes(way)
         return way
 
-    def _supersede(self, mode: Pace | Way) -> None:
-        mode.done = True
+    def _paces(self, pace: Pace) -> None:
+        self._pace.done = True
+        self._pace = pace
+
+    def _goes(self, way: Way) -> None:
+        if way.timed or self._way.timed:
+            self._paces(Steady(self._who.speed))
+        self._way.done = True
+        self._way, self._who.line = way, way.line
+
+    def _onward(self) -> Way:
+        """The way along the line that it follows, as far beside that as it is."""
+        x, y, _ = self._who.origin
+        return Way(self._who.line, self._who.line.project(x, y)[1])
+
+    def _along_its_lane(self) -> None:
+        self._who.line = self._who.own_line()
+        self._goes(self._onward())
 
     def jump(self, x: float, y: float, heading: float) -> None:
         """Be somewhere else at once, and go on along the lane there."""
         ahead = self._who.ahead
         x, y = x + ahead * math.cos(heading), y + ahead * math.sin(heading)
         self._who.agent.jumpTo(x, y, heading, self._who.speed)
-        self._who.line = self._who.own_line()
-        self._way = Way(self._who.line, self._who.line.project(x, y)[1])
+        self._along_its_lane()
 
     def leave(self) -> None:
         """Be gone: far from everything, standing."""
         x, y, heading, _ = self._who.agent.pose
-        self._pace, self._way = Steady(0.0), Way(self._who.line)
-        self._who.agent.jumpTo(x + _AWAY, y + _AWAY, heading)
+        self._goes(Way(self._who.line))
+        self._paces(Steady(0.0))
+        self._who.agent.jumpTo(x + AWAY, y + AWAY, heading)
 
     def drive(self, agent: Any, dt: float) -> None:
         """Hand to the agent what it is to do in this step; a thing does nothing."""
@@ -375,13 +392,10 @@ class Mover:
         if agent.isWalker:
             agent.setWalk(course(who, way, time), max(speed, 0.0))
         else:
-            agent.setSpeed(speed, steering(who, way, time) if speed >= 0.0 else 0.0)
+            wheel = steering(who, way, time)  # asked of who backs straight, too: its way passes meanwhile
+            agent.setSpeed(speed, wheel if speed >= 0.0 else 0.0)
         if way.done and way.ends:
-            who.line = who.own_line()
-            x, y, _ = who.origin
-            self._way = Way(who.line, who.line.project(x, y)[1])
-            if table is not None:
-                self._pace = Steady(who.speed)
+            self._along_its_lane()
 
 
 _stories: WeakKeyDictionary[Any, Story] = WeakKeyDictionary()

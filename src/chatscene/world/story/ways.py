@@ -2,7 +2,7 @@
 
 ('lane', shape, dimension, amount, target, left)      target: ('to', number) or ('of', whom, lanes to its left)
 ('aside', shape, most lateral acceleration, target, for good)   target: ('to' or 'mine', left) or ('of', whom, left)
-('line', line or (place, points), times, start)       times: () or (absolute, ((s, m), …)); start [m] along it
+('line', line or (place, points), times, start)       times: () or (absolute, ((s, m), …)); start: where on it [m]
 ('way', line)                                         a route: followed from now on
 ('beside', whom, distance, side, freespace, for good)
 """
@@ -10,6 +10,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -36,14 +37,19 @@ class Way:
 
     Attributes:
         done: Whether it is over.
+        timed: Whether it tells how fast, too.
         ends: Whether nothing is left of it once it is over, so that somebody goes on along the lane there.
         line: The line.
     """
 
-    ends = False
+    ends = timed = False
 
     def __init__(self, line: Polyline, left: float = 0.0) -> None:
         self.line, self._left, self.done = line, left, True
+
+    def untimed(self) -> Way:
+        """The same, without speeds."""
+        return self
 
     def left(self, time: float) -> float:
         """How far beside the line it is to be at a time [m]."""
@@ -92,17 +98,23 @@ class Beside(Way):
 
 
 class Line(Way):
-    """Follows a line to its end, by a time table if it has one."""
+    """Follows a line from a place on it to its end, by a time table if it has one."""
 
     ends = True
 
     def __init__(self, who: Entity, world: World, line: Polyline, times: Any, start: float) -> None:
-        super().__init__(line)
-        self._who, self._world, self._start = who, world, start
+        start = min(start, max(line.length - _AT_END, 0.0))  # a program's line is the shorter by some millimetres
+        super().__init__(line.between(start, line.length) if start > 0.0 else line)
+        self._who, self._world = who, world
         absolute, table = times or (False, ())
-        self._table: list[tuple[float, float]] = list(table)
-        self._began = 0.0 if absolute else world.time
+        self._table: list[tuple[float, float]] = _onward(table, start) if start > 0.0 else list(table)
+        self.timed = bool(self._table)
+        self._began = 0.0 if absolute else world.time - (self._table[0][0] if start > 0.0 and table else 0.0)
         self.done = False
+
+    def untimed(self) -> Way:
+        """What is left of its line, without its time table."""
+        return Line(self._who, self._world, self.line, (), 0.0)
 
     def left(self, time: float) -> float:
         """On the line."""
@@ -129,6 +141,15 @@ class Line(Way):
             if time < t1:
                 return s0 + (s1 - s0) * (time - t0) / max(t1 - t0, 1e-9)
         return table[-1][1]
+
+
+def _onward(table: Sequence[tuple[float, float]], start: float) -> list[tuple[float, float]]:
+    """A time table from a place on [m]: it begins at the time at which that place is passed."""
+    left = [(time, gone - start) for time, gone in table if gone > start]
+    for (t0, s0), (t1, s1) in pairwise(table):
+        if s0 <= start < s1:
+            return [(t0 + (t1 - t0) * (start - s0) / (s1 - s0), 0.0), *left]
+    return left or [(table[-1][0], 0.0)] if table else []
 
 
 def way_of(told: tuple[Any, ...], who: Entity, world: World) -> Way | None:

@@ -1,0 +1,248 @@
+# ruff: noqa: E501 - elements stand in one line each
+"""What goes on in a story that is played: what ends when, how soon two meet, who is meant."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from chatscene.errors import ScenarioError
+from chatscene.imports.written_story import written_story
+from chatscene.search.generators.foreign import foreign_program
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.storyboard import Storyboard
+from chatscene.world.story.conditions import truth_of
+from chatscene.world.story.entities import Entity
+from chatscene.world.story.places import Place, place_of
+from chatscene.world.story.ways import way_of
+from played import DISTANCE, STATE, TIME, driven, read, speed, story
+from red_team.scenario_files import NEAR, event, scenario
+
+SHAPE = '<Trajectory name="t" closed="false"><Shape><Polyline>{}</Polyline></Shape></Trajectory>'
+VERTEX = '<Vertex{}><Position><WorldPosition x="136.75" y="{}"/></Position></Vertex>'
+UNTIMED, TIMED = "<None/>", '<Timing domainAbsoluteRelative="relative" scale="1" offset="0"/>'
+
+
+def follows(*vertices: tuple[float, float], timed: bool, offset: str = "0") -> str:
+    """A line along x = 136.75, of (y, s)."""
+    line = "".join(VERTEX.format(f' time="{time}"' if timed else "", y) for y, time in vertices)
+    reference = f"<TimeReference>{TIMED if timed else UNTIMED}</TimeReference>"
+    return f'<RoutingAction><FollowTrajectoryAction initialDistanceOffset="{offset}"><TrajectoryRef>{SHAPE.format(line)}</TrajectoryRef>{reference}</FollowTrajectoryAction></RoutingAction>'
+
+
+LONG = follows((-345, 0), (-200, 0), timed=False)
+FAST = follows((-345, 0), (-200, 20), timed=True)
+JUMP = '<TeleportAction><Position><WorldPosition x="136.75" y="-300" h="1.570796"/></Position></TeleportAction>'
+GONE = '<GlobalAction><EntityAction entityRef="lead"><DeleteEntityAction/></EntityAction></GlobalAction>'
+
+
+def stopped_by(condition: str, text: str) -> str:
+    """A scenario that ends when a condition holds."""
+    whole = f'<StopTrigger><ConditionGroup><Condition name="x" delay="0" conditionEdge="none">{condition}</Condition></ConditionGroup></StopTrigger></Storyboard>'
+    return text.replace("<StopTrigger/></Storyboard>", whole)
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [(LONG, JUMP), (LONG, GONE), (speed(9, 30), GONE), (speed(9, 30), FAST), (FAST, speed(3)), (FAST, JUMP)],
+    ids=["way-jump", "way-leave", "pace-leave", "pace-timed", "timed-pace", "timed-jump"],
+)
+def test_what_something_else_replaces_is_over_for_who_waits_for_it(first: str, second: str, beside: Path) -> None:
+    events = event(first, TIME.format(1), "first") + event(second, TIME.format(2), "second")
+    events = events.replace('"overwrite"', '"parallel"').replace(f"<PrivateAction>{GONE}</PrivateAction>", GONE)
+    text = scenario(events=events + event(DISTANCE, TIME.format(90), "later"))
+    found = driven(beside, stopped_by(STATE.format("event", "first", "completeState"), text))
+    assert str(found.ending) == "scenario-done"
+    assert 19 <= len(found.tracks[0].x) <= 25
+
+
+def test_a_file_in_which_only_the_ego_does_something_ends_as_it_tells(beside: Path) -> None:
+    text = scenario().replace('entityRef="lead"/></Actors>', 'entityRef="ego"/></Actors>')
+    text = stopped_by(
+        TIME.format(1), text.replace('<AbsoluteTargetSpeed value="5"/>', '<AbsoluteTargetSpeed value="0"/>')
+    )
+    found = driven(beside, text)
+    assert str(found.ending) == "scenario-done"
+    assert len(found.tracks[0].x) <= 13
+
+
+def test_the_end_of_a_file_with_nobody_but_an_ego_is_noted(beside: Path) -> None:
+    text = scenario()
+    body = text[text.index('<ScenarioObject name="lead">') : text.index("</Entities>")]
+    init = text[text.index('<Private entityRef="lead">') : text.index("</Actions></Init>")]
+    tale = text[text.index("<Story ") : text.index("<StopTrigger/></Storyboard>")]
+    for part in (body, init, tale):
+        text = text.replace(part, "")
+    found = read(beside, stopped_by(TIME.format(1), text))
+    assert any("ends as any does, not as is told" in note for note in found.notes)
+    foreign_program("theirs", written_story(found.board, "theirs.xosc"))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("dynamics", "told"),
+    [('dynamicsDimension="time" value="7"', "after 7 s, as is told"), ('dynamicsDimension="rate" value="2"', "after 3 s, as no time is told")],
+)  # fmt: skip
+def test_how_long_the_ego_is_waited_for_is_noted(dynamics: str, told: str, beside: Path) -> None:
+    does = f'<LongitudinalAction><SpeedAction><SpeedActionDynamics dynamicsShape="linear" {dynamics}/><SpeedActionTarget><AbsoluteTargetSpeed value="3"/></SpeedActionTarget></SpeedAction></LongitudinalAction>'
+    text = scenario(events=event(does)).replace('entityRef="lead"/></Actors>', 'entityRef="ego"/></Actors>')
+    found = read(beside, text.replace('<AbsoluteTargetSpeed value="5"/>', '<AbsoluteTargetSpeed value="0"/>'))
+    assert any(told in note for note in found.notes)
+
+
+# Selections
+
+
+BY_TYPE = '<EntitySelection name="all"><Members>{}</Members></EntitySelection></Entities>'
+
+
+def about(who: str) -> str:
+    return event(DISTANCE, NEAR.replace('<EntityRef entityRef="ego"/>', f'<EntityRef entityRef="{who}"/>'))
+
+
+@pytest.mark.parametrize(
+    "members",
+    ['<ByType objectType="vehicle"/>', '<EntityRef entityRef="inner"/>', '<EntityRef entityRef="ego"/><EntityRef entityRef="lead"/>'],
+    ids=["type", "selection", "names"],
+)  # fmt: skip
+def test_a_selection_holds_those_that_it_names_by_type_selection_or_name(members: str, beside: Path) -> None:
+    inner = BY_TYPE.replace('"all"', '"inner"').format('<ByType objectType="vehicle"/>').removesuffix("</Entities>")
+    text = scenario(events=about("all")).replace("</Entities>", inner + BY_TYPE.format(members))
+    assert "'apart', 'any', ('ego', 'lead')" in str(story(beside, text).acts)
+
+
+@pytest.mark.parametrize(
+    ("members", "why"),
+    [("", "it holds nobody"), ('<ByType objectType="boat"/>', "the type 'boat' is not known"), ('<EntityRef entityRef="who"/>', "'who' is nobody"), ('<EntityRef entityRef="all"/>', "'all' is nobody")],
+)  # fmt: skip
+def test_a_selection_of_nobody_who_is_known_is_refused(members: str, why: str, beside: Path) -> None:
+    text = scenario(events=about("ego")).replace("</Entities>", BY_TYPE.format(members))
+    with pytest.raises(ScenarioError, match=rf"line \d+: .*{why}"):
+        read(beside, text)
+
+
+def test_that_a_condition_is_about_nobody_who_is_there_is_noted(beside: Path) -> None:
+    text = scenario(events=about("all") + event(DISTANCE, TIME.format(1))).replace(
+        "</Entities>", BY_TYPE.format('<ByType objectType="pedestrian"/>')
+    )
+    notes = read(beside, text).notes
+    assert any("there is nobody of the type pedestrian" in note for note in notes)
+    assert any("nobody whom it is about is there; this never holds" in note for note in notes)
+
+
+def test_a_collision_with_a_type_is_one_with_those_of_that_type(beside: Path) -> None:
+    hit = '<ByEntityCondition><TriggeringEntities triggeringEntitiesRule="any"><EntityRef entityRef="ego"/></TriggeringEntities><EntityCondition><CollisionCondition><ByType type="{}"/></CollisionCondition></EntityCondition></ByEntityCondition>'
+    told = [
+        str(story(beside, scenario(events=event(DISTANCE, hit.format(kind)))).acts)
+        for kind in ("vehicle", "pedestrian")
+    ]
+    assert "'touches', 'any', ('ego',), ('ego', 'lead'))" in told[0]
+    assert "'touches', 'any', ('ego',), ())" in told[1]
+
+
+# Times to collisions and lines, of bodies that are where a test says
+
+
+class Bodies:
+    """A world of those whose poses are told: x, y [m], heading [rad], speed [m/s]; each follows the x axis."""
+
+    def __init__(self, **poses: tuple[float, float, float, float]) -> None:
+        self.time, self.variables = 0.0, dict[str, Any]()
+        line = SimpleNamespace(line=Polyline([(-1000.0, 0.0), (1000.0, 0.0)]))
+        self._who = {
+            name: Entity(SimpleNamespace(pose=pose, route=line, isWalker=False, length=4.0, width=2.0), name, 0.0, None)
+            for name, pose in poses.items()
+        }
+
+    def entity(self, name: str) -> Entity:
+        return self._who[name]
+
+    def place(self, told: tuple[Any, ...]) -> Place:
+        return place_of(told, self.entity)
+
+    def is_in(self, kind: str, name: str, state: str) -> bool:
+        raise AssertionError((kind, name, state))
+
+
+def in_less_than(seconds: float, world: Bodies, other: Any, how: str = "", frame: str = "entity") -> bool:
+    return truth_of(("collision-in", "any", ("a",), "lessThan", seconds, other, how, frame, False), world)()
+
+
+EAST, NORTH, WEST = 0.0, math.pi / 2, math.pi
+PLACE = ("at", 100.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("how", ["", "longitudinal"])
+@pytest.mark.parametrize("frame", ["entity", "road"])
+@pytest.mark.parametrize(("heading", "speed", "near"), [(EAST, 10.0, True), (WEST, 10.0, False), (WEST, -10.0, True)])
+def test_only_who_comes_nearer_to_a_place_has_a_time_to_it(
+    heading: float, speed: float, near: bool, how: str, frame: str
+) -> None:
+    world = Bodies(a=(0.0, 0.0, heading, speed))
+    assert in_less_than(10.1, world, PLACE, how, frame) is near
+    assert not in_less_than(9.9, world, PLACE, how, frame)
+
+
+@pytest.mark.parametrize(
+    ("other", "how", "frame", "seconds"),
+    [
+        ((100.0, 0.0, WEST, 10.0), "", "entity", 5.0),
+        ((100.0, 0.0, EAST, 5.0), "longitudinal", "entity", 20.0),
+        ((-50.0, 0.0, EAST, 20.0), "longitudinal", "road", 5.0),
+        ((30.0, -40.0, NORTH, 10.0), "", "entity", 50.0 / (10.0 * 0.6 + 10.0 * 0.8)),
+        ((30.0, -40.0, NORTH, 10.0), "lateral", "entity", 4.0),
+        ((30.0, -40.0, NORTH, 10.0), "lateral", "road", 4.0),
+        ((30.0, -40.0, NORTH, 10.0), "longitudinal", "road", 3.0),
+        ((100.0, 0.0, EAST, 15.0), "", "entity", math.inf),
+        ((30.0, -40.0, -NORTH, 10.0), "lateral", "entity", math.inf),
+    ],
+)  # fmt: skip
+def test_the_time_of_two_to_each_other_is_of_what_both_do_along_the_axis_that_is_asked(
+    other: tuple[float, float, float, float], how: str, frame: str, seconds: float
+) -> None:
+    world = Bodies(a=(0.0, 0.0, EAST, 10.0), b=other)
+    assert in_less_than(seconds + 0.01, world, "b", how, frame) is math.isfinite(seconds)
+    assert not in_less_than(min(seconds - 0.01, 1e6), world, "b", how, frame)
+
+
+def test_a_place_beside_somebody_moves_as_that_one_does() -> None:
+    world = Bodies(a=(0.0, 0.0, EAST, 10.0), b=(100.0, 5.0, WEST, 10.0))
+    beside_b = ("beside", "b", 0.0, 5.0, 0.0)
+    assert in_less_than(5.01, world, beside_b)
+    assert not in_less_than(4.99, world, beside_b)
+
+
+def test_a_line_is_followed_from_the_distance_along_it_that_is_told() -> None:
+    world = Bodies(a=(40.0, 0.0, EAST, 10.0))
+    world.time = 3.0
+    table = ((2.0, 0.0), (4.0, 40.0), (10.0, 100.0))
+    line = Polyline([(0.0, 0.0), (100.0, 0.0)])
+    for absolute, due in ((False, 10.0), (True, 0.0)):
+        way = way_of(("line", line, (absolute, table), 40.0), world.entity("a"), world)
+        assert way is not None
+        assert way.line.length == pytest.approx(60.0)
+        assert way.line.point_at(0.0) == pytest.approx((40.0, 0.0))
+        assert way.hastens(world.entity("a"), 0.1) == pytest.approx(due)
+
+
+def test_a_distance_along_a_line_that_is_longer_than_it_is_refused(beside: Path) -> None:
+    def told(offset: str) -> str:
+        return scenario(events=event(follows((-345, 0), (-245, 20), timed=True, offset=offset)))
+
+    assert "20.0)" in str(story(beside, told("20")).acts)
+    with pytest.raises(ScenarioError, match=r"its line is 100 m long, and 100 m is not on it"):
+        read(beside, told("100"))
+
+
+def test_that_a_plan_follows_its_line_from_where_somebody_is_is_noted(beside: Path) -> None:
+    line = SHAPE.replace('"t"', '"leadWay"').format(VERTEX.format("", -345) + VERTEX.format("", -245))
+    at = f'<TrajectoryPosition s="2" t="0"><TrajectoryRef>{line}</TrajectoryRef></TrajectoryPosition>'
+    way = follows((-345, 0), (-245, 0), timed=False, offset="20").replace('"t"', '"leadWay"')
+    found = read(
+        beside, scenario(place=at, events=event(way, TIME.format(1)) + event(speed(2), TIME.format(3), "then"))
+    )
+    assert isinstance(found.board, Storyboard)
+    assert any("follows its line from where it is" in note for note in found.notes)
