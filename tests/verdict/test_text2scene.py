@@ -1,0 +1,122 @@
+"""The benchmark of scenes from texts: its tasks are whole, and its scorer tells right from wrong."""
+
+from __future__ import annotations
+
+import importlib
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+HERE = Path(__file__).parents[2] / "benchmarks" / "text2scene"
+AHEAD: dict[str, Any] = {
+    "version": 1,
+    "others": [{"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": [{"act": "brake"}]}],
+}
+
+
+@pytest.fixture
+def bench(monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
+    """The programs of the benchmark, by name."""
+    monkeypatch.syspath_prepend(str(HERE))
+    return {name: importlib.import_module(name) for name in ("tasks", "score")}
+
+
+def rows() -> list[dict[str, Any]]:
+    return [json.loads(line) for line in (HERE / "tasks.jsonl").read_text(encoding="utf-8").splitlines()]
+
+
+def a_task(name: str) -> dict[str, Any]:
+    return {
+        "id": name,
+        "split": "made",
+        "voice": "tester",
+        "by": "person",
+        "licence": "Apache-2.0",
+        "readers": 1,
+        "at": {"file": "none", "row": 0},
+        "sha256": "",
+        "situation": AHEAD,
+    }
+
+
+def test_there_are_five_hundred_tasks_of_ten_voices() -> None:
+    found = rows()
+
+    assert len(found) >= 500
+    assert len({row["id"] for row in found}) == len(found)
+    assert len({row["voice"] for row in found}) >= 10
+    assert {row["by"] for row in found} == {"person", "language model"}
+
+
+def test_the_card_tells_how_many_tasks_each_source_has() -> None:
+    card = (HERE / "README.md").read_text(encoding="utf-8")
+    found = rows()
+
+    for split in {row["split"] for row in found}:
+        number = sum(row["split"] == split for row in found)
+        assert f"| `{split}` | {number} |" in card
+    persons = sum(row["by"] == "person" for row in found)
+    assert f"**{persons} of {len(found)} texts are by persons ({persons / len(found):.0%})**" in card
+
+
+def test_facts_that_are_kept_are_situations(bench: dict[str, Any]) -> None:
+    for task in bench["tasks"].tasks()[::25]:
+        assert task.facts.others
+
+
+def test_a_text_in_this_repository_is_the_one_whose_facts_were_noted(bench: dict[str, Any]) -> None:
+    for task in bench["tasks"].tasks():
+        if "file" in task.at:
+            assert bench["tasks"].text_of(task, None)
+
+
+def test_a_text_elsewhere_is_told_to_be_missing(bench: dict[str, Any]) -> None:
+    elsewhere = next(task for task in bench["tasks"].tasks() if "repository" in task.at)
+
+    with pytest.raises(bench["tasks"].NoTextError, match=r"in a clone of https://github\.com/"):
+        bench["tasks"].text_of(elsewhere, None)
+
+
+def test_answers_are_right_part_wrong_refused_or_missing_and_are_judged_once(
+    bench: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    answers = tmp_path / "answers"
+    answers.mkdir()
+    listed = tmp_path / "tasks.jsonl"
+    names = ("shown", "fast", "leaves", "unbuilt", "forbidden", "absent")
+    fast = {**AHEAD, "ego": {"speed": "70 km/h"}}
+    tasks = {name: a_task(name) for name in names} | {"fast": {**a_task("fast"), "situation": fast}}
+    listed.write_text("".join(json.dumps(tasks[name]) + "\n" for name in names), encoding="utf-8")
+    car = AHEAD["others"][0]
+    leaves = {**AHEAD, "others": [{**car, "does": [{"act": "accelerate"}]}]}
+    for name, said in (("shown", AHEAD), ("fast", AHEAD), ("leaves", leaves), ("unbuilt", {"version": 1})):
+        (answers / f"{name}.json").write_text(json.dumps(said), encoding="utf-8")
+    (answers / "forbidden.scenic").write_text("import os\nego = new Object\n", encoding="utf-8")
+
+    first = score(bench, answers, listed)
+
+    counts = json.loads(first.stdout)["all"]
+    assert counts == {
+        "tasks": 6, "right": 1, "part": 1, "wrong": 1, "refused": 2, "missing": 1, "score": round(1 / 6, 4),
+    }  # fmt: skip
+    kept = (tmp_path / "answers.rows.jsonl").read_bytes()
+    told = {row["id"]: row["why"] for row in map(json.loads, kept.decode().splitlines())}
+    assert any("ego.speed" in line for line in told["fast"])
+    assert any("does.0.act" in line for line in told["leaves"])
+
+    def never(*_: object) -> None:
+        raise AssertionError("it was judged before")
+
+    monkeypatch.setattr(bench["score"], "judged", never)
+    assert score(bench, answers, listed).stdout == first.stdout
+    assert (tmp_path / "answers.rows.jsonl").read_bytes() == kept
+
+
+def score(bench: dict[str, Any], answers: Path, listed: Path) -> Result:
+    asked = [str(answers), "--tasks", str(listed), "--draws", "1", "--jobs", "1", "--json"]
+    made = CliRunner().invoke(bench["score"].main, asked, catch_exceptions=False)
+    assert made.exit_code == 0, made.output
+    return made
