@@ -54,6 +54,18 @@ def test_every_public_name_is_there_and_none_is_a_module(name: str) -> None:
     assert importlib.util.find_spec(f"chatscene.{name}") is None
 
 
+def test_to_import_the_package_keeps_onnxruntime_from_reporting_unless_the_user_says_otherwise(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    said = "import os, chatscene; print(os.environ['ORT_DISABLE_TELEMETRY'])"
+    monkeypatch.delenv("ORT_DISABLE_TELEMETRY", raising=False)
+    for own, told in ((None, "1"), ("0", "0")):
+        if own is not None:
+            monkeypatch.setenv("ORT_DISABLE_TELEMETRY", own)
+        done = subprocess.run([sys.executable, "-c", said], capture_output=True, text=True, check=True)
+        assert done.stdout.strip() == told
+
+
 def test_to_import_the_package_loads_nothing_of_it() -> None:
     loaded = "import chatscene, sys; print(*(m for m in sys.modules if m.startswith(('chatscene', 'numpy'))))"
     told = subprocess.run([sys.executable, "-c", loaded], capture_output=True, text=True, check=True)

@@ -95,9 +95,7 @@ os.environ |= dict.fromkeys(
     ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1"
 )
 
-
-# Nobody is told what is done here: onnxruntime reports its use to its makers unless it is told not to.
-os.environ["ORT_DISABLE_TELEMETRY"] = "1"
+os.environ.setdefault("ORT_DISABLE_TELEMETRY", "1")  # onnxruntime reports its use unless told not to
 
 if not TYPE_CHECKING:  # else a type checker would take any name for one of ours
 
