@@ -889,8 +889,8 @@ def verify(
     """Whether a program, a run or a recording shows what was said, fact by fact, from its tracks.
 
     Args:
-        what: A Scenic program (``.scenic``) or a file of OpenSCENARIO (``.xosc``), which run in the sandbox; a run; or
-            a table of tracks (``.csv``).
+        what: A Scenic program (``.scenic``) or a file of OpenSCENARIO (``.xosc``), which run in the sandbox; a run; a
+            table of tracks (``.csv``); or a trace of ASAM OSI (``.mcap``).
         said: A sentence, a situation, or the file of a situation or of a report; None for what a run was made of.
         draws: How many drives of a program are judged, or scenes of a run.
         seed: What their values are drawn by.

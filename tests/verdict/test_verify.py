@@ -14,6 +14,7 @@ from chatscene.commands.main import main
 from chatscene.errors import SettingsError
 from chatscene.situations.file import read_text
 from chatscene.terms.situation import Situation
+from chatscene.verdict.sources import KINDS
 
 CROSSES = "A pedestrian crosses the street from the right."
 BRAKES = """
@@ -260,3 +261,9 @@ def test_a_file_of_openscenario_is_judged_as_the_program_that_it_is_here(tmp_pat
     assert verdict.status == 0, str(verdict)
     assert chatscene.verify(export, draws=2).status == 0
     assert chatscene.verify(export, "The car ahead of us reverses.", draws=2).status == 1
+
+
+def test_every_kind_that_is_judged_is_named_wherever_kinds_are_told() -> None:
+    told = [CliRunner().invoke(main, [command, "--help"]).output for command in ("verify", "story")]
+    for text in (*told, chatscene.verify.__doc__ or ""):
+        assert [kind for kind in KINDS if f"({kind})" not in text.replace("``", "")] == []

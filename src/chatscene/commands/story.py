@@ -36,8 +36,8 @@ def story(
 ) -> None:
     """Say what happened in a drive of WHAT, in words, with times and speeds. Nothing is judged.
 
-    WHAT is as with verify: a run's folder, a Scenic program (.scenic), a file of OpenSCENARIO (.xosc), or a table of
-    tracks (.csv). Of a program one drive is made.
+    WHAT is as with verify: a run's folder, a Scenic program (.scenic), a file of OpenSCENARIO (.xosc), a table of
+    tracks (.csv), or a trace of ASAM OSI (.mcap). Of a program one drive is made.
 
     \b
     chatscene story runs/cyclist

@@ -60,9 +60,9 @@ def verify(
 ) -> None:
     """Say whether WHAT shows what was SAID, fact by fact, from its tracks.
 
-    WHAT is a Scenic program (.scenic), a file of OpenSCENARIO (.xosc), a run's folder, or a table of tracks (.csv).
-    SAID is a sentence, or a file: a situation (.yaml, .json), or a report (.txt, .md). Of a run it may be left out: it
-    is then what the run was made of.
+    WHAT is a Scenic program (.scenic), a file of OpenSCENARIO (.xosc), a run's folder, a table of tracks (.csv), or
+    a trace of ASAM OSI (.mcap). SAID is a sentence, or a file: a situation (.yaml, .json), or a report (.txt, .md). Of
+    a run it may be left out: it is then what the run was made of.
 
     Exit status: 0 all that could be judged is shown; 1 something is not, or happens unasked; 2 nothing could be
     judged, or WHAT or SAID cannot be read or driven; 3 the sentence was not understood.
