@@ -2,9 +2,10 @@
 
     python benchmarks/hostile_agent.py --calls 10000 --seed 0
 
-The server is the command, over its standard streams, in a folder with links that lead out of it. Beside the folder lie
-files with a secret. Counted is, by kind of call: how many had exactly one answer, whether that is an error of bounded
-length, whether the secret is in any answer, whether anything outside changed, and whether the server still works.
+The server is the command, over its standard streams, in a folder with a run and with links that lead out of it. Beside
+the folder lie files with a secret. Counted is, by kind of call: how many had exactly one answer, which is an error of
+bounded length, and names the path where one led out; whether the secret is in any answer, whether anything changed in
+the folder beside, and whether the server still works. Needs what the tests need.
 """
 
 from __future__ import annotations
@@ -20,31 +21,21 @@ import tempfile
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
+from chatscene.mcp.server import MOST_ERROR
 from chatscene.mcp.tools import TOOLS
 
-SECRET = "nobody outside may see this"
-MOST = 2_001  # characters of an error
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
+
+from folder_of_agents import CALLS, OUTSIDE, SECRET, SITUATION, furnished_with_run, paths_of
+
+MOST = MOST_ERROR + 1  # characters of an error: its bound, and the sign that it was cut
 AT_A_TIME = 16
-SITUATION = "others: [{id: A, kind: pedestrian, starts: {where: roadside, side: right}, does: [{act: cross}]}]\n"
 BEGIN = {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "hostile", "version": "1"}}
-RIGHT: dict[str, dict[str, Any]] = {
-    "vocabulary": {"about": "cut-in"},
-    "read": {"sentence": "A pedestrian crosses from the right."},
-    "build": {"file": "crosses.yaml"},
-    "verify": {"what": "drive.csv", "said_file": "crosses.yaml"},
-    "story": {"what": "drive.csv"},
-    "edit": {"file": "crosses.yaml", "edit": "make it a child"},
-    "run": {"file": "crosses.yaml", "scenes": 1, "out": "runs/one"},
-    "why": {"run": "runs/one"},
-    "rate": {"run": "runs/one"},
-    "coverage": {"catalogue": "one.toml"},
-    "export": {"run": "runs/one", "to": "csv", "out": "out"},
-    "import": {"file": "one.xosc", "save_as": "two.scenic"},
-}
-NAMES = ("secret.yaml", "secret.csv", "secret.toml", "secret.xosc", "secret.scenic", "secret.xodr", "secret.txt")
 HOSTILE_PROGRAMS = (
     "import os\nego = new Car\n",
     "model chatscene.world.model\nego = new Car\nopen('../outside/secret.txt')\n",
@@ -63,25 +54,31 @@ HOSTILE_SITUATIONS = (
     "a: b: c\n",
 )
 
-Call = tuple[str, bytes, Any]
-"""Its kind, the line, and the id that its answer has."""
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """A line to the server.
+
+    Attributes:
+        line: It.
+        id: Of its answer.
+        says: What its error says among other things.
+    """
+
+    line: bytes
+    id: Any
+    says: str = ""
+
+
+Call = tuple[str, Asked]
+"""What it is of `KINDS`, and the line."""
 
 
 def furnished(above: Path) -> Path:
-    """A folder for agents, and beside it what is none of theirs."""
-    folder, outside = above / "folder", above / "outside"
-    folder.mkdir()
-    outside.mkdir()
-    (folder / "crosses.yaml").write_text(SITUATION)
-    rows = ("0,a,car,0,0,0,10,1", "5,a,car,50,0,0,10,1", "0,b,pedestrian,30,5,0,0,0", "5,b,pedestrian,30,5,0,0,0")
-    (folder / "drive.csv").write_text("\n".join(("time,id,kind,x,y,heading,speed,ego", *rows)))
-    (folder / "one.toml").write_text('[[entry]]\nname = "one"\nsentence = "A pedestrian crosses from the right."\n')
+    """A folder for agents with a run and hostile files, and beside it what is none of theirs."""
+    folder = furnished_with_run(above / "folder")
     for number, text in enumerate(HOSTILE_PROGRAMS):
         (folder / f"hostile-{number}.scenic").write_text(text, encoding="utf-8")
-    for name in NAMES:
-        (outside / name).write_text(SECRET)
-        (folder / f"link-{name}").symlink_to(outside / name)
-    (folder / "link").symlink_to(outside)
     return folder
 
 
@@ -119,7 +116,7 @@ def outside_name(draw: random.Random) -> str:
     above = draw.choice(
         ("../outside/", "/etc/", "link/", "./../outside/", "runs/../../outside/", "link/../outside/", "//")
     )
-    name = draw.choice(NAMES)
+    name = draw.choice(OUTSIDE)
     return f"link-{name}" if draw.random() < 0.2 else above + name
 
 
@@ -133,7 +130,7 @@ def call_of(number: int, tool: Any, arguments: Any) -> bytes:
     return line_of(number, "tools/call", {"name": tool, "arguments": arguments})
 
 
-def no_message(draw: random.Random, number: int) -> tuple[bytes, Any]:
+def no_message(draw: random.Random, number: int) -> Asked:
     """A line that is no message."""
     lines = (
         (bytes(draw.randrange(32, 127) for _ in range(draw.randrange(1, 60))), None),
@@ -148,12 +145,12 @@ def no_message(draw: random.Random, number: int) -> tuple[bytes, Any]:
         (json.dumps({"jsonrpc": "2.0", "id": number, "method": value(draw, 0) or 7, "params": [1]}).encode(), number),
         (json.dumps([value(draw) for _ in range(3)]).encode(), None),
     )
-    return draw.choice(lines)
+    return Asked(*draw.choice(lines))
 
 
-def wrong_request(draw: random.Random, number: int) -> tuple[bytes, Any]:
+def wrong_request(draw: random.Random, number: int) -> Asked:
     """A request that asks for what there is not, or not as it is asked."""
-    return draw.choice(
+    line = draw.choice(
         (
             line_of(number, "".join(draw.choice("abc/") for _ in range(9)), {}),
             line_of(number, "tools/call", {"name": value(draw)} if draw.random() < 0.5 else {"arguments": {}}),
@@ -166,48 +163,48 @@ def wrong_request(draw: random.Random, number: int) -> tuple[bytes, Any]:
                 {"uri": draw.choice(("", "x", "file:///etc/passwd", "chatscene://no", "[" * 99))},
             ),
         )
-    ), number
+    )
+    return Asked(line, number)
 
 
-def wrong_arguments(draw: random.Random, number: int) -> tuple[bytes, Any]:
+def wrong_arguments(draw: random.Random, number: int) -> Asked:
     """A call whose arguments are none of the tool's."""
     tool = draw.choice(list(TOOLS))
     names = list(TOOLS[tool].arguments.model_fields)
     arguments = {name: value(draw) for name in draw.sample(names, draw.randrange(len(names) + 1))}
-    return call_of(number, tool, {**arguments, draw.choice(("nonsense", "__class__", "Part", "")): value(draw)}), number
+    wrong = {draw.choice(("nonsense", "__class__", "Part", "")): value(draw)}
+    return Asked(call_of(number, tool, {**arguments, **wrong}), number)
 
 
-def path_outside(draw: random.Random, number: int) -> tuple[bytes, Any]:
+def path_outside(draw: random.Random, number: int) -> Asked:
     """A call that is right but for a path, which leads out."""
-    paths = {
-        tool: [name for name, said in one.schema["properties"].items() if said.get("maxLength") == 500]
-        for tool, one in TOOLS.items()
-    }
-    tool = draw.choice([tool for tool, names in paths.items() if names])
-    return call_of(number, tool, {**RIGHT[tool], draw.choice(paths[tool]): outside_name(draw)}), number
+    tool = draw.choice([tool for tool in TOOLS if paths_of(tool)])
+    path, name = draw.choice(paths_of(tool)), outside_name(draw)
+    return Asked(call_of(number, tool, {**CALLS[tool], path: name}), number, f"{name!r} lies outside the folder")
 
 
-def address_outside(draw: random.Random, number: int) -> tuple[bytes, Any]:
+def address_outside(draw: random.Random, number: int) -> Asked:
     """A resource that lies outside."""
     kind = draw.choice(("file", "report", "picture"))
     name = draw.choice(
         (outside_name(draw), outside_name(draw).replace("/", "%2f"), outside_name(draw).replace(".", "%2e"))
     )
-    return line_of(number, "resources/read", {"uri": f"chatscene://{kind}/{name}"}), number
+    says = repr(unquote(name.lstrip("/")))
+    return Asked(line_of(number, "resources/read", {"uri": f"chatscene://{kind}/{name}"}), number, says)
 
 
-def hostile_content(draw: random.Random, number: int) -> tuple[bytes, Any]:
+def hostile_content(draw: random.Random, number: int) -> Asked:
     """A situation or a program that is to do harm."""
     if draw.random() < 0.7:
-        return call_of(number, "build", {"situation": draw.choice(HOSTILE_SITUATIONS)}), number
+        return Asked(call_of(number, "build", {"situation": draw.choice(HOSTILE_SITUATIONS)}), number)
     program = f"hostile-{draw.randrange(len(HOSTILE_PROGRAMS))}.scenic"
     tool, arguments = draw.choice(
         (("verify", {"what": program, "said_file": "crosses.yaml"}), ("story", {"what": program}))
     )
-    return call_of(number, tool, arguments), number
+    return Asked(call_of(number, tool, arguments), number)
 
 
-KINDS: dict[str, tuple[float, Callable[[random.Random, int], tuple[bytes, Any]]]] = {
+KINDS: dict[str, tuple[float, Callable[[random.Random, int], Asked]]] = {
     "no message": (0.15, no_message),
     "wrong request": (0.15, wrong_request),
     "wrong arguments": (0.35, wrong_arguments),
@@ -224,12 +221,11 @@ def calls(count: int, seed: int) -> Iterator[Call]:
     names, shares = list(KINDS), [share for share, _ in KINDS.values()]
     for number in range(1, count + 1):
         kind = draw.choices(names, shares)[0]
-        line, own = KINDS[kind][1](draw, number)
-        yield kind, line, own
+        yield kind, KINDS[kind][1](draw, number)
 
 
-def fault_of(answer: dict[str, Any]) -> str:
-    """What is wrong with an answer; empty if it is one clear error."""
+def fault_of(answer: dict[str, Any], says: str) -> str:
+    """What is wrong with an answer; empty if it is one clear error, which says so."""
     if "error" in answer:
         text = answer["error"]["message"]
     elif answer["result"].get("isError"):
@@ -238,7 +234,9 @@ def fault_of(answer: dict[str, Any]) -> str:
         return f"no error: {json.dumps(answer)[:200]}"
     if not text.strip() or len(text) > MOST:
         return f"an error of {len(text)} characters"
-    return f"unclear: {text[:200]}" if "a fault of chatscene" in text or "Traceback" in text else ""
+    if "a fault of chatscene" in text or "Traceback" in text:
+        return f"unclear: {text[:200]}"
+    return "" if says in text else f"about something else: {text[:200]}"
 
 
 def attacked(folder: Path, count: int, seed: int) -> tuple[Counter[tuple[str, str]], bool, list[str]]:
@@ -256,18 +254,19 @@ def attacked(folder: Path, count: int, seed: int) -> tuple[Counter[tuple[str, st
         def ask() -> None:
             assert process.stdin
             assert process.stdout
-            process.stdin.write(b"".join(line + b"\n" for _, line, _ in batch))
+            process.stdin.write(b"".join(one.line + b"\n" for _, one in batch))
             process.stdin.flush()
             waiting = list(batch)
             for _ in batch:
                 said = process.stdout.readline()
                 answer = json.loads(said)
-                mine = next(one for one in waiting if one[2] == answer["id"])
+                mine = next(call for call in waiting if call[1].id == answer["id"])
                 waiting.remove(mine)
-                fault = fault_of(answer) or ("the secret" if SECRET.encode() in said else "")
-                found[mine[0], "fault" if fault else "one clear error"] += 1
+                kind, one = mine
+                fault = fault_of(answer, one.says) or ("the secret" if SECRET.encode() in said else "")
+                found[kind, "fault" if fault else "one clear error"] += 1
                 if fault:
-                    wrong.append(f"{mine[0]}: {mine[1][:200]!r}: {fault}")
+                    wrong.append(f"{kind}: {one.line[:200]!r}: {fault}")
             batch.clear()
 
         for call in calls(count, seed):

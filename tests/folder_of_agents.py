@@ -5,8 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from chatscene.mcp.folder import Folder
+import chatscene
+from chatscene.mcp.folder import LONGEST, Folder
 from chatscene.mcp.tool import Desk
+from chatscene.mcp.tools import TOOLS
 from chatscene.mcp.working import answered
 
 CROSSES = "A pedestrian crosses from the right."
@@ -23,6 +25,8 @@ TABLE = """time,id,kind,x,y,heading,speed,ego
 """
 CATALOGUE = f'[[entry]]\nname = "one"\nsentence = "{CROSSES}"\n'
 SECRET = "nobody outside may see this"
+OUTSIDE = ("secret.yaml", "secret.csv", "secret.toml", "secret.xosc", "secret.scenic", "secret.xodr", "secret.txt")
+"""Files beside the folder."""
 
 CALLS: dict[str, dict[str, Any]] = {
     "vocabulary": {"about": "cut-in"},
@@ -38,7 +42,7 @@ CALLS: dict[str, dict[str, Any]] = {
     "export": {"run": "runs/brakes", "to": "csv", "out": "exported"},
     "import": {"file": "crash.xosc", "save_as": "imported.scenic"},
 }
-"""Of each tool, arguments that are right."""
+"""Of each tool, arguments that are right in a folder with a run."""
 
 
 def furnished(folder: Path) -> Path:
@@ -49,11 +53,28 @@ def furnished(folder: Path) -> Path:
     (folder / "one.toml").write_text(CATALOGUE)
     outside = folder.parent / "outside"
     outside.mkdir()
-    for name in ("secret.yaml", "secret.csv", "secret.toml", "secret.xosc", "secret.scenic", "secret.xodr"):
+    for name in OUTSIDE:
         (outside / name).write_text(SECRET)
         (folder / f"link-{name}").symlink_to(outside / name)
     (folder / "link").symlink_to(outside)
     return folder
+
+
+def furnished_with_run(folder: Path) -> Path:
+    """The same, with a run, and with a scene of it as OpenSCENARIO beside its map."""
+    made = furnished(folder)
+    chatscene.run("The car ahead brakes hard.", made / "runs" / "brakes", scenes=4)
+    chatscene.export(made / "runs" / "brakes", to="openscenario-logical", out=made / "xosc")
+    first = sorted(made.glob("xosc/*scene-*.xosc"))[0]
+    (made / "crash.xosc").write_bytes(first.read_bytes())
+    (made / "town.xodr").write_bytes((made / "xosc" / "town.xodr").read_bytes())
+    return made
+
+
+def paths_of(tool: str) -> list[str]:
+    """The arguments of a tool that are paths, as their length says."""
+    longest = {name: one.get("maxLength") for name, one in TOOLS[tool].schema["properties"].items()}
+    return [name for name, most in longest.items() if most == LONGEST]
 
 
 def desk_in(folder: Path) -> Desk:

@@ -9,9 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from folder_of_agents import CALLS, CROSSES, SECRET, SITUATION, called, desk_in, furnished
 
-import chatscene
 from chatscene.errors import SettingsError
 from chatscene.mcp import resources
 from chatscene.mcp import tool as tooling
@@ -22,19 +20,14 @@ from chatscene.mcp.tools import TOOLS
 from chatscene.mcp.words import EXAMPLE, nouns
 from chatscene.mcp.working import answered
 from chatscene.situations.file import read_text
+from folder_of_agents import CALLS, CROSSES, SECRET, SITUATION, called, desk_in, furnished_with_run, paths_of
 
 OUTSIDE = ("../outside/secret", "/etc/passwd", "link/secret", "link-secret", "runs/../../outside/secret", "~/secret")
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    made = furnished(tmp_path_factory.mktemp("agents") / "folder")
-    chatscene.run("The car ahead brakes hard.", made / "runs" / "brakes", scenes=4)
-    chatscene.export(made / "runs" / "brakes", to="openscenario-logical", out=made / "xosc")
-    one = sorted(made.glob("xosc/*scene-*.xosc"))[0]
-    (made / "crash.xosc").write_text(one.read_text())
-    (made / "town.xodr").write_bytes((made / "xosc" / "town.xodr").read_bytes())
-    return made
+    return furnished_with_run(tmp_path_factory.mktemp("agents") / "folder")
 
 
 @pytest.fixture(autouse=True)
@@ -65,12 +58,6 @@ def outside(folder: Path) -> list[str]:
         where + suffix for where in OUTSIDE for suffix in ("", ".yaml", ".csv", ".toml", ".xosc", ".scenic", ".xodr")
     ]
     return [one for one in named if one.startswith("~") or not (folder / one).resolve().is_relative_to(folder)]
-
-
-def paths_of(tool: str) -> list[str]:
-    """The arguments of a tool that are paths, as their length says."""
-    longest = {name: one.get("maxLength") for name, one in TOOLS[tool].schema["properties"].items()}
-    return [name for name, most in longest.items() if most == 500]
 
 
 @pytest.mark.parametrize("name", TOOLS)
