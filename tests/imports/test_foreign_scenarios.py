@@ -113,6 +113,19 @@ def test_what_is_refused_in_a_catalog_is_told_by_its_file(beside: Path) -> None:
         read(beside, text)
 
 
+def test_what_is_noted_of_a_catalog_is_told_by_its_file(beside: Path) -> None:
+    faster = SLOWS.replace('value="0"', 'value="9"')
+    (beside / "moves").mkdir()
+    moves = f'<Catalog name="moves"><Maneuver name="m">{event(faster)}</Maneuver></Catalog>'
+    (beside / "moves" / "all.xosc").write_text(f"<OpenSCENARIO>{moves}</OpenSCENARIO>")
+    where = '<CatalogLocations><ManeuverCatalog><Directory path="moves"/></ManeuverCatalog></CatalogLocations>'
+    text = scenario().replace("<CatalogLocations/>", where)
+    own = text[text.index("<Maneuver ") : text.index("</ManeuverGroup>")]
+    found = read(beside, text.replace(own, '<CatalogReference catalogName="moves" entryName="m"/>'))
+    assert isinstance(found.board, Storyboard)
+    assert any(re.match(r"all\.xosc, line \d+: the pedal is held", note) for note in found.notes)
+
+
 def test_a_map_in_another_folder_is_found_by_its_path_from_the_file(beside: Path) -> None:
     (beside / "deep").mkdir()
     assert read(beside / "deep", scenario(map_name="../town.xodr")).map_path == beside / "town.xodr"

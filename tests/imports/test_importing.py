@@ -17,10 +17,10 @@ from chatscene.commands.main import main
 from chatscene.errors import MapError, ScenarioError, SettingsError
 from chatscene.imports.given import Given
 from chatscene.imports.openscenario import Imported, read_openscenario
-from chatscene.imports.player import lane_beside
 from chatscene.imports.positions import Positions
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written import written
+from chatscene.maps.neighbours import number_beside
 from chatscene.maps.network import resolve_map
 from chatscene.search.generators.foreign import read_foreign
 from chatscene.terms.plan import Number
@@ -182,9 +182,9 @@ def test_the_command_writes_a_program_once_and_says_how_it_is_run(beside: Path) 
 @pytest.mark.parametrize("of", [-3, -1, 1, 3])
 @pytest.mark.parametrize("lanes", [-2, -1, 0, 1, 2])
 def test_a_lane_beside_another_has_no_number_zero_and_the_way_back_leads_home(of: int, lanes: int) -> None:
-    to = lane_beside(of, lanes)
+    to = number_beside(of, lanes)
     assert to != 0
-    assert lane_beside(to, -lanes) == of
+    assert number_beside(to, -lanes) == of
 
 
 def test_the_left_of_who_faces_against_the_reference_line_has_lower_numbers() -> None:
@@ -398,6 +398,7 @@ def test_a_map_that_lies_beside_the_file_is_found_however_it_is_named(name: str,
         ("town.osgb", "is no .xodr file"),
         ("$Nobody", r"<LogicFile>: it speaks of \$Nobody, which the file does not declare"),
         ("C:\\maps\\town.xodr", "name it with --map C:/maps/town.xodr"),
+        ("C:town.xodr", "name it with --map C:town.xodr"),
     ],
 )
 def test_what_is_the_matter_with_the_name_of_a_map_is_told(name: str, why: str, beside: Path) -> None:

@@ -215,6 +215,21 @@ def test_a_place_beside_somebody_moves_as_that_one_does() -> None:
     assert not in_less_than(4.99, world, beside_b)
 
 
+@pytest.mark.parametrize("for_good", [True, False])
+def test_an_offset_from_somebody_is_kept_for_good_only_where_that_is_told(for_good: bool) -> None:
+    world = Bodies(a=(0.0, 0.0, EAST, 10.0), b=(50.0, 2.0, EAST, 10.0))
+    way = way_of(("aside", "sinusoidal", 0.0, ("mine", 1.0), for_good), world.entity("a"), world)
+    assert way is not None
+    world.time = 30.0
+    assert way.left(30.0) == pytest.approx(1.0)
+    assert way.done is not for_good
+    world.entity("a").agent.isWalker = True  # whose left is no lane's
+    way = way_of(("aside", "sinusoidal", 0.0, ("of", "b", 0.0), for_good), world.entity("a"), world)
+    assert way is not None
+    world.entity("b").agent.pose = (50.0, 4.0, EAST, 10.0)
+    assert way.left(60.0) == pytest.approx(4.0 if for_good else 2.0)
+
+
 def test_a_line_is_followed_from_the_distance_along_it_that_is_told() -> None:
     world = Bodies(a=(40.0, 0.0, EAST, 10.0))
     world.time = 3.0

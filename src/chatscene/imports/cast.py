@@ -17,7 +17,6 @@ from chatscene.imports.written_story import Line, Told
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.sums import Sum
 
-_OFF = 0.02  # [m] that a told line may be beside the one that was read
 _BESIDE = frozenset(("RelativeObjectPosition", "RelativeWorldPosition", "RelativeLanePosition", "RelativeRoadPosition"))
 
 
@@ -130,7 +129,7 @@ class Cast:
                 raise Refused(trajectory, f"it lies beside {frame[:40]!r}, who is not there")
             base = (0.0, 0.0, 0.0) if own else self.positions.known_of(trajectory, frame)
             points = [_in_frame(base, (x, y, 0.0))[:2] for x, y in shape.points]
-            kept = tuple((round(points[i][0], 3), round(points[i][1], 3)) for i in thinned(points, _OFF))
+            kept = tuple((round(points[i][0], 3), round(points[i][1], 3)) for i in thinned(points))
             return (("beside", self.names[frame], 0.0, 0.0, 0.0), kept), shape
         if len(frames) > 1 and actor is not None:
             raise Refused(trajectory, "its places lie beside several road users, who move; put it beside one")

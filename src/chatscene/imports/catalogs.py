@@ -19,7 +19,7 @@ from chatscene.imports.stranger_xml import LARGEST, LONGEST, MOST, Element, TooM
 
 MOST_FILES = 100  # catalogs of one scenario
 DEEPEST = 8  # catalogs whose entries name entries of others
-_ABSOLUTE = re.compile(r"/|[A-Za-z]:")
+ABSOLUTE = re.compile(r"/|[A-Za-z]:")
 _NOT_NEEDED = frozenset(("ObjectController", "AssignControllerAction", "Controller"))  # see `written_out`
 
 
@@ -50,7 +50,7 @@ def relative(path: Path, named: str, within: Path | None = None) -> Path | None:
         None of any other path.
     """
     text = named.replace("\\", "/").strip()
-    if not text or _ABSOLUTE.match(text) or "\0" in text:
+    if not text or ABSOLUTE.match(text) or "\0" in text:
         return None
     where = path.parent / text
     return where if lies_within(where, within) else None

@@ -186,7 +186,7 @@ class Conditions:
             return self._closing(actor, one)
         if position is None or actor != ego:
             raise Refused(one, "it asks how long another than the ego needs to a place")
-        self._given.notes.append(f"line {one.line}: the time is what the ego needs at the speed that it wants")
+        self._given.note(one, "the time is what the ego needs at the speed that it wants")
         place = self._player.ego_at(position).expression
         seconds = Call("secondsTo", (Name(EGO_ROUTE, Kind.PATH), ego, place))
         return Comparison(seconds, ((self._rule(one), self._given.sum(one, "value").expression),))
@@ -198,7 +198,7 @@ class Conditions:
         whom = {ego: self._player.name, own: self._player.ego}[actor]
         if other is None or self._other(other) != whom or self._given.text(one, "freespace") == "true":
             raise Refused(one, "it asks for another time to a collision than that of this actor with the ego")
-        self._given.notes.append(f"line {one.line}: it is the time of two who come straight toward each other")
+        self._given.note(one, "it is the time of two who come straight toward each other")
         speeds = Arithmetic("+", Call("speed", (own,)), Call("speed", (ego,)))
         bound = Arithmetic("*", speeds, self._given.sum(one, "value").expression)
         return Comparison(Call("gap", (own, ego)), ((self._rule(one), bound),))

@@ -87,6 +87,5 @@ def _surface(road: Element | None, given: Given) -> Surface:
         surface = Surface.WET
     friction = surface.row.friction if math.isfinite(surface.row.friction) else 1.0
     if abs(friction - grip) > _SAME and not (wetness and grip == 1.0):
-        told = f"a friction of {grip:g} is shown as a {surface.row.said}, of {friction:g}"
-        given.note(road, f"{told}")
+        given.note(road, f"a friction of {grip:g} is shown as a {surface.row.said}, of {friction:g}")
     return surface

@@ -8,8 +8,9 @@ from dataclasses import replace
 
 from chatscene.imports.conditions import Conditions
 from chatscene.imports.given import Given, Refused
-from chatscene.imports.player import AHEAD, STANDS, Done, Player, State, lane_beside
+from chatscene.imports.player import AHEAD, STANDS, Done, Player, State
 from chatscene.imports.stranger_xml import Element
+from chatscene.maps.neighbours import number_beside
 from chatscene.terms.plan import (
     After,
     Call,
@@ -148,9 +149,7 @@ class _Reader:
                 player.lines[name], player.lanes[name] = line, lane
                 state.way = name
                 dynamics = way.find("LaneChangeActionDynamics")
-                self._given.notes.append(
-                    f"line {(dynamics or way).line}: a lane change takes as long as a driver takes who follows the lane"
-                )
+                self._given.note(dynamics or way, "a lane change takes as long as a driver takes who follows the lane")
             case "LaneOffsetAction":
                 target = way.find("LaneOffsetTarget", "AbsoluteTargetLaneOffset")
                 if target is None or player.walks:
@@ -172,7 +171,7 @@ class _Reader:
         if relative is None:
             raise Refused(way, "it names no lane")
         of = self._player.lane_from(relative, self._given.text(relative, "entityRef"))
-        return lane_beside(of.number, of.left * round(self._given.number(relative, "value")))
+        return number_beside(of.number, of.left * round(self._given.number(relative, "value")))
 
     def _follows(self, way: Element) -> None:
         state, player = self._state, self._player
@@ -182,7 +181,7 @@ class _Reader:
             )
         trajectory = way.find("TrajectoryRef", "Trajectory") or way.find("Trajectory")
         if trajectory is None:
-            raise Refused(way, "its trajectory lies in another file; write it here")
+            raise Refused(way, "its trajectory is not there")
         positions = [one for vertex in trajectory.walk() if vertex.tag == "Vertex" for one in vertex.all("Position")]
         relative = [one.inside[0] for one in positions if one.find("RelativeObjectPosition") is not None]
         if relative:
@@ -283,19 +282,18 @@ class _Reader:
         if shape == "step":
             state.done = self._stepped(dimension, value)
             if state.done.end is not None:
-                self._given.notes.append(
-                    f"line {dynamics.line}: a step takes no time, but what follows waits as if its {dimension} were "
-                    "how long it lasts, as ScenarioRunner reads it"
+                self._given.note(
+                    dynamics,
+                    f"a step takes no time, but what follows waits as if its {dimension} were "
+                    "how long it lasts, as ScenarioRunner reads it",
                 )
             return None
         change, started = state.speed + before.times(-1), before + state.speed
         if not stops and self._given.least(change) < 0:
-            self._given.notes.append(f"line {dynamics.line}: it slows down as a driver does, at a pace of its own")
+            self._given.note(dynamics, "it slows down as a driver does, at a pace of its own")
             return None
         if not stops:
-            self._given.notes.append(
-                f"line {dynamics.line}: the pedal is held that gives this pace at rest; drag makes it less at speed"
-            )
+            self._given.note(dynamics, "the pedal is held that gives this pace at rest; drag makes it less at speed")
         if dimension == "rate":
             return self._limited(dynamics, quotient(value, number(most)))
         if change.number is None or value.number is None or started.number is None:
@@ -309,7 +307,7 @@ class _Reader:
 
     def _limited(self, dynamics: Element, share: Sum) -> Sum:
         if share.number is not None and share.number > 1:
-            self._given.notes.append(f"line {dynamics.line}: it is harder than the vehicle can; it does what it can")
+            self._given.note(dynamics, "it is harder than the vehicle can; it does what it can")
             return number(1.0)
         return share
 

@@ -97,15 +97,13 @@ class Given:
             elif groups and name not in self.told and not self.values[name].strip().startswith("$"):
                 self._constrained(one, name, kind, groups)
         for name in sorted(set(self.told) - set(self.values)):
-            self.notes.append(
-                f"line {root.line}: the scenario declares no parameter {name[:40]!r}; its value is left out"
-            )
+            self.note(root, f"the scenario declares no parameter {name[:40]!r}; its value is left out")
 
     def _constrained(self, declared: Element, name: str, kind: str, groups: list[Element]) -> None:
         """Let a parameter vary between the two ends that its constraints give it; else it keeps its value."""
         try:
             found = self._range(name, groups) if kind in _RANGED else None
-            at = self._float(declared, self.values[name]) if kind in _RANGED else 0.0
+            at = finite(declared, self.values[name]) if kind in _RANGED else 0.0
         except Refused as reason:
             self.refusals.append(str(reason))
             return
@@ -131,7 +129,7 @@ class Given:
             value = one.attributes.get("value", "")
             if rule not in _LOWER | _UPPER or len(groups) > 1 or value.strip().startswith("$"):
                 return None
-            bounds["low" if rule in _LOWER else "high"] = self._float(one, value)
+            bounds["low" if rule in _LOWER else "high"] = finite(one, value)
         low, high = bounds.get("low"), bounds.get("high")
         if low is None or high is None or low > high:
             return None
@@ -164,7 +162,7 @@ class Given:
             raise Refused(element, f"it has no attribute {name!r}")
         written = written.strip()
         if not written.startswith("$"):
-            return number(self._float(element, written))
+            return number(finite(element, written))
         names = self._names(written)
         varying = [name for name in names if name in self.ranges]
         if not varying:
@@ -194,7 +192,7 @@ class Given:
             found = self._evaluated(element, written, ())
         except ValueError as error:
             raise Refused(element, f"{written[:60]!r} is no number that can be said here ({error})") from error
-        return self._float(element, repr(found))
+        return finite(element, repr(found))
 
     def least(self, one: Sum) -> float:
         """The least that a sum is at the ends of the ranges of its parameters."""
@@ -213,7 +211,7 @@ class Given:
         text = self._defined(element, name, within)
         if text.startswith("$"):
             return f"({self._filled(element, text, (*within, name))})"
-        return f"({self._float(element, text)!r})"
+        return f"({finite(element, text)!r})"
 
     def _evaluated(self, element: Element, written: str, within: tuple[str, ...]) -> float:
         """The value of an expression.
@@ -228,9 +226,7 @@ class Given:
         if name not in self._known:
             text = self._defined(element, name, within)
             computed = text.startswith("$")
-            self._known[name] = (
-                self._evaluated(element, text, (*within, name)) if computed else self._float(element, text)
-            )
+            self._known[name] = self._evaluated(element, text, (*within, name)) if computed else finite(element, text)
         return self._known[name]
 
     def _defined(self, element: Element, name: str, within: tuple[str, ...]) -> str:
@@ -257,15 +253,6 @@ class Given:
             raise Refused(element, f"its {name} is {found:g}, and is to be a whole number")
         return int(found)
 
-    def _float(self, element: Element, written: str) -> float:
-        try:
-            found = float(written)
-        except ValueError:
-            raise Refused(element, f"{written[:40]!r} is no number") from None
-        if not math.isfinite(found) or abs(found) > 1e6:
-            raise Refused(element, f"{written[:40]} is no number within a million")
-        return found
-
     @property
     def nominal(self) -> Mapping[str, float]:
         """The value of each parameter that varies, by its name here."""
@@ -281,6 +268,21 @@ class Given:
             told = list(dict.fromkeys(self.refusals))
             more = f"\n  and {len(told) - REPORTED} more" if len(told) > REPORTED else ""
             raise ScenarioError(f"{path} cannot be said here:\n  " + "\n  ".join(told[:REPORTED]) + more)
+
+
+def finite(element: Element, written: str) -> float:
+    """The number that a text of an element is.
+
+    Raises:
+        Refused: It is none, or none within a million.
+    """
+    try:
+        found = float(written)
+    except ValueError:
+        raise Refused(element, f"{written[:40]!r} is no number") from None
+    if not math.isfinite(found) or abs(found) > 1e6:
+        raise Refused(element, f"{written[:40]} is no number within a million")
+    return found
 
 
 def _replaced(element: Element, written: str, of: Callable[[str], str]) -> str:

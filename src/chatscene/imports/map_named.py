@@ -8,12 +8,10 @@ import shlex
 from pathlib import Path
 
 from chatscene.errors import ScenarioError
-from chatscene.imports.catalogs import lies_within, relative
+from chatscene.imports.catalogs import ABSOLUTE, lies_within, relative
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.stranger_xml import Element
 from chatscene.maps.network import PACKAGED, check_opendrive, load_network, resolve_map
-
-_ABSOLUTE = re.compile(r"/|[A-Za-z]:/")
 
 
 class Maps:
@@ -61,7 +59,7 @@ def _map_at(named: str, path: Path, given: Given) -> Path:
         named += ".xodr"
     if not named.endswith(".xodr"):
         raise ScenarioError(f"{path}: its map {named[:60]!r} is no .xodr file; name one with --map")
-    if _ABSOLUTE.match(named):
+    if ABSOLUTE.match(named):
         beside = path.parent / Path(named).name
         if os.path.normpath(Path.cwd() / named) != os.path.normpath(Path.cwd() / beside):
             raise ScenarioError(

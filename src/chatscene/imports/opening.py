@@ -54,9 +54,10 @@ class Opening:
         header = root.find("FileHeader")
         mirrored = header is not None and header.attributes.get("description", "").startswith("CARLA:")
         if header and mirrored:
-            given.notes.append(
-                f"line {header.line}: its description begins with CARLA:, so y, t and headings count to the right, and "
-                "offsets to the right of who drives, as ScenarioRunner reads it"
+            given.note(
+                header,
+                "its description begins with CARLA:, so y, t and headings count to the right, and "
+                "offsets to the right of who drives, as ScenarioRunner reads it",
             )
         self._positions = Positions(given, map_path, mirrored=mirrored)
         self._side = -1 if mirrored else 1
@@ -140,7 +141,7 @@ class Opening:
     def _along(self, one: Element, ahead: float) -> Start:
         trajectory, turned = one.find("TrajectoryRef", "Trajectory"), one.find("Orientation")
         if trajectory is None:
-            raise Refused(one, "its trajectory lies in another file; write it here")
+            raise Refused(one, "its trajectory is not there")
         if turned is not None and turned.attributes.get("type") != "relative":
             raise Refused(turned, 'on a line it is turned beside the line; write type="relative"')
         turn = self._side * self._given.number(turned, "h", "0") if turned else 0.0
@@ -151,13 +152,9 @@ class Opening:
 
     def _line_of(self, trajectory: Element, prefix: str) -> tuple[str, Polyline]:
         """The line of a trajectory and what it is called: as in the file, if that is free or means the same."""
-        points = [
-            self._positions.pose(position)[:2]
-            for vertex in trajectory.walk()
-            if vertex.tag == "Vertex"
-            for position in vertex.all("Position")
-        ]
-        line = line_through(trajectory, points)
+        if trajectory.find("Shape", "Polyline") is None:
+            raise Refused(trajectory, "in a plan, a line is one of vertices; write a Polyline")
+        line = line_through(trajectory, shape_of(trajectory, self._given, self._positions.pose).points)
         name = GONE.sub("_", self._given.text(trajectory, "name", ""))
         usual = f"{prefix}Way"
         for known in (name, usual) if name.endswith("Way") or name == EGO_ROUTE else (usual,):
@@ -183,7 +180,7 @@ class Opening:
             dynamics = action.find("SpeedAction", "SpeedActionDynamics")
             shape = self._given.text(dynamics, "dynamicsShape", "step") if dynamics else "step"
             if shape != "step" and self._given.number(dynamics or action, "value", "0"):
-                self._given.notes.append(f"line {action.line}: in Init a speed is there at once, whatever its dynamics")
+                self._given.note(action, "in Init a speed is there at once, whatever its dynamics")
             return self._given.number(target, "value")
         return 0.0
 
@@ -213,7 +210,7 @@ class Opening:
         turn = math.remainder(place[2] - line.heading_at(along), math.tau)
         if self._faces(name) is None:
             if abs(turn) > _TURNED:
-                self._given.notes.append(f"line {one.line}: how the ego is turned is not told; it faces along its lane")
+                self._given.note(one, "how the ego is turned is not told; it faces along its lane")
             turn = 0.0
         if abs(turn) > math.pi / 2 and not self._speed(name) < 0.0:
             raise Refused(

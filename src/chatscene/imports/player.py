@@ -29,12 +29,6 @@ class InLane:
     left: int
 
 
-def lane_beside(of: int, lanes: int) -> int:
-    """The number of the lane so many lanes beside another, as OpenDRIVE counts: there is no lane 0."""
-    to = of + lanes
-    return to if lanes == 0 or of * to > 0 else to + (1 if lanes > 0 else -1)
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Player:
     """Whose events are read.

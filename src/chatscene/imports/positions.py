@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.imports.given import Given, Refused
-from chatscene.imports.player import InLane, lane_beside
+from chatscene.imports.player import InLane
 from chatscene.imports.shapes import Pose, line_through, shape_of
 from chatscene.imports.stranger_xml import Element
 from chatscene.maps.curves import read_all_curves
-from chatscene.maps.neighbours import numbered_beside
+from chatscene.maps.neighbours import number_beside, numbered_beside
 from chatscene.maps.network import load_network, map_digest
 from chatscene.terms.polyline import Polyline
 from chatscene.world.places import laneLine
@@ -209,7 +209,7 @@ class Positions:
         lanes = self._given.count(one, "dLane", "0")
         if lanes:  # counted to the left of whom it is told beside
             of = self.in_lane(section, (x, y, facing))
-            section = self.beside(one, section, lane_beside(of.number, of.left * lanes))
+            section = self.beside(one, section, number_beside(of.number, of.left * lanes))
         ahead = self._given.number(one, "ds" if "ds" in one.attributes else "dsLane", "0")
         line = laneLine(section.lane, 0.0)
         along, aside, _ = line.project(x, y)
@@ -221,9 +221,7 @@ class Positions:
         if not self._mirrored:
             aside += -beside if against else beside
         if against and ahead:
-            self._given.notes.append(
-                f"line {one.line}: its lane is driven against the road's line; it lies so far on as the lane is driven"
-            )
+            self._given.note(one, "its lane is driven against the road's line; it lies so far on as the lane is driven")
         along += ahead
         if not 0.0 <= along <= line.length:
             raise Refused(one, "so far along, or back, there is no lane that the lane there leads to")

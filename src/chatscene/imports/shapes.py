@@ -17,6 +17,7 @@ _PARTS = 8  # of a NURBS between two of its control points
 _MOST = 20_000  # points
 _HIGHEST = 12  # order of a NURBS
 _SHORTEST = 0.02  # [m] that a line is long at least: a program says its points to the centimetre
+_OFF = 0.02  # [m] that a line in a program may be beside the one that was read
 Pose = tuple[float, float, float]  # x, y [m], heading [rad]
 Places = Callable[[Element], Pose]
 
@@ -210,7 +211,7 @@ def _on_nurbs(
     return x, y
 
 
-def thinned(points: Sequence[tuple[float, float]], off: float) -> list[int]:
+def thinned(points: Sequence[tuple[float, float]], off: float = _OFF) -> list[int]:
     """The indices of the points of a line that are needed to stay within a distance [m] of it (Douglas and Peucker)."""
     keep = {0, len(points) - 1}
     waiting = [(0, len(points) - 1)]

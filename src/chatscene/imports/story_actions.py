@@ -265,4 +265,4 @@ def _table(
     for (a, b), time in zip(pairwise(points), times[1:], strict=True):
         gone += math.dist(a, b)
         table.append((time * scale + shift, gone))
-    return tuple((round(table[i][0], 3), round(table[i][1], 3)) for i in thinned(table, 0.02))
+    return tuple((round(table[i][0], 3), round(table[i][1], 3)) for i in thinned(table))

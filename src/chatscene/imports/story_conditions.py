@@ -9,8 +9,8 @@ from chatscene.imports.given import Refused
 from chatscene.imports.names import plain
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written_story import Told
+from chatscene.world.story.conditions import RULES
 
-RULES = frozenset(["lessThan", "lessOrEqual", "greaterThan", "greaterOrEqual", "equalTo", "notEqualTo"])
 EDGES = frozenset(["none", "rising", "falling", "risingOrFalling"])
 _STATES = frozenset(
     (
@@ -158,15 +158,7 @@ class StoryConditions:
             return _ALWAYS if holds.get(rule, False) else _NEVER
         if now.number is None or then.number is None:
             return ("number", rule, told_number(now), told_number(then))
-        compare = {
-            "lessThan": now.number < then.number,
-            "lessOrEqual": now.number <= then.number,
-            "greaterThan": now.number > then.number,
-            "greaterOrEqual": now.number >= then.number,
-            "equalTo": now.number == then.number,
-            "notEqualTo": now.number != then.number,
-        }
-        return _ALWAYS if compare[rule] else _NEVER
+        return _ALWAYS if RULES[rule](now.number, then.number) else _NEVER
 
     # By entity
 

@@ -49,7 +49,7 @@ class PlanReader(Opening):
         surroundings = self._attempt(lambda: surroundings_of(self._actions(), self._given)) or Surroundings()
         self._endings()
         if not any(actor.plan for actor in actors) and not self._given.refusals:
-            self._given.refusals.append(f"line {self._root.line}: nobody but the ego does anything in it")
+            self._given.refusals.append(str(Refused(self._root, "nobody but the ego does anything in it")))
         return Storyboard(
             actors=tuple(actors),
             lines=self._lines,
@@ -69,7 +69,7 @@ class PlanReader(Opening):
         speed = self._speed(name)
         for action in self._inits.get(name, []):
             if action.tag in LEFT_ALONE:
-                self._given.notes.append(f"line {action.line}: {LEFT_ALONE[action.tag]}")
+                self._given.note(action, LEFT_ALONE[action.tag])
             elif action.tag not in ("TeleportAction", "LongitudinalAction"):
                 raise Refused(action, "in Init, somebody is placed and given a speed; write the rest as an event")
         acts = bool(events and events[0]) or speed != 0
@@ -162,8 +162,6 @@ class PlanReader(Opening):
             first = list(self._of_act(act))
             for group in act.all("ManeuverGroup"):
                 actors = [ref for one in group.all("Actors") for ref in one.all("EntityRef")]
-                if group.all("CatalogReference"):
-                    raise Refused(group, "catalogs lie in other files, which are not opened; write the Maneuver here")
                 events = [event for maneuver in group.all("Maneuver") for event in maneuver.all("Event")]
                 if not events:
                     continue
@@ -177,7 +175,7 @@ class PlanReader(Opening):
                     continue
                 name = self._given.text(actors[0], "entityRef")
                 if name == ego:
-                    self._given.notes.append(f"line {group.line}: {EGO_DOES}")
+                    self._given.note(group, EGO_DOES)
                 elif name not in self._objects:
                     raise Refused(actors[0], f"there is no {name[:40]!r}")
                 elif name in found:
@@ -197,9 +195,7 @@ class PlanReader(Opening):
         storyboard = self._root.find("Storyboard")
         stops = [one for one in storyboard.walk() if one.tag == "StopTrigger" and one.inside] if storyboard else []
         for one in stops:
-            self._given.notes.append(
-                f"line {one.line}: a drive ends with a collision, at the end of the route or after 30 s"
-            )
+            self._given.note(one, "a drive ends with a collision, at the end of the route or after 30 s")
 
 
 def _prefix(name: str) -> str:

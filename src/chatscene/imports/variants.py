@@ -13,7 +13,7 @@ from pathlib import Path
 
 from chatscene.errors import ScenarioError
 from chatscene.imports.catalogs import relative
-from chatscene.imports.given import Refused
+from chatscene.imports.given import Refused, finite
 from chatscene.imports.stranger_xml import Element
 
 MOST = 1_000_000  # variants of one file
@@ -179,10 +179,4 @@ def _ends(one: Element) -> tuple[float, float]:
 
 
 def _float(one: Element, name: str) -> float:
-    try:
-        found = float(one.attributes.get(name, ""))
-    except ValueError:
-        raise Refused(one, f"its {name} is no number") from None
-    if not math.isfinite(found) or abs(found) > 1e6:
-        raise Refused(one, f"its {name} is no number within a million")
-    return found
+    return finite(one, one.attributes.get(name, ""))

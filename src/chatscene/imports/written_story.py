@@ -18,7 +18,6 @@ from chatscene.terms.surroundings import Surroundings
 from chatscene.world.actors import QUARTER
 
 _COLUMNS = 110
-_OFF = 0.02  # [m] that a written line may be beside the one that was read
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +119,7 @@ def written_story(story: StoryProgram, name: str) -> str:
 
 def _line(name: str, line: Polyline) -> str:
     points: list[tuple[float, float]] = [(x, y) for x, y in line.points.tolist()]
-    told = ", ".join(f"({points[i][0]:.2f}, {points[i][1]:.2f})" for i in thinned(points, _OFF))
+    told = ", ".join(f"({points[i][0]:.2f}, {points[i][1]:.2f})" for i in thinned(points))
     made = "routeThrough" if name == EGO_ROUTE else "lineThrough"
     return f"{name} = {made}(\n{textwrap.fill(told, _COLUMNS, initial_indent='    ', subsequent_indent='    ')})"
 

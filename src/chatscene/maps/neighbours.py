@@ -56,6 +56,12 @@ def numbered_beside(section: Any, number: int) -> Any:
     return None
 
 
+def number_beside(of: int, lanes: int) -> int:
+    """The number of the lane so many lanes beside another, as OpenDRIVE counts: there is no lane 0."""
+    to = of + lanes
+    return to if lanes == 0 or of * to > 0 else to + (1 if lanes > 0 else -1)
+
+
 def opposes(lane: Any, other: Any) -> bool:
     """Whether a lane beside another runs against it."""
     return lane.group is not other.group

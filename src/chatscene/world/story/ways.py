@@ -10,10 +10,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import Any
 
+from chatscene.maps.neighbours import number_beside
 from chatscene.terms.polyline import Polyline
 from chatscene.world.control import LOOK_AHEAD, LOOK_AHEAD_TIME, wheel_to
 from chatscene.world.places import line_of
@@ -63,15 +64,21 @@ class Way:
 
 
 class Shift(Way):
-    """Goes over to another distance from a line in some time."""
+    """Goes over to another distance from a line in some time, and keeps it for good if that is told."""
 
-    def __init__(self, world: World, line: Polyline, before: float, after: float, lasts: float, shape: str) -> None:
-        super().__init__(line, after)
-        self._world, self._before, self._lasts, self._shape = world, before, lasts, shape
-        self._began, self._for_good = world.time, False
+    def __init__(
+        self, world: World, line: Polyline, before: float, after: Callable[[], float], lasts: float, shape: str,
+        *, for_good: bool = False,
+    ) -> None:  # fmt: skip
+        super().__init__(line, after())
+        self._world, self._before, self._after, self._lasts, self._shape = world, before, after, lasts, shape
+        self._began, self._for_good = world.time, for_good
+        self.done = False
 
     def left(self, time: float) -> float:
         """Where between the two it is at a time."""
+        if self._for_good:
+            self._left = self._after()  # of somebody who moves meanwhile
         share = (time - self._began) / self._lasts
         self.done = not self._for_good and self._world.time - self._began >= self._lasts
         return self._before + (self._left - self._before) * shaped(self._shape, share)
@@ -157,8 +164,8 @@ def way_of(told: tuple[Any, ...], who: Entity, world: World) -> Way | None:
     match told:
         case ("lane", shape, dimension, amount, target, left):
             return _lane(who, world, shape, dimension, amount, target, left)
-        case ("aside", shape, most, target, _):
-            return _aside(who, world, shape, most, target)
+        case ("aside", shape, most, target, for_good):
+            return _aside(who, world, shape, most, target, for_good)
         case ("line", line, times, start):
             return Line(who, world, _placed(line, world), times, start)
         case ("way", line):
@@ -185,7 +192,7 @@ def _lane(
         number = int(target[1])
     else:
         own, side = world.entity(target[1]).sides()
-        number = beside_lane(own, side * int(target[2]))
+        number = number_beside(own, side * int(target[2]))
     line = who.lane_line(number)
     before, after = along(line, *who.origin[:2])[1], left * _same_side(who)
     far, amount = abs(after - before), abs(amount)
@@ -195,13 +202,8 @@ def _lane(
         )
     elif dimension == "distance":
         amount /= max(who.speed, 0.1)
-    return Shift(world, line, before, after, max(amount, _STEP_ASIDE), shape if shape != "step" else "sinusoidal")
-
-
-def beside_lane(of: int, lanes: int) -> int:
-    """The number of the lane so many lanes beside another, as OpenDRIVE counts: there is no lane 0."""
-    to = of + lanes
-    return to if lanes == 0 or of * to > 0 else to + (1 if lanes > 0 else -1)
+    shape = shape if shape != "step" else "sinusoidal"
+    return Shift(world, line, before, lambda: after, max(amount, _STEP_ASIDE), shape)
 
 
 def _same_side(who: Entity) -> int:
@@ -209,19 +211,21 @@ def _same_side(who: Entity) -> int:
     return who.sides()[1] if not who.agent.isWalker else 1
 
 
-def _aside(who: Entity, world: World, shape: str, most: float, target: tuple[Any, ...]) -> Way:
+def _aside(who: Entity, world: World, shape: str, most: float, target: tuple[Any, ...], for_good: bool) -> Way:
     """A change of the distance to its line; it takes as long as the lateral acceleration that is told lets it."""
-    if target[0] == "mine":
-        after = target[1]
-    elif target[0] == "to":
-        after = target[1] * _same_side(who)
-    else:
-        after = along(who.line, *world.entity(target[1]).origin[:2])[1] + target[2] * _same_side(who)
-    before = along(who.line, *who.origin[:2])[1]
-    far = abs(after - before)
+    line, side = who.line, 1 if target[0] == "mine" else _same_side(who)
+    other = world.entity(target[1]) if target[0] == "of" else None
+
+    def after() -> float:
+        beside = along(line, *other.origin[:2])[1] if other is not None else 0.0
+        return beside + target[-1] * side
+
+    before = along(line, *who.origin[:2])[1]
+    far = abs(after() - before)
     peak = {"sinusoidal": math.pi**2 / 2, "cubic": 6.0}.get(shape, 4.0)  # of its second derivative
     lasts = math.sqrt(peak * far / most) if most > 0.0 else _STEP_ASIDE
-    return Shift(world, who.line, before, after, max(lasts, _STEP_ASIDE), shape if shape != "step" else "sinusoidal")
+    shape = shape if shape != "step" else "sinusoidal"
+    return Shift(world, line, before, after, max(lasts, _STEP_ASIDE), shape, for_good=for_good)
 
 
 def steering(who: Entity, way: Way, time: float) -> float:
