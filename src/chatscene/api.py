@@ -6,7 +6,6 @@ A folder may be left out: a new one is made in the system's temporary folder the
 
 from __future__ import annotations
 
-import os
 import tempfile
 import warnings
 from collections.abc import Callable, Mapping, Sequence
@@ -18,7 +17,7 @@ from typing import TYPE_CHECKING, Any, overload
 from chatscene import runs
 from chatscene.errors import EditRefused, RunError, SettingsError, no_such
 from chatscene.interpret.stated import in_text
-from chatscene.maps.network import TOWN, check_opendrive, map_with, resolve_map
+from chatscene.maps.network import check_opendrive, map_with, resolve_map
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
@@ -429,6 +428,7 @@ def run(
     trust: bool = False,
     as_written: bool = False,
     within: Name | None = None,
+    param: Mapping[str, object] | None = None,
     edit: Names | None = None,
     map: Name | None = None,  # noqa: A002 - the word of the command line
     ego: Name = EGO,
@@ -461,6 +461,7 @@ def run(
         trust: Whether the program may use all of Scenic and Python, in this process; else it runs in the sandbox.
         as_written: Whether the program's own ego drives; else `ego` does, on a route that follows from the program.
         within: The folder in which the map lies that the program names, if it may lie nowhere else.
+        param: Parameters that the program reads and does not state, by name; with no program there are none.
         edit: What is to be another than the sentence says, in words, edit by edit. A text with edits, and be it none
             of them (``[]``), is read as a sentence that can be edited, also by a language model.
         map: Packaged ``town``, ``outskirts`` or ``region``, or an ``.xodr`` file; None for the town, or for the
@@ -499,7 +500,7 @@ def run(
     _check_asked(
         program is not None,
         told=isinstance(text, Situation),
-        driven=trust or as_written,
+        driven=trust or as_written or bool(param),
         changed=edit is not None or bool(set),
         reading=reading or 0,
     )
@@ -509,6 +510,7 @@ def run(
         text = _only_conflict(report, chosen)
     from chatscene.report.filled import explain_text, is_filled, read_already
     from chatscene.report.stated import Stated, explain_stated, stated
+    from chatscene.search.generators.their_map import their_map
 
     edits, made = _names(edit or ()), None
     on = None if map is None else str(map)
@@ -525,16 +527,15 @@ def run(
     )
     simulation = _changed(settings.simulation, simulator=simulator, physics=physics)
     where = _folder(folder)
-    own = None if program is None else _own(_path(program), trusted=trust, as_written=as_written)
+    own = None if program is None else _own(_path(program), trusted=trust, as_written=as_written, given=param)
     if own and within is not None:
         own.check_map(_path(within))
     if own and speed is not None:
         own = replace(own, program=_at_speed(own.program, speed))
-    if own and own.map_path:
-        if os.path.isfile(own.map_path):  # noqa: PTH113 - Path.is_file() raises for a path that the system refuses
-            map = own.map_path  # noqa: A001
-        else:
-            progress(f"the program's map {own.map_path.name} is not there; it runs on {map or TOWN}", 0, 0)
+    if own:
+        map, notes = their_map(own.map_path, None if map is None else str(map))  # noqa: A001
+        for line in (*own.changed(), *notes):
+            progress(f"{line}\n", 0, 0)
     situation = made.record if isinstance(made, Stated) else None
     if isinstance(made, Stated):
         map = made.built.map  # noqa: A001
@@ -1304,7 +1305,7 @@ def _check_asked(program: bool, *, told: bool, driven: bool, changed: bool, read
         SettingsError: There is such a thing.
     """
     if driven and not program:
-        raise SettingsError("`trust` and `as_written` are about a program, and none is run")
+        raise SettingsError("`trust`, `as_written` and `param` are about a program, and none is run")
     if changed and program:
         raise SettingsError("`edit` and `set` are about what is said, and a program is run as it is; leave them away")
     if reading and (program or told):
@@ -1373,11 +1374,11 @@ def _at_speed(program: ScenicProgram, speed: float) -> ScenicProgram:
     return at_speed(program, speed / 3.6)
 
 
-def _own(path: Path, *, trusted: bool, as_written: bool) -> ForeignProgram:
+def _own(path: Path, *, trusted: bool, as_written: bool, given: Mapping[str, object] | None) -> ForeignProgram:
     """A program of the user's own."""
     from chatscene.search.generators.foreign import foreign_files, read_foreign
 
     file, *others = foreign_files(path)
     if others:
         raise SettingsError(f"{path} holds {len(others) + 1} programs; run them one by one")
-    return read_foreign(file, trusted=trusted, as_written=as_written)
+    return read_foreign(file, trusted=trusted, as_written=as_written, given=given)

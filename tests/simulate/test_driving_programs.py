@@ -10,7 +10,7 @@ from chatscene import api
 from chatscene.ego.observation import Observation
 from chatscene.errors import DoesNotCompile, ProgramError, RunError
 from chatscene.maps.network import resolve_map
-from chatscene.search.generators.foreign import foreign_program
+from chatscene.search.generators.foreign import as_scenic_3, foreign_program
 from chatscene.search.generators.own_program import generator_for
 from chatscene.settings import SimulationSettings
 from chatscene.simulate import staging
@@ -255,3 +255,24 @@ def test_who_trusts_a_program_lets_it_use_all_of_python_and_is_told_what_is_not_
     absent = foreign_program("own", text.format(module="not_installed_anywhere"), trusted=True)
     with pytest.raises(DoesNotCompile, match="No module named 'not_installed_anywhere'"):
         driven(simulator, absent, scene_of(absent))
+
+
+def test_a_program_of_scenic_2_drives_as_its_twin_in_scenic_3(simulator: Simulator) -> None:
+    idle = "monitor Idle:\n    while True:\n        wait\n"
+    older = LEAD.replace("new ", "").replace("terminate after", f"{idle}terminate after")
+    program = foreign_program("lead", as_scenic_3(older).source, as_written=True)
+    assert same(
+        driven(simulator, program, scene_of(program)),
+        driven(simulator, foreign_program("lead", LEAD, as_written=True), scene_of(program)),
+    )
+
+
+def test_draws_that_ask_for_what_the_map_has_not_there_are_drawn_anew(simulator: Simulator) -> None:
+    text = "model scenic.domains.driving.model\nego = new Car\nleft = network.laneSectionAt(ego)._laneToLeft\n" + (
+        "require left.lane is not ego.lane\nother = new Car at left.lane.centerline.start, with requireVisible False\n"
+    )
+    beside = foreign_program("beside", text)
+    driven(simulator, beside, scene_of(beside))
+    never = foreign_program("never", text.replace("laneSectionAt(ego)._laneToLeft", "crossingAt(ego)"))
+    with pytest.raises(ProgramError, match="AttributeError: 'NoneType' object has no attribute 'lane'"):
+        driven(simulator, never, scene_of(never))

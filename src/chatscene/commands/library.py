@@ -140,6 +140,17 @@ def _facts(_context: click.Context, _option: click.Parameter, said: tuple[str, .
     return facts
 
 
+def parameters(context: click.Context, option: click.Parameter, said: tuple[str, ...]) -> dict[str, object]:
+    """Parameters of a program by name; what is no JSON is a text."""
+    told: dict[str, object] = {}
+    for name, value in _facts(context, option, said).items():
+        try:
+            told[name] = json.loads(value)
+        except ValueError:
+            told[name] = value
+    return told
+
+
 # What the user says again of what a run names beyond what is packaged (`chatscene.runs.trust.Repeated`).
 _AGAIN = "that the run uses, to confirm that you trust it."
 LIBRARY_AGAIN = click.option("--library", multiple=True, metavar="DIR", help=f"The snippet folder {_AGAIN}")

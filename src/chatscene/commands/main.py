@@ -38,6 +38,7 @@ from chatscene.commands.library import (
     DrivenAgain,
     console,
     library,
+    parameters,
     progress,
     say,
     usable_map,
@@ -189,6 +190,13 @@ goes into looking through what has just been loaded and stays."""
 @REPORT
 @click.option("--trust", is_flag=True, help="Run the program with all of Python, outside the sandbox.")
 @click.option("--as-written", is_flag=True, help="Let the program's own ego drive.")
+@click.option(
+    "--param",
+    multiple=True,
+    metavar="NAME=VALUE",
+    callback=parameters,
+    help="A parameter that the program reads and does not state; a text, or JSON.  Repeatable.",
+)
 @EDITS
 @MAP_WITH_SITE
 @click.option("--ego", default=EGO, show_default=True, help="An ego by name, file or package.module:factory.")
@@ -222,6 +230,7 @@ def run(
     report: Path | None,
     trust: bool,
     as_written: bool,
+    param: dict[str, object],
     edit: tuple[str, ...],
     map_name: str | None,
     ego: str,
@@ -280,6 +289,7 @@ def run(
                 program=own,
                 trust=trust,
                 as_written=as_written,
+                param=param or None,
                 edit=edit or None,
                 map=map_name,
                 ego=ego,

@@ -23,6 +23,7 @@ from chatscene.files.atomic import write_whole
 from chatscene.files.bounded import is_there
 from chatscene.files.caches import cache_folder, only_mine
 from chatscene.maps.apart import read_apart, takes_seconds
+from chatscene.maps.carla_towns import INSTALL, carla_town, is_town
 from chatscene.maps.curves import read_all_curves
 from chatscene.maps.unread import why_unread
 from chatscene.terms.scenario import Site
@@ -50,6 +51,8 @@ PACKAGED = {name: Path(__file__).with_name(f"{name}.xodr") for name in (TOWN, OU
 def resolve_map(name: str) -> Path:
     """The file of a map: the packaged ``town``, ``outskirts`` or ``region``, or a path to an ``.xodr`` file.
 
+    A town of CARLA's by its name, as ``Town05``, is that of the package that brings them, if it is installed.
+
     Raises:
         MapError: There is no such file; the nearest known name is given.
     """
@@ -58,11 +61,15 @@ def resolve_map(name: str) -> Path:
     path = Path(name).expanduser()
     if is_there(path):
         return path.resolve()
+    if (town := carla_town(name)) is not None:
+        return town
     if os.path.isdir(path):  # noqa: PTH112 - as `is_there`
         raise MapError(f"map {name!r} is a folder; give an .xodr file")
     beside = [p.name for p in path.parent.glob("*.xodr")] if path.parent.is_dir() else []
     near = difflib.get_close_matches(path.name, [*PACKAGED, *beside], n=1, cutoff=0.4)
     hint = f"; did you mean {near[0]!r}?" if near else ""
+    if is_town(name):
+        hint = f"; `{INSTALL}` brings CARLA's towns"
     raise MapError(f"there is no map {name!r}: neither packaged ({', '.join(PACKAGED)}) nor a file{hint}")
 
 

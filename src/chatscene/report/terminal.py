@@ -216,8 +216,9 @@ def print_coverage(console: Console, catalogue: Catalogue, rows: Sequence[Covere
 def progress_line(stream: TextIO | None) -> Callable[[str, int, int], None]:
     """A function that shows what is being done, how far, and how long it will still take.
 
-    It writes one line over and over on a terminal, and a line per change of task elsewhere. Where nobody reads, as the
-    stream was closed, it writes nothing more: that is no reason to give up the work.
+    It writes one line over and over on a terminal, and a line per change of task elsewhere; what ends with an end of
+    line stays on a terminal, too. Where nobody reads, as the stream was closed, it writes nothing more: that is no
+    reason to give up the work.
     """
     started = time.monotonic()
     last = [""]
@@ -233,7 +234,7 @@ def progress_line(stream: TextIO | None) -> Callable[[str, int, int], None]:
     def tell(stream: TextIO, what: str, done: int, total: int) -> None:
         if not stream.isatty():
             if what != last[0]:
-                stream.write(f"{what}\n")
+                stream.write(what if what.endswith("\n") else f"{what}\n")
         else:
             line = what
             if total:

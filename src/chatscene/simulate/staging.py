@@ -28,6 +28,7 @@ from chatscene.world.places import EgoRoute
 NO_PLACE = "a place that the program asks for, such as the edge of the road, is not there"
 COMPILED = 16  # programs kept per process; a compiled one holds a few MB
 PLACED = 64  # drawn scenes kept per process, since many egos drive the same
+NEVER = 25  # draws, all of which ask for what is not there: then it is the program that is at fault
 DRAWING = 15.0  # [s] of processor time in which a scene is to be drawn
 _SETS_NAMES = re.compile(r"^\s*global\s|\bglobals\(", re.MULTILINE)  # in a module: names may be set in a drive
 
@@ -156,6 +157,10 @@ class Stage:
                 reasons[scenario.checker.reason] += 1
             except MapError as error:
                 reasons[str(error)] += 1
+            except AttributeError as error:  # of nothing, as where a lane has none beside it
+                reasons[f"the map has nothing there of which .{error.name} could be read"] += 1
+                if error.obj is not None or (len(reasons) == 1 and reasons.total() == NEVER):
+                    raise
             else:
                 ego = drawn.egoObject
                 object.__setattr__(ego, "route", EgoRoute(route, drawn.workspace.network, 1))

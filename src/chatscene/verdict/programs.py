@@ -18,6 +18,7 @@ from chatscene.measure.unplayed import unplayed
 from chatscene.program.sample import draw, scene_seed
 from chatscene.search.generators.foreign import ForeignProgram, drives_itself, read_foreign
 from chatscene.search.generators.left_out import left_out
+from chatscene.search.generators.their_map import their_map
 from chatscene.settings import EGO, SimulationSettings, VerifySettings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
@@ -42,8 +43,8 @@ def watch_program(path: Path, settings: VerifySettings) -> Watching:
         own.check_map(Path(settings.within))
     if own.program.as_written and own.program.model == OWN_MODEL and not drives_itself(own.program.source):
         own = replace(own, program=replace(own.program, as_written=False))
-    notes = ["its own ego drives"] if own.program.as_written else [f"{settings.ego or EGO} drives the ego"]
-    return _watched(own, "Scenic program", settings, (*notes, *left_out(own.program)))
+    driver = "its own ego drives" if own.program.as_written else f"{settings.ego or EGO} drives the ego"
+    return _watched(own, "Scenic program", settings, (*own.changed(), driver, *left_out(own.program)))
 
 
 def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
@@ -70,7 +71,8 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
 
 
 def _watched(own: ForeignProgram, kind: str, settings: VerifySettings, notes: Sequence[str]) -> Watching:
-    maps = _maps(own, settings)
+    maps, more = _maps(own, settings)
+    notes = (*notes, *more)
     for number, map_path in enumerate(maps, 1):
         simulator = _simulator(map_path, settings)
         with closing(simulator) if isinstance(simulator, ConfinedSimulator) else nullcontext():
@@ -88,13 +90,12 @@ def _watched(own: ForeignProgram, kind: str, settings: VerifySettings, notes: Se
     raise AssertionError("there is a map")
 
 
-def _maps(own: ForeignProgram, settings: VerifySettings) -> list[Path]:
-    """The map that a program or its user names; else each packaged one, the town first."""
-    if own.map_path is not None and own.map_path.is_file():
-        return [own.map_path]
-    if settings.map_name or own.program.drawn:
-        return [resolve_map(settings.map_name or TOWN)]
-    return [resolve_map(name) for name in PACKAGED]
+def _maps(own: ForeignProgram, settings: VerifySettings) -> tuple[list[Path], tuple[str, ...]]:
+    """The map that a program or its user names, else each packaged one, the town first; and what there is to say."""
+    named, notes = their_map(own.map_path, settings.map_name or None)
+    if named is not None or own.program.drawn:
+        return [resolve_map(named or TOWN)], notes
+    return [resolve_map(name) for name in PACKAGED], notes
 
 
 def _simulator(map_path: Path, settings: VerifySettings) -> Simulator:

@@ -10,17 +10,19 @@ from __future__ import annotations
 import ast
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from chatscene.errors import ForeignCodeRefused, SettingsError
 from chatscene.library.load import names_of
+from chatscene.search.generators.parameters import stated, unstated
 from chatscene.simulate.confined.allow_list import check_foreign, model_of, parse_foreign, refused
 from chatscene.simulate.confined.asked_map import map_of
-from chatscene.simulate.confined.plain_text import MAX_CHARACTERS, Refusal
+from chatscene.simulate.confined.plain_text import MAX_CHARACTERS, Refusal, check_text
 from chatscene.simulate.confined.rules import OTHERS
+from chatscene.simulate.confined.scenic_2 import UNCHANGED, Rewritten, rewrite
 from chatscene.terms.episode import Role
 from chatscene.terms.scene import OWN_MODEL, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
@@ -32,6 +34,8 @@ MOST_PROGRAMS = 1_000  # in one folder
 MOST_BYTES = 4 * MAX_CHARACTERS
 
 _IMPORTED = re.compile(r"^\s*(?:import|from)\s+([A-Za-z_]\w*)", re.MULTILINE)
+
+_OWN = re.compile(rf"^model +{re.escape(OWN_MODEL)}\b", re.MULTILINE)
 
 _EGO_LINE = "ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute"
 
@@ -45,12 +49,21 @@ class ForeignProgram:
         program: It, with its parameters; it has no snippets, and nothing was said that it could be held against.
         renamed: What its adversary's behavior was called before it was renamed to `ADVERSARY_BEHAVIOR`, or empty.
         map_path: The map that it asks for, absolute; None if it names none.
+        rewritten: Its text as it was, as it is run, and what is changed between them.
     """
 
     path: Path
     program: ScenicProgram
     renamed: str = ""
     map_path: Path | None = None
+    rewritten: Rewritten = UNCHANGED
+
+    def changed(self) -> tuple[str, ...]:
+        """Lines for a person about what was rewritten, the diff last; none where it runs as it was written."""
+        if not self.rewritten.changes:
+            return ()
+        name = self.path.name
+        return (f"{name} is rewritten before it is run:", *self.rewritten.reasons(), self.rewritten.diff(name))
 
     def check_map(self, within: Path) -> None:
         """Hold the map that it asks for to lying in a folder, links followed; one that is not there is never read.
@@ -93,17 +106,24 @@ def _beginning(file: Path) -> str:
 
 
 def read_foreign(
-    path: Path, *, trusted: bool = False, as_written: bool = False, searched_with: bool = True
+    path: Path,
+    *,
+    trusted: bool = False,
+    as_written: bool = False,
+    searched_with: bool = True,
+    given: Mapping[str, object] | None = None,
 ) -> ForeignProgram:
-    """Read a program.
+    """Read a program; one of Scenic 2 is rewritten, and says so (`ForeignProgram.changed`).
 
     Args:
         path: Its file.
         trusted: Whether it may use all of Scenic and Python; else it is held against the allow-list.
         as_written: Whether its own ego drives.
         searched_with: Whether it must say who is the adversary, which a search asks for; else there may be none.
+        given: Parameters that it reads and does not state, by name.
 
     Raises:
+        SettingsError: A parameter cannot be given so.
         ForeignCodeRefused: It cannot be read, uses what strangers may not use, or lacks an ego, a route or an
             adversary; the message says how to put it right.
     """
@@ -119,11 +139,17 @@ def read_foreign(
         raise ForeignCodeRefused(f"{path} cannot be read: {error.strerror}") from error
     except UnicodeDecodeError as error:
         raise ForeignCodeRefused(f"{path} is no text in UTF-8: {error.reason} at byte {error.start}") from error
-    text = text.replace("\r\n", "\n")
+    rewritten = as_scenic_3(text.replace("\r\n", "\n"))
+    text = stated(rewritten.source, given or {})
     program, renamed, asked = _made(path.stem, text, trusted, as_written, own=str(path), searched_with=searched_with)
     # Not Path.resolve(), which raises where links lead round in a circle.
     map_path = None if asked is None else Path(os.path.realpath(path.parent / asked))
-    return ForeignProgram(path=path, program=program, renamed=renamed, map_path=map_path)
+    return ForeignProgram(path=path, program=program, renamed=renamed, map_path=map_path, rewritten=rewritten)
+
+
+def as_scenic_3(text: str) -> Rewritten:
+    """A program as Scenic 3 reads it; one for our own world model, which Scenic 2 never had, as it was."""
+    return Rewritten(text, text, ()) if _OWN.search(text) else rewrite(text)
 
 
 def foreign_program(name: str, source: str, *, trusted: bool = False, as_written: bool = False) -> ScenicProgram:
@@ -148,6 +174,7 @@ def _made(
     called = f"your program {own}"
     if not source.strip():
         raise ForeignCodeRefused(f"{called} is empty")
+    _check_stated(called, source)
     if not trusted and (refusals := check_foreign(source)):
         raise ForeignCodeRefused(refused(called, refusals, source, own=True))
     tree = parse_foreign(source)
@@ -187,6 +214,17 @@ def _made(
     path = map_of(tree)[0]
     asked = path if path and path.endswith(".xodr") else None
     return program, behavior if behavior != ADVERSARY_BEHAVIOR else "", asked
+
+
+def _check_stated(called: str, source: str) -> None:
+    """Refuse a program for another world model than ours that reads parameters which nothing states."""
+    tree = None if check_text(source) else parse_foreign(source)
+    if tree is None or isinstance(tree, Refusal) or model_of(tree) in {"", OWN_MODEL}:
+        return  # which is refused by what is wrong there
+    if lacking := unstated(tree):
+        names = ", ".join(lacking)
+        give = f"give each, as in --param {lacking[0]}=VALUE"
+        raise ForeignCodeRefused(f"{called} reads parameters that it does not state: {names}; {give}")
 
 
 def _check_ego(called: str, tree: Any) -> None:

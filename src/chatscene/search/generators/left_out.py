@@ -46,7 +46,8 @@ def left_out(program: ScenicProgram) -> tuple[str, ...]:
     if isinstance(tree, Refusal):
         return ()
     own = model_of(tree) == OWN_MODEL
-    return (*_driver(program, tree), *_parameters(program.source, tree, own=own), *_records(program.source, tree))
+    own_lines = (*_parameters(program.source, tree, own=own), *_records(program.source, tree), *_printed(tree))
+    return (*_driver(program, tree), *own_lines)
 
 
 def _driver(program: ScenicProgram, tree: Any) -> Iterator[str]:
@@ -82,6 +83,12 @@ def _records(source: str, tree: Any) -> Iterator[str]:
     for node in _nodes(tree):
         if type(node).__name__.startswith("Record"):
             yield f"`record {_code(source, node.value)}` is not kept; the tracks of all road users are"
+
+
+def _printed(tree: Any) -> Iterator[str]:
+    lines = [n.lineno for n in _nodes(tree) if isinstance(n, ast.Call) and getattr(n.func, "id", "") == "print"]
+    if lines:
+        yield f"what is printed in line {', '.join(map(str, lines[:3]))} is not shown; --trust shows it"
 
 
 def _nodes(tree: Any) -> Iterator[Any]:

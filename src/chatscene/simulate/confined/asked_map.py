@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
+_BESIDE = frozenset(("carla_map", "lgsvl_map", "sumo_map"))
 LONGEST_PATH = 4096  # characters; Linux takes no more
 
 
@@ -34,8 +35,9 @@ def map_of(tree: Any) -> tuple[str | None, frozenset[Any]]:
                 for name in reversed(texts):  # each is made of those before it
                     if name in used:
                         used.update(_names(texts[name].value))
-                values = {name: texts[name].value for name in used}
-                here = Counter(name for value in (parameter.value, *values.values()) for name in _names(value))
+                values = {name: texts[name].value for name in used & texts.keys()}
+                naming = (parameter.value, *values.values(), *_unread(tree))
+                here = Counter(name for value in naming for name in _names(value))
                 all_over = Counter(_names(tree))
                 return path, frozenset(
                     (parameter.value, *(value for name, value in values.items() if all_over[name] == here[name] + 1))
@@ -43,11 +45,23 @@ def map_of(tree: Any) -> tuple[str | None, frozenset[Any]]:
     return None, frozenset()
 
 
+def _unread(tree: Any) -> Iterator[Any]:
+    """What parameters are set to that name a simulator's own map, and that the program does not read."""
+    read = {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+    for node in tree.body:
+        for parameter in node.elts if type(node).__name__ == "Param" else ():
+            if parameter.identifier in _BESIDE - read:
+                yield parameter.value
+
+
 def _texts(tree: Any) -> dict[str, _Named]:
     """Where names are set, once, to what may be a part of a path, in order."""
     stored = Counter(n.id for n in ast.walk(tree) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store))
     found: dict[str, _Named] = {}
     for node in tree.body:
+        for parameter in node.elts if type(node).__name__ == "Param" else ():
+            if isinstance(parameter.value, ast.Constant) and (text := _text(parameter.value, found)) is not None:
+                found[_parameter(parameter.identifier)] = _Named(parameter.value, text)
         match node:
             case ast.Assign(targets=[ast.Name(id=name)]) if stored[name] == 1:
                 if (text := _text(node.value, found)) is not None:
@@ -62,14 +76,15 @@ def _text(value: Any, texts: Mapping[str, _Named]) -> str | None:
     match value:
         case ast.Constant(value=str(text)):
             return _path(text)
-        case ast.Name(id=name) if name in texts:
-            return texts[name].text
+        case ast.Name() | ast.Attribute():
+            named = texts.get(_name(value))
+            return named.text if named else None
         case ast.Call(func=ast.Name(id="localPath"), args=[path], keywords=[]):
             return _text(path, texts)
         case ast.JoinedStr(values=parts):
             told = [_text(part, texts) for part in parts]
             return None if None in told else _path("".join(filter(None, told)))
-        case ast.FormattedValue(value=ast.Name() as name, conversion=-1, format_spec=None):
+        case ast.FormattedValue(value=(ast.Name() | ast.Attribute()) as name, conversion=-1, format_spec=None):
             return _text(name, texts)
         case _:
             return None
@@ -77,6 +92,17 @@ def _text(value: Any, texts: Mapping[str, _Named]) -> str | None:
 
 def _path(text: str) -> str | None:
     return text if len(text) <= LONGEST_PATH and text.isprintable() else None
+
+
+def _name(node: ast.Name | ast.Attribute) -> str:
+    """How a name, or a parameter that is read, is called; empty for anything else."""
+    if isinstance(node, ast.Name):
+        return node.id
+    return _parameter(node.attr) if isinstance(node.value, ast.Name) and node.value.id == "globalParameters" else ""
+
+
+def _parameter(name: str) -> str:
+    return f"globalParameters.{name}"
 
 
 def _names(node: Any) -> Iterator[str]:

