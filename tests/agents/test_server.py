@@ -16,7 +16,6 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from folder_of_agents import CROSSES, furnished
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -30,6 +29,7 @@ from chatscene.mcp.transports import guarded
 from chatscene.mcp.walls import served_model
 from chatscene.simulate.confined.landlock import landlock_version
 from chatscene.view.child import Ended
+from folder_of_agents import CROSSES, furnished
 
 mcp = pytest.importorskip("mcp")
 
