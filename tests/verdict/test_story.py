@@ -106,6 +106,19 @@ def test_who_comes_later_and_is_hit_is_told_and_so_is_who_goes_and_who_is_left_o
     assert verdict.who == {"A": "late"}
 
 
+def test_who_comes_and_goes_and_was_not_spoken_of_is_said_not_to_be_judged_and_a_contact_with_it_is(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "ragged.csv"
+    path.write_text(
+        RAGGED.format(late=45, after=5.9) + "0,walker,pedestrian,50,-6,1.57,1.4,0\n6,walker,pedestrian,50,2,1.57,1.4,0"
+    )
+    verdict = chatscene.verify(path, "A pedestrian crosses from the right.")
+    assert verdict.who == {"A": "walker"}
+    assert "not judged, but for a contact: first, late, not there all that time" in verdict.notes
+    assert [one.path for one in verdict.unasked] == ["unasked.contact"]
+
+
 def test_who_is_there_from_inside_the_ego_is_no_collision(tmp_path: Path) -> None:
     path = tmp_path / "load.csv"
     path.write_text(RAGGED.format(late=25, after=1))

@@ -111,12 +111,14 @@ def _draws(
 
 
 def _cut(played: Sequence[Played], cast: Cast) -> Iterator[str]:
-    """From when to when drives are judged in which somebody is not there all the time."""
+    """From when to when drives are judged in which somebody is not there all the time, and who is not judged."""
     who = ", ".join(actor for actors in cast.values() for actor in actors)
     for one in played:
         if one.cut:
             end = one.begin + one.episode.duration
             yield f"judged from {one.begin:.1f} to {end:.1f} s, while {who} and the ego are there"
+        if one.left_out:
+            yield f"not judged, but for a contact: {', '.join(one.left_out)}, not there all that time"
 
 
 def _moves(speed: object) -> bool:

@@ -60,11 +60,13 @@ class Played:
         episode: The drive, as long as all of them are there.
         begin: When that begins [s].
         cut: Whether somebody is not there all the time.
+        left_out: Who else is there for a part of that, and not judged.
     """
 
     episode: Episode
     begin: float = 0.0
     cut: bool = False
+    left_out: tuple[str, ...] = ()
 
 
 def as_cast(episode: Episode, cast: Cast) -> Played:
@@ -99,9 +101,19 @@ def _while_there(episode: Episode, names: Collection[str]) -> Played:
         if track.actor in names and (there & np.isfinite(track.x)).sum() > 1:
             there &= np.isfinite(track.x)
     first, end = int(np.argmax(there)), len(there) - int(np.argmax(there[::-1]))
-    stay = [track for track in episode.tracks if np.isfinite(track.x[first:end]).all()]
-    made = between(episode, stay, first, end)
-    return Played(episode=made, begin=first * episode.dt, cut=end - first < len(there))
+    stay, left_out = list[Track](), list[str]()
+    for track in episode.tracks:
+        here = np.isfinite(track.x[first:end])
+        if here.all():
+            stay.append(track)
+        elif here.any():
+            left_out.append(track.actor)
+    return Played(
+        episode=between(episode, stay, first, end),
+        begin=first * episode.dt,
+        cut=end - first < len(there),
+        left_out=tuple(left_out),
+    )
 
 
 def between(episode: Episode, tracks: Sequence[Track], first: int, end: int) -> Episode:
