@@ -151,8 +151,8 @@ def test_arguments_that_are_about_something_else_are_refused_and_none_is_dropped
         ({"file": "crosses.yaml", "reading": 2}, "`reading` is about a text"),
         ({"file": "own.scenic", "reading": 2}, "`reading` is about a text"),
         ({"file": "own.scenic", "facts": {"side": "left"}}, "`set` are about what is said"),
-        ({"file": "crosses.yaml", "as_written": True}, "`as_written` are about a program"),
-        ({"sentence": CROSSES, "as_written": True}, "`as_written` are about a program"),
+        ({"file": "crosses.yaml", "as_written": True}, "are about a program, and none is run"),
+        ({"sentence": CROSSES, "as_written": True}, "are about a program, and none is run"),
     ):
         assert says in called(folder, "run", out="dropped", **arguments)["error"], arguments
     assert not (folder / "dropped").exists()
