@@ -97,7 +97,7 @@ def judged(task: Task, answer: Path | None, settings: VerifySettings) -> Row:
         else:
             found = verify(answer, asked, settings)
     except ChatSceneError as error:
-        return replace(row, outcome=Outcome.REFUSED, why=(_line(error),))
+        return replace(row, outcome=Outcome.REFUSED, why=(_line(error, answer.parent),))
     return replace(row, outcome=outcome(found), why=tuple(reasons(found)))
 
 
@@ -116,8 +116,9 @@ def reasons(found: Verdict) -> Iterator[str]:
     """What is wrong, a line each."""
     yield from found.dead
     for one in found.failing:
+        said = f"{one.said} in " if one.said else "as it should be in "
         beside = f" ({one.instead})" if one.instead else ""
-        yield f"{one.path}: {one.said} in {one.shown} of {len(one.judged)}{beside}"
+        yield f"{one.path}: {said}{one.shown} of {len(one.judged)}{beside}"
     if not found.draws:
         yield from dict.fromkeys(found.rejected)
 
@@ -262,8 +263,12 @@ def in_words(counts: dict[str, dict[str, Any]]) -> Iterator[str]:
         yield f"| {split} | {' | '.join(cells)} |"
 
 
-def _line(error: Exception) -> str:
-    return " ".join(str(error).split())[:300]
+def _line(error: Exception, folder: Path) -> str:
+    """An error in a line that does not say where the answers lie."""
+    said = str(error)
+    for at in (folder, folder.resolve()):
+        said = said.replace(f"{at}/", "")
+    return " ".join(said.split())[:300]
 
 
 @click.command()

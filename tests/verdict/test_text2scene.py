@@ -106,6 +106,7 @@ def test_answers_are_right_part_wrong_refused_or_missing_and_are_judged_once(
     told = {row["id"]: row["why"] for row in map(json.loads, kept.decode().splitlines())}
     assert any("ego.speed" in line for line in told["fast"])
     assert any("does.0.act" in line for line in told["leaves"])
+    assert str(tmp_path) not in kept.decode()
 
     def never(*_: object) -> None:
         raise AssertionError("it was judged before")
