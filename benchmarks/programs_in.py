@@ -26,7 +26,7 @@ from typing import Any
 import click
 
 from chatscene.ego.policy import EgoPolicy, load_ego
-from chatscene.errors import ChatSceneError, NothingFits
+from chatscene.errors import ChatSceneError, DoesNotCompile, NothingFits, ProgramError, StuckBehavior
 from chatscene.maps.network import resolve_map
 from chatscene.program.sample import draw, scene_seed
 from chatscene.search.generators.foreign import ForeignProgram, foreign_files, read_foreign
@@ -105,6 +105,7 @@ class Running:
         ego: Who drives.
         as_written: Whether their own egos do.
         draws: How many drives.
+        tries: How many scenes at most, each with values of its own, until there are so many drives.
         seed: Of what is drawn.
         judge: Whether they are judged by their descriptions.
         simulators: Those that are open, by map.
@@ -114,6 +115,7 @@ class Running:
     ego: EgoPolicy
     as_written: bool
     draws: int
+    tries: int
     seed: int
     judge: bool
     simulators: dict[Path, Any]
@@ -128,8 +130,11 @@ def maps_of(own: ForeignProgram, others: Sequence[Path]) -> list[Path]:
 def driven(own: ForeignProgram, where: Path, row: Row, run: Running) -> list[Watched]:
     """The drives of a program; what came of them is written into its row."""
     drives: list[Watched] = []
-    program, row.tries, row.samples = own.program, run.draws, 0
-    for number in range(run.draws):
+    program, row.samples = own.program, 0
+    for number in range(run.tries):
+        if len(drives) == run.draws:
+            break
+        row.tries = number + 1
         name = f"{program.scenario_id}/route-00/draw-{number:03d}"
         seed = scene_seed(run.seed, name)
         values = draw(program.parameters, seed=seed)
@@ -144,9 +149,9 @@ def driven(own: ForeignProgram, where: Path, row: Row, run: Running) -> list[Wat
                 continue
             route = simulator.route_in(program, scene)
         except ChatSceneError as error:
-            failed = "is set up" in str(error) or type(error).__name__ == "DoesNotCompile"
-            row.compiles = row.compiles or not failed
-            row.samples += not failed and "draw" not in str(error)
+            drove = isinstance(error, StuckBehavior | ProgramError) and "is set up" not in str(error)
+            row.compiles |= drove and not isinstance(error, DoesNotCompile)
+            row.samples += drove and not isinstance(error, DoesNotCompile)
             row.end = short(f"{type(error).__name__}: {error}")
             continue
         row.compiles, row.samples, row.runs = True, row.samples + 1, row.runs + 1
@@ -197,6 +202,7 @@ def short(reason: object) -> str:
 @click.option("--ego", "driver", default=EGO, show_default=True, help="Who drives.")
 @click.option("--as-written", is_flag=True, help="Let the programs' own egos drive.")
 @click.option("--draws", default=1, show_default=True, help="Drives of each program.")
+@click.option("--tries", default=1, show_default=True, help="Scenes that are tried for them, at most.")
 @click.option("--judge", is_flag=True, help="Judge the drives by the program's own description.")
 @click.option("--seed", default=0, show_default=True, help="What everything is drawn by.")
 def main(
@@ -207,6 +213,7 @@ def main(
     driver: str,
     as_written: bool,
     draws: int,
+    tries: int,
     judge: bool,
     seed: int,
 ) -> None:
@@ -215,7 +222,9 @@ def main(
         print(f"{folder} is not laid out: nothing to do")
         return
     given: dict[str, dict[str, object]] = json.loads(given_file.read_text()) if given_file else {}
-    run = Running([resolve_map(one) for one in names], load_ego(driver), as_written, draws, seed, judge, {})
+    run = Running(
+        [resolve_map(one) for one in names], load_ego(driver), as_written, draws, max(draws, tries), seed, judge, {}
+    )
     count = Counter[str]()
     print(f"{collection}\n\n| program | map | changes | compiles | drawn | runs | end | judged |")
     print("|---|---|---:|---|---:|---:|---|---|")

@@ -10,7 +10,7 @@ import pytest
 
 from chatscene.errors import MapError, StuckBehavior
 from chatscene.maps import network
-from chatscene.maps.network import install_network_memo, load_network, resolve_map
+from chatscene.maps.network import check_opendrive, install_network_memo, load_network, resolve_map
 from chatscene.maps.survey import check_map
 
 TOWN = resolve_map("town")
@@ -257,3 +257,18 @@ def test_that_the_time_for_a_map_is_up_is_no_fault_of_the_map(tmp_path: Path, mo
     monkeypatch.setattr(network, "parsed", stopped)
     with pytest.raises(StuckBehavior, match="its time is up"):
         load_network(_map(tmp_path))
+
+
+@pytest.mark.parametrize(("length", "taken"), [("1e-6", True), ("1e-2", False), ("1e-12", False)])
+def test_a_width_is_held_to_what_it_comes_to_in_its_section(length: str, taken: bool, tmp_path: Path) -> None:
+    path = _map(tmp_path)
+    text = path.read_text()
+    section = text[text.index("<laneSection") : text.index("</laneSection>") + len("</laneSection>")]
+    short = section.replace('c="0" d="0"', 'c="-1e13" d="7e18"')
+    after = section.replace('s="0"', f's="{length}"', 1)
+    path.write_text(text.replace(section, short + after))
+    if taken:
+        check_opendrive(path)
+    else:
+        with pytest.raises(MapError, match="that is a number from"):
+            check_opendrive(path)

@@ -112,8 +112,14 @@ def packed(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     file = folder / "py123d/parser/opendrive/carla_maps/Town05.xodr.gz"
     file.parent.mkdir(parents=True)
     file.write_bytes(gzip.compress(b"<OpenDRIVE/>"))
-    package = SimpleNamespace(version="1", locate_file=lambda path: folder / path)
-    monkeypatch.setattr(carla_towns, "distribution", lambda _name: package)
+
+    def locate(path: str) -> Path:
+        return folder / path
+
+    def installed(_name: str) -> SimpleNamespace:
+        return SimpleNamespace(version="1", locate_file=locate)
+
+    monkeypatch.setattr(carla_towns, "distribution", installed)
     monkeypatch.setenv("XDG_CACHE_HOME", str(folder / "cache"))
 
 
