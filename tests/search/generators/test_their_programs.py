@@ -10,7 +10,7 @@ import pytest
 from chatscene.errors import ForeignCodeRefused, MapError, SettingsError
 from chatscene.maps import carla_towns
 from chatscene.maps.network import resolve_map
-from chatscene.search.generators.foreign import foreign_program, read_foreign
+from chatscene.search.generators.foreign import as_scenic_3, foreign_program, read_foreign
 from chatscene.search.generators.left_out import left_out
 from chatscene.search.generators.parameters import stated
 from chatscene.search.generators.their_map import their_map
@@ -149,3 +149,9 @@ def test_what_is_printed_is_said_to_be_dropped() -> None:
     assert left_out(foreign_program("x", DRIVING + "print('here')\n")) == (
         "what is printed in line 3 is not shown; --trust shows it",
     )
+
+
+def test_a_text_that_is_refused_before_it_is_parsed_is_not_gone_through_for_changes() -> None:
+    deep = DRIVING.replace("new ", "") + "x = " + "range(" * 30 + ")" * 30 + "\n"
+    assert as_scenic_3(deep).changes == ()
+    assert as_scenic_3(deep, trusted=True).changes != ()

@@ -139,7 +139,7 @@ def read_foreign(
         raise ForeignCodeRefused(f"{path} cannot be read: {error.strerror}") from error
     except UnicodeDecodeError as error:
         raise ForeignCodeRefused(f"{path} is no text in UTF-8: {error.reason} at byte {error.start}") from error
-    rewritten = as_scenic_3(text.replace("\r\n", "\n"))
+    rewritten = as_scenic_3(text.replace("\r\n", "\n"), trusted=trusted)
     text = stated(rewritten.source, given or {})
     program, renamed, asked = _made(path.stem, text, trusted, as_written, own=str(path), searched_with=searched_with)
     # Not Path.resolve(), which raises where links lead round in a circle.
@@ -147,9 +147,14 @@ def read_foreign(
     return ForeignProgram(path=path, program=program, renamed=renamed, map_path=map_path, rewritten=rewritten)
 
 
-def as_scenic_3(text: str) -> Rewritten:
-    """A program as Scenic 3 reads it; one for our own world model, which Scenic 2 never had, as it was."""
-    return Rewritten(text, text, ()) if _OWN.search(text) else rewrite(text)
+def as_scenic_3(text: str, *, trusted: bool = False) -> Rewritten:
+    """A program as Scenic 3 reads it.
+
+    One for our own world model, which Scenic 2 never had, is as it was, and so is a text that is refused before it is
+    parsed: nothing of a stranger's is gone through that is longer or deeper than any program.
+    """
+    refused_anyway = not trusted and bool(check_text(text))
+    return Rewritten(text, text, ()) if refused_anyway or _OWN.search(text) else rewrite(text)
 
 
 def foreign_program(name: str, source: str, *, trusted: bool = False, as_written: bool = False) -> ScenicProgram:
