@@ -9,7 +9,7 @@
   or its program where it has none. There is no file where it refuses. ``reader`` alone is the usual reader.
 - ``mutants:KIND``: what our builder makes of facts one of which was changed, as ``benchmarks/mutants.py`` changes them:
   sides, kinds, orders, left_out, added, changed, lights, speeds, contacts, timings. There is no file where the facts
-  cannot be changed so, or nothing is built of it.
+  cannot be changed so, or nothing is built of it, or where only a deed is missing that nearly everybody does.
 
 ``--as scenic`` writes programs in the place of situations.
 """
@@ -66,7 +66,7 @@ def mutated(task: Task, kind: str, seed: int) -> Answer | None:
     facts = mutants.stated(task.facts)
     truth = mutants.Truth(source=task.split, situation=facts, built=build(facts, name=task.id))
     mutation = next(one for one in mutants.MUTATIONS if one.__name__ == kind)
-    made = [one for one in mutation(truth, rng) if mutants.is_claim(one)]
+    made = [one for one in mutation(truth, rng) if mutants.is_claim(one) and told_apart(facts, one.situation)]
     if not made:
         return None
     one = rng.choice(made)
@@ -74,6 +74,13 @@ def mutated(task: Task, kind: str, seed: int) -> Answer | None:
         return None, lambda: one.built.program.source
     built: Built = build(one.situation, name=task.id)
     return one.situation, lambda: built.program.source
+
+
+def told_apart(facts: Situation, other: Situation) -> bool:
+    """Whether a deed is missing in other facts that not nearly everybody does: who brakes goes straight on as well."""
+    done = Counter(deed.act for one in facts.others for deed in one.does)
+    missing = done - Counter(deed.act for one in other.others for deed in one.does)
+    return not missing or not missing.keys() <= mutants.GENERAL
 
 
 def answered(asked: list[Task], by: str, clones: Path | None, seed: int) -> Iterator[tuple[Task, Answer | str]]:
