@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import ChatSceneError
-from chatscene.interpret.decide import scenario_of
+from chatscene.interpret.asked import scenario_of
 from chatscene.interpret.retrieve import retrieve
 from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map

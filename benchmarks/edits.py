@@ -24,8 +24,8 @@ import click
 from chatscene.build.build import build
 from chatscene.errors import EditRefused, NotBuilt
 from chatscene.interpret.edited import edited
-from chatscene.interpret.offline import OfflineReader
 from chatscene.interpret.slots_of import facts_of, parties_of
+from chatscene.read.learned.reader import LearnedReader
 from chatscene.terms.edit import changes
 from chatscene.terms.situation import Situation
 
@@ -38,7 +38,7 @@ FOLLOWS = frozenset(("place", "control", "maneuver", "position", "blocker", "occ
 @click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path), default=OWN)
 @click.option("--wrong", is_flag=True, help="Show those that are not right or not served.")
 def main(file: Path, wrong: bool) -> None:
-    reader, counts = OfflineReader(), Counter[str]()
+    reader, counts = LearnedReader(), Counter[str]()
     for line in file.read_text(encoding="utf-8").splitlines():
         row = json.loads(line)
         counts["edits"] += 1

@@ -23,7 +23,6 @@ PAGES = Path(__file__).parents[1] / "docs"
 SITUATIONS = {
     "On foot": (
         "A pedestrian crosses the street from the right.",
-        "A pedestrian steps out from behind a parked car on the right and stops in front of us.",
         "A child dashes across the street from the left.",
         "A group of pedestrians crosses at the crosswalk in front of us.",
         "A pedestrian walks ahead of us along our lane in the same direction.",
@@ -31,7 +30,6 @@ SITUATIONS = {
         "At night in the rain, a pedestrian crosses the street from the right.",
     ),
     "On two wheels": (
-        "A cyclist crosses from the left while we turn right.",
         "A cyclist ahead of us swerves.",
         "A cyclist rides out from behind a parked car on the right at 10 km/h.",
         "A motorcycle cuts us off from the left.",
@@ -56,7 +54,6 @@ SITUATIONS = {
         "An oncoming car turns left across our path.",
         "A car comes toward us in our lane on the wrong side of the road.",
         "In a bend, an oncoming car comes over into our lane.",
-        "We go around a parked car while an oncoming car accelerates.",
         "We go around a parked car while an oncoming motorcycle approaches.",
     ),
     "At a junction": (

@@ -21,7 +21,7 @@ from waited_for import LATER, SENTENCE, cost_of_ours
 from chatscene import pipeline, runs
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import NothingFits
-from chatscene.interpret.decide import scenario_of
+from chatscene.interpret.asked import scenario_of
 from chatscene.interpret.retrieve import retrieve
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import load_library

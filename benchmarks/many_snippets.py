@@ -31,7 +31,7 @@ from waited_for import LATER, SENTENCE
 
 from chatscene import pipeline
 from chatscene.errors import NothingFits
-from chatscene.interpret.decide import scenario_of
+from chatscene.interpret.asked import scenario_of
 from chatscene.interpret.retrieve import retrieve
 from chatscene.library.compose import Asked, compose
 from chatscene.library.load import library_with, load_library

@@ -1,7 +1,7 @@
-"""How readers read texts of others, fact by fact, with nothing refused.
+"""How the packaged reader, or another file of what was learned, reads texts of others, with nothing refused.
 
-    python benchmarks/readers.py --reader learned kept kept-second fresh-second
-    python benchmarks/readers.py --reader offline fresh-second --limit 60
+    python benchmarks/readers.py kept kept-second fresh-second
+    python benchmarks/readers.py --weights FILE fresh-second --limit 60
 
 Of texts with slots: a reader's situation is turned back into slots, and so are the slots that people wrote down, by
 the same table, so that what a situation has no place for counts against nobody; a text is right if no fact differs
@@ -25,7 +25,6 @@ import click
 from labelled import TEXTS, auc, labelled
 
 from chatscene.errors import ChatSceneError
-from chatscene.interpret.offline import OfflineReader
 from chatscene.interpret.situation_of import in_a_situation
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.read.by_model import situation_in
@@ -194,16 +193,15 @@ def text_of(at: str) -> str:
 
 @click.command()
 @click.argument("names", nargs=-1, required=True)
-@click.option("--reader", "named", type=click.Choice(("learned", "offline")), default="learned")
 @click.option("--weights", type=click.Path(path_type=Path), default=PACKAGED)
 @click.option("--limit", default=10_000, help="Texts of each set.")
-def main(names: tuple[str, ...], named: str, weights: Path, limit: int) -> None:
-    """Measure a reader."""
-    reader: Reader = OfflineReader() if named == "offline" else LearnedReader(weights)
+def main(names: tuple[str, ...], weights: Path, limit: int) -> None:
+    """Measure what was learned."""
+    reader = LearnedReader(weights)
     begun = time.process_time()
     for name in names:
         (of_labels if (TEXTS / f"{name}.jsonl").exists() else of_situations)(reader, name, limit)
-    click.echo(f"{named}: {time.process_time() - begun:.0f} s of processor time")
+    click.echo(f"{time.process_time() - begun:.0f} s of processor time")
 
 
 if __name__ == "__main__":

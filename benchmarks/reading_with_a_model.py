@@ -2,7 +2,7 @@
 
     CHATSCENE_LLM_URL=http://127.0.0.1:8080/v1 python benchmarks/reading_with_a_model.py openai:NAME [--count 24]
 
-Both read the same sentences, of those written by hand that the offline reader did not learn from; nothing is driven.
+Both read the same sentences, of those written by hand and held out; nothing is driven.
 """
 
 from __future__ import annotations
@@ -11,10 +11,9 @@ import argparse
 import random
 import time
 
-from chatscene.grow.curation import FITTING, kept_back
 from chatscene.report.tables import as_text
 from chatscene.settings import OFFLINE, RetrievalSettings
-from chatscene.studies.reading import load_sentences, measure, summary_table
+from chatscene.studies.reading import HELD_OUT, load_sentences, measure, summary_table
 from chatscene.terms.results import ResultTable
 
 
@@ -24,7 +23,7 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=24)
     parser.add_argument("--seed", type=int, default=0)
     arguments = parser.parse_args()
-    unseen = [sentence for sentence in load_sentences(FITTING) if kept_back(sentence)]
+    unseen = load_sentences(HELD_OUT)
     chosen = random.Random(arguments.seed).sample(unseen, arguments.count)
     rows: list[tuple[str, ResultTable]] = []
     for model in (OFFLINE, arguments.model):

@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
-from chatscene.interpret.decide import scenario_of
+from chatscene.interpret.asked import scenario_of
 from chatscene.interpret.retrieve import retrieve
 from chatscene.interpret.vector_index import PROBED, Rows, build
 from chatscene.library.load import load_library

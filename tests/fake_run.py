@@ -310,7 +310,7 @@ def understanding(text: str = TEXT) -> tuple[Scenario, Retrieval]:
             position=Position.ROADSIDE,
             occluder=Occluder.BUS_STOP,
         ),
-        notes=(Note(about=About.SIDE),),
+        notes=(Note(about=About.STATED, said=("side=right",)),),
     )
     candidates = {
         Component.BEHAVIOR: (

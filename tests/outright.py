@@ -1,11 +1,10 @@
-"""A sentence as its words alone say it, without the classifier."""
+"""What a text says, for whoever chooses snippets for it, taken for sure."""
 
-from chatscene.interpret.decide import understood
-from chatscene.read.decompose import hear
+from chatscene.interpret.asked import scenario_of
+from chatscene.settings import RetrievalSettings
 from chatscene.terms.scenario import Scenario
 
 
 def decompose(text: str) -> Scenario:
-    """What is understood of a text by what its words say outright."""
-    frame = hear(text)
-    return understood(frame, frame.outright, frame.notes)
+    """What the likeliest reading of a text says, which is taken for what was meant."""
+    return scenario_of(text, RetrievalSettings(reading=1))

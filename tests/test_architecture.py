@@ -65,7 +65,7 @@ def test_a_sentence_goes_through_the_doors_that_the_page_tells_and_through_no_mo
     chatscene.explain("A truck ahead brakes hard.")
     files: set[str] = set()
     stays = walk["walked"](partial(chatscene.explain, walk["SENTENCE"]), files)
-    for room in ("read", "interpret", "library", "build"):
+    for room in ("read", "interpret", "build"):
         assert len({there for there, here, _ in stays if here == room}) == 1
     assert not {"search", "program", "simulate"} & {here for _, here, _ in stays}
     page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8").split("## The walk of a scene")[0]
@@ -76,12 +76,11 @@ def test_a_sentence_goes_through_the_doors_that_the_page_tells_and_through_no_mo
 
 HEAVY = (
     "scenic", "trimesh", "scipy", "shapely", "PIL", "pyarrow", "matplotlib", "jinja2", "networkx", "torch", "onnx",
-    "chatscene.read.learned",
 )  # fmt: skip
 OF_MAPS = ("scenic", "trimesh", "scipy", "shapely", "networkx", "PIL")  # which comes with Scenic
 """What a text that is explained may load: its program is built on a map that has such a place."""
 TEXT = "A cyclist rides out from the left and stops in front of us."
-READS = f"from chatscene.interpret.offline import OfflineReader; OfflineReader().read({TEXT!r})"
+READS = f"from chatscene.read.learned.reader import LearnedReader; LearnedReader().read({TEXT!r})"
 EXPLAINS = f"import chatscene; chatscene.explain({TEXT!r}).as_dict()"
 
 

@@ -157,7 +157,7 @@ def test_there_are_no_more_readings_than_the_model_gives_and_facts_are_set_by_pa
     with pytest.raises(SettingsError, match="there is no reading 2"):
         chatscene.explain(TEXT, language_model=model, reading=2)
     with pytest.raises(SettingsError, match="no fact"):
-        chatscene.explain(TEXT, language_model=model, set={"side": "left"})
+        chatscene.explain(TEXT, language_model=model, set={"sid": "left"})
 
 
 def test_what_is_edited_in_words_is_edited_by_the_model_that_read_it(tmp_path: Path) -> None:

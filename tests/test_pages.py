@@ -20,7 +20,7 @@ PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
 USERS = [page for page in PAGES if page.name != "CHANGELOG.md" and not {"decisions", "lab"} & set(page.parts)]
 MADE_BEFORE = {  # what pages take for there, as those before them made it
     "runs/left": "an oncoming car turns left across our path at a traffic light",
-    "runs/cyclist": "A cyclist cuts across from the left while we turn right.",
+    "runs/cyclist": "A cyclist crosses from the left in front of us.",
 }
 ANYWHERE = ("chatscene doctor", "chatscene map check town", "chatscene schema", "chatscene coverage")
 

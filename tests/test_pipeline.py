@@ -27,9 +27,10 @@ from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import ScenicProgram
 from outright import decompose
 from places import GOLDEN, SHARED
+from plainly import STOPS
 
 SENTENCES = {
-    "bus-stop": "A pedestrian steps out from behind a bus stop on the right and freezes in front of us.",
+    "stops": STOPS,
     "red-light": "We drive straight when a truck from the left runs the red light and brakes.",
     "lane-change": "While we change to the left lane, a motorcycle ahead in that lane brakes hard.",
 }
@@ -85,7 +86,7 @@ def test_a_run_says_how_many_drives_left_the_road_or_never_arrived_beside_how_ma
 
 
 def test_a_run_says_who_stepped_its_drives_and_why_not_the_simulator_that_was_asked_for() -> None:
-    record = runs.asked_run(SENTENCES["bus-stop"], settings=Settings(simulation=SimulationSettings(simulator="native")))
+    record = runs.asked_run(SENTENCES["stops"], settings=Settings(simulation=SimulationSettings(simulator="native")))
     assert stepped_in_words(record) == ""
     record = record.model_copy(update={"stepped": {"native": 4}})
     assert stepped_in_words(record) == "stepped: 4 by native"
@@ -146,7 +147,7 @@ def test_the_time_of_a_run_is_kept_as_it_goes_and_is_on_its_page(
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        pipeline.run(runs.asked_run(SENTENCES["bus-stop"], settings=small), tmp_path / "run", progress=cut)
+        pipeline.run(runs.asked_run(SENTENCES["stops"], settings=small), tmp_path / "run", progress=cut)
     first = runs.read_record(runs.open_run(tmp_path / "run")).timings["total"]
     assert first >= 2.0 * len(told) > 0.0  # two seconds at least from each telling to the next
     summary = pipeline.resume(tmp_path / "run")

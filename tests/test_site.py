@@ -19,7 +19,6 @@ import pytest
 import yaml
 
 import chatscene
-from chatscene import pipeline
 from chatscene.commands.main import main
 from notebooks import TUTORIALS, held
 from places import ROOT
@@ -156,4 +155,4 @@ def test_the_gallery_has_each_scene_for_players_of_others_with_its_map() -> None
 
 @pytest.mark.parametrize("sentence", [sentence for _, sentence in GALLERY])
 def test_a_sentence_of_the_gallery_is_served(sentence: str) -> None:
-    assert pipeline.understand(sentence).program is not None
+    assert chatscene.explain(sentence).program is not None

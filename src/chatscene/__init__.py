@@ -4,7 +4,7 @@
 
     import chatscene
 
-    run = chatscene.run("a cyclist cuts across from the left while we turn right", scenes=20)
+    run = chatscene.run("a cyclist crosses from the left in front of us", scenes=20)
     run                                # in a notebook: the report, with a replay of the scenes
     run.scenes.to_pandas()             # a row per scene
     run.best.replay()                  # simulated again: the same tracks, bit for bit

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, overload
 from chatscene import runs
 from chatscene.errors import EditRefused, RunError, SettingsError, no_such
 from chatscene.interpret.stated import in_text
-from chatscene.maps.network import check_opendrive, map_with, resolve_map
+from chatscene.maps.network import TOWN, check_opendrive, map_with, resolve_map
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
@@ -180,7 +180,7 @@ class Run:
         settings = runs.settings_of(record)
         if record.generator == "chatscene" and not record.stated:  # made by a version that chose snippets, maybe
             return explain_text(record.text, settings, edits=record.edits)
-        return understand(record.text, settings, generator=record.generator, edits=record.edits)
+        return understand(record.text, settings, generator=record.generator)
 
     @property
     def _situation(self) -> Situation:
@@ -225,25 +225,15 @@ class Run:
 
     def _asked_with(self, edit: str) -> runs.RunRecord:
         """What a run of the same situation asks for, with an edit."""
-        from chatscene.report.stated import Stated
-        from chatscene.report.understood import Edited
-
         record, made = self._record, self.understood.edit(edit)
         follow(self._repeated, egos_of=[self._workspace], simulators_of=[self._workspace], reading_of=[self._workspace])
-        situation, by_default = None, False
-        if isinstance(made, Stated):
-            situation, map_name = made.record, made.built.map
-        else:
-            assert isinstance(made, Edited)
-            by_default = record.map_name == map_with(made.before.scenario.slots.site)
-            map_name = record.map_name
         return runs.asked_run(
-            "" if situation is not None else record.text,
+            "",
             settings=runs.settings_of(record),
-            situation=situation,
-            map_name=None if by_default else str(map_name),
+            situation=made.record,
+            map_name=str(made.built.map),
             ego=record.ego,
-            generator="situation" if situation is not None else record.generator,
+            generator="situation",
             edits=[*record.edits, edit],
         )
 

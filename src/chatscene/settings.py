@@ -14,9 +14,9 @@ MOST_READINGS = 2  # how many readings of a text are offered
 EGO = "planner"  # who drives where no ego is named: it sees everybody and has the whole brake (decision 0077)
 SIMULATOR = "native"  # what a run's scenes drive in where no simulator is named (decision 0081)
 EXECUTOR = "processes"  # who works on the parts of a run where nobody is named
-READERS = ("facts", "paper", "learned")
+PAPER_READER = "paper"  # the paper's own way: snippets, by wording alone
+READERS = ("situation", PAPER_READER)
 OFFLINE = "offline"  # the project's own reader, in place of a language model
-LEARNED = "learned"  # the reader of one learned model
 
 
 def check_settings(settings: object, limits: Mapping[str, tuple[float, float]]) -> None:
@@ -154,7 +154,7 @@ class VerifySettings:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RetrievalSettings:
-    """How a triple of snippets is chosen.
+    """How a text is read, and how a triple of snippets is chosen where one is.
 
     Attributes:
         candidates: How many candidates per component are kept and shown (the released code looks at 3).
@@ -162,9 +162,9 @@ class RetrievalSettings:
         library: Folder of the user's own snippets beside the packaged ones; empty for none.
         embedder: Who measures the wording of behaviors.
         language_model: Who reads sentences; ``offline`` stands for the project's own reader.
-        reader: How a triple is found for a text: ``facts``, by typed facts, and refused where they are doubtful;
-            ``paper``, by the wording of a sub-description per component alone (paper, section 3.3). ``learned``: one
-            model writes the whole situation, and no triple is chosen.
+        reader: What is made of a text: a ``situation``, which is built, or for which snippets of one's own are chosen,
+            and which is refused where it is doubtful; ``paper``: snippets are found by the wording of a sub-description
+            per component alone (paper, section 3.3).
         reading: Which of the likeliest readings is taken, from 1; 0 for the likeliest, if it is likely enough.
         stated: Facts that the user says beside the text, such as ``side=left actions=brake,stop``.
     """
@@ -182,11 +182,6 @@ class RetrievalSettings:
         check_settings(self, {"candidates": (1, 1_000), "refuse_below": (0.0, 1.0), "reading": (0, MOST_READINGS)})
         if self.reader not in READERS:
             raise SettingsError(no_such("reader", self.reader, READERS))
-        if self.reader == LEARNED and (self.library or self.stated or self.language_model != OFFLINE):
-            raise SettingsError(
-                "the reader 'learned' writes a whole situation by itself: it takes no library, no language model, and "
-                "facts by their paths alone, as in others.A.starts.side"
-            )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -13,7 +13,7 @@ from chatscene.runs.progress import Progress, silent
 
 if TYPE_CHECKING:
     from chatscene.report.stated import Changed, Stated
-    from chatscene.report.understood import Edited, Understood
+    from chatscene.report.understood import Understood
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ class Undone:
     """
 
     edit: str
-    edited: Edited | Changed
+    edited: Changed
 
 
 class Talk:
@@ -54,9 +54,9 @@ class Talk:
         self._text, self._answer = "", Answer()
         self._asked = self._text, self._answer  # what is answered for: the text last said, understood or not
         self._first: Understood | Stated | None = None
-        self._edits: list[tuple[str, Edited | Changed]] = []
+        self._edits: list[tuple[str, Changed]] = []
 
-    def hear(self, line: str, progress: Progress = silent) -> Shown | Edited | Changed | Undone | api.Run:
+    def hear(self, line: str, progress: Progress = silent) -> Shown | Changed | Undone | api.Run:
         """Do what a line says: a situation or an edit of it, or one of the words that `docs/edit.md` lists.
 
         Args:
@@ -128,7 +128,7 @@ class Talk:
         except NothingFits:
             self._asked = text, answer  # one fact may not be enough
             raise
-        edited: list[tuple[str, Edited | Changed]] = []
+        edited: list[tuple[str, Changed]] = []
         for edit in edits:
             now = now.edit(edit)
             edited.append((edit, now))

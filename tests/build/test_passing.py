@@ -160,7 +160,7 @@ def test_who_yields_to_somebody_before_the_ego_stops_when_that_is_near():
         one("A", "car", "oncoming", {"act": "yield", "whom": "B"}, {"act": "turn-left"}),
         one("B", "van", "ahead", {"act": "go-along"}, role="supporting"),
     ]
-    _, tracks = driven(others, road={"two_way": True})
+    _, tracks = driven(others, road={"kind": "road", "two_way": True})
     a, b = tracks["A"], tracks["B"]
     stands = int(np.argmax(a.speed < 0.1))
     assert stands > 0

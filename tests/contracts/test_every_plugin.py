@@ -32,7 +32,7 @@ from chatscene.testing import (
 from chatscene.testing.language_models import PROMPT
 from places import GOLDEN
 
-OWN_PROGRAM = GOLDEN / "bus-stop.scenic"
+OWN_PROGRAM = GOLDEN / "stops.scenic"
 
 
 @pytest.mark.parametrize("name", sorted(EGOS.built_in))

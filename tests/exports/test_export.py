@@ -28,14 +28,14 @@ from chatscene.terms.episode import SignalTrack
 from chatscene.testing.exporters import awkward_scenes
 from chatscene.world.compilation import compile_program
 from fake_run import finished, resealed, started
+from plainly import STOPS
 
 
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("export") / "run"
     few = Settings(search=SearchSettings(scenes=2, block=1, routes=2))
-    text = "A pedestrian steps out from behind a bus stop on the right and freezes in front of us."
-    pipeline.run(runs.asked_run(text, settings=few, ego="rule-based"), folder)
+    pipeline.run(runs.asked_run(STOPS, settings=few, ego="rule-based"), folder)
     return folder
 
 

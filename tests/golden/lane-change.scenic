@@ -21,10 +21,10 @@ leftLane = adjacentLane
 
 ego = new Car at egoSpawnPt, facing directionOn(egoRoute, 0), with route egoRoute
 
-## spawn/adjacent-lane-ahead
+## spawn/left-lane-ahead
 param OPT_GEO_Y = Range(6, 22)
 
-advTrajectory = adjacentLane
+advTrajectory = leftLane
 advLane = advTrajectory
 AdvAgent = new AdvClass at pointOn(advTrajectory, globalParameters.OPT_GEO_Y),
     facing directionOn(advTrajectory, globalParameters.OPT_GEO_Y),

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from chatscene.grow.reader_texts import example, in_our_words, of_told
+from chatscene.grow.reader_texts import example, in_our_words, of_edits, of_told, situations_in
 from chatscene.grow.reader_trust import trust_of
 from chatscene.read.learned.grammar import COPIED, grammar
 from chatscene.situations.form import from_plain
@@ -48,10 +48,19 @@ def test_a_mirrored_reply_is_not_learned(tmp_path: Path) -> None:
 
 def test_situations_are_told_in_our_words_or_in_those_of_a_writer(tmp_path: Path) -> None:
     file = written(tmp_path / "a.jsonl", {"text": "van stops, 6 m/s²", "situation": VAN})
-    (theirs,), (ours,) = of_told(file), in_our_words(file)
+    (theirs,), (ours,) = of_told(file), in_our_words(situations_in(file))
     assert theirs.read.text == "van stops, 6 m/s²"
     assert "brake" in ours.read.text
     assert theirs.steps == ours.steps
+
+
+def test_an_edit_is_learned_behind_the_telling_and_comes_to_what_is_after_it(tmp_path: Path) -> None:
+    after = VAN | {"others": [VAN["others"][0] | {"kind": "bus"}]}
+    rows = {"situation": VAN, "edit": "make it a bus", "after": after}, {"situation": VAN, "edit": "thank you"}
+    bus, same = of_edits(written(tmp_path / "a.jsonl", *rows))
+    assert bus.read.text.endswith(" Change: make it a bus")
+    assert [step.token for step in bus.steps if step.place == "others.kind"] == [("Other.kind", "bus")]
+    assert [step.token for step in same.steps if step.place == "others.kind"] == [("Other.kind", "van")]
 
 
 def test_trust_is_as_often_right_as_it_says() -> None:

@@ -8,11 +8,11 @@ from typing import Any
 
 import pytest
 
+from chatscene.errors import NoUsableReply
 from chatscene.interpret.asked import heard
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.frame import About
 from chatscene.terms.scenario import Control, Maneuver, Place, Position, Side
 
 TEXT = "A lorry from the left jumps its red light as we turn right."
@@ -51,25 +51,16 @@ def test_a_models_facts_are_used_with_what_follows_from_them(tmp_path: Path) -> 
     assert frame.reader.startswith("scripted:")
 
 
-def test_what_a_model_read_is_believed_with_probability_one(tmp_path: Path) -> None:
-    frame = heard(TEXT, settings(tmp_path, answer()))
-    assert frame.beliefs.of("side", Side.LEFT) == 1.0
-    assert frame.beliefs.heard(Action.RUN_LIGHT) == 1.0
-    assert frame.beliefs.heard(Action.STOP) == 0.0
+def test_a_model_that_answers_nonsense_is_an_error_and_nobody_else_reads(tmp_path: Path) -> None:
+    with pytest.raises(NoUsableReply):
+        heard(TEXT, settings(tmp_path, *["nonsense"] * 3))
 
 
-def test_where_the_readers_differ_is_told(tmp_path: Path) -> None:
-    reply = answer()
-    reply["situation"]["others"][0]["starts"]["side"] = "right"
-    frame = heard(TEXT, settings(tmp_path, reply))
-    assert any(note.about is About.DIFFERENT and "right" in note.said for note in frame.notes)
-
-
-def test_a_model_that_answers_nonsense_leaves_the_offline_reading(tmp_path: Path) -> None:
-    frame = heard(TEXT, settings(tmp_path, *["nonsense"] * 3))
-    assert not frame.reader
-    assert [note.about for note in frame.notes][-1] is About.OFFLINE
+def test_the_projects_own_reader_gives_a_frame_as_a_model_does() -> None:
+    frame = heard(TEXT, RetrievalSettings(reading=1))
+    assert (frame.reader, frame.sure) == ("", 1.0)
     assert frame.outright.adversary is AdversaryKind.TRUCK
+    assert {word.fact for word in frame.words if word.text == "lorry"} == {"others.A.kind"}
 
 
 def test_a_text_that_a_model_finds_no_situation_in_says_nothing(tmp_path: Path) -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from chatscene.ego.rule_based import RuleBased
+from chatscene.interpret.asked import scenario_of
 from chatscene.interpret.choose import choose
-from chatscene.interpret.decide import scenario_of
 from chatscene.library.compose import COMPOSED
 from chatscene.maps.network import resolve_map
 from chatscene.program.check import check
@@ -26,7 +26,7 @@ def simulator() -> Simulator:
 @pytest.mark.parametrize(
     ("text", "snippet_id"),
     [
-        ("A cyclist from the right stops in front of us, then turns back.", "bicycle.roadside.stop.turn-back"),
+        ("A cyclist crosses from the right, stops and turns back.", "bicycle.roadside.cross.stop.turn-back"),
         ("A motorcycle from behind overtakes us and brakes.", "motorcycle.behind.overtake.brake"),
         ("A truck ahead weaves, then reverses.", "truck.ahead.weave.reverse"),
         ("We are stopped and the car ahead of us reverses.", "car.ahead-of-standing-ego.reverse"),
@@ -48,7 +48,7 @@ def test_what_words_say_and_no_snippet_does_is_composed_and_shown(
     "text",
     [
         "The car ahead accelerates, then brakes.",  # a snippet does it
-        "An oncoming car brakes, then accelerates.",  # oncoming goes without saying
+        "The oncoming car accelerates, then brakes.",  # oncoming goes without saying
     ],
 )
 def test_a_snippet_that_does_it_is_preferred(text: str) -> None:

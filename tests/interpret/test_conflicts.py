@@ -12,7 +12,7 @@ import chatscene
 from chatscene.commands.main import main
 from chatscene.errors import NothingFits, SettingsError
 from chatscene.interpret.conflicts import MOST_BYTES, conflicts_in
-from chatscene.read.decompose import LONGEST
+from chatscene.read.reader import LONGEST
 from chatscene.runs import asked_run
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.conflict import Conflict

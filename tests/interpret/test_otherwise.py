@@ -10,6 +10,8 @@ from chatscene.runs import asked_run
 from chatscene.terms.acts import Action
 from chatscene.terms.snippet import Tried
 
+UNREAD = "a van ahead of us brakes hard because of a xylophone"
+
 
 def told(understood: Understood) -> list[str]:
     return told_first(understood.as_dict())
@@ -20,8 +22,8 @@ def test_where_everything_is_as_it_was_said_nothing_is_told() -> None:
 
 
 def test_a_road_user_that_is_shown_as_another_kind_is_told_and_words_that_were_not_read_come_first() -> None:
-    lines = told(understand("a delivery van ahead of us brakes hard"))
-    assert lines == ["not understood, so possibly missing from the scenes: 'delivery'", "'a van' is shown as a car"]
+    lines = told(understand(UNREAD))
+    assert lines == ["not understood, so possibly missing from the scenes: 'xylophone'", "'a van' is shown as a car"]
 
 
 def test_what_was_chosen_after_a_better_choice_failed_is_told_with_all_that_it_adds() -> None:
@@ -51,6 +53,5 @@ def test_what_somebody_beside_the_adversary_is_said_to_do_and_does_is_not_told_a
 
 
 def test_the_head_of_the_page_tells_it_before_what_was_read() -> None:
-    text = "a delivery van ahead of us brakes hard"
-    page = heading(asked_run(text), understand(text).as_dict(), "")
+    page = heading(asked_run(UNREAD), understand(UNREAD).as_dict(), "")
     assert page.index("possibly missing from the scenes") < page.index("is shown as a car") < page.index("Read as")

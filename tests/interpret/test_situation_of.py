@@ -1,4 +1,4 @@
-"""What the offline reader decides of a text, as a situation: each of its words has one, and an edit reads them back."""
+"""Facts that have names, as a situation: each of their values has a word there, and comes back as it was."""
 
 from __future__ import annotations
 
@@ -9,16 +9,27 @@ from typing import Any
 import pytest
 
 from chatscene.interpret import situation_rows as rows
-from chatscene.interpret.offline import OfflineReader
 from chatscene.interpret.situation_of import in_a_situation
-from chatscene.interpret.situation_rows import BESIDE, HIDES, WHO
+from chatscene.interpret.situation_rows import BESIDE, WHO
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.scenario import Control, EgoState, Maneuver, Measure, Occluder, Place, Position, Side, Site, Slots
-from chatscene.terms.situation import Situation
+from chatscene.terms.scenario import (
+    Control,
+    EgoState,
+    Maneuver,
+    Measure,
+    Occluder,
+    Place,
+    Position,
+    Quantity,
+    Side,
+    Site,
+    Slots,
+)
 from chatscene.terms.surroundings import Light, Surroundings, Weather
-from chatscene.terms.vocabulary import Act, Breach, Manner, UserKind, Where
+from chatscene.terms.vocabulary import Act, Breach, Manner, UserKind
+from chatscene.terms.vocabulary import Side as To
 
 TABLES: list[tuple[Any, Mapping[Any, object]]] = [
     (Action, rows.ACTS),
@@ -33,7 +44,7 @@ TABLES: list[tuple[Any, Mapping[Any, object]]] = [
 
 
 @pytest.mark.parametrize(("words", "table"), TABLES, ids=lambda one: getattr(one, "__name__", ""))
-def test_each_word_of_the_reader_has_one_of_a_situation(words: Any, table: Mapping[Any, object]) -> None:
+def test_each_value_of_a_fact_has_a_word_of_a_situation(words: Any, table: Mapping[Any, object]) -> None:
     assert set(words) - set(table) == set()
 
 
@@ -42,32 +53,6 @@ def test_each_body_has_the_plainest_kind_and_each_measure_stands_somewhere() -> 
     assert rows.KINDS[AdversaryKind.CAR] is UserKind.CAR
     placed = {Measure.DISTANCE, Measure.TRIGGER, Measure.ASIDE, Measure.EGO_SPEED}  # of no deed of another
     assert set(Measure) - placed - set(rows.AMOUNTS) == set()
-
-
-def read(text: str) -> Situation:
-    return OfflineReader().read(text).ranked[0].situation
-
-
-@pytest.mark.parametrize(
-    ("text", "speed", "words"),
-    [
-        ("We drive at 50 km/h. A car ahead brakes hard.", "50 km/h", "drive at 50 km/h"),
-        ("The VUT travels at 45 mph and the car ahead brakes at 6 m/s2.", "45 mph", "travels at 45 mph"),
-        ("At 30 km/h we approach a truck that stands in our lane.", "30 km/h", "at 30 km/h"),
-        ("The car ahead brakes while we drive at 50 km/h.", "50 km/h", "drive at 50 km/h"),
-    ],
-)
-def test_a_speed_that_is_said_of_the_ego_is_the_egos(text: str, speed: str, words: str) -> None:
-    made = read(text)
-    assert str(made.ego.speed) == speed
-    assert made.evidence.quoted["ego.speed"].lower() == words.lower()
-    assert all(deed.speed is None for one in made.others for deed in one.does)
-
-
-def test_a_speed_that_is_said_of_another_is_not_the_egos() -> None:
-    made = read("A car crosses from the left at 50 km/h towards us.")
-    assert made.ego.speed is None
-    assert str(made.others[0].does[0].speed) == "50 km/h"
 
 
 CAR, WALKS, RIDES = AdversaryKind.CAR, AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE
@@ -135,43 +120,6 @@ def test_two_who_do_something_come_back_as_two() -> None:
     assert facts_of(there, parties).slots == slots
 
 
-@pytest.mark.parametrize(
-    ("text", "kind", "count"),
-    [
-        ("A van ahead of us brakes hard.", UserKind.VAN, 1),
-        ("A taxi ahead of us brakes hard.", UserKind.CAR, 1),
-        ("A child runs out from the left.", UserKind.CHILD, 1),
-        ("Two children run out from the left.", UserKind.CHILD, 2),
-        ("Three pedestrians cross the road from the right.", UserKind.PEDESTRIAN, 3),
-        ("A group of pedestrians crosses the road from the right.", UserKind.PEDESTRIAN, 0),
-        ("A lorry ahead of us brakes hard.", UserKind.TRUCK, 1),
-    ],
-)
-def test_somebody_is_what_the_words_call_them_and_as_many(text: str, kind: UserKind, count: int) -> None:
-    who = read(text)[WHO]
-    assert (who.kind, who.count) == (kind, count)
-
-
-def test_each_of_two_has_the_words_that_tell_of_it() -> None:
-    quoted = read("An oncoming truck drives on while a pedestrian crosses the road from the right.").evidence.quoted
-    assert quoted["others.A.kind"] == "a pedestrian"
-    assert quoted["others.A.does"] == "crosses the road"
-    assert quoted["others.B.kind"] == "An oncoming truck"
-    assert quoted["others.B.does"] == "drives on"
-
-
-def test_who_runs_into_us_touches_us_and_who_nearly_does_or_only_has_parts_does_not() -> None:
-    struck = read("While we wait at a red light, a car drives into us from behind.")
-    assert struck.contact is not None
-    assert struck.contact.happens
-    assert struck.evidence.quoted["contact.happens"] == "drives into us from behind"
-    assert struck.evidence.assumed == ()
-    near = OfflineReader().read("A lorry nearly hits us as it changes lanes.")
-    assert near.ranked[0].situation.contact is None
-    assert near.unread == ("nearly hits",)
-    assert read("A car cuts in from the left.").contact is None
-
-
 def test_an_act_that_breaks_a_rule_or_has_a_pace_is_one_deed() -> None:
     runs = Slots(adversary=CAR, actions=(Action.CROSS, Action.RUN_LIGHT), side=Side.LEFT, position=Position.CROSSING)
     (deed,) = in_a_situation(runs, (), Surroundings())[WHO].does
@@ -181,22 +129,14 @@ def test_an_act_that_breaks_a_rule_or_has_a_pace_is_one_deed() -> None:
     assert (deed.act, deed.manner) == (Act.CROSS, Manner.SLOW)
 
 
-def test_who_hides_somebody_is_there_and_named() -> None:
-    said = read("A pedestrian steps out from behind a parked truck on the right.")
-    assert said[WHO].hidden_by == HIDES
-    assert (said[HIDES].kind, said[HIDES].starts.where) == (UserKind.TRUCK, Where.KERB)
-    assert "truck" in said.evidence.quoted[f"others.{HIDES}"]
-
-
-def test_a_speed_that_no_deed_has_is_what_somebody_drove_at_before() -> None:
-    text = "Target vehicle ahead in the ego lane at 40 km/h decelerates with 5 m/s² to standstill."
-    (first, *_) = OfflineReader().read(text).ranked
-    who = first.situation["A"]
-    assert str(who.starts.speed) == "40 km/h"
-    assert [deed.act for deed in who.does] == [Act.STOP]
-    assert first.left_out == ()
-
-
-def test_who_cuts_in_from_an_arm_of_a_junction_comes_into_our_lane() -> None:
-    (first, *_) = OfflineReader().read("A car from the left arm of the junction cuts in front of us.").ranked
-    assert [deed.act for deed in first.situation["A"].does] == [Act.ENTER]
+@pytest.mark.parametrize("position", [Position.AHEAD, Position.ONCOMING])
+@pytest.mark.parametrize("aside", [1, -1])
+def test_to_which_side_of_its_own_somebody_swerves_comes_back(position: Position, aside: int) -> None:
+    number = Quantity(measure=Measure.ASIDE, value=aside, said="to a side")
+    slots = Slots(adversary=CAR, actions=(Action.SWERVE,), position=position)
+    there = in_a_situation(slots, (number,), Surroundings())
+    to_its_left = aside == 1
+    assert there[WHO].does[0].to is (To.LEFT if to_its_left is (position is Position.AHEAD) else To.RIGHT)
+    parties = parties_of(there)
+    assert parties is not None
+    assert [one.value for one in facts_of(there, parties).quantities] == [aside]

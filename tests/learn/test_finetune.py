@@ -40,6 +40,7 @@ from chatscene.program.ordinary import Course
 from chatscene.settings import SearchSettings, Settings
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from plainly import STOPS
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore::DeprecationWarning"),
@@ -206,9 +207,8 @@ TINY = FinetuneSettings(
 @pytest.fixture(scope="module")
 def scenes(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A small run on two routes."""
-    folder = tmp_path_factory.mktemp("runs") / "bus-stop"
-    text = "A pedestrian steps out from behind a bus stop on the right and freezes in front of us."
-    pipeline.run(runs.asked_run(text, ego="sac", settings=Settings(search=SearchSettings(scenes=4, routes=2))), folder)
+    folder = tmp_path_factory.mktemp("runs") / "stops"
+    pipeline.run(runs.asked_run(STOPS, ego="sac", settings=Settings(search=SearchSettings(scenes=4, routes=2))), folder)
     return folder
 
 

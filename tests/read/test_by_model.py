@@ -19,8 +19,8 @@ from chatscene.models.language.scripted import Scripted
 from chatscene.models.language.structured import strict_schema
 from chatscene.read import situation_prompt
 from chatscene.read.by_model import Answer, ModelReader
-from chatscene.read.decompose import LONGEST
 from chatscene.read.quotes import MIRRORED, not_in_words, unread
+from chatscene.read.reader import LONGEST
 from chatscene.read.situation_prompt import EXAMPLES, form, system
 from chatscene.situations.facts import with_fact
 from chatscene.situations.file import read_text, to_yaml

@@ -8,10 +8,6 @@ from importlib.resources import files
 
 import pytest
 
-from chatscene.interpret.decide import scenario_of
-from chatscene.interpret.retrieve import retrieve
-from chatscene.library.load import load_library
-from chatscene.models.encoders.embedding import load_embedder
 from chatscene.pipeline import understand
 from chatscene.read.canonical import canonical
 from chatscene.search.generators.retrieved import Retrieved
@@ -66,17 +62,6 @@ def variants(text: str) -> list[str]:
 @pytest.mark.parametrize("text", [*FORTY, *EXAMPLES])
 def test_full_stop_case_space_and_the_name_of_the_ego_carry_nothing(text: str) -> None:
     assert {canonical(variant) for variant in variants(text)} == {canonical(text)}
-
-
-@pytest.mark.parametrize("text", [*EXAMPLES, *(texts[0] for texts in BENCHMARK.values())])
-def test_the_reading_the_triple_and_the_confidence_are_those_of_the_situation(text: str) -> None:
-    anything = RetrievalSettings(refuse_below=0.0)
-    found = set()
-    for variant in variants(text):
-        scenario = scenario_of(variant)
-        got = retrieve(scenario, load_library(), load_embedder(), anything)
-        found.add((scenario.slots, scenario.parts, scenario.notes, got.confidence, tuple(s.id for s in got.snippets)))
-    assert len(found) == 1
 
 
 def test_what_is_shown_is_the_user_s_own_text() -> None:

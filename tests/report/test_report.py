@@ -401,7 +401,7 @@ def test_the_command_to_run_it_again_leaves_out_no_option(
     option: click.Option, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     there = ["--map", "town"]  # the one that is taken for this text
-    text = "it's a car" if option.name == "reading" else "a car cuts in"  # which is not sure enough to be read alone
+    text = "a vehicle comes" if option.name == "reading" else "a car cuts in"  # which is not sure alone
     first = _caught(["run", text, *there, *_other(option), "--out", str(tmp_path / "x")], monkeypatch)
     assert first
     assert first != _caught(["run", text, *there, "--out", str(tmp_path / "x")], monkeypatch)

@@ -30,10 +30,10 @@ from fake_run import resealed
 QUANTIFIED = "A cyclist rides out at 18 km/h from the left and stops in front of us."
 SENTENCES = [
     QUANTIFIED,
-    "A pedestrian steps out from behind a bus stop on the right 30 m ahead of us and freezes.",
+    "A pedestrian crosses from the right 30 m ahead of us and stops.",
     "A car stands in our lane ahead, and a pedestrian crosses the road from the right.",
-    "A cyclist crosses the road from the left, stops and then walks back.",
-    "The car ahead of us stops, reverses and then accelerates.",
+    "A cyclist crosses the road from the left, stops and then turns back.",
+    "The car ahead of us stops and then reverses.",
     "A car ahead of us changes lanes and a stationary car stands ahead in our lane.",
     *(Retrieved().texts(base)[0] for base in BaseScenario),
 ]
@@ -59,7 +59,7 @@ def unread(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object, **__: object) -> None:
         raise AssertionError("a stored run is read, not its sentence")
 
-    for name in ("chatscene.read.reading.read", "chatscene.interpret.choose.choose"):
+    for name in ("chatscene.read.learned.reader.LearnedReader.read", "chatscene.interpret.choose.choose"):
         monkeypatch.setattr(name, refuse)
 
 

@@ -38,7 +38,6 @@ from chatscene.library.load import Library, library_with, load_library, load_sni
 from chatscene.library.snippet_file import as_text
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
-from chatscene.read.slot_classifier import load_classifier, save_classifier
 from chatscene.report.terminal import print_understanding, visible
 from chatscene.runs import rebuild as rebuilding
 from chatscene.runs import replay as replaying
@@ -277,16 +276,6 @@ def test_a_folders_snippets_pass_the_allow_list_and_run_confined_in_lint(
     assert {(f.snippet_id, f.rung) for f in findings} == {("behavior/evil", "allow-list")}
     assert set(tried) == {("behavior/mine", ConfinedSimulator)}
     assert not canary.exists()
-
-
-def test_a_folders_classifier_changes_only_weights_of_the_encoder(tmp_path: Path) -> None:
-    packaged = load_classifier()
-    members = tuple(
-        replace(member, changes={at + 1: new for at, new in member.changes.items()}) for member in packaged.members
-    )
-    save_classifier(replace(packaged, members=members), tmp_path / "moved.npz")
-    with pytest.raises(SnippetError, match="change the encoder elsewhere"):
-        load_classifier(tmp_path / "moved.npz")
 
 
 # Egos that a record names

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from chatscene.errors import NothingFits
-from chatscene.interpret.decide import scenario_of
+from chatscene.interpret.asked import scenario_of
 from chatscene.library.compatibility import incompatibility
 from chatscene.library.load import load_library
 from chatscene.models.encoders.embedding import load_embedder

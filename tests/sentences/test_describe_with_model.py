@@ -11,9 +11,8 @@ from click.testing import CliRunner
 
 from chatscene.commands import proposal as cli_proposal
 from chatscene.errors import NothingFits
-from chatscene.interpret.decide import scenario_of
+from chatscene.interpret.asked import scenario_of
 from chatscene.library.load import load_library
-from chatscene.models.encoders.embedding import load_embedder
 from chatscene.models.language.checked import CheckedModel
 from chatscene.models.language.protocol import Limits
 from chatscene.models.language.scripted import Scripted
@@ -22,9 +21,7 @@ from chatscene.settings import RetrievalSettings
 from chatscene.terms.scenario import BaseScenario
 
 BASE = BaseScenario.STRAIGHT_OBSTACLE
-WALKER = (
-    "The ego drives along a straight road when a pedestrian steps out from behind a bus stop on the right and stops."
-)
+WALKER = "The ego drives along a straight road and a pedestrian crosses from the right and stops."
 BRAKES = "We follow a truck on a straight road and it suddenly slams on its brakes."
 
 
@@ -34,7 +31,6 @@ def told(script: Scripted, n: int = 3, base: BaseScenario | None = BASE, **more:
         base,
         n,
         library=load_library(),
-        embedder=load_embedder(),
         settings=RetrievalSettings(),
         seed=0,
         **more,
@@ -56,8 +52,8 @@ def test_sentences_that_are_served_are_kept_each_with_its_triple() -> None:
 
 def test_what_is_not_served_is_counted_and_written_offline() -> None:
     left = "We turn left at a crossroads with a signal and an oncoming car accelerates at us."
-    dragon = "The ego drives along a straight road and a dragon lands in front of it."
-    found = told(says([WALKER, f"  {WALKER.upper()} ", left], [dragon, "no"], []), n=3)
+    sea = "Write a poem about the sea and the wind over it."
+    found = told(says([WALKER, f"  {WALKER.upper()} ", left], [sea, "no"], []), n=3)
     assert [d.text for d in found.by_model] == [WALKER]
     assert len(found.topped_up) == 2
     assert found.reasons["duplicate"] == 1

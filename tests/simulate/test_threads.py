@@ -37,14 +37,13 @@ simulate(load_simulator(resolve_map("town"), SimulationSettings()), program, sce
 print(json.dumps([library["num_threads"] for library in threadpool_info()]))
 """
 BELIEVE = """
-from chatscene.read.decompose import hear
-from chatscene.read.slot_classifier import believe
+from chatscene.read.learned.reader import LearnedReader
 for text in (
     "A cyclist rides out from the left and stops in front of us.",
     "We were on the ring road, with a lorry on our right that indicated and came over without looking.",
     "Somebody pushing a pram came round the back of the bus, saw us, hesitated, and then ran for the other side.",
 ):
-    print(repr(believe(hear(text))))
+    print(repr(LearnedReader().read(text)))
 """
 MANY = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 

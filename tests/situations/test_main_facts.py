@@ -58,6 +58,15 @@ def test_who_stands_before_it_sets_off_need_not_be_said_to_and_who_only_stands_i
     assert not same_in_the_main(situation(VAN | {"does": [{"act": "stand"}]}), situation(VAN | {"does": []}))
 
 
+def test_who_comes_in_from_the_next_lane_is_beside_or_ahead_there_and_not_behind() -> None:
+    beside, ahead, behind = (
+        situation(VAN | {"starts": {"where": where, "side": "left"}, "does": [{"act": "cut-in"}]})
+        for where in ("beside", "ahead-beside", "behind-beside")
+    )
+    assert same_in_the_main(beside, ahead)
+    assert not same_in_the_main(beside, behind)
+
+
 @pytest.mark.parametrize(
     "other",
     [

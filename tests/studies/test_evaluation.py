@@ -28,10 +28,11 @@ from chatscene.studies.benchmark import Benchmarked, Budget, benchmark
 from chatscene.studies.driving import drive
 from chatscene.studies.evaluation import evaluate, read_drives, resume
 from chatscene.terms.scenario import BaseScenario
+from plainly import RUNS_RED, STOPS
 
 TEXTS = (
-    "A pedestrian steps out from behind a bus stop on the right and stops in front of us.",
-    "A car from the left runs the red light and turns right as we drive straight over the junction.",
+    STOPS,
+    RUNS_RED,
 )
 SETTINGS = Settings(search=SearchSettings(scenes=4, block=2, keep=2, routes=2))
 

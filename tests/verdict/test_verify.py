@@ -15,6 +15,7 @@ from chatscene.errors import SettingsError
 from chatscene.situations.file import read_text
 from chatscene.terms.situation import Situation
 from chatscene.verdict.sources import KINDS
+from plainly import NONE
 
 CROSSES = "A pedestrian crosses the street from the right."
 BRAKES = """
@@ -159,7 +160,7 @@ def test_a_report_and_the_file_of_a_situation_are_taken_as_a_sentence_is(drive: 
         (["drive.csv"], 2, "say what drive.csv is to show"),
         (["drive.csv", "nowhere.yaml"], 2, "nowhere.yaml"),
         (["drive.csv", "bad.json"], 2, "bad.json"),
-        (["drive.csv", "a dragon lands on the bonnet"], 3, "not sure enough"),
+        (["drive.csv", NONE], 3, "tells no dangerous traffic situation"),
         (["drive.csv", CROSSES, "--ego-id", "nobody"], 2, "there are: car1, walker"),
         (["page.html", CROSSES], 2, "there is no kind of file '.html'"),
         ([".", CROSSES], 2, "no run.json"),

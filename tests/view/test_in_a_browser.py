@@ -115,10 +115,10 @@ def test_a_situation_is_said_run_changed_and_compared(window: Browser, server: S
 
 
 def test_a_question_is_answered_by_a_button(window: Browser) -> None:
-    assert said(window, "new someone comes from the side") == "shown"
+    assert said(window, "new a truck comes at the junction") == "shown"
     assert "It may also say" in last(window)
     assert clicked(window, "#turns .turn:last-child .reading-choice") == "shown"
-    assert said(window, "new a flea jumps over the moon") == "refused"
+    assert said(window, "new the moon is made of green cheese") == "refused"
     assert clicked(window, "#turns .turn:last-child .ask button, #turns .turn:last-child .reading-choice") == "shown"
 
 

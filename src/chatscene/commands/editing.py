@@ -28,7 +28,6 @@ from chatscene.settings import EGO
 if TYPE_CHECKING:
     from chatscene.api import Run
     from chatscene.report.stated import Changed
-    from chatscene.report.understood import Edited
     from chatscene.talk import Shown, Undone
 
 EDITS = click.option(
@@ -128,7 +127,7 @@ def chat(map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpa
                 say(told)
 
 
-def _tell(heard: Shown | Edited | Changed | Undone | Run) -> None:
+def _tell(heard: Shown | Changed | Undone | Run) -> None:
     """Say what came of a line."""
     from chatscene.report.stated import Stated
     from chatscene.report.terminal import print_understanding

@@ -97,8 +97,8 @@ READER = click.option(
     type=click.Choice(READERS),
     default=READERS[0],
     show_default=True,
-    help="How TEXT is read: facts; paper, by wording alone, with snippets and without refusals; or learned, one model "
-    "that writes the whole situation.",
+    help="How TEXT is read: facts, of which a situation is made; or paper, by wording alone, with snippets and without "
+    "refusals.",
 )
 
 
@@ -124,7 +124,7 @@ def CHOOSING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 -
         default=(),
         metavar="FACT=VALUE",
         callback=_facts,
-        help="Force a fact, by path (others.A.starts.side=left) or, offline, by short name (side=left). Repeatable.",
+        help="Force a fact, by name (side=left) or by path (others.A.starts.side=left). Repeatable.",
     )
     return READER(taken(stated(command)))
 
@@ -317,7 +317,6 @@ def lint(own: str, scenes: int, jobs: int, executor: str, as_json: bool) -> None
 
 @library.command()
 @click.option("--sentences", default="held-out", show_default=True, help="A packaged set, or a file of JSON lines.")
-@click.option("--ablation", is_flag=True, help="Also measure what each part of the retrieval contributes.")
 @click.option("--no-drive", is_flag=True, help="Do not run the programs.")
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and sentences.")
 @WORKERS
@@ -325,7 +324,6 @@ def lint(own: str, scenes: int, jobs: int, executor: str, as_json: bool) -> None
 @READER
 def evaluate(
     sentences: str,
-    ablation: bool,
     no_drive: bool,
     out: Path | None,
     jobs: int,
@@ -350,8 +348,6 @@ def evaluate(
         found, settings=settings, drive=not no_drive, workers=Workers(jobs, executor), progress=progress()
     )
     tables = {"understanding": understanding.summary_table(judged), "facts": understanding.slot_table(judged)}
-    if ablation:
-        tables["ablation"] = understanding.ablation_table(found, settings)
     for table in tables.values():
         say(as_text(table))
     for confusion, times in understanding.confusions(judged):
@@ -361,41 +357,3 @@ def evaluate(
         lines = (json.dumps(row, ensure_ascii=False) for row in understanding.as_rows(judged))
         (out / "sentences.jsonl").write_text("\n".join(lines) + "\n", encoding="utf-8")
         say(f"tables and every sentence: {out}")
-
-
-@library.command()
-@OWN
-@click.option("--count", default=4000, show_default=True, help="Sentences to compose.")
-@click.option("--epochs", default=4, show_default=True, help="Passes over the sentences.")
-@click.option("--seed", default=0, show_default=True)
-@click.option("--anew", is_flag=True, help="Start from the original encoder; takes some two hours.")
-@click.option(
-    "--texts",
-    multiple=True,
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    help="Texts by others with their facts, to learn from too; one file per writer.",
-)
-@click.option(
-    "--left-out",
-    type=click.Path(file_okay=False, path_type=Path),
-    help="Folder for classifiers that left out some texts, to estimate how good one is on new texts.",
-)
-def fit(
-    own: str, count: int, epochs: int, seed: int, anew: bool, texts: tuple[Path, ...], left_out: Path | None
-) -> None:
-    """Train the classifier that reads sentences on the library as it is now.
-
-    It goes on from the packaged one. Takes some ten minutes of one core, twenty with a thousand texts, and the extra
-    train.
-
-    \b
-    chatscene library fit
-    chatscene library fit --texts reports.jsonl --library my-snippets
-    """
-    from chatscene.grow.curation import course_of, fit_classifier
-
-    if left_out:
-        left_out.mkdir(parents=True, exist_ok=True)
-    course = course_of(own, anew=anew, count=count, epochs=epochs, seed=seed, told=progress())
-    path = fit_classifier(own, texts, course, left_out)
-    say(f"trained: {path}")

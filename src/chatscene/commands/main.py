@@ -166,7 +166,7 @@ def main() -> None:
     """Turn a sentence about a dangerous traffic situation into crash scenes to test on.
 
     \b
-    chatscene run "a cyclist cuts across from the left while we turn right" --out runs/cyclist
+    chatscene run "a cyclist crosses from the left in front of us" --out runs/cyclist
     chatscene explain "the car ahead brakes hard"
     chatscene edit runs/cyclist "make it a truck, from the right"
     chatscene replay runs/cyclist SCENE_ID
@@ -253,7 +253,7 @@ def run(
     TEXT is a sentence, or the .yaml or .json file of a situation.
 
     \b
-    chatscene run "a pedestrian steps out from behind a bus stop and freezes in front of us"
+    chatscene run "a child runs out from behind a parked van on the right"
     chatscene run "an oncoming car turns left across our path" --routes 10 --out runs/left
     chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
     chatscene run "a van cuts in" --set side=left --set ego.speed="40 km/h"

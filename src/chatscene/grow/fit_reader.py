@@ -21,15 +21,14 @@ import torch
 from torch import Tensor
 from torch.nn.attention import SDPBackend, sdpa_kernel
 
-from chatscene.grow.fit import BATCH, batches
 from chatscene.grow.reader_export import exported
 from chatscene.grow.reader_network import Network
-from chatscene.grow.reader_texts import Example, in_our_words, of_told
+from chatscene.grow.reader_texts import Example, in_our_words, of_edits, of_told, situations_in, told_in
 from chatscene.grow.reader_trust import calibrate
 from chatscene.read.learned.grammar import BEGUN, Grammar, Token, grammar
 from chatscene.read.learned.weights import NAME, Weights, save
-from chatscene.read.slot_classifier import load_classifier
 
+BATCH, ALIKE = 32, 16  # texts of a step; steps whose texts are sorted by length together
 RATE, DECODER_RATE = 1e-4, 8e-4  # of AdamW
 WARM_UP, LEAST = 0.05, 0.02  # share of the steps, and of the rate at the end
 FROZEN = 0  # lower layers of the encoder that are not trained
@@ -55,6 +54,16 @@ class Tables:
     kinds: tuple[type[Any], ...]
 
 
+def batches(lengths: Sequence[int], rng: random.Random) -> list[list[int]]:
+    """Rows in random order, in batches whose texts are of similar length."""
+    order = rng.sample(range(len(lengths)), len(lengths))
+    span = BATCH * ALIKE
+    chunks = [sorted(order[i : i + span], key=lambda row: lengths[row]) for i in range(0, len(order), span)]
+    batches = [chunk[i : i + BATCH] for chunk in chunks for i in range(0, len(chunk), BATCH)]
+    rng.shuffle(batches)
+    return batches
+
+
 def tables(made: Grammar) -> Tables:
     """The grammar as arrays."""
     names = tuple(made.follow)
@@ -74,12 +83,7 @@ class Learning:
     def __init__(self, examples: Sequence[Example], seed: int, began: Path | None, frozen: int) -> None:
         torch.manual_seed(seed)
         self.grammar, self.tables, self.examples = grammar(), tables(grammar()), examples
-        member = load_classifier().members[0]
-        self.began_with = member.changes
-        self.network = Network(
-            tokens=len(self.grammar.tokens), places=len(self.tables.places), frozen=frozen,
-            changes=member.changes,
-        )  # fmt: skip
+        self.network = Network(tokens=len(self.grammar.tokens), places=len(self.tables.places), frozen=frozen)
         if began is not None:
             self.network.begin_with(
                 _as_now(torch.load(began, weights_only=True), self.grammar.tokens, tuple(self.tables.places))
@@ -233,7 +237,7 @@ def fit(learning: Learning, *, epochs: int, seed: int, out: Path, minutes: float
 def written(learning: Learning, out: Path) -> None:
     """Write the file that the reader loads."""
     text, following = exported(learning.network)
-    changes = {**learning.began_with, **learning.network.encoder.changes()}
+    changes = learning.network.encoder.changes()
     tokens, places = learning.grammar.tokens, tuple(learning.tables.places)
     save(Weights(changes, text, following, tokens, places), out / NAME)
 
@@ -244,8 +248,9 @@ _FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
 @click.command()
 @click.option("--told", type=_FILE, multiple=True, help="Texts with situations.")
 @click.option("--drawn", type=_FILE, multiple=True, help="Situations that are told in our own words.")
+@click.option("--edited", type=_FILE, multiple=True, help="Edits of situations, with what becomes of these.")
+@click.option("--again", default=0, show_default=True, help="Situations of the texts told in our own words as well.")
 @click.option("--sure", type=_FILE, multiple=True, help="Situations with texts, to fit how sure it may be.")
-@click.option("--more", default=1, show_default=True, help="How often each whole situation of others comes up.")
 @click.option("--epochs", default=8, show_default=True)
 @click.option("--minutes", default=1e9, help="After which no epoch begins.")
 @click.option("--seed", default=0, show_default=True)
@@ -255,16 +260,19 @@ _FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
 @click.option("--began", type=_FILE, default=None, help="A network to begin with.")
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True)
 def main(
-    told: tuple[Path, ...], drawn: tuple[Path, ...], sure: tuple[Path, ...], more: int, epochs: int, minutes: float,
-    seed: int, frozen: int, half: bool, threads: int, began: Path | None, out: Path,
+    told: tuple[Path, ...], drawn: tuple[Path, ...], edited: tuple[Path, ...], again: int, sure: tuple[Path, ...],
+    epochs: int, minutes: float, seed: int, frozen: int, half: bool, threads: int, began: Path | None, out: Path,
 ) -> None:  # fmt: skip
     """Train the learned reader."""
     torch.set_num_threads(threads)
     out.mkdir(parents=True, exist_ok=True)
     whole = [one for path in told for one in of_told(path)]
-    ours = [one for path in drawn for one in in_our_words(path)]
-    click.echo(f"{len(whole)} texts of others, {len(ours)} of ours")
-    learning = Learning([*(more * whole), *ours], seed, began, frozen)
+    edits = [one for path in edited for one in of_edits(path)]
+    known = [said for path in told for _, _, said in told_in(path) if said is not None and said.others]
+    drawn_ones = [one for path in drawn for one in situations_in(path)]
+    ours = list(in_our_words([*drawn_ones, *random.Random(seed).sample(known, min(again, len(known)))]))
+    click.echo(f"{len(whole)} texts of others, {len(edits)} edits, {len(ours)} texts of ours")
+    learning = Learning([*whole, *edits, *ours], seed, began, frozen)
     fit(learning, epochs=epochs, seed=seed, out=out, minutes=minutes, half=half)
     written(learning, out)
     if sure:

@@ -72,12 +72,11 @@ class Network(nn.Module):
         tokens: How many there are.
         places: How many.
         frozen: Lower layers of the encoder that are not trained.
-        changes: What earlier training made of the encoder's file.
     """
 
-    def __init__(self, *, tokens: int, places: int, frozen: int, changes: Mapping[int, bytes] | None = None) -> None:
+    def __init__(self, *, tokens: int, places: int, frozen: int) -> None:
         super().__init__()
-        self.encoder = Tuned(frozen=frozen, columns=[1], dropout=DROPOUT, changes=changes)
+        self.encoder = Tuned(frozen=frozen, columns=[1], dropout=DROPOUT)
         for layer in self.encoder.upper:
             layer.self_attn.dropout = 0.0  # type: ignore[assignment]
             layer.dropout, layer.dropout1, layer.dropout2 = (Dropout(DROPOUT) for _ in range(3))  # type: ignore[assignment]

@@ -3,24 +3,30 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from chatscene.read.by_model import situation_in
+from chatscene.read.learned.edits import CHANGE, asked
 from chatscene.read.learned.grammar import NAMES, grammar
-from chatscene.read.learned.numbers import same
+from chatscene.read.learned.numbers import Form, same
 from chatscene.read.learned.sequence import Step, path_of, steps_of
 from chatscene.read.learned.text import Read, prepared
 from chatscene.read.quotes import spans_of
 from chatscene.situations.faults import Malformed
 from chatscene.situations.form import from_plain
 from chatscene.situations.phrases import Voice
-from chatscene.situations.words import told
+from chatscene.situations.words import facts_told, told
+from chatscene.terms.amount import Amount
 from chatscene.terms.reading import Verdict
 from chatscene.terms.situation import Situation
+
+MANY = 99
+"""Behind all that were there."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +48,17 @@ class Example:
     words: tuple[tuple[int, ...], ...]
 
 
-def example(text: str, verdict: Verdict, situation: Situation | None) -> Example:
+def example(
+    text: str, verdict: Verdict, situation: Situation | None, shifts: Sequence[Amount] = (), begins: int = 0
+) -> Example:
     """A text with what it tells; an amount that does not stand in the text is not learned.
+
+    Args:
+        text: The text.
+        verdict: Whether it tells a situation.
+        situation: What it tells.
+        shifts: Amounts that an edit shifts: of what they become, the amount by which is copied.
+        begins: Where the edit begins.
 
     Raises:
         ValueError: It tells more than is ever written.
@@ -58,6 +73,10 @@ def example(text: str, verdict: Verdict, situation: Situation | None) -> Example
             continue
         at = next((i for i, one in enumerate(read.amounts) if same(one.amount, step.amount)), None)
         if at is None:
+            by = [other for one in shifts for other in _between(one, step.amount)]
+            edits = (i for i, one in enumerate(read.amounts) if one.low >= begins and one.form is Form.PLAIN)
+            at = next((i for i in edits if any(same(read.amounts[i].amount, one) for one in by)), None)
+        if at is None:
             barred.add(number[steps.pop().token or ("", "")])
             copied.pop()
         else:
@@ -66,6 +85,12 @@ def example(text: str, verdict: Verdict, situation: Situation | None) -> Example
     quotes = quotes_of(situation) if situation is not None else {}
     words = tuple(_pieces(read, quotes, path_of(steps, at)) if step.place else () for at, step in enumerate(steps))
     return Example(read, tuple(steps), tuple(copied), frozenset(barred), words)
+
+
+def _between(one: Amount, other: Amount) -> Iterator[Amount]:
+    """How much one amount is more than another, or less."""
+    if type(one) is type(other) and one.than_ego is other.than_ego and math.isfinite(by := abs(other.low - one.low)):
+        yield type(one)(by, by)
 
 
 def quotes_of(situation: Situation) -> Mapping[str, str]:
@@ -123,12 +148,52 @@ def of_told(path: Path) -> Iterator[Example]:
     return (example(text, verdict, situation) for text, verdict, situation in told_in(path))
 
 
-def in_our_words(path: Path) -> Iterator[Example]:
-    """The situations of a file in our own words, in turn in each voice."""
+def of_edits(path: Path) -> Iterator[Example]:
+    """Edits of situations with what becomes of these, as `chatscene.read.learned.edits` asks; in turn in each voice.
+
+    A row has a `situation`, an `edit`, and what it is `after` that; none of what changes nothing.
+    """
+    for row in _rows(path):
+        before = _as_told(from_plain(row["situation"]))
+        after = from_plain(row["after"]) if "after" in row else before
+        order = [one.id for one in before.others]
+        after = replace(
+            after, others=tuple(sorted(after.others, key=lambda one: order.index(one.id) if one.id in order else MANY))
+        )
+        text = asked(before, row["edit"])
+        yield example(text, Verdict.SITUATION, after, tuple(_amounts(before)), text.rindex(CHANGE))
+
+
+def _as_told(situation: Situation) -> Situation:
+    """A situation whose others stand in the order in which they are told."""
+    paths = [path.split(".") for path, _ in facts_told(situation)]
+    order = list(dict.fromkeys(path[1] for path in paths if path[0] == "others"))
+    return replace(situation, others=tuple(sorted(situation.others, key=lambda one: order.index(one.id))))
+
+
+def _amounts(noun: object) -> Iterator[Amount]:
+    """All amounts in a noun."""
+    if isinstance(noun, Amount):
+        yield noun
+    elif isinstance(noun, tuple):
+        for one in cast("tuple[object, ...]", noun):
+            yield from _amounts(one)
+    elif is_dataclass(noun):
+        for field in fields(noun):
+            yield from _amounts(getattr(noun, field.name))
+
+
+def in_our_words(situations: Iterable[Situation]) -> Iterator[Example]:
+    """Situations in our own words, in turn in each voice."""
     voices = tuple(Voice)
-    for i, row in enumerate(_rows(path)):
-        situation = from_plain(row["situation"])
-        yield example(told(situation, voices[i % len(voices)]), Verdict.SITUATION, situation)
+    for i, one in enumerate(situations):
+        voice = voices[i % len(voices)]
+        yield example(told(one, voice), Verdict.SITUATION, _as_told(one))
+
+
+def situations_in(path: Path) -> Iterator[Situation]:
+    """The situations of a file."""
+    return (from_plain(row["situation"]) for row in _rows(path))
 
 
 def _rows(path: Path) -> Iterator[dict[str, Any]]:

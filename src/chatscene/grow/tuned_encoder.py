@@ -8,7 +8,7 @@ the one loads the other, and what changed is small (decision 0042).
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -36,14 +36,11 @@ class Tuned(nn.Module):
         frozen: How many lower layers are not trained.
         columns: Classes of each head.
         dropout: Of the layers and of what a head sees.
-        changes: What earlier training added to the bytes of the encoder's file; none to begin with the file as it is.
     """
 
-    def __init__(
-        self, *, frozen: int, columns: Sequence[int], dropout: float, changes: Mapping[int, bytes] | None = None
-    ) -> None:
+    def __init__(self, *, frozen: int, columns: Sequence[int], dropout: float) -> None:
         super().__init__()
-        self._file = _File(changes or {})
+        self._file = _File()
         layers = [self._file.layer(i, dropout) for i in range(LAYERS)]
         self._lower = nn.ModuleList(layers[:frozen]).eval().requires_grad_(False)
         self.upper = nn.ModuleList(layers[frozen:])
@@ -102,11 +99,11 @@ def _padded(states: Sequence[Tensor]) -> tuple[Tensor, Tensor]:
 
 
 class _File:
-    """The encoder's file, by the names of its arrays, and what earlier training made of it."""
+    """The encoder's file, by the names of its arrays."""
 
-    def __init__(self, changes: Mapping[int, bytes]) -> None:
+    def __init__(self) -> None:
         self._content = MiniLM.content()
-        self._pinned, self._arrays = _arrays(self._content), _arrays(_with(self._content, changes))
+        self._arrays = _arrays(self._content)
         numbered = (re.fullmatch(r"val_(\d+)_q", name) for name in self._arrays)
         self._matrices = [f"val_{number}" for number in sorted(int(m[1]) for m in numbered if m)]
         part = "inner.embeddings"
@@ -161,7 +158,7 @@ class _File:
         changed: dict[int, bytes] = {}
         for name, matrix in zip(self._of(i), matrices, strict=True):
             scale = (np.abs(matrix.T).max(axis=0, keepdims=True) / 127).astype(np.float32)
-            changed |= self._over(f"{name}_q", in_steps(self._pinned[f"{name}_q"], matrix.T / scale))
+            changed |= self._over(f"{name}_q", in_steps(self._arrays[f"{name}_q"], matrix.T / scale))
             changed |= self._over(f"{name}_scale", scale)
         for name, at in _vectors(i).items():
             changed |= self._over(at, vectors[name])
@@ -175,7 +172,7 @@ class _File:
 
     def _over(self, name: str, new: Array) -> dict[int, bytes]:
         """What an array's new bytes add to its old ones, by where they stand in the file."""
-        old = self._pinned[name]
+        old = self._arrays[name]
         if (old.shape, old.dtype) != (new.shape, new.dtype) or self._content.count(old.tobytes()) != 1:
             raise AssertionError(f"{name} cannot be written over")
         before, after = (np.frombuffer(array.tobytes(), np.uint8) for array in (old, new))
@@ -185,14 +182,6 @@ class _File:
 def _arrays(content: bytes) -> dict[str, Array]:
     """Every array of a model's file, by its name."""
     return {i.name: numpy_helper.to_array(i) for i in onnx.load_from_string(content).graph.initializer}
-
-
-def _with(content: bytes, changes: Mapping[int, bytes]) -> bytes:
-    """A file, with what is added to its bytes, modulo 256."""
-    whole = np.frombuffer(content, np.uint8).copy()
-    for at, added in changes.items():
-        whole[at : at + len(added)] += np.frombuffer(added, np.uint8)
-    return whole.tobytes()
 
 
 def in_steps(old: Array, new: Array) -> Array:

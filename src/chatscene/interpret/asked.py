@@ -1,61 +1,115 @@
-"""What a text says as a frame, where a language model reads it: the facts of the situation that the model fills.
+"""Who reads a text, and what it says as a frame: the facts of the situation that was read in it.
 
 Who chooses snippets (the paper's way, a library of one's own) takes a frame, whoever read it.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
-from chatscene.errors import LanguageModelError, SettingsError
+from chatscene.errors import NothingFits
 from chatscene.files.caches import cache_folder
+from chatscene.interpret.decide import understand
+from chatscene.interpret.known import SURE, offered, taken
 from chatscene.interpret.slots_of import facts_of, parties_of
+from chatscene.interpret.stated import facts_stated, in_text, with_named
 from chatscene.models.language.protocol import load_language_model
 from chatscene.read.by_model import LIMITS, ModelReader
-from chatscene.read.reading import read
-from chatscene.settings import LEARNED, OFFLINE, RetrievalSettings
+from chatscene.read.canonical import canonical
+from chatscene.read.clauses import cut
+from chatscene.read.learned.reader import LearnedReader
+from chatscene.read.quotes import unread, words_of
+from chatscene.read.reader import Reader, in_one_line
+from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.terms.conclusions import concluded
-from chatscene.terms.frame import About, Frame, Note, certain
-from chatscene.terms.scenario import Slots, Why
+from chatscene.terms.frame import About, Frame, Note
+from chatscene.terms.scenario import Measure, Scenario, Unused, Why
+from chatscene.terms.situation import Situation
+
+
+def reader_of(settings: RetrievalSettings, cannot_build: Callable[[Situation], str] = lambda _: "") -> Reader:
+    """Who reads texts: the language model that the settings name, or the project's own reader.
+
+    Args:
+        settings: Which.
+        cannot_build: Says a language model why a situation cannot be built; empty if it can.
+
+    Raises:
+        SettingsError: There is no such model.
+        MissingExtra: Its package is missing.
+    """
+    if settings.language_model == OFFLINE:
+        return LearnedReader()
+    model = load_language_model(settings.language_model, limits=LIMITS, cache=cache_folder("replies"))
+    return ModelReader(model, cannot_build)
 
 
 def heard(text: str, settings: RetrievalSettings) -> Frame:
-    """Read a text, offline or by the language model that the settings name.
+    """Read a text for whoever chooses snippets.
 
-    The model's facts are sure; what it gives no situation for says nothing. Notes say who read it, and where the two
-    readers differ.
+    What tells no situation says nothing, and nothing of it is sure.
 
     Raises:
-        SettingsError: The text is empty or too long, there is no such model, or the reader chooses no snippets.
+        SettingsError: The text is empty or too long, there is no such model or reading, or a fact that the user stated
+            has no place in it.
+        LanguageModelError: The model gave no usable reply.
         MissingExtra: The language model's package is missing.
     """
-    if settings.reader == LEARNED:
-        raise SettingsError(f"the reader {LEARNED!r} writes situations, for run and explain; it chooses no snippets")
-    frame = read(text, settings)
-    if settings.language_model == OFFLINE:
-        return frame
-    model = load_language_model(settings.language_model, limits=LIMITS, cache=cache_folder("replies"))
+    plain = in_one_line(text)
+    read = reader_of(settings).read(plain)
+    frame = framed(plain)
+    if read.reader != OFFLINE:
+        frame = replace(frame, reader=read.reader, notes=(Note(about=About.READER, said=(read.reader,)),))
+    named = facts_stated(settings.stated)
     try:
-        read_so = ModelReader(model).read(text)
-    except LanguageModelError as error:
-        return replace(frame, notes=(*frame.notes, Note(about=About.OFFLINE, said=(str(error),))))
-    situation = read_so.ranked[0].situation if read_so.ranked else None
-    parties = parties_of(situation) if situation is not None else None
-    facts = facts_of(situation, parties) if situation is not None and parties is not None else None
-    slots = concluded(facts.slots) if facts is not None else Slots()
-    differ = [
-        Note(about=About.DIFFERENT, said=(name, model.name, str(new), "the offline reader", str(old)))
-        for name, new in slots.said().items()
-        if (old := frame.beliefs.likeliest(name)) not in (None, new)
-    ]
+        one, ranked = taken(read, lambda situation: with_named(situation, named), settings)
+    except NothingFits:
+        return replace(frame, notes=(*frame.notes, Note(about=About.NOTHING, said=(read.reader, read.verdict.said))))
+    notes = [Note(about=About.STATED, said=(in_text(named).replace(" ", ", "),))] if named else []
+    if settings.reading:
+        notes.append(Note(about=About.TAKEN, said=(str(settings.reading), f"{one.probability:.0%} likely")))
+    refused = not settings.reading and one.probability < settings.refuse_below
+    doubted = not settings.reading and one.probability < SURE
+    return replace(
+        said_by(frame, one.situation),
+        sure=1.0 if settings.reading else one.probability,
+        notes=(*frame.notes, *notes),
+        readings=offered(ranked, settings, above=None if refused else one) if doubted else (),
+    )
+
+
+def scenario_of(text: str, settings: RetrievalSettings | None = None) -> Scenario:
+    """What a text says, for whoever chooses snippets for it.
+
+    Raises:
+        SettingsError: As `heard`.
+        LanguageModelError: The model gave no usable reply.
+        NothingFits: In the paper's way, no triple has the kind of road user that was said.
+    """
+    settings = settings or RetrievalSettings()
+    return understand(heard(text, settings), settings)
+
+
+def framed(text: str) -> Frame:
+    """A text, sorted by whom it speaks of, of which nothing is known yet."""
+    plain = canonical(text)
+    return Frame(text=text, canonical=plain, clauses=cut(plain))
+
+
+def said_by(frame: Frame, situation: Situation) -> Frame:
+    """A frame with the facts of the situation that was read in its text; none where nobody meets the ego."""
+    parties = parties_of(situation)
+    if parties is None:
+        return frame
+    facts = facts_of(situation, parties)
+    numbers = facts.quantities
     return replace(
         frame,
-        outright=slots,
-        beliefs=certain(slots, frame.beliefs),
-        quantities=facts.quantities if facts is not None else (),
-        surroundings=facts.surroundings if facts is not None else frame.surroundings,
-        unused=tuple(one for one in frame.unused if one.why not in (Why.WORDS, Why.LANGUAGE)),  # it knows more
-        notes=(Note(about=About.READER, said=(model.name,)), *differ),
-        reader=model.name,
-        whole=False,
+        outright=concluded(facts.slots),
+        quantities=tuple(one for one in numbers if one.measure is not Measure.EGO_SPEED),
+        ego_speed=next((one for one in numbers if one.measure is Measure.EGO_SPEED), None),
+        surroundings=facts.surroundings,
+        unused=tuple(Unused(said=words, why=Why.WORDS) for words in unread(situation, frame.text)),
+        words=words_of(situation, frame.text),
     )

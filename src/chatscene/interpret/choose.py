@@ -14,8 +14,7 @@ from chatscene.library.bind import Triple, bound, measured, narrowed, settable
 from chatscene.library.compatibility import agree, contradiction, incompatibility
 from chatscene.library.compose import Asked, compose, goes_without_saying
 from chatscene.library.load import Library, library_with
-from chatscene.models.encoders.embedding import load_embedder
-from chatscene.settings import RetrievalSettings
+from chatscene.settings import PAPER_READER, RetrievalSettings
 from chatscene.terms.conclusions import CURVES, JUNCTIONS
 from chatscene.terms.plan import Plan, waits_for_ego
 from chatscene.terms.plan_text import plan_of
@@ -38,18 +37,18 @@ def choose(scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Trie
     Raises:
         NothingFits: No triple serves it well enough, or none can be set to a number that was said.
     """
-    if settings.reader == "paper":
+    if settings.reader == PAPER_READER:
         found = nearest_triple(scenario.parts, scenario.slots.adversary, settings, tried)
         return found, found.snippets
-    library, embedder = library_with(settings.library), load_embedder(settings.embedder)
+    library = library_with(settings.library)
     found: Retrieval | NothingFits
     try:
-        found = retrieve(scenario, library, embedder, settings, tried)
+        found = retrieve(scenario, library, settings, tried)
     except NothingFits as error:
         found = error
     if (composed := _composed(scenario, found, tried)) is not None:
         with suppress(NothingFits):
-            own = _with_others(retrieve(scenario, library, embedder, settings, tried, composed), scenario, library)
+            own = _with_others(retrieve(scenario, library, settings, tried, composed), scenario, library)
             return _bound(own, scenario, "no snippet does just this: the behavior is composed of its acts")
     if isinstance(found, NothingFits):
         raise found
@@ -58,9 +57,9 @@ def choose(scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Trie
 
 
 def _composed(scenario: Scenario, found: Retrieval | NothingFits, tried: Sequence[Tried]) -> Snippet | None:
-    """A behavior that does just what was said; None if words leave it open, a snippet does it, or it was tried."""
+    """A behavior that does just what was said; None if it was left open, a snippet does it, or it was tried."""
     slots = scenario.slots
-    if scenario.frame is None or not scenario.frame.whole or slots.adversary is None:
+    if scenario.frame is None or slots.adversary is None:
         return None
     position = slots.position
     if isinstance(found, Retrieval):
@@ -101,7 +100,7 @@ def _refuse_another(scenario: Scenario, found: Retrieval) -> None:
         NothingFits: Neither a snippet does it, nor are there steps for it.
     """
     frame, actions = scenario.frame, scenario.slots.actions
-    if frame is None or not frame.whole or does_all(found.behavior.snippet, actions):
+    if frame is None or does_all(found.behavior.snippet, actions):
         return
     kind = scenario.slots.adversary
     reason = f"no snippet, and no steps that a plan could be composed of: {kind} {', then '.join(actions)}"
@@ -209,7 +208,7 @@ def _none_for(found: Retrieval, reason: str) -> NothingFits:
 
 def _bound(retrieval: Retrieval, scenario: Scenario, *notes: str) -> tuple[Retrieval, Triple]:
     made = bound(retrieval.snippets, scenario)
-    if made.unused and scenario.frame is not None and scenario.frame.whole:
+    if made.unused and scenario.frame is not None:
         said = ", ".join(repr(one.said) for one in made.unused)
         raise _none_for(retrieval, f"{said}: nothing that fits the rest can be set to it")
     ego = scenario.frame.ego_speed if scenario.frame is not None else None

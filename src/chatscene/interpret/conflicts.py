@@ -13,17 +13,16 @@ from pathlib import Path
 
 from chatscene.errors import NothingFits, SettingsError
 from chatscene.files.bounded import check_file
-from chatscene.interpret.asked import heard
-from chatscene.interpret.decide import weigh
-from chatscene.read.decompose import LONGEST
+from chatscene.interpret.asked import reader_of
+from chatscene.read.canonical import canonical
+from chatscene.read.reader import LONGEST, Reader
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.conflict import Conflict
-from chatscene.terms.scenario import Slots
+from chatscene.terms.situation import Situation
+from chatscene.terms.vocabulary import Act
 
 MOST_BYTES = 2**20  # of a report
-TELLS = 0.2  # a passage as likely to be read rightly as this tells a conflict, whether or not it is sure enough …
-IN_SCOPE = 0.5  # … where somebody does something to the ego, or it is as likely as this about driving
-DRIVES = 0.9  # one that tells none and is as likely as this about driving leads to the next
+TELLS = 0.2  # how likely the likeliest situation of a passage is that tells a conflict
 
 _GAP = re.compile(r"\n[ \t]*\n|\n(?=[ \t]*(?:\d{1,3}[.)]|[-*•])[ \t])")
 _MARK = re.compile(r"(?:\d{1,3}[.)]|[-*•])\s+")
@@ -88,10 +87,11 @@ def conflicts_in(
     """
     passages: list[_Passage] = []
     written = _passages(text)
+    reader = reader_of(settings)
     for number, passage in enumerate(written):
         if told is not None:
             told("looking for conflicts", number, len(written))
-        passages.append(_read(passage, settings))
+        passages.append(_read(passage, reader))
     texts: list[str] = []
     leading, left_out = list[str](), list[str]()
     for passage in passages:
@@ -122,19 +122,25 @@ def _joined(before: list[str], passage: str, left_out: list[str]) -> str:
     return passage
 
 
-def _read(passage: str, settings: RetrievalSettings) -> _Passage:
-    frame = heard(passage, settings)
-    if frame.reader:
-        tells = frame.outright.adversary is not None and bool(frame.outright.actions)
-        return _Passage(passage, tells, _says_of_ego(frame.outright))
-    likely = frame.account is not None or frame.beliefs.in_scope >= IN_SCOPE
-    tells = frame.whole or (likely and weigh(frame, settings).right >= TELLS)
-    return _Passage(passage, tells, leads=frame.beliefs.in_scope >= DRIVES or _says_of_ego(frame.outright))
+def _read(passage: str, reader: Reader) -> _Passage:
+    read = reader.read(passage)
+    situation = next(iter(read.ranked), None)
+    tells = situation is not None and situation.probability >= TELLS and _happens(situation.situation)
+    return _Passage(passage, tells, _says_of_ego(passage))
 
 
-def _says_of_ego(slots: Slots) -> bool:
-    """Whether anything is said of the ego's way, or of where it drives."""
-    return any(getattr(slots, name) is not None for name in ("maneuver", "place", "control", "site", "ego"))
+def _happens(situation: Situation) -> bool:
+    """Whether somebody does more than go along, where the ego does nothing either: else it only says who is there."""
+    acts = {deed.act for one in situation.others for deed in one.does}
+    return bool(acts - {Act.GO_ALONG}) or bool(situation.ego.does) or situation.contact is not None
+
+
+_OF_EGO = re.compile(r"\b(?:we|us|our|ours)\b")
+
+
+def _says_of_ego(passage: str) -> bool:
+    """Whether a passage speaks of the ego."""
+    return _OF_EGO.search(canonical(passage)) is not None
 
 
 def _passages(text: str) -> tuple[str, ...]:

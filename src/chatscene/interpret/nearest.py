@@ -12,14 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.interpret.vector_index import VectorIndex, build_cached
-from chatscene.interpret.wording_index import WordingIndex, best_of_each
+from chatscene.interpret.wording_index import WordingIndex
 from chatscene.library.load import Library
 from chatscene.models.encoders.embedding import Embedder, Vectors, encode_cached
 from chatscene.terms.scenario import Component
 from chatscene.terms.snippet import Snippet
 
 WORDS = 0.5  # share of shared words beside the cosine
-UNLIKE = 0.4  # cosine of a wording that has nothing to do with a text
 
 
 def nearest(
@@ -46,16 +45,6 @@ def nearest(
 def cosines(text: str, snippets: tuple[Snippet, ...], embedder: Embedder) -> NDArray[np.float64]:
     """(N,) the cosine of a text and the description of each snippet."""
     return _descriptions(snippets, embedder).cosines(embedder.encode([text])).astype(np.float64)
-
-
-def likely_by_wording(text: str, snippets: tuple[Snippet, ...], embedder: Embedder) -> dict[str, float]:
-    """How likely snippets are to be meant, each by the cosine of its nearest wording, in [0, 1]."""
-    if not snippets:
-        return {}
-    rows, owners = _wordings(snippets, embedder)
-    cosines, _ = best_of_each(np.einsum("nd,d->n", rows, embedder.encode([text])[0]), owners)
-    likely = np.clip((cosines.astype(float) - UNLIKE) / (1 - UNLIKE), 0.0, 1.0) ** 2
-    return {s.id: p for s, p in zip(snippets, likely.tolist(), strict=True)}
 
 
 @lru_cache(maxsize=4)

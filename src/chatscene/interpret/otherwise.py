@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -10,6 +11,7 @@ from chatscene.terms.acts import BRINGS, Action
 from chatscene.terms.scenario import Scenario, Slots
 from chatscene.terms.snippet import Retrieval
 
+_OF_KIND = re.compile(r"others\.\w+(?:\.kind)?")  # the paths of whoever is there, and of what kind
 _STAND_BESIDE = {
     "leader": "a slow vehicle ahead",
     "blocker": "a parked vehicle in the ego's lane",
@@ -104,7 +106,7 @@ def _named(words: Sequence[Mapping[str, Any]]) -> list[str]:
     """What names the adversary, in lower case; none twice. Only words that were read part one name from the next."""
     runs: list[list[str]] = [[]]
     for word in words:
-        if word.get("fact") == "adversary":
+        if _OF_KIND.fullmatch(word.get("fact", "")):
             runs[-1].append(str(word["text"]).lower())
         elif not word.get("unread"):
             runs.append([])

@@ -1,10 +1,10 @@
 """A triple by wording alone: the paper's own way from a text to snippets.
 
 Paper: section 3.3, steps ii and iii: a sub-description per component, embedded, and the snippet whose description is
-nearest to it. There a language model writes the sub-descriptions; here they are the adversary's clause, and what the
-patterns, or the user's language model, make out of the rest, in the words of the library. There each snippet is the
-nearest of its component, and many such triples cannot be joined (decision 0006); here the nearest that can be joined
-are taken. Nothing is weighed, doubted or refused: what the triple does is what was read.
+nearest to it. There a language model writes the sub-descriptions; here they are the adversary's clause, and what
+whoever reads makes out of the rest, in the words of the library. There each snippet is the nearest of its component,
+and many such triples cannot be joined (decision 0006); here the nearest that can be joined are taken.
+Nothing is weighed, doubted or refused: what the triple does is what was read.
 """
 
 from __future__ import annotations
@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
-from chatscene.interpret.decide import understood
 from chatscene.interpret.joint_choice import highest
 from chatscene.interpret.nearest import cosines
 from chatscene.interpret.wording import parts_of
@@ -26,24 +25,22 @@ from chatscene.library.load import Library, library_with
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.frame import Frame, certain
-from chatscene.terms.scenario import Component, Scenario, SubDescriptions
+from chatscene.terms.frame import Frame
+from chatscene.terms.scenario import Component, SubDescriptions
 from chatscene.terms.snippet import Match, Retrieval, Snippet, Tried
 
 Cosines = NDArray[np.float64]
 
 
-def read_as_in_paper(frame: Frame, settings: RetrievalSettings) -> Scenario:
-    """The scenario of a text whose facts are those of the nearest triple.
+def read_as_in_paper(frame: Frame, settings: RetrievalSettings) -> tuple[Frame, SubDescriptions]:
+    """A text whose facts are those of the nearest triple, and the sub-descriptions by which that was found.
 
     Raises:
         NothingFits: No triple has the kind of road user that was said.
     """
     parts = parts_of(frame, frame.outright)
     found = nearest_triple(parts, frame.outright.adversary, settings)
-    slots = does(found.snippets, found.adversary)
-    sure = replace(frame, outright=slots, beliefs=certain(slots, frame.beliefs), whole=True, sure=1.0)
-    return replace(understood(sure, slots, frame.notes), parts=parts)
+    return replace(frame, outright=does(found.snippets, found.adversary), sure=1.0, readings=()), parts
 
 
 def nearest_triple(

@@ -7,9 +7,8 @@ an embedding hardly tells left from right (decisions 0006 and 0017).
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
@@ -18,21 +17,17 @@ from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
 from chatscene.interpret.joint_choice import highest
-from chatscene.interpret.trust import FEW, log_odds, with_stated_sure
-from chatscene.interpret.wording import parts_of
 from chatscene.interpret.wording_index import WordingIndex
 from chatscene.library.bind import distances, out_of_reach, settable
 from chatscene.library.compatibility import compatibility, incompatibility
 from chatscene.library.load import Library
-from chatscene.models.encoders.embedding import Embedder
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import BRINGS, Action, reordered
 from chatscene.terms.acts import TURNS as TURNING
-from chatscene.terms.conclusions import CURVES, JUNCTIONS, LANE_CHANGES, TURNS, concluded
-from chatscene.terms.frame import About, Beliefs, Frame, Note
+from chatscene.terms.conclusions import CURVES, JUNCTIONS, LANE_CHANGES, TURNS
+from chatscene.terms.frame import About, Frame
 from chatscene.terms.scenario import (
-    REFUSED,
     Component,
     Distance,
     Maneuver,
@@ -51,21 +46,11 @@ from chatscene.terms.slots import SLOTS, slots_of
 from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet, Tried
 
 CONFLICT = 5.0  # what one contradicted action or quantity costs, in nats
-UNASKED = 0.5  # likelihood of a thing nobody asked for: an occluder, a leader, a control, a group …
-UNASKED_SURELY = 0.02  # … where every phrase of the text has its place, so that it was not said
+UNASKED = 0.5  # likelihood of an act beside those that were said …
+UNASKED_SURELY = 0.02  # … of a thing that nobody asked for: an occluder, a leader, a control, a group …
 UNASKED_VALUE = 0.8  # … and of a value nobody asked for, such as a side
 UNLIKELY = 1e-3  # least likelihood of a fact, so that one surprise does not decide everything
-UNREAD_ACTOR = 0.5  # confidence left where another road user was not read: of such texts of others, 5 of 12 were right
 CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its program would not mean what was said
-# Log-odds that every fact read by patterns and classifier is right: fitted on texts that the classifier had not seen,
-# by several people, each of whom weighs the same (benchmarks/confidence.py).
-CONFIDENCE = {
-    "base": 0.64, "scope": 0.10, "beyond": -0.42, "outright": 0.18, "wording": 0.42, "meant": 0.20, "same acts": 0.67,
-    "same kind": 0.16, "same place": 0.33, "no account": 0.71, "touched": 0.12, "unused": -0.61, "words": -0.40,
-    "facts": 0.83, "acts": 0.31,
-}  # fmt: skip
-ENOUGH = 4  # facts that words say outright; more make nothing surer
-FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a description below and above which it says nothing more
 UNSAID = 0.5  # agreement of a fact that the snippet leaves open, or does less exactly than it was said …
 OPEN = 0.02  # … and of a side or a distance: who leaves that open starts anywhere
 NARROWER = 0.85  # agreement of a place that is one kind of what was said, of a distance that can be told
@@ -73,13 +58,8 @@ CROSSROADS = 0.97  # … and of a crossroads, which is what a junction mostly is
 AGREEMENT = 0.5  # weight of the actions that a behavior shares with what was read
 PARAMETER = 0.01  # what a parameter costs: of equals, the simpler one
 PLACE_WORDING = 0.1  # weight of wording for geometry and spawn: it decides among equals
-MEANT = 1.4  # weight of a behavior's log-likelihood beside the words that it shares, fitted by likelihood on sentences
-# of behaviors of which the classifier had seen none (decision 0017)
+MEANT = 1.4  # weight of a behavior's log-likelihood beside the words that it shares (decision 0017)
 FAINTEST = 1e-4  # least likelihood of a behavior
-
-SURE, POSSIBLE = 0.9, 0.05  # a fact as likely as this stands; one as likely as this may be what was meant
-AS_A_WHOLE = 0.3  # a behavior as likely as this is meant, with all that it does
-HEARD = 0.25  # an action less likely than this was not heard
 
 IN_LANE = (Position.AHEAD, Position.BEHIND)
 OFFENCES = (Action.RUN_LIGHT,)  # nobody is shown to commit them who is not said to
@@ -92,7 +72,6 @@ Scores = NDArray[np.float64]
 def retrieve(
     scenario: Scenario,
     library: Library,
-    embedder: Embedder,
     settings: RetrievalSettings | None = None,
     tried: Sequence[Tried] = (),
     composed: Snippet | None = None,
@@ -102,7 +81,6 @@ def retrieve(
     Args:
         scenario: What was understood.
         library: What can be chosen.
-        embedder: Who says how near the behavior's description is, which the confidence asks for.
         settings: How many candidates are named, and the confidence below which nothing is chosen.
         tried: Choices that did not show what was said; they are not made again.
         composed: The behavior, where none of the library's does just what was said.
@@ -111,12 +89,12 @@ def retrieve(
         NothingFits: No triple serves it well enough; the message names the nearest.
     """
     settings = settings or RetrievalSettings()
-    frame = scenario.frame or Frame(outright=scenario.slots)
+    frame = scenario.frame or Frame(outright=scenario.slots, sure=1.0)
     asked = _Asked(frame, scenario.slots, scenario.parts)
     shelves = library if composed is None else library.with_behavior(composed)
     ranked = _ranked(asked, shelves)
     triple = _best(ranked, shelves, scenario.slots.adversary, tried)
-    confidence = _confidence(scenario, frame, triple, library, embedder)
+    confidence = _confidence(frame, triple)
     if confidence < settings.refuse_below:
         reasons = _reasons(scenario, frame, triple)
         known = frame.sure >= settings.refuse_below or any(match.conflicts for match in triple) or confidence == 0.0
@@ -137,60 +115,6 @@ def retrieve(
         ruled_out=_ruled_out(ranked, triple, scenario.slots.adversary, tried),
         tried=tuple(tried),
     )
-
-
-def settle(frame: Frame, slots: Slots, library: Library) -> Slots:
-    """What was read, made whole with the library in mind: facts that only together are likely are read together.
-
-    A fact that the best triple contradicts is taken to be what the triple does, if words say that outright or if it may
-    as well be. What follows from the facts is added before and after.
-
-    Args:
-        frame: What the text says.
-        slots: What was read, fact by fact.
-        library: What can be chosen.
-    """
-    slots = concluded(slots)
-    found = _likeliest(frame, slots, library)
-    if found is None:
-        return concluded(slots)
-    kind, triple = found
-    slots, beliefs, outright = replace(slots, adversary=kind), frame.beliefs, frame.outright
-    for component, snippet in zip(Component, triple, strict=True):
-        for name in slots_of(component):
-            said, value = getattr(slots, name), getattr(snippet.slots, name)
-            if name == "actions":
-                known = beliefs.behaviors.get(snippet.id, 1.0)  # the classifier has not heard of a user's own
-                sure = tuple(a for a in said if a in outright.actions or beliefs.heard(a) >= HEARD)
-                slots = replace(slots, actions=value if known >= AS_A_WHOLE or not said else sure)
-            elif name == "side" and value is None and outright.side is None:
-                slots = replace(slots, side=None)  # no word says it, and where the triple starts there is none
-            elif said is not None and _agreement(said, _does(snippet, name)) == 0.0:
-                unsure = beliefs.of(name, said) < SURE
-                read = getattr(outright, name) == value  # then words and library are two against one
-                if read or (unsure and beliefs.of(name, value) >= POSSIBLE):
-                    slots = replace(slots, **{name: value})
-    return concluded(slots)
-
-
-def _likeliest(frame: Frame, slots: Slots, library: Library) -> tuple[AdversaryKind | None, tuple[Snippet, ...]] | None:
-    """The likeliest triple, for every kind of adversary that it may be, with that kind; None if nobody can act any."""
-    joint = compatibility(library)
-    heard = replace(slots, actions=())  # what is done is part of the doubt
-    ranked = _ranked(_Asked(frame, heard, parts_of(frame, frame.outright)), library)
-    scores = [ranked[component].score for component in Component]
-    who = slots.adversary
-    kinds = [kind for kind in AdversaryKind if kind is who or frame.beliefs.of("adversary", kind) >= POSSIBLE]
-    best, found = -math.inf, None
-    for kind in kinds if who else [None]:
-        at = highest(joint, scores, joint.able(kind))
-        if at is not None:
-            chosen = [(ranked[component], i) for component, i in zip(Component, at, strict=True)]
-            doubt = math.log(frame.beliefs.of("adversary", kind) + UNLIKELY)
-            score = doubt + sum(float(ranking.score[i]) for ranking, i in chosen)
-            if score > best:
-                best, found = score, (kind, tuple(ranking.snippets[i] for ranking, i in chosen))
-    return found
 
 
 def _best(
@@ -260,15 +184,12 @@ def _ranked(asked: _Asked, library: Library) -> dict[Component, _Ranking]:
 def _rank(asked: _Asked, shelf: _Shelf) -> _Ranking:
     frame, slots = asked.frame, asked.slots
     similarity, texts = shelf.words.search(asked.parts[shelf.component])
-    agreement, conflicts = shelf.facts(slots, frame.beliefs)
+    agreement, conflicts = shelf.facts(slots)
     if shelf.component is Component.BEHAVIOR:
-        p = shelf.said(frame.beliefs, slots.actions) if frame.whole else shelf.meant(frame.beliefs)
-        if frame.whole:
-            conflicts = conflicts + shelf.of_each(lambda does: reordered(does, slots.actions))
-        score = similarity + MEANT * np.log(p + FAINTEST) + AGREEMENT * agreement - CONFLICT * conflicts
+        conflicts = conflicts + shelf.of_each(lambda does: reordered(does, slots.actions))
+        score = similarity + MEANT * np.log(shelf.said(slots.actions)) + AGREEMENT * agreement - CONFLICT * conflicts
     else:
-        score = PLACE_WORDING * similarity - PARAMETER * shelf.parameters
-        score = score + shelf.likelihood(_alternatives(slots, frame.beliefs), sure=frame.whole)
+        score = PLACE_WORDING * similarity - PARAMETER * shelf.parameters + shelf.likelihood(slots)
     if frame.quantities:
         score = score - CONFLICT * np.array(
             [out_of_reach(s, frame.quantities, slots.adversary) for s in shelf.snippets]
@@ -304,54 +225,34 @@ class _Shelf:
         """(N,) a number for what each snippet does."""
         return np.array([told(does) for does in self.does], float)[self.doing]
 
-    def meant(self, beliefs: Beliefs) -> Scores:
-        """(N,) how likely each behavior is to be meant.
+    def said(self, actions: tuple[Action, ...]) -> Scores:
+        """(N,) how likely each behavior is to be meant by who says all that is done.
 
-        Where the likeliest does the same in haste, and no haste was heard, its likelihood is the calmer's too: who
-        "steps out and freezes" is not said to sprint.
-        """
-        p = self._told(beliefs)
-        heard = self.actions @ np.array([beliefs.heard(action) >= HEARD for action in Action])
-        best = int(np.argmax(p))
-        hasty = frozenset(self.does[self.doing[best]])
-        calmer = self.of_each(lambda does: _hastier(hasty, frozenset(does)))
-        return p + p[best] * calmer * (heard == heard[best])
-
-    def said(self, beliefs: Beliefs, actions: tuple[Action, ...]) -> Scores:
-        """(N,) how likely each behavior is to be meant where words say all that is done.
-
-        Whoever does just that is meant wherever one who does more was heard; what more is done was not asked for. Where
-        there is one who does just that, whoever leaves out what was said is not meant.
+        What more is done was not asked for. Where there is one who does just that, whoever leaves out what was said is
+        not meant.
         """
         more = [_more(does, actions) for does in self.does]
-        p = self._told(beliefs)
         less = FAINTEST if frozenset() in more else 1.0
-        share = np.array([less if extra is None else UNASKED ** len(extra) for extra in more])
-        beyond, just = (np.array([test(extra) for extra in more])[self.doing] for test in (bool, _nothing))
-        return p * share[self.doing] + sum(p[beyond].tolist()) * just
+        return np.array([less if extra is None else UNASKED ** len(extra) for extra in more])[self.doing]
 
-    def _told(self, beliefs: Beliefs) -> Scores:
-        return np.array([beliefs.meant(s.id) for s in self.snippets])
-
-    def likelihood(self, maybe: Alternatives, *, sure: bool) -> Scores:
+    def likelihood(self, said: Slots) -> Scores:
         """(N,) log-likelihood that the facts of each snippet are what was said."""
         total = np.zeros(len(self.snippets))
         for name in slots_of(self.component):
+            wanted = _wanted(said, name)
             table = [
-                sum(p * (_agreement(wanted, value) if wanted is not None else _free(name, value, sure=sure))
-                    for wanted, p in maybe[name])
-                for value in self.values[name]
-            ]  # fmt: skip
+                _agreement(wanted, value) if wanted is not None else _free(name, value) for value in self.values[name]
+            ]
             total += np.log(np.array(table) + UNLIKELY)[self.codes[name]]
         return total
 
-    def facts(self, said: Slots, beliefs: Beliefs) -> tuple[Scores, Scores]:
-        """(N,) mean agreement with what was said, and facts contradicted by what was said or heard."""
+    def facts(self, said: Slots) -> tuple[Scores, Scores]:
+        """(N,) mean agreement with what was said, and facts contradicted by that."""
         parts: list[Scores] = []
         conflicts = np.zeros(len(self.snippets))
         for name in slots_of(self.component):
             if name == "actions":
-                against = self._opposes(said.actions, beliefs)
+                against = self._opposes(said.actions)
                 if said.actions:
                     share = self._acted(said.actions)
                     parts.append(share)
@@ -368,18 +269,10 @@ class _Shelf:
         agreement = np.mean(parts, axis=0) if parts else np.ones(len(self.snippets))
         return agreement, conflicts
 
-    def _opposes(self, said: tuple[Action, ...], beliefs: Beliefs) -> NDArray[np.bool_]:
-        """(N,) whether a behavior does an action that was not said, and whose opposite was, or that breaks the law.
-
-        Where nothing is settled yet, what the classifier hears was said, and the likeliest behavior is heard as a
-        whole: who "brakes, then moves off" need not name the throttle.
-        """
-        heard = said or tuple(action for action in Action if beliefs.heard(action) >= HEARD)
-        unheard = [action not in heard and (action.opposite in heard or action in OFFENCES) for action in Action]
-        against = self.actions @ np.array(unheard, float) > 0
-        if not said:
-            against[np.argmax([beliefs.behaviors.get(snippet.id, 0.0) for snippet in self.snippets])] = False
-        return against
+    def _opposes(self, said: tuple[Action, ...]) -> NDArray[np.bool_]:
+        """(N,) whether a behavior does an action that was not said, and whose opposite was, or that breaks the law."""
+        unheard = [action not in said and (action.opposite in said or action in OFFENCES) for action in Action]
+        return self.actions @ np.array(unheard, float) > 0
 
     def _acted(self, said: tuple[Action, ...]) -> Scores:
         wanted = np.array([action in said for action in Action], float)
@@ -399,15 +292,6 @@ def does_all(behavior: Snippet, said: tuple[Action, ...]) -> bool:
     return _more(behavior.slots.actions, said) is not None
 
 
-def _nothing(extra: frozenset[Action] | None) -> bool:
-    return extra is not None and not extra
-
-
-def _hastier(one: frozenset[Action], other: frozenset[Action]) -> bool:
-    """Whether somebody does what another does, and that in haste."""
-    return one > other and all(action.row.hasty for action in one - other)
-
-
 def _more(acts: tuple[Action, ...], said: tuple[Action, ...]) -> frozenset[Action] | None:
     """What is done beyond what was said and what that brings along; None if that is not done, in order."""
     does = set(acts)
@@ -418,34 +302,24 @@ def _more(acts: tuple[Action, ...], said: tuple[Action, ...]) -> frozenset[Actio
     return frozenset(does.difference(said, *(BRINGS[action] for action in said)))
 
 
-Alternatives = dict[str, list[tuple[Any, float]]]  # of each slot, values with how likely each is; None: not said
-
-
-def _alternatives(slots: Slots, beliefs: Beliefs) -> Alternatives:
-    """What may have been said: as was believed, but for facts that were decided otherwise, which are sure."""
-    found: Alternatives = {}
-    for name in (*slots_of(Component.GEOMETRY), *slots_of(Component.SPAWN)):
-        classes, decided = beliefs.slots.get(name, {}), getattr(slots, name)
-        likeliest = max(classes, key=lambda value: classes[value], default=decided)
-        found[name] = list(classes.items()) if classes and decided == likeliest else [(decided, 1.0)]
+def _wanted(slots: Slots, name: str) -> Any:
+    """What was said of a slot, and where that is a junction what follows from the way across it."""
     crosses = slots.position is Position.CROSSING and slots.actions and not set(slots.actions) & set(TURNING)
-    if crosses and slots.place is Place.JUNCTION:
-        found["place"] = [(Place.FOUR_WAY, 1.0)]  # who turns nowhere goes straight on, which takes a crossroads
-    return found
+    if name == "place" and crosses and slots.place is Place.JUNCTION:
+        return Place.FOUR_WAY  # who turns nowhere goes straight on, which takes a crossroads
+    return getattr(slots, name)
 
 
 _ELSEWHERE = (*TURNS, *LANE_CHANGES, *JUNCTIONS, *CURVES, Maneuver.BYPASS)  # not simply on a road
 
 
-def _free(name: str, value: object, *, sure: bool) -> float:
+def _free(name: str, value: object) -> float:
     """How likely a snippet's fact is where nothing was said of it."""
     if value in (None, False, NO_SIDE, NOT_RIGHT) or isinstance(value, frozenset):
         return 1.0
     if not SLOTS[name].taught:
         return 0.0  # words say it outright, or it was not said
-    if sure and (SLOTS[name].added or value in _ELSEWHERE):
-        return UNASKED_SURELY
-    return UNASKED if SLOTS[name].added else UNASKED_VALUE
+    return UNASKED_SURELY if SLOTS[name].added or value in _ELSEWHERE else UNASKED_VALUE
 
 
 def _does(snippet: Snippet, name: str) -> Any:
@@ -467,7 +341,7 @@ def _conflicts(asked: _Asked, snippet: Snippet, component: Component) -> list[st
         if slot == "actions":
             against = bool(wanted) and bool(does) and not set(wanted) & set(does)
             against |= any(action not in wanted and action.opposite in wanted for action in does)
-            against |= asked.frame.whole and reordered(does, wanted)
+            against |= reordered(does, wanted)
         else:
             against = wanted is not None and _agreement(wanted, does) == 0.0
         if against:
@@ -524,95 +398,16 @@ def _adversary(scenario: Scenario, triple: tuple[Match, ...]) -> AdversaryKind:
     return next(kind for kind in behavior.adversaries if kind in spawn.adversaries)
 
 
-def doubts(
-    scenario: Scenario, frame: Frame, behavior: Snippet, library: Library, embedder: Embedder
-) -> dict[str, float]:
-    """What speaks for and against a sentence being served, by the names in `CONFIDENCE`.
-
-    Args:
-        scenario: What was understood.
-        frame: What the sentence says.
-        behavior: What was chosen for it.
-        library: Whose other behaviors it may have meant, as far as its adversary can do them.
-        embedder: Who says how near the behavior's description is.
-    """
-    kind, beliefs = scenario.slots.adversary, frame.beliefs
-    able = [s for s in library.of(Component.BEHAVIOR) if kind is None or kind in s.adversaries]
-    meant = beliefs.meant(behavior.id)
-    meant /= max(meant, sum(beliefs.behaviors.get(s.id, 0.0) for s in able)) or 1.0
-    text, description = embedder.encode([scenario.parts.behavior, behavior.description])
-    words, account = len(frame.told.split()), frame.account
-    return {
-        "base": 1.0,
-        "scope": log_odds(beliefs.in_scope, FAINTEST),
-        "beyond": float(any(note.about is About.FOREIGN for note in scenario.notes)),
-        "outright": float(min(len(scenario.slots.said()) - len(guessed(scenario.slots, frame)), ENOUGH)),
-        "wording": min(max(float(text @ description), FAR_WORDING), NEAR_WORDING),
-        "meant": math.log(meant + UNLIKELY),
-        "same acts": float(account is not None and set(account.slots.actions) == set(scenario.slots.actions)),
-        "same kind": float(account is not None and account.slots.adversary is scenario.slots.adversary),
-        "same place": float(account is not None and account.slots.position is scenario.slots.position),
-        "no account": float(account is None),
-        "touched": float(account is not None and account.touched),
-        "unused": sum(one.why is not Why.BESIDES for one in frame.unused) / max(words, FEW),
-        "words": math.log(max(words, 1)),
-        "facts": beliefs.facts(scenario.slots),
-        "acts": beliefs.acts(scenario.slots.actions),
-    }
-
-
-def guessed(slots: Slots, frame: Frame) -> list[str]:
-    """The slots that no word says outright; the whole of the text made them likely."""
-    return [name for name, value in slots.said().items() if value and not getattr(frame.outright, name)]
-
-
-def _confidence(
-    scenario: Scenario, frame: Frame, triple: tuple[Match, ...], library: Library, embedder: Embedder
-) -> float:
-    """The probability that every fact of a sentence was read rightly, less for every fact that the triple contradicts.
-
-    Nothing is left of it by another language, by weather and by light.
-    """
-    if any(one.why in REFUSED for one in scenario.unused):
-        return 0.0
-    contradicted = CONTRADICTED ** sum(len(match.conflicts) for match in triple)
-    if frame.whole:
-        return frame.sure * contradicted
-    contradicted *= left_by_unread(scenario)
-    against = doubts(scenario, frame, triple[0].snippet, library, embedder)
-    odds = sum(CONFIDENCE[name] * value for name, value in against.items())
-    return contradicted * with_stated_sure(1.0 / (1.0 + math.exp(-odds)), frame, scenario.slots)
-
-
-def left_by_unread(scenario: Scenario) -> float:
-    """What is left of the confidence by road users who are spoken of and were not read: one may do what matters.
-
-    Whoever leads, hides somebody or stands in the way may be told in words that its slot does not know.
-    """
-    unread = sum(one.why is Why.ROAD_USER for one in scenario.unused)
-    slots = scenario.slots
-    held = sum(bool(one) for one in (slots.occluder, slots.leader, slots.blocker))
-    return UNREAD_ACTOR if unread > held else 1.0
-
-
-def reasons_of(scenario: Scenario) -> tuple[str, ...]:
-    """Why it is not sure what a text says, in a user's words, what decides alone first."""
-    return _reasons(scenario, scenario.frame or Frame(outright=scenario.slots), ())
+def _confidence(frame: Frame, triple: tuple[Match, ...]) -> float:
+    """The probability that every fact was read rightly, less for every fact that the triple contradicts."""
+    return frame.sure * CONTRADICTED ** sum(len(match.conflicts) for match in triple)
 
 
 def _reasons(scenario: Scenario, frame: Frame, triple: tuple[Match, ...]) -> tuple[str, ...]:
     """Why a sentence is refused, in a user's words, what decides alone first."""
     told = grouped(scenario.unused)
-    if Why.LANGUAGE in told:
-        return (told[Why.LANGUAGE],)  # all else follows from it
-    unheard = guessed(scenario.slots, frame)
-    notes = [note for note in scenario.notes if note.about is About.FOREIGN]
-    notes += [
-        Note(about=about) for slot, about in (("adversary", About.WHO), ("actions", About.WHAT)) if slot in unheard
-    ]
-    notes += [note for note in scenario.notes if note.about in (About.WHO, About.STRANGER, About.WHAT)]
-    said = [told[why] for why in REFUSED if why in told]
-    said += map(str, notes)
+    notes = [note for note in scenario.notes if note.about is About.NOTHING]
+    said = list(map(str, notes))
     said += [conflict for match in triple for conflict in match.conflicts]
     snippets = [match.snippet for match in triple]
     unmet = [
@@ -621,8 +416,8 @@ def _reasons(scenario: Scenario, frame: Frame, triple: tuple[Match, ...]) -> tup
         if snippets and not settable(quantity, snippets, scenario.slots.adversary)
     ]
     said += [f"{number!r}: nothing that fits the rest can be set to it" for number in unmet]
-    said += [reason for why, reason in told.items() if why not in (*REFUSED, Why.BESIDES)]
-    return tuple(dict.fromkeys(said)) or ("every word is known, but not what is meant",)
+    said += [reason for why, reason in told.items() if why is not Why.BESIDES]
+    return tuple(dict.fromkeys(said)) or ("it is not sure what is meant",)
 
 
 def _ruled_out(

@@ -1,17 +1,15 @@
-"""What the offline reader decided of a text, as a situation: the one place where its facts become one.
+"""Facts that have names, as edits and the library know them, as a situation: the one place where they become one.
 
-The reader fills slots, numbers and surroundings of one adversary, and slots of others. What each is in a situation
-stands in `chatscene.interpret.situation_rows`. What a situation has no word for is listed, never dropped.
+They are slots, numbers and surroundings of one adversary, and slots of others. What each is in a situation stands in
+`chatscene.interpret.situation_rows`.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
-from chatscene.interpret.manners import in_manners, manners_said, with_manners_as_acts
 from chatscene.interpret.situation_rows import (
     ACTS,
     AMOUNTS,
@@ -30,87 +28,32 @@ from chatscene.interpret.situation_rows import (
     STARTS,
     WAYS_OF_SITES,
     WHO,
+    aside_of,
 )
-from chatscene.interpret.situation_words import quoted_words, told_of
-from chatscene.read.accounting import CONTACT
 from chatscene.read.kinds import kind_named, number_in
-from chatscene.read.quotes import without_words
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Amount, Length, Speed
 from chatscene.terms.conclusions import JUNCTIONS
-from chatscene.terms.frame import Frame
-from chatscene.terms.scenario import Control, Distance, EgoState, Measure, Quantity, Scenario, Site, Slots
-from chatscene.terms.situation import Around, Contact, Deed, Ego, Evidence, Other, Road, Situation, Start, When
+from chatscene.terms.scenario import Control, Distance, EgoState, Measure, Quantity, Site, Slots
+from chatscene.terms.situation import Around, Deed, Ego, Other, Road, Situation, Start, When
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
 from chatscene.terms.vocabulary import Act, Breach, EgoLight, EgoRoute, Facing, Manner, Role, Side, UserKind, Where
 
 _ALL_ALONG = frozenset((*MANNERS, Action.RUN_LIGHT, Action.FOLLOW, Action.ONCOMING, Action.WRONG_WAY))
 """Acts that say how or where another is done, if there is another."""
-
-_NEAR_MISS = re.compile(r"(?i)\b(?:nearly|almost|narrowly|miss\w*|avoid\w*)\b")
-"""Says of a contact that there is none; the words stay unread then, as no search is for what does not happen."""
 _ROUNDED = 0.01  # of SI units, to which a number is rounded when it is read
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Told:
-    """A text as a situation.
-
-    Attributes:
-        situation: What was read, with the words that gave each fact.
-        left_out: What was read and a situation has no word for.
-    """
-
-    situation: Situation
-    left_out: tuple[str, ...] = ()
-
-
-def situation_of(scenario: Scenario) -> Told:
-    """The situation of a text whose facts are decided."""
-    slots, frame = scenario.slots, scenario.frame
-    numbers = _numbers(frame)
-    made = in_a_situation(slots, numbers, scenario.surroundings)
-    left_out = [f"{one}: nothing in a situation is measured so" for one in (frame.shifts if frame is not None else ())]
-    left_out += [f"{one}: nobody does what it measures" for one in numbers if not _is_set(made, one)]
-    left_out += [f"{MANNERS[act]}: a deed has one manner" for act in _manners(slots)[1:]]
-    left_out += [f"{one}: more others than are read" for one in slots.others[len(BESIDE) :]]
-    text = frame.text if frame is not None else ""
-    words = with_manners_as_acts(tuple(told_of(scenario)), text)
-    made, manners_lost = in_manners(made, manners_said(words, text))
-    left_out += manners_lost
-    touch = " ".join(word.text for word, _ in words if word.fact == CONTACT)
-    if touch and not _NEAR_MISS.search(touch):
-        made = replace(made, contact=Contact())
-    quoted = quoted_words(scenario, made, words)
-    made = replace(made, others=tuple(_as_named(one, quoted) for one in made.others))
-    if made.ego.route is EgoRoute.STRAIGHT and "ego.route" not in quoted:  # which follows where nothing else is said
-        made = replace(made, ego=replace(made.ego, route=None))
-    made = replace(made, about=scenario.text, evidence=Evidence(quoted=quoted))
-    evidence = replace(made.evidence, assumed=without_words(made))
-    return Told(situation=replace(made, evidence=evidence), left_out=tuple(left_out))
-
-
-def _numbers(frame: Frame | None) -> tuple[Quantity, ...]:
-    if frame is None:
-        return ()
-    return (*frame.quantities, *((frame.ego_speed,) if frame.ego_speed is not None else ()))
 
 
 def _ego_speed(numbers: Sequence[Quantity]) -> Speed | None:
     return next((_amount(Speed, one) for one in numbers if one.measure is Measure.EGO_SPEED), None)
 
 
-def _as_named(one: Other, quoted: Mapping[str, str]) -> Other:
-    path = f"others.{one.id}"
-    return as_named(one, quoted.get(f"{path}.kind", quoted.get(path, "")))
-
-
 def as_named(one: Other, words: str, *, anew: bool = True) -> Other:
-    """Somebody as what words say, where they say more than the reader's kinds: a van, a child, three of them.
+    """Somebody as what words say, where they say more than the kinds of facts: a van, a child, three of them.
 
     Args:
-        one: As the reader has it.
+        one: As the facts have it.
         words: Those for it.
         anew: Whether they say what kind it is.
     """
@@ -120,7 +63,7 @@ def as_named(one: Other, words: str, *, anew: bool = True) -> Other:
 
 
 def in_a_situation(slots: Slots, numbers: Sequence[Quantity], around: Surroundings) -> Situation:
-    """Facts of the reader as a situation, without evidence."""
+    """Facts as a situation, without evidence."""
     who = _other(WHO, Role.ADVERSARY, slots, numbers, slots)
     beside = (_other(name, Role.SUPPORTING, one, (), slots) for name, one in zip(BESIDE, slots.others, strict=False))
     return Situation(
@@ -187,7 +130,7 @@ def _around_it(slots: Slots) -> Iterator[Other]:
 def _other(name: str, role: Role, slots: Slots, numbers: Sequence[Quantity], whole: Slots) -> Other:
     kind = KINDS[slots.adversary]
     start = _start(slots, kind, numbers, junction=whole.place in JUNCTIONS or whole.control is not None)
-    deeds = _numbered(_deeds(slots, start), numbers)
+    deeds = _numbered(_deeds(slots, start), numbers, start)
     speed = next((one for one in numbers if one.measure is Measure.SPEED), None)
     if speed is not None and not any("speed" in deed.act.row.takes for deed in deeds):  # so it drove at it before
         start = replace(start, speed=_amount(Speed, speed))
@@ -296,7 +239,7 @@ def _deed(action: Action, slots: Slots, start: Start) -> Deed:
     return Deed(act=act)
 
 
-def _numbered(deeds: tuple[Deed, ...], numbers: Sequence[Quantity]) -> tuple[Deed, ...]:
+def _numbered(deeds: tuple[Deed, ...], numbers: Sequence[Quantity], start: Start) -> tuple[Deed, ...]:
     """Deeds with the numbers that were said of them: each of the first that it can be said of."""
     made = list(deeds)
     for one in numbers:
@@ -311,7 +254,7 @@ def _numbered(deeds: tuple[Deed, ...], numbers: Sequence[Quantity]) -> tuple[Dee
         elif one.measure is Measure.ASIDE:
             at = next((i for i, deed in enumerate(made) if deed.act is Act.SWERVE), None)
             if at is not None:
-                made[at] = replace(made[at], to=Side.LEFT if one.value > 0 else Side.RIGHT)
+                made[at] = replace(made[at], to=next(to for to in Side if aside_of(to, start.where) == one.value))
     return tuple(made)
 
 
@@ -329,19 +272,3 @@ def _amount(kind: type[Amount], number: Quantity) -> Any:
         return kind.of(f"{round(3.6 * number.value, 1):g} km/h")
     read = round(number.value, 2)
     return kind(read, read)
-
-
-def _is_set(made: Situation, one: Quantity) -> bool:
-    """Whether a number stands somewhere in what the ego or the first of the others does."""
-    who = made.others[0]
-    if one.measure is Measure.EGO_SPEED:
-        return made.ego.speed is not None
-    if one.measure is Measure.DISTANCE:
-        return who.starts.distance is not None
-    if one.measure is Measure.TRIGGER:
-        return any(deed.when is not None for deed in who.does)
-    if one.measure is Measure.ASIDE:
-        return any(deed.to is not None for deed in who.does)
-    if one.measure is Measure.SPEED and who.starts.speed is not None:
-        return True
-    return any(getattr(deed, AMOUNTS[one.measure][0]) is not None for deed in who.does)

@@ -7,7 +7,18 @@ from chatscene.terms.acts import Action
 from chatscene.terms.amount import Acceleration, Amount, Duration, Speed
 from chatscene.terms.scenario import Control, EgoState, Maneuver, Measure, Occluder, Place, Position, Site
 from chatscene.terms.situation import Deed, Road
-from chatscene.terms.vocabulary import Act, EgoRoute, Feature, Manner, RightOfWay, RoadKind, Setting, UserKind, Where
+from chatscene.terms.vocabulary import (
+    Act,
+    EgoRoute,
+    Feature,
+    Manner,
+    RightOfWay,
+    RoadKind,
+    Setting,
+    Side,
+    UserKind,
+    Where,
+)
 
 WHO, BESIDE, HIDES, LEADS, BLOCKS = "A", "BCD", "H", "L", "P"
 """Ids: the adversary's, those of others who do something, and of who hides it, leads the ego, and is in its way."""
@@ -131,3 +142,9 @@ AMOUNTS: dict[Measure, tuple[str, type[Amount]]] = {
     Measure.DECELERATION: ("acceleration", Acceleration),
 }
 """Which amount of a deed each measure is, and its type."""
+
+
+def aside_of(to: Side, where: Where) -> int:
+    """To which side of its own somebody swerves who does so to a side of ours: 1 to its left, -1 to its right."""
+    faces_us = where in (Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE)
+    return 1 if (to is Side.LEFT) is not faces_us else -1

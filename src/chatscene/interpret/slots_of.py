@@ -24,6 +24,7 @@ from chatscene.interpret.situation_rows import (
     STARTS,
     WAYS_OF_SITES,
     WHO,
+    aside_of,
 )
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Amount
@@ -43,7 +44,7 @@ from chatscene.terms.scenario import (
 from chatscene.terms.scenario import Side as Aside
 from chatscene.terms.situation import Deed, Ego, Other, Situation
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
-from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Manner, RightOfWay, RoadKind, Role, Side, Where
+from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Manner, RightOfWay, RoadKind, Role, Where
 
 POSITIONS: dict[Where, Position] = {
     **{where: position for position, where in STARTS.items()},
@@ -170,13 +171,13 @@ def _actions(one: Other) -> Iterator[Action]:
     for i, deed in enumerate(one.does):
         if deed.act is Act.STAND and i == 0 and len(acts) > 1:
             continue  # what it did before
+        if deed.breaks is Breach.RED_LIGHT:
+            yield Action.RUN_LIGHT  # which comes first, whatever else is done on the way through
         said = deed.manner in manners or deed.breaks is Breach.RED_LIGHT or where in _AGAINST
         if deed.act in _UNSAID and where in _THROUGH and deed.breaks is not Breach.RED_LIGHT:
             yield _THROUGH[where]
         elif deed.act in ACTIONS and not (deed.act in _UNSAID and said):
             yield ACTIONS[deed.act]
-        if deed.breaks is Breach.RED_LIGHT:
-            yield Action.RUN_LIGHT
         if deed.manner in manners:
             yield manners[deed.manner]
 
@@ -232,7 +233,7 @@ def _numbers(who: Other, ego: Ego) -> Iterator[tuple[Measure, tuple[Quantity, ..
     if aside is not None:
         yield (
             Measure.ASIDE,
-            (Quantity(measure=Measure.ASIDE, value=1 if aside is Side.LEFT else -1, said=f"to the {aside}"),),
+            (Quantity(measure=Measure.ASIDE, value=aside_of(aside, who.starts.where), said=f"to the {aside}"),),
         )
 
 

@@ -7,11 +7,17 @@ from dataclasses import replace
 from typing import Any
 
 from chatscene.errors import SettingsError, no_such
+from chatscene.interpret.edited import with_changes
+from chatscene.interpret.situation_of import in_a_situation
+from chatscene.interpret.slots_of import facts_of, parties_of
+from chatscene.situations.words import told
 from chatscene.terms.acts import Action
-from chatscene.terms.frame import About, Frame, Note
-from chatscene.terms.scenario import Scenario
+from chatscene.terms.conclusions import concluded
+from chatscene.terms.edit import Facts
+from chatscene.terms.scenario import Measure
+from chatscene.terms.situation import Situation
 from chatscene.terms.slots import SLOTS
-from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
+from chatscene.terms.surroundings import Light, Surface, Weather
 
 AROUND: dict[str, tuple[Any, ...]] = {"light": tuple(Light), "weather": tuple(Weather), "surface": tuple(Surface)}
 """What each fact of what is about may be."""
@@ -71,39 +77,73 @@ def _said(value: object) -> str:
     return {True: "yes", False: "no"}.get(value, str(value)) if isinstance(value, bool) else str(value)
 
 
-def with_stated(frame: Frame, stated: str) -> Frame:
-    """A frame in which the facts that a user stated are said outright, and sure."""
-    facts = facts_stated(stated)
-    slots = {name: value for name, value in facts.items() if name not in AROUND}
-    around = {name: value for name, value in facts.items() if name in AROUND}
+def with_named(situation: Situation, facts: Mapping[str, Any]) -> Situation:
+    """A situation in which facts that a user stated by name are as was said; what follows from them follows.
+
+    Args:
+        situation: As it was read.
+        facts: As `facts_stated` gives them.
+
+    Raises:
+        SettingsError: A fact has no place in it, such as the side of somebody straight ahead.
+    """
     if not facts:
-        return frame
-    beliefs = frame.beliefs
-    single = {name: {value: 1.0} for name, value in slots.items() if name in beliefs.slots}
-    acts = {action: float(action in slots["actions"]) for action in Action} if "actions" in slots else beliefs.actions
-    account = frame.account and replace(frame.account, slots=replace(frame.account.slots, **slots))
-    said = frame.surroundings
+        return situation
+    parties = parties_of(situation)
+    if parties is None:
+        raise SettingsError("nobody meets the ego here, so that there is nobody of whom a fact could be stated")
+    was = facts_of(situation, parties)
+    before = replace(was, slots=concluded(was.slots))
+    after = _stated(before, facts)
+    made = with_changes(situation, before, after)
+    for name, value in facts.items():
+        _require_placed(made, after, name, value)
+    return made
+
+
+def _stated(facts: Facts, said: Mapping[str, Any]) -> Facts:
+    slots = {name: value for name, value in said.items() if name not in AROUND}
+    around = {name: value for name, value in said.items() if name in AROUND}
     return replace(
-        frame,
-        outright=replace(frame.outright, **slots),
-        beliefs=replace(beliefs, slots={**beliefs.slots, **single}, actions=acts),
-        account=account,
-        surroundings=Surroundings(**{name: getattr(said, name) for name in AROUND} | around),
-        stated=tuple(slots),
-        notes=(*frame.notes, Note(about=About.STATED, said=(in_text(facts).replace(" ", ", "),))),
+        facts,
+        slots=concluded(replace(facts.slots, **slots)),
+        surroundings=replace(facts.surroundings, **around),
+        numbers={one: n for one, n in facts.numbers.items() if one is not Measure.DISTANCE or "distance" not in said},
     )
 
 
-def require_stated(scenario: Scenario, stated: str) -> None:
-    """Hold a scenario to the facts that a user stated.
+_IMPLIED = frozenset((Action.FOLLOW, Action.BRAKE, Action.CHANGE_LANE, Action.DIAGONAL))
+"""Acts that another one may have in it."""
 
-    Raises:
-        SettingsError: What follows from the other facts is another.
-    """
-    for name, value in facts_stated(stated).items():
-        read = getattr(scenario.surroundings if name in AROUND else scenario.slots, name)
-        if read != value:
-            raise SettingsError(
-                f"{name}={_said(value)} does not go with the rest of what was read, which makes it "
-                f"{_said(read) if read is not None else 'nothing'}: {scenario.slots}"
-            )
+
+def _require_placed(made: Situation, facts: Facts, name: str, value: Any) -> None:
+    """Hold a situation to a fact that a user stated: what has no place in it would be gone without a word."""
+    if name == "actions":
+        lost = [act for act in value if not _acts(facts, act)]
+    else:
+        read = getattr(facts.surroundings if name in AROUND else facts.slots, name)
+        lost = [] if read == value and _matters(facts, name) else [value]
+    for one in lost:
+        raise SettingsError(f"{in_text({name: one})} has no place in what was read: {told(made)}")
+
+
+def _matters(facts: Facts, name: str) -> bool:
+    """Whether a situation is another with another value of a fact."""
+    values = FACTS[name] if name in AROUND else (None, *FACTS[name])
+    first, *others = (_made(facts, name, value) for value in values)
+    return any(one != first for one in others)
+
+
+def _acts(facts: Facts, act: Action) -> bool:
+    """Whether a situation is another without an act, or has it in what follows."""
+    acts = facts.slots.actions
+    rest = tuple(one for one in acts if one is not act)
+    return act in _IMPLIED or not rest or _made(facts, "actions", rest) != _made(facts, "actions", acts)
+
+
+def _made(facts: Facts, name: str, value: Any) -> Situation:
+    if name in AROUND:
+        facts = replace(facts, surroundings=replace(facts.surroundings, **{name: value}))
+    else:
+        facts = replace(facts, slots=replace(facts.slots, **{name: value}))
+    return in_a_situation(facts.slots, facts.quantities, facts.surroundings)

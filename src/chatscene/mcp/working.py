@@ -91,11 +91,7 @@ def complaint(error: ChatSceneError) -> str:
         text = error.text if isinstance(error, NothingFits) else ""
         told = refusal(error, text, RetrievalSettings().embedder)
         lines += [f"understood: {told['understood']}"] * bool(told["understood"])
-        lines += [
-            f"reading {one['reading']} ({one['probability']:.0%}): {one['text']}"
-            + f" (surely so with facts {one['settled_by']})" * bool(one["settled_by"])
-            for one in told["readings"]
-        ]
+        lines += [f"reading {one['reading']} ({one['probability']:.0%}): {one['text']}" for one in told["readings"]]
         lines += [f"this sentence works: {told['suggestion']}"] * bool(told["suggestion"])
         lines.append("next: say it in other words, or write the situation yourself: vocabulary, then build")
     return "\n".join(lines)

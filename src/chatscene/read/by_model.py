@@ -12,11 +12,11 @@ from typing import Any, cast, get_args, get_type_hints
 
 from pydantic import BaseModel, ConfigDict
 
-from chatscene.errors import NoUsableReply, SettingsError
+from chatscene.errors import NoUsableReply
 from chatscene.models.language.protocol import LanguageModel, Limits, Prompt
 from chatscene.models.language.structured import printable
-from chatscene.read.decompose import LONGEST
 from chatscene.read.quotes import faults_of_quotes, unread, without_words
+from chatscene.read.reader import check_text
 from chatscene.read.situation_prompt import EXAMPLES, form, system
 from chatscene.situations.facts import NO_FACTS
 from chatscene.situations.faults import Fault, Malformed, Path, by_name
@@ -70,11 +70,10 @@ class ModelReader:
         refuses it by its fact.
 
         Raises:
-            SettingsError: The text is empty or longer than `LONGEST`.
+            SettingsError: The text is empty or too long.
             LanguageModelError: The model gave no situation that is one; the message names the last faults.
         """
-        if len(text) > LONGEST:
-            raise SettingsError(f"the text has {len(text)} characters; describe one situation in at most {LONGEST}")
+        check_text(text)
         sound: list[Situation] = []  # but for what cannot be built, the last one last
 
         def check(answer: Answer) -> str:

@@ -14,7 +14,7 @@ from chatscene.errors import EditRefused
 from chatscene.models.language.protocol import Example, LanguageModel, Prompt
 from chatscene.models.language.structured import printable
 from chatscene.read.by_model import LONGEST_REASON, Answer, faults_in, situation_in
-from chatscene.read.decompose import LONGEST
+from chatscene.read.reader import LONGEST
 from chatscene.read.situation_prompt import form, told_words
 from chatscene.situations.edited import Edited
 from chatscene.situations.facts import still_evident

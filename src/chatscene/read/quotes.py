@@ -25,6 +25,8 @@ _FUNCTION = """
 """
 MIRRORED = "mirrored: the text is of left-hand traffic, and here traffic keeps right, so left and right are swapped"
 _FUNCTION_WORDS = frozenset(_FUNCTION.split())
+_PREPOSITIONS = re.compile(r"(?i)\bin front of\b|\bbecause of\b|\bnext to\b|\bin spite of\b|\binstead of\b|\bdue to\b")
+"""Those of several words, of which one is not of a closed class by itself."""
 _DENIES = re.compile(r"(?i)^(?:['\u2019]t|not|never|no)$")
 _WORD = re.compile(r"[^\W_]+(?:[-.,:/][^\W_]+)*|['\u2019][^\W\d_]+")
 _APOSTROPHES = "['\u2019\u2018]"
@@ -50,7 +52,7 @@ def without_words(situation: Situation) -> tuple[str, ...]:
 def unread(situation: Situation, text: str) -> tuple[str, ...]:
     """The words of a text that are in no quote of a situation, each run of them as it stands.
 
-    Function words are left away, and what is known to be without effect, such as a colour.
+    Function words and prepositions are left away, and what is known to be without effect, such as a colour.
 
     Words that stand in the text several times are read wherever they stand: nobody says which of them was meant.
     """
@@ -58,6 +60,7 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
     for words in situation.evidence.quoted.values():
         for start, end in spans_of(words, text):
             read[start:end] = b"\1" * (end - start)
+    prepositions = _prepositions(text)
     runs: list[tuple[int, int]] = []
     open_run = False  # whether all words since the last run are unread and only white space lies between
     end, denied = 0, False
@@ -69,7 +72,7 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
             open_run and denied
         )  # "seen" tells nothing, "not seen" does
         denied = _DENIES.search(word[0]) is not None
-        if told or says_nothing(word[0]) or besides:
+        if told or says_nothing(word[0]) or word.start() in prepositions or besides:
             continue
         if open_run:
             runs[-1] = (runs[-1][0], end)
@@ -82,13 +85,15 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
 def words_of(situation: Situation, text: str) -> tuple[Word, ...]:
     """What became of each word of a text: the path of the fact that it gave, or why it is without effect."""
     facts: dict[int, str] = {}
+    prepositions = _prepositions(text)
     for path, words in situation.evidence.quoted.items():
         for start, end in spans_of(words, text):
             facts |= {at: path for at in range(start, end) if at not in facts or within(path, (facts[at],))}
     told: list[Word] = []
     for word in _WORD.finditer(text):
         start, end = word.span()
-        besides = without_effect(text, (start, end)) or ("says nothing alone" if says_nothing(word[0]) else "")
+        idle = says_nothing(word[0]) or start in prepositions
+        besides = without_effect(text, (start, end)) or ("says nothing alone" if idle else "")
         fact = facts.get(start, "")
         told.append(Word(text=word[0], start=start, end=end, fact=fact, besides="" if fact else besides))
     return tuple(told)
@@ -103,6 +108,11 @@ def words_told(situation: Situation) -> tuple[Word, ...]:
 def says_nothing(word: str) -> bool:
     """Whether a word is one of the closed classes, which alone tells no fact."""
     return word.lower().replace("\u2019", "'") in _FUNCTION_WORDS
+
+
+def _prepositions(text: str) -> frozenset[int]:
+    """Where the prepositions of several words stand in a text."""
+    return frozenset(at for found in _PREPOSITIONS.finditer(text) for at in range(*found.span()))
 
 
 def left_over(situation: Situation) -> tuple[str, ...]:

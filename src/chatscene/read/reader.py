@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from chatscene.errors import SettingsError
 from chatscene.terms.reading import SituationReading
+
+LONGEST = 2000  # characters; a situation fits into a paragraph
 
 
 class Reader(Protocol):
@@ -22,6 +25,24 @@ class Reader(Protocol):
 
         Raises:
             SettingsError: The text is empty or too long.
+            NothingFits: It is of a language that the reader does not read.
             LanguageModelError: A reader that asks a language model got no usable reply.
         """
         ...
+
+
+def check_text(text: str) -> None:
+    """Hold a text to what a reader takes.
+
+    Raises:
+        SettingsError: It is empty or longer than `LONGEST`.
+    """
+    if not text.strip():
+        raise SettingsError("the text is empty; describe a situation, such as 'a cyclist cuts across from the left'")
+    if len(text) > LONGEST:
+        raise SettingsError(f"the text has {len(text)} characters; describe one situation in at most {LONGEST}")
+
+
+def in_one_line(text: str) -> str:
+    """A text in one line, of what can be printed alone."""
+    return " ".join("".join(c if c.isprintable() else " " for c in text).split())

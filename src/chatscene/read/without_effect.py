@@ -16,8 +16,6 @@ _COLOURS = (
     "red|blue|white|black|gr[ae]y|silver|green|yellow|orange|brown|beige|gold|purple|pink|maroon|navy|dark|colou?red"
 )
 STREET, DATE, COLOUR = "a name of a street or a place", "a date or a time of day", "a colour"
-ALWAYS = (STREET, DATE, COLOUR)
-"""Without effect even inside a phrase that gives a fact, as in "a blue van"."""
 _SAID: tuple[tuple[str, re.Pattern[str]], ...] = (
     (
         "a name of a street or a place",

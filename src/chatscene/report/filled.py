@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, replace
+from typing import Any
 
 from chatscene.build.build import Built, build
-from chatscene.errors import NotBuilt, NothingFits, OfferedReading, SettingsError, SituationError, no_such
+from chatscene.errors import EditRefused, NotBuilt, NothingFits, OfferedReading, SettingsError, SituationError, no_such
 from chatscene.files.caches import cache_folder
-from chatscene.interpret.offline import OfflineReader
-from chatscene.interpret.stated import FACTS, in_text
+from chatscene.interpret.asked import reader_of
+from chatscene.interpret.known import SURE, WithFacts, offered, taken
+from chatscene.interpret.stated import FACTS, facts_stated, in_text, with_named
 from chatscene.models.language.protocol import load_language_model
-from chatscene.read.by_model import LIMITS, ModelReader
+from chatscene.read.by_model import LIMITS
 from chatscene.read.edit_by_model import edited_by
 from chatscene.read.quotes import words_of
-from chatscene.read.reader import Reader
 from chatscene.report.stated import Editor, Stated, built_of, stated, with_edits
-from chatscene.report.understood import Understood, understand
-from chatscene.settings import LEARNED, OFFLINE, READERS, RetrievalSettings, Settings
+from chatscene.report.understood import NO_EDITS, Understood, understand
+from chatscene.settings import OFFLINE, PAPER_READER, RetrievalSettings, Settings
 from chatscene.situations.edited import Edited
 from chatscene.situations.facts import NO_FACTS
 from chatscene.situations.words import told
-from chatscene.terms.reading import Ranked, SituationReading, Verdict
+from chatscene.terms.reading import Ranked, SituationReading
 from chatscene.terms.situation import Situation
 
 
@@ -37,70 +38,58 @@ def filled(
     Args:
         text: The text.
         settings: Who reads, and which reading is taken.
-        facts: Facts that the user states: by their paths, or, where no language model reads, by their names.
+        facts: Facts that the user states: by their paths or by their names.
         map_name: The map that it is to be built on; None for any.
         speed: What the ego drives at [km/h], if the text does not say.
 
     Raises:
-        SettingsError: The text is empty or too long, there is no such model, reading or fact, or a fact has no place.
+        SettingsError: The text is empty or too long, there is no such model, reading or fact, or a fact has no
+            place.
         NothingFits: The reader says that it tells no situation, none that can be told here, or it is not sure enough.
         NotBuilt: A fact of the situation cannot be built.
         SituationError: A fact has no place in it.
         LanguageModelError: The model gave no usable reply.
     """
-    _, by_path = _facts(facts or {}, settings)
-    read, one = read_in(text, settings, facts, _unbuilt(by_path, map_name, speed))
-    made = stated(one.situation, by_path, map_name, speed)
+    with_facts = _stating(facts or {}, settings)
+    cannot_build = _unbuilt(with_facts, map_name, speed)
+    read, one, ranked = _read(text, settings, with_facts, cannot_build)
+    made = stated(one.situation, None, map_name, speed)
+    doubted = not settings.reading and one.probability < SURE
     try:
         built = built_of(made)
     except NotBuilt as error:
-        raise _with_what_was_read(error, read, one) from None
+        raise _with_what_was_read(error, read, one, offered(ranked, settings, cannot_build, one)) from None
     return Stated(
         situation=made,
         built=built,
         reader=read.reader,
         not_said=one.left_out,
         editor=editor_of(settings.language_model),
-        readings=_offered(read, one),
+        readings=offered(ranked, settings, cannot_build, one) if doubted else (),
     )
 
 
-def read_in(
-    text: str,
-    settings: RetrievalSettings,
-    facts: Mapping[str, object] | None = None,
-    cannot_build: Callable[[Situation], str] = lambda _: "",
-) -> tuple[SituationReading, Ranked]:
-    """What a text is read as, and which of the readings is taken.
+def read_in(text: str, settings: RetrievalSettings, facts: Mapping[str, object] | None = None) -> Ranked:
+    """What a text is read as, with some facts set, whether or not it can be built.
 
     Args:
         text: The text.
         settings: Who reads, and which reading is taken.
-        facts: Facts that the user states, of which those count that a reader takes by their names.
-        cannot_build: Why nothing can be built of a situation; empty where that is no matter.
+        facts: Facts that the user states: by their paths or by their names.
 
     Raises:
-        SettingsError: The text is empty or too long, or there is no such model, reading or fact.
+        SettingsError: The text is empty or too long, there is no such model, reading or fact, or a fact has no
+            place.
         NothingFits: The reader says that it tells no situation, none that can be told here, or it is not sure enough.
+        SituationError: A fact has no place in it.
         LanguageModelError: The model gave no usable reply.
     """
-    named, _ = _facts(facts or {}, settings)
-    reader = _reader(settings, named, cannot_build)
-    read = reader.read(text)
-    if read.verdict is not Verdict.SITUATION:
-        raise NothingFits(f"{read.reader} says that {read.verdict.said}: “{read.reason}”", reasons=(read.reason,))
-    taken = settings.reading if reader.name != OFFLINE else 0  # which the offline reader takes itself
-    if taken > len(read.ranked):
-        raise SettingsError(f"there is no reading {taken}; {read.reader} gives {len(read.ranked)}")
-    one = read.ranked[max(taken, 1) - 1]
-    if not taken and one.probability < settings.refuse_below:
-        raise _unsure(read, one)
-    return read, one
+    return _read(text, settings, _stating(facts or {}, settings))[1]
 
 
 def is_filled(text: str, settings: RetrievalSettings) -> bool:
     """Whether a situation is read in a text; a library of one's own and the paper's way choose snippets for it."""
-    return bool(text) and settings.reader in (READERS[0], LEARNED) and not settings.library
+    return bool(text) and settings.reader != PAPER_READER and not settings.library
 
 
 def explain_text(
@@ -134,7 +123,9 @@ def explain_text(
                 "the ego's speed is for a text of which a situation is made, and here snippets are chosen"
             )
         reading = replace(settings.retrieval, stated=in_text(facts)) if facts else settings.retrieval
-        return understand(text, replace(settings, retrieval=reading), edits=edits)
+        if edits:
+            raise EditRefused(NO_EDITS)
+        return understand(text, replace(settings, retrieval=reading))
     return with_edits(filled(text, settings.retrieval, facts, map_name, speed), edits)
 
 
@@ -166,77 +157,76 @@ def read_already(settings: RetrievalSettings) -> RetrievalSettings:
     return replace(settings, language_model=OFFLINE, reading=unasked.reading, stated=unasked.stated)
 
 
-def _reader(settings: RetrievalSettings, named: str, cannot_build: Callable[[Situation], str]) -> Reader:
-    if settings.reader == LEARNED:
-        from chatscene.read.learned.reader import LearnedReader
+def _read(
+    text: str,
+    settings: RetrievalSettings,
+    with_facts: WithFacts,
+    cannot_build: Callable[[Situation], str] = lambda _: "",
+) -> tuple[SituationReading, Ranked, tuple[Ranked, ...]]:
+    """What a reader gave, the reading that is taken, and all readings with what the user states."""
+    read = reader_of(settings, cannot_build).read(text)
+    one, ranked = taken(read, with_facts, settings)
+    if not settings.reading and one.probability < settings.refuse_below:
+        raise _unsure(read, ranked, settings, cannot_build)
+    return read, one, ranked
 
-        return LearnedReader()
-    if settings.language_model == OFFLINE:
-        facts = " ".join(filter(None, (settings.stated, named)))
-        return OfflineReader(replace(settings, stated=facts), cannot_build)
-    model = load_language_model(settings.language_model, limits=LIMITS, cache=cache_folder("replies"))
-    return ModelReader(model, cannot_build)
+
+def _stating(facts: Mapping[str, object], settings: RetrievalSettings) -> WithFacts:
+    """Sets the facts that a user states, by their names and by their paths."""
+    named, by_path = _facts(facts, settings)
+
+    def with_facts(situation: Situation) -> Situation:
+        return stated(with_named(situation, named), by_path)
+
+    return with_facts
 
 
-def _facts(facts: Mapping[str, object], settings: RetrievalSettings) -> tuple[str, dict[str, object]]:
-    """Facts that the offline reader takes by their names, as it takes them, and those that stand at a path."""
-    offline = settings.language_model == OFFLINE and settings.reader != LEARNED
+def _facts(facts: Mapping[str, object], settings: RetrievalSettings) -> tuple[dict[str, Any], dict[str, object]]:
+    """Facts that are stated by their names, and those that stand at a path."""
     wholes = {one.name for one in fields(Situation)}
+    named = {name: value for name, value in facts.items() if "." not in name and name.replace("-", "_") in FACTS}
     for name in facts:
-        if "." not in name and name not in wholes and not (offline and _name(name) in FACTS):
-            raise SettingsError(_nowhere(name, (*FACTS,) if offline else (), wholes))
-    named = {name: value for name, value in facts.items() if offline and "." not in name and _name(name) in FACTS}
-    return in_text(named), {name: value for name, value in facts.items() if name not in named}
+        if "." not in name and name not in wholes and name not in named:
+            known = no_such("fact", name, {*FACTS, *wholes - NO_FACTS})
+            raise SettingsError(f"{known}; or say the path of a fact, as in others.A.starts.side or road.lanes")
+    said = " ".join(filter(None, (settings.stated, in_text(named))))
+    return facts_stated(said), {name: value for name, value in facts.items() if name not in named}
 
 
-def _nowhere(name: str, named: Sequence[str], wholes: Set[str]) -> str:
-    """Why a fact cannot be set that has no such name: what can be, by name and by path."""
-    known = no_such("fact", name, {*named, *wholes - NO_FACTS})
-    return f"{known}; or say the path of a fact, as in others.A.starts.side or road.lanes"
-
-
-def _name(fact: str) -> str:
-    return fact.replace("-", "_")
-
-
-def _unsure(read: SituationReading, one: Ranked) -> NothingFits:
+def _unsure(
+    read: SituationReading,
+    ranked: Sequence[Ranked],
+    settings: RetrievalSettings,
+    cannot_build: Callable[[Situation], str],
+) -> NothingFits:
     """Why a text is refused of which it is not sure enough what it says."""
-    said = f"it is not sure enough what this says (confidence {one.probability:.0%})"
-    reasons = tuple(filter(None, read.reason.split("; ")))
-    told_so = f"{said}: {read.reason}" if read.reason else said
-    return _with_what_was_read(NothingFits(told_so, reasons=reasons, confidence=one.probability), read, one)
+    sure = ranked[0].probability
+    said = f"it is not sure enough what this says (confidence {sure:.0%})"
+    reasons = (f"no fact was read in {', '.join(map(repr, read.unread))}",) if read.unread else ()
+    told_so = NothingFits("; ".join((said, *reasons)), reasons=reasons or (said,), confidence=sure)
+    return _with_what_was_read(told_so, read, ranked[0], offered(ranked, settings, cannot_build))
 
 
-def _with_what_was_read(refusal: NothingFits, read: SituationReading, one: Ranked) -> NothingFits:
+def _with_what_was_read(
+    refusal: NothingFits, read: SituationReading, one: Ranked, readings: tuple[OfferedReading, ...]
+) -> NothingFits:
     """A refusal that says what was read, word by word, and what else the text may say."""
     refusal.understood = told(one.situation)
     refusal.text = read.text
     refusal.words = tuple(word.as_dict() for word in words_of(one.situation, read.text))
-    refusal.readings = _offered(read)
+    refusal.readings = readings
     return refusal
 
 
-def _offered(read: SituationReading, taken: Ranked | None = None) -> tuple[OfferedReading, ...]:
-    """What a text may say, but for what was taken."""
-    others = zip(read.ranked[1:], read.settled_by[1:], strict=False)
-    return tuple(
-        OfferedReading(number=number, told=told(other.situation), probability=other.probability, settled_by=settled)
-        for number, (other, settled) in enumerate(others, 1)
-        if taken is None or other.situation != taken.situation
-    )
-
-
-def _unbuilt(
-    facts: Mapping[str, object] | None, map_name: str | None, speed: float | None
-) -> Callable[[Situation], str]:
+def _unbuilt(with_facts: WithFacts, map_name: str | None, speed: float | None) -> Callable[[Situation], str]:
     """Why a situation, with what the user states, cannot be built; empty if it can."""
 
     def why(situation: Situation) -> str:
         try:
-            build(stated(situation, facts, map_name, speed))
+            build(stated(with_facts(situation), None, map_name, speed))
         except NotBuilt as error:
             return str(error)
-        except SituationError:  # which whoever states the facts is told
+        except (SituationError, SettingsError):  # which whoever states the facts is told
             return ""
         return ""
 

@@ -42,11 +42,10 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     from rich.table import Table
 
     from chatscene.interpret.otherwise import otherwise
-    from chatscene.read.accounting import words_of
 
     scenario, retrieval = understood.scenario, understood.retrieval
-    words = words_of(scenario, retrieval.unused)
-    for line in otherwise(scenario, retrieval, [one.as_dict() for one in words]):
+    words = [one.as_dict() for one in scenario.words]
+    for line in otherwise(scenario, retrieval, words):
         console.print(f"[yellow]{_plain(line)}[/]")
     slots = Table("slot", "said", box=None, pad_edge=False, header_style="dim")
     for name, value in scenario.slots.said().items():
@@ -55,7 +54,7 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
         slots.add_row(name, value.row.said)
     console.print(slots)
     if words:
-        parts = parts_of(scenario.text, [one.as_dict() for one in words])
+        parts = parts_of(scenario.text, words)
         console.print(f"[dim]{_plain(in_words(parts))}[/]")
     if around := surroundings_in_words(scenario.surroundings):
         console.print(f"[yellow]as said[/]  {_plain(around)}")
@@ -84,14 +83,11 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
 
 def _print_doubts(console: Console, scenario: Scenario, retrieval: Retrieval) -> None:
     """What was unsure, what was not used, and what else it may say."""
-    from chatscene.interpret.readings import offered
-
     for note in (*scenario.notes, *retrieval.notes):
         console.print(f"[yellow]note[/]  {_plain(note)}")
     for line in grouped((*scenario.unused, *retrieval.unused)).values():
         console.print(f"[yellow]not used[/]  {_plain(line)}")
-    others = [one for one in offered(scenario.readings) if scenario.readings[one.number - 1].slots != scenario.slots]
-    for line in readings_in_words(others, also=True):
+    for line in readings_in_words(scenario.readings, also=True):
         console.print(f"[yellow]{_plain(line)}[/]" if line[0] != " " else _plain(line))
 
 

@@ -1,13 +1,12 @@
-"""What became of a sentence for which snippets were chosen, and what an edit of it changes: for scripts and people."""
+"""What became of a sentence for which snippets were chosen, for scripts and people."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from chatscene import runs
-from chatscene.report.stated import difference_told, lines_changed
+from chatscene.errors import EditRefused
 from chatscene.report.terminal import understanding_text
 from chatscene.search.generator import load_generator
 from chatscene.sentences.plain import told
@@ -17,7 +16,9 @@ from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Retrieval
 
 if TYPE_CHECKING:
-    from chatscene.interpret.amend import Amended
+    from chatscene.report.stated import Changed
+
+NO_EDITS = "snippets were chosen for this text, and only a situation can be edited; say the text anew"
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,26 +47,13 @@ class Understood:
         besides = {"Light, weather and road": str(scenario.surroundings), "Numbers": ", ".join(numbers)}
         return " ".join((told(scenario.slots), *(f"{name}: {said}." for name, said in besides.items() if said)))
 
-    def edit(self, text: str) -> Edited:
-        """The same situation but for what an edit names, such as "make it a truck, from the left".
+    def edit(self, text: str) -> Changed:  # noqa: ARG002 - as of what was made of a situation
+        """Refuse an edit: only a situation can be edited.
 
         Raises:
-            EditRefused: The edit was not understood, contradicts itself or what stays, or changes nothing.
-            NothingFits: The library cannot serve the edited situation.
+            EditRefused: Always.
         """
-        from chatscene.interpret.amend import amended
-
-        made = amended(self.scenario, text, self.reading)
-        written = load_generator(self.generator).write(made.scenario, self.reading)
-        return Edited(
-            scenario=made.scenario,
-            retrieval=written.retrieval,
-            program=written.program,
-            generator=self.generator,
-            reading=self.reading,
-            before=self,
-            amended=made,
-        )
+        raise EditRefused(NO_EDITS)
 
     def as_dict(self) -> dict[str, Any]:
         """For a script: the explanation, and the program's text."""
@@ -83,70 +71,15 @@ class Understood:
         return understanding_frame(self.scenario, self.as_dict())
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Edited(Understood):
-    """What became of a situation after an edit; as text it is the difference.
-
-    Attributes:
-        before: What it was.
-        amended: What the edit names and what follows from that.
-    """
-
-    before: Understood
-    amended: Amended
-
-    @property
-    def difference(self) -> tuple[str, ...]:
-        """The lines of the program that went (``-``) and came (``+``), without comments."""
-        return lines_changed(self.before.program.source, self.program.source)
-
-    def as_dict(self) -> dict[str, Any]:
-        """For a script: the explanation and the program, and the difference."""
-        return {
-            **Understood.as_dict(self),
-            "edit": self.amended.edit.text,
-            "told": self.told,
-            "changes": [
-                {
-                    "fact": one.fact,
-                    "before": str(one).partition(": ")[2].partition(" → ")[0],
-                    "after": str(one).partition(" → ")[2],
-                    "named": one.fact in self.amended.edit.named,
-                }
-                for one in self.amended.changes
-            ],
-            "difference": list(self.difference),
-        }
-
-    def __str__(self) -> str:
-        """For a person: the sentence told anew, the facts and the lines of the program that changed, what was noted."""
-        retrieval = self.retrieval
-        notes = [f"  note  {one}" for one in (retrieval.notes if retrieval else ())]
-        return "\n".join(
-            [
-                f"now: {self.told}",
-                *(f"  {one}" for one in self.amended.in_words()),
-                *notes,
-                *difference_told(self.difference),
-            ]
-        )
-
-
-def understand(
-    text: str, settings: Settings | None = None, *, generator: str = "chatscene", edits: Sequence[str] = ()
-) -> Understood:
-    """Steps 2 to 4: a sentence, and edits of it, to the program that expresses it.
+def understand(text: str, settings: Settings | None = None, *, generator: str = "chatscene") -> Understood:
+    """Steps 2 to 4: a sentence to the program that expresses it.
 
     Raises:
         SettingsError: The text is empty or too long.
-        EditRefused: An edit was not understood.
         NothingFits: The library cannot serve it.
     """
     reading = (settings or Settings()).retrieval
     maker = load_generator(generator)
     said = maker.read(text, reading)
     made = maker.write(said, reading)
-    understood = Understood(said, made.retrieval, made.program, generator=generator, reading=reading)
-    for one in edits:
-        understood = understood.edit(one)
-    return understood
+    return Understood(said, made.retrieval, made.program, generator=generator, reading=reading)

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
         asked_benchmark,
         asked_evaluation,
         asked_run,
-        edited_scenario,
         ego_digests,
         scenario_of,
     )
@@ -129,7 +128,6 @@ __all__ = [
     "criticality_of",
     "done_blocks",
     "drop_blocks",
-    "edited_scenario",
     "ego_digests",
     "explain",
     "finish",
@@ -172,7 +170,7 @@ __all__ = [
 ]
 
 _NAMES = {
-    "asked": "asked_benchmark asked_evaluation asked_run edited_scenario ego_digests scenario_of",
+    "asked": "asked_benchmark asked_evaluation asked_run ego_digests scenario_of",
     "blocks": (
         "done_blocks drop_blocks finish read_adversaries read_episode read_episodes read_events "
         "read_counts read_ranges read_scenes read_signals resume write_block"

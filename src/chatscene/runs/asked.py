@@ -12,7 +12,7 @@ from typing import Any
 
 from chatscene.ego.observation import USUAL
 from chatscene.ego.policy import FILES, load_ego, senses_of, wanting
-from chatscene.interpret.amend import amended
+from chatscene.errors import EditRefused, RunError
 from chatscene.maps.network import map_with, resolve_map
 from chatscene.runs.digests import digest_of
 from chatscene.runs.record import (
@@ -30,7 +30,7 @@ from chatscene.runs.record import (
 from chatscene.search.climb import simulator_of
 from chatscene.search.generator import Generator, load_generator
 from chatscene.search.sampler import load_sampler
-from chatscene.settings import EGO, RetrievalSettings, Settings
+from chatscene.settings import EGO, Settings
 from chatscene.simulate.simulator import load_simulator
 from chatscene.situations.file import read_text
 from chatscene.terms.conflict import Conflict
@@ -65,8 +65,9 @@ def asked_run(
     maker = load_generator(generator)
     load_sampler(settings.search.sampler)
     stated = situation.text if situation is not None else program.source if program is not None else str(text)
-    said = maker.read(stated, settings.retrieval)
-    read = said if situation is not None else edited_scenario(said, edits, settings.retrieval)
+    if edits and situation is None:
+        raise EditRefused("only a situation can be edited, and this is none; say the text anew")
+    read = maker.read(stated, settings.retrieval)
     return RunRecord(
         text=text if situation is None else "",
         edits=list(edits),
@@ -103,23 +104,18 @@ def _as_read(program: ProgramRecord) -> ScenicProgram:
 
 
 def scenario_of(record: RunRecord, generator: Generator) -> Scenario:
-    """What a run's generator reads in its sentence, with its edits; a program of the user's own goes by its name."""
-    reading = settings_of(record).retrieval
-    if not record.stated:
-        return edited_scenario(generator.read(record.text, reading), record.edits, reading)
-    read = generator.read(record.stated, reading)
-    return replace(read, id=record.program.name) if record.program is not None else read
-
-
-def edited_scenario(scenario: Scenario, edits: Iterable[str], settings: RetrievalSettings) -> Scenario:
-    """What was read, after edits, one after the other.
+    """What a run's generator reads in its sentence; a program of the user's own goes by its name.
 
     Raises:
-        EditRefused: One was not understood, contradicts what stays, or changes nothing.
+        RunError: It is of a version that edited what snippets had been chosen for.
     """
-    for text in edits:
-        scenario = amended(scenario, text, settings).scenario
-    return scenario
+    reading = settings_of(record).retrieval
+    if not record.stated:
+        if record.edits:
+            raise RunError("this run was edited before texts became situations, and is only shown; say its text anew")
+        return generator.read(record.text, reading)
+    read = generator.read(record.stated, reading)
+    return replace(read, id=record.program.name) if record.program is not None else read
 
 
 def asked_evaluation(

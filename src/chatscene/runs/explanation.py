@@ -49,13 +49,11 @@ def write_choice(run: Workspace, scenario: Scenario, written: Written | None = N
 
 
 def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]:
-    from chatscene.interpret.otherwise import otherwise
-    from chatscene.interpret.readings import offered  # who reads an explanation again reads no sentence
-    from chatscene.read.accounting import words_of
+    from chatscene.interpret.otherwise import otherwise  # who reads an explanation again reads no sentence
 
     if scenario.situation is not None:
         return _of_situation(scenario, scenario.situation)
-    words = [one.as_dict() for one in words_of(scenario, retrieval.unused if retrieval else ())]
+    words = [one.as_dict() for one in scenario.words]
     return {
         "scenario_id": scenario.id,
         "text": scenario.text,
@@ -65,7 +63,7 @@ def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]
         "surroundings": {name: value.value for name, value in scenario.surroundings.said().items()},
         "words": words,
         "otherwise": list(otherwise(scenario, retrieval, words)) if retrieval else [],
-        "readings": [one.as_dict() for one in offered(scenario.readings)],
+        "readings": [one.as_dict() for one in scenario.readings],
         "notes": [*map(str, scenario.notes), *(retrieval.notes if retrieval else ())],
         "unused": [
             {"said": one.said, "why": one.why.value}

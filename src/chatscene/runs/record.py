@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar, TypeVar
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
 from chatscene.errors import SettingsError
-from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
+from chatscene.settings import READERS, RetrievalSettings, SearchSettings, Settings, SimulationSettings
 from chatscene.terms.edit import with_edits
 from chatscene.terms.simulator import SimulatorIdentity
 
@@ -572,8 +572,13 @@ def settings_of(record: MapRecord) -> Settings:
     return Settings(
         search=settings_from(SearchSettings, {"objective": "collision"} | given.get("search", {})),  # as before 0088
         simulation=settings_from(SimulationSettings, given.get("simulation", {})),
-        retrieval=settings_from(RetrievalSettings, given.get("retrieval", {})),
+        retrieval=settings_from(RetrievalSettings, _as_called_now(given.get("retrieval", {}))),
     )
+
+
+def _as_called_now(reading: Mapping[str, Any]) -> Mapping[str, Any]:
+    """How a text is read, as a record of whichever version has it: what was called so before 0134 is the usual way."""
+    return {**reading, "reader": READERS[0]} if reading.get("reader") in ("facts", "learned") else reading
 
 
 S = TypeVar("S")

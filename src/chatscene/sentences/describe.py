@@ -17,14 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits, SettingsError
-from chatscene.interpret.decide import scenario_of
+from chatscene.interpret.asked import heard, scenario_of
 from chatscene.library.bind import does
 from chatscene.library.compatibility import Compatibility, agree, compatibility
 from chatscene.library.load import Library
 from chatscene.models.encoders.embedding import Embedder
 from chatscene.read import lexicon
-from chatscene.read.decompose import hear
 from chatscene.sentences.rendering import implied, render
+from chatscene.settings import RetrievalSettings
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import base_of
@@ -102,7 +102,7 @@ def _wanted(instruction: str) -> _Wanted:
     lowered = instruction.lower()
     kinds = _kinds(lowered)
     try:
-        told = hear(instruction if kinds else f"the adversary {instruction}").outright
+        told = heard(instruction if kinds else f"a road user {instruction}", RetrievalSettings()).outright
     except SettingsError as error:
         raise NothingFits(f"the instruction cannot be read: {error}") from error
     straight = told.maneuver is Maneuver.STRAIGHT and "straight" not in lowered  # read into any place without a turn
@@ -110,6 +110,7 @@ def _wanted(instruction: str) -> _Wanted:
         told,
         adversary=None,
         position=None,
+        place=_place(lowered) or told.place,
         maneuver=None if straight else told.maneuver,
         actions=tuple(action for action in told.actions if action is not Action.FOLLOW),
         group=told.group if _TOGETHER.search(lowered) else None,  # "cyclists" means each of them
@@ -132,6 +133,11 @@ def _kinds(lowered: str) -> frozenset[AdversaryKind]:
             found.add(kind)
             lowered = named.sub(_kept_if_general, lowered)
     return _VEHICLES if found == {AdversaryKind.CAR} and _GENERAL.search(lowered) else frozenset(found)
+
+
+def _place(lowered: str) -> Place | None:
+    """The place that is named, which holds for all that is asked for; a reader takes it for that of one situation."""
+    return next((place for place, named in lexicon.PLACES.items() if named.search(lowered)), None)
 
 
 def _kept_if_general(match: re.Match[str]) -> str:

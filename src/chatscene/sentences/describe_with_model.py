@@ -15,14 +15,13 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from chatscene.errors import LanguageModelError, NothingFits, SettingsError
 from chatscene.files.caches import cache_folder
-from chatscene.interpret.decide import scenario_of
+from chatscene.interpret.asked import heard
+from chatscene.interpret.decide import understand
 from chatscene.interpret.retrieve import retrieve
 from chatscene.library.bind import bound
 from chatscene.library.load import Library, library_with
-from chatscene.models.encoders.embedding import Embedder, load_embedder
 from chatscene.models.language.protocol import Example, LanguageModel, Limits, Prompt, load_language_model
 from chatscene.models.language.structured import printable
-from chatscene.read.decompose import hear
 from chatscene.sentences.describe import describe, joined
 from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.terms.description import Description
@@ -108,7 +107,6 @@ def describe_with(
     n: int,
     *,
     library: Library,
-    embedder: Embedder,
     settings: RetrievalSettings,
     seed: int,
     instruction: str = "",
@@ -120,7 +118,6 @@ def describe_with(
         base: The base scenario they are to belong to; None for any.
         n: How many.
         library: What has to serve them.
-        embedder: Of the retrieval.
         settings: Of the retrieval. Sentences are always read offline: a model does not judge its own.
         seed: Of the sentences that are written offline.
         instruction: What they are to be about; the model is told, and the offline sentences keep to it.
@@ -135,7 +132,7 @@ def describe_with(
     # More than are needed, since some are the model's already; and some for the examples.
     offline = describe(base, 2 * n + SHOTS, library=library, seed=seed, instruction=instruction)
     examples = _examples(base, offline[-SHOTS:], instruction)
-    sieve = _Sieve(base, library, embedder, settings, known=[d.text for d in offline[-SHOTS:]])
+    sieve = _Sieve(base, library, settings, known=[d.text for d in offline[-SHOTS:]])
     for _ in range(ROUNDS):
         missing = n - len(sieve.kept)
         if not missing:
@@ -178,10 +175,7 @@ def describe_for(
         offline = describe(base, n, library=library, seed=seed, instruction=instruction)
         return Told(by_model=(), topped_up=offline, unserved=())
     model = load_language_model(settings.language_model, limits=LIMITS, cache=cache_folder("replies"))
-    embedder = load_embedder(settings.embedder)
-    return describe_with(
-        model, base, n, library=library, embedder=embedder, settings=settings, seed=seed, instruction=instruction
-    )
+    return describe_with(model, base, n, library=library, settings=settings, seed=seed, instruction=instruction)
 
 
 class _Sieve:
@@ -191,12 +185,11 @@ class _Sieve:
         self,
         base: BaseScenario | None,
         library: Library,
-        embedder: Embedder,
         settings: RetrievalSettings,
         *,
         known: Sequence[str],
     ) -> None:
-        self._base, self._library, self._embedder, self._settings = base, library, embedder, settings
+        self._base, self._library, self._settings = base, library, settings
         self._seen = {_normalised(text) for text in known}
         self.kept: list[Description] = []
         self.unserved: list[Unserved] = []
@@ -219,12 +212,13 @@ class _Sieve:
 
     def _served(self, text: str) -> Description | Unserved:
         try:
-            if hear(text).outright.adversary is None:  # the classifier would take a dragon for the nearest kind
-                return Unserved(text, "adversary", "it names no road user that the library has")
-            scenario = scenario_of(text, self._settings)
+            frame = heard(text, self._settings)
+            if frame.outright.adversary is None:
+                return Unserved(text, "adversary", "it is read as no situation")
+            scenario = understand(frame, self._settings)
             if scenario.base is None or self._base not in (None, scenario.base):
                 return Unserved(text, "base", f"it is read as {scenario.base or 'none of the eight'}")
-            found = retrieve(scenario, self._library, self._embedder, self._settings)
+            found = retrieve(scenario, self._library, self._settings)
             bound(found.snippets, scenario)
         except (NothingFits, SettingsError) as error:
             return Unserved(text, "refused", printable(str(error), 300))

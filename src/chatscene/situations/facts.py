@@ -20,6 +20,9 @@ GAP = " \u2026 "
 """Stands in a quote where words of the text are left out that gave another fact."""
 _NAMES = re.compile(rf"(?:^(?:{'|'.join(sorted(NO_FACTS))})(?:\..*)?|\.id|\.role)$")
 
+_KIND = re.compile(r"others\.[^.]+\.kind")
+_NAMES_ONE = ("hidden_by", "whom", "after", "during", "of")
+
 
 def said_in(situation: Situation) -> Iterator[tuple[str, object]]:
     """Each fact of a situation by its path; an id and a role are none, as they are there wherever somebody is."""
@@ -104,7 +107,60 @@ def _leaves(value: object, path: tuple[str, ...]) -> Iterator[tuple[str, object]
         yield ".".join(path), value
 
 
+def all_facts(situation: Situation) -> Iterator[tuple[str, object]]:
+    """Each fact of a situation by its path, roles too; of a list of words each word has a path: ``road.has.school``."""
+    plain = to_plain(situation)
+    for path, value in _leaves({name: part for name, part in plain.items() if name not in NO_FACTS}, ()):
+        whole, _, last = path.rpartition(".")
+        if last.isdecimal():
+            yield f"{whole}.{value}", True
+        elif last != "id":
+            yield path, value
+
+
 # One fact another
+
+
+def with_facts(situation: Situation, changed: Mapping[str, object]) -> Situation:
+    """A situation with some facts of `all_facts` others than they were; None for what is not said.
+
+    Whoever is of no kind any more is gone, and nobody speaks of it.
+
+    Raises:
+        SituationError: There is no such place, or it takes no such value.
+    """
+    facts = {path: value for path, value in {**dict(all_facts(situation)), **changed}.items() if value is not None}
+    gone = {path.split(".")[1] for path, value in changed.items() if value is None and _KIND.fullmatch(path)}
+    kept = {
+        path: value
+        for path, value in facts.items()
+        if not (path.startswith("others.") and path.split(".")[1] in gone)
+        and not (path.rpartition(".")[2] in _NAMES_ONE and str(value).partition(".")[0] in gone)
+    }
+    whole: dict[str, Any] = {}
+    for path, value in kept.items():
+        *steps, last = path.split(".")
+        here = whole
+        for step in steps:
+            here = here.setdefault(step, {})
+        here[last] = value
+    made = from_plain({name: part for name, part in to_plain(situation).items() if name in NO_FACTS} | _listed(whole))
+    return replace(made, evidence=still_evident(situation, made))
+
+
+def _listed(whole: dict[str, Any]) -> dict[str, Any]:
+    """A mapping in which lists are lists again: others in their order, deeds by their numbers, words alone."""
+    made: dict[str, Any] = {}
+    for name, part in whole.items():
+        if name == "others":
+            made[name] = [{"id": one, **_listed(its)} for one, its in part.items()]
+        elif name == "does":
+            made[name] = [_listed(part[number]) for number in sorted(part, key=int)]
+        elif name == "has":
+            made[name] = list(part)
+        else:
+            made[name] = _listed(part) if isinstance(part, dict) else part
+    return made
 
 
 def with_fact(situation: Situation, path: str, value: object) -> Situation:

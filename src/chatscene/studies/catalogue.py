@@ -16,7 +16,7 @@ from typing import Any
 
 from chatscene.errors import SettingsError, no_such
 from chatscene.files.bounded import check_file
-from chatscene.read.decompose import LONGEST
+from chatscene.read.reader import LONGEST
 from chatscene.terms.coverage import Catalogue, Entry
 
 PACKAGED = ("nhtsa", "ncap", "r157", "iso34502", "leaderboard", "challenge")

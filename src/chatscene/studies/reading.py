@@ -20,14 +20,9 @@ from pydantic import TypeAdapter
 from chatscene.ego.policy import load_ego
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
 from chatscene.files.bounded import parse_json
-from chatscene.interpret.decide import scenario_of
-from chatscene.interpret.nearest import nearest
-from chatscene.interpret.retrieve import retrieve
 from chatscene.library.bind import distances
-from chatscene.library.load import Library, library_with
 from chatscene.maps.network import resolve_map
 from chatscene.measure.score import wilson
-from chatscene.models.encoders.embedding import load_embedder
 from chatscene.program.check import unshown
 from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
@@ -46,8 +41,6 @@ from chatscene.terms.slots import SLOTS, slots_of
 from chatscene.terms.snippet import Snippet
 
 HELD_OUT = "held-out"
-STAGES = ("encoder only", "+ lexical", "+ slots", "+ contracts")
-LEXICAL_SHARE = 0.3  # of shared words against the cosine, in the ablation
 _OPPOSITES = (
     (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN),
     (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT),
@@ -376,36 +369,6 @@ def confusions(judged: Sequence[Judged], count: int = 20) -> list[tuple[str, int
 
 def _shown(value: object) -> str:
     return ", ".join(sorted(map(str, value))) if isinstance(value, frozenset) else str(value) if value else "nothing"
-
-
-def ablation_table(sentences: Sequence[Sentence], settings: RetrievalSettings) -> ResultTable:
-    """How much each part of the retrieval brings: right at first choice, sentences in scope, nothing refused."""
-    inside = [s for s in sentences if s.in_scope]
-    library = library_with(settings.library)
-    rows: list[tuple[str, tuple[Cell, ...]]] = []
-    for stage in STAGES:
-        found = [_staged(stage, s, library, settings) for s in inside]
-        hits = [{c: serves(f[c], s.slots, c) for c in Component} for s, f in zip(inside, found, strict=True)]
-        rows.append((stage, (*(_rate(h[c] for h in hits) for c in Component), _rate(all(h.values()) for h in hits))))
-    return ResultTable(
-        title="What each part of the retrieval brings",
-        columns=(*Component, "all three"),
-        rows=tuple(rows),
-        notes=("right at first choice, of the sentences in scope; nothing is refused here; Wilson, 95 %",),
-    )
-
-
-def _staged(stage: str, sentence: Sentence, library: Library, settings: RetrievalSettings) -> dict[Component, Snippet]:
-    embedder = load_embedder(settings.embedder)
-    if stage in STAGES[:2]:
-        lexical = LEXICAL_SHARE if stage == STAGES[1] else 0.0
-        return {
-            c: nearest(sentence.text, c, library, embedder, count=1, lexical_weight=lexical)[0][0] for c in Component
-        }
-    chosen = retrieve(scenario_of(sentence.text, settings), library, embedder, replace(settings, refuse_below=0.0))
-    if stage == STAGES[2]:
-        return {c: chosen.candidates[c][0].snippet for c in Component}
-    return dict(zip(Component, chosen.snippets, strict=True))
 
 
 def as_rows(judged: Sequence[Judged]) -> list[dict[str, Any]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any, cast
@@ -112,10 +111,6 @@ class Edit:
 def with_edits(text: str, edits: Iterable[str]) -> str:
     """A sentence as it was written, and what was changed of it since."""
     return " ".join((text, *(f"(edited: {one})" for one in edits)))
-
-
-EDITED = re.compile(r"\(edited: .*?\)(?= \(edited: |$)", re.DOTALL)
-"""What was added to a text by edits, each of which was read by itself, to its last word."""
 
 
 def in_words(value: object) -> str:

@@ -51,10 +51,8 @@ class SituationReading:
         text: The text.
         reader: Who read it.
         verdict: Whether it tells a situation.
-        reason: Why not, in the reader's own words; or why it is not sure of the likeliest situation; else empty.
+        reason: Why not, in the reader's own words, if it has any; or why it is not sure of the likeliest situation.
         ranked: The situations that it may tell, the likeliest first; none unless the verdict is `Verdict.SITUATION`.
-        settled_by: For each of these the fact that makes it sure once the user states it, as ``side=left``; empty where
-            there is none.
         unread: The words that gave no fact of the likeliest one, in the order of the text.
     """
 
@@ -63,5 +61,4 @@ class SituationReading:
     verdict: Verdict
     reason: str = ""
     ranked: tuple[Ranked, ...] = ()
-    settled_by: tuple[str, ...] = ()
     unread: tuple[str, ...] = ()

@@ -11,13 +11,14 @@ from dataclasses import dataclass, field, fields
 from enum import StrEnum
 from typing import TYPE_CHECKING, cast
 
+from chatscene.errors import OfferedReading
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.situation import Situation
 from chatscene.terms.surroundings import Surroundings
 
 if TYPE_CHECKING:
-    from chatscene.terms.frame import Frame, Note
+    from chatscene.terms.frame import Frame, Note, Word
 
 
 class BaseScenario(StrEnum):
@@ -268,20 +269,10 @@ class Shift:
 class Why(StrEnum):
     """Why something that was said is not in the program, in the order in which that is listed."""
 
-    LANGUAGE = "only English is read"
-    WEATHER = "no scene has this; there are rain, snowfall or fog, and roads that are dry, wet, snowy or icy all over"
-    LIGHT = "no scene has this; there are day, dusk and night"
-    MANEUVER = "no ego does this; it goes straight on, turns, changes lanes or gets round what stands in its lane"
     DEGREE = "rain, snowfall and fog have no degrees here"
-    REACTION = "the ego under test decides how it reacts"
-    ROAD_USER = "another road user; one adversary is searched with"
-    SITE = "served only if every word of the text is understood, and some are not"
     NUMBER = "no parameter of the program fits it"
     BESIDES = "no scene can show it"
-    WORDS = "unknown words; only the classifier may have used them"
-
-
-REFUSED = (Why.LANGUAGE, Why.WEATHER, Why.LIGHT, Why.MANEUVER)  # without these a scene is another than was asked for
+    WORDS = "gave no fact"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -318,23 +309,6 @@ class SubDescriptions:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Reading:
-    """One of the readings of a text that a user may choose between.
-
-    Attributes:
-        slots: The facts.
-        probability: That every one of them is right.
-        settled_by: The fact that makes it sure enough once a user states it, as ``side=left``; empty if none does.
-        told: The facts in plain sentences.
-    """
-
-    slots: Slots
-    probability: float
-    settled_by: str = ""
-    told: str = ""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Scenario:
     """A sentence about a dangerous situation, understood.
 
@@ -349,7 +323,7 @@ class Scenario:
         frame: What the sentence says and how sure that is; None for what nobody read from a sentence, such as a
             program of one's own.
         surroundings: Light, weather and the state of the road, as it says them.
-        readings: What it may say, the likeliest first, as far as the library serves it; none where nothing is guessed.
+        readings: What it may say beside this, the likeliest first.
         situation: All that was said, where that is a situation; `slots` then has what is in slots of it.
     """
 
@@ -362,8 +336,13 @@ class Scenario:
     unused: tuple[Unused, ...] = ()
     frame: Frame | None = None
     surroundings: Surroundings = field(default_factory=Surroundings)
-    readings: tuple[Reading, ...] = ()
+    readings: tuple[OfferedReading, ...] = ()
     situation: Situation | None = None
+
+    @property
+    def words(self) -> tuple[Word, ...]:
+        """What became of each word of its text; none where nobody read it."""
+        return self.frame.words if self.frame is not None else ()
 
     @property
     def said(self) -> Said:

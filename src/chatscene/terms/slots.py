@@ -34,9 +34,7 @@ class Slot:
         shared: Whether two parts of one program may both speak of it, and must then agree.
         added: Whether a snippet that fills it adds something to a scene, which may not have been asked for.
         about: Whether that is somebody or something that stands or drives about.
-        taught: Whether sentences of ours teach the classifier to hear it; else texts of others alone do, and no scene
-            has it unasked.
-        labelled: Whether those who write down what a text says write this down, too.
+        taught: Whether a scene may have it unasked, and sentences of ours tell it.
     """
 
     values: tuple[Any, ...]
@@ -45,7 +43,6 @@ class Slot:
     added: bool = False
     about: bool = False
     taught: bool = True
-    labelled: bool = True
 
 
 SLOTS: dict[str, Slot] = {
@@ -58,10 +55,10 @@ SLOTS: dict[str, Slot] = {
     "control": Slot(values=tuple(Control), of=(BEHAVIOR, GEOMETRY), shared=True, added=True),
     "leader": Slot(values=YES, of=(SPAWN,), shared=True, added=True, about=True),
     "blocker": Slot(values=YES, of=(SPAWN,), shared=True, added=True, about=True),
-    "distance": Slot(values=tuple(Distance), of=(SPAWN,), added=True, labelled=False),
-    "group": Slot(values=YES, of=(SPAWN,), shared=True, added=True, about=True, labelled=False),
-    "lanes": Slot(values=(1, 2, 3), of=(GEOMETRY,), added=True, labelled=False),
-    "two_way": Slot(values=(True, False), of=(GEOMETRY,), labelled=False),
+    "distance": Slot(values=tuple(Distance), of=(SPAWN,), added=True),
+    "group": Slot(values=YES, of=(SPAWN,), shared=True, added=True, about=True),
+    "lanes": Slot(values=(1, 2, 3), of=(GEOMETRY,), added=True),
+    "two_way": Slot(values=(True, False), of=(GEOMETRY,)),
     "ego": Slot(values=tuple(EgoState), taught=False),
     "site": Slot(values=tuple(Site), of=(GEOMETRY,), shared=True, added=True, taught=False),
 }

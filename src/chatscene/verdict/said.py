@@ -61,8 +61,5 @@ def asked(said: str | Path | Situation, reading: RetrievalSettings, facts: Mappi
         text = found.text
     if not is_filled(text, reading):
         raise SettingsError("say what it is to show: a sentence that is read into facts, a situation or a report")
-    _, one = read_in(text, reading, facts)
-    situation = one.situation
-    for path, value in (facts or {}).items():
-        situation = with_fact(situation, path, value) if "." in path else situation
-    return Asked(situation=situation, not_read=(*left_over(situation), *one.left_out))
+    one = read_in(text, reading, facts)
+    return Asked(situation=one.situation, not_read=(*left_over(one.situation), *one.left_out))

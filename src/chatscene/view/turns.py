@@ -13,7 +13,7 @@ from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, Se
 from chatscene.report.accounting import parts_of
 from chatscene.report.refused import refusal
 from chatscene.report.stated import Changed, Stated, lines_changed
-from chatscene.report.understood import Edited, Understood
+from chatscene.report.understood import Understood
 from chatscene.runs.progress import Progress
 from chatscene.situations.facts import said_in
 from chatscene.talk import Shown, Talk, Undone
@@ -48,7 +48,7 @@ def turn_of(talk: Talk, line: str, progress: Progress, embedder: str) -> Turn:
             return {"kind": "undone", "edits": talk.edits, "edit": heard.edit, **_changed(heard.edited, back=True)}
         case Run():
             return {"kind": "ran", **_ran(heard)}
-        case Edited() | Changed():
+        case Changed():
             return {"kind": "edited", "edits": talk.edits, **_changed(heard)}
 
 
@@ -74,18 +74,12 @@ def _retrieved(understood: Understood) -> Turn:
     told = understood.as_dict()
     (scenario,) = told["scenarios"]
     candidates = scenario.get("candidates", {})
-    slots = understood.scenario.slots
-    others = [
-        one
-        for one, reading in zip(scenario["readings"], understood.scenario.readings, strict=True)
-        if reading.slots != slots
-    ]
     return {
         "told": understood.told,
         "parts": _parts(scenario["text"], scenario["words"]),
         "facts": [[name.replace("_", " "), _said(value)] for name, value in _facts(scenario).items()],
         "notes": [*scenario["notes"], *(f"not used: {one}" for one in grouped(_unused(understood)).values())],
-        "readings": others,
+        "readings": scenario["readings"],
         "confidence": scenario.get("confidence"),
         "snippets": [
             [component, name, *(one["description"] for one in candidates[component] if one["snippet_id"] == name)]
@@ -95,7 +89,7 @@ def _retrieved(understood: Understood) -> Turn:
     }
 
 
-def _changed(edited: Edited | Changed, *, back: bool = False) -> Turn:
+def _changed(edited: Changed, *, back: bool = False) -> Turn:
     """What an edit changes, or, of one that is taken back, what changes then."""
     before, after = (edited, edited.before) if back else (edited.before, edited)
     changes = edited.as_dict()["changes"]
@@ -106,15 +100,9 @@ def _changed(edited: Edited | Changed, *, back: bool = False) -> Turn:
         "sentence": between(before.told, after.told),
         "changes": changes,
         "difference": list(lines_changed(before.program.source, after.program.source)),
-        "notes": [] if back else _notes(edited),
+        "notes": [] if back else [one for one in after.told_first if one not in before.told_first],
         "program": after.program.source,
     }
-
-
-def _notes(edited: Edited | Changed) -> list[str]:
-    if isinstance(edited, Changed):
-        return [one for one in edited.told_first if one not in edited.before.told_first]
-    return list(edited.retrieval.notes) if edited.retrieval else []
 
 
 def between(before: str, after: str) -> list[dict[str, str]]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from chatscene.models.encoders.embedding import MiniLM, plain
 from chatscene.models.encoders.onnx_cut import OnnxFile
 from chatscene.models.encoders.wordpiece import tokenize
-from chatscene.read.slot_classifier import load_classifier
+from chatscene.read.learned.weights import load
 
 TEXTS = ("", "A bus!", "A cyclist rides out from the left and stops in front of us.", "the van waits, and " * 80)
 
@@ -35,7 +35,7 @@ def test_the_parts_give_the_states_of_the_whole_file_to_the_last_bit() -> None:
 
 
 def test_upper_layers_that_were_trained_further_are_those_of_the_changed_file() -> None:
-    changes = load_classifier().members[0].changes
+    changes = dict(load().changes)
     content = bytearray(MiniLM.content())
     for at, difference in changes.items():
         numbers = np.frombuffer(content, np.uint8)[at : at + len(difference)]
@@ -46,7 +46,7 @@ def test_upper_layers_that_were_trained_further_are_those_of_the_changed_file() 
 
 
 def test_encoders_are_told_apart_by_what_was_trained() -> None:
-    changes = load_classifier().members[0].changes
+    changes = dict(load().changes)
     at, difference = next(iter(changes.items()))
     first, second = MiniLM(changes), MiniLM({**changes, at: bytes(len(difference))})
     assert len({MiniLM().identity, first.identity, second.identity}) == 3
@@ -55,7 +55,7 @@ def test_encoders_are_told_apart_by_what_was_trained() -> None:
 
 @pytest.mark.parametrize("where", ["in the lower layers", "beyond the end of an array"])
 def test_a_change_of_what_all_encoders_share_is_refused(where: str) -> None:
-    at, difference = next(iter(load_classifier().members[0].changes.items()))
+    at, difference = next(iter(dict(load().changes).items()))
     changes = {1_000_000: b"\1"} if where == "in the lower layers" else {at: difference + bytes(10_000_000)}
     with pytest.raises(ValueError, match=r"share|broadcast"):
         MiniLM(changes).states("a bus")

@@ -15,7 +15,6 @@ from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import BaseScenario
-from outright import decompose
 from places import SHARED
 
 PAPER = SHARED / "data" / "paper_descriptions.json"
@@ -75,17 +74,10 @@ def test_no_two_become_the_same_program() -> None:
 
 @pytest.mark.parametrize("text", [text for texts in OURS.values() for text in texts])
 def test_none_that_says_one_of_two_opposites_is_served_by_what_does_the_other(text: str) -> None:
-    said = set(decompose(text).slots.actions)
+    said = set(Retrieved().read(text, RetrievalSettings()).slots.actions)
     does = set(load_library().get(triple(text)[0]).slots.actions)
     for action in Action:
         assert not (action.opposite in said and action not in said and action in does)
-
-
-def test_the_reader_alone_finds_the_base_scenario_of_all() -> None:
-    # `Retrieved.read` puts these texts where they are listed, so only `decompose` shows what is read in them.
-    read = {(base, n): decompose(text).base for base, texts in OURS.items() for n, text in enumerate(texts)}
-    misread = {(base, n) for (base, n), found in read.items() if found != base}
-    assert not misread
 
 
 @beside_the_paper

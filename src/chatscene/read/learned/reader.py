@@ -8,21 +8,20 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 
-from chatscene.errors import SettingsError
-from chatscene.read.decompose import LONGEST
+from chatscene.read.english import check_english
 from chatscene.read.learned.decoder import Decoder, Written
 from chatscene.read.learned.evidence import quoted_of
 from chatscene.read.learned.sequence import situation_of, verdict_of
 from chatscene.read.learned.text import Read, prepared
 from chatscene.read.learned.weights import PACKAGED, load
 from chatscene.read.quotes import unread, without_words
-from chatscene.settings import LEARNED
+from chatscene.read.reader import check_text
+from chatscene.settings import OFFLINE
 from chatscene.situations.faults import Malformed
 from chatscene.situations.main_facts import same_in_the_main
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Evidence, Situation
 
-_REASON = "the learned reader found none in its words"
 _SURE, _IMPOSSIBLE = 1.0 - 1e-6, 1e-6
 
 
@@ -38,8 +37,8 @@ class LearnedReader:
 
     @property
     def name(self) -> str:
-        """``learned``."""
-        return LEARNED
+        """``offline``."""
+        return OFFLINE
 
     def read(self, text: str) -> SituationReading:
         """What a text tells.
@@ -48,22 +47,21 @@ class LearnedReader:
 
         Raises:
             SettingsError: The text is empty or too long.
+            NothingFits: It is not English.
             SnippetError: The file of what was learned is missing or damaged.
         """
-        if not text.strip():
-            raise SettingsError("the text is empty; describe a situation")
-        if len(text) > LONGEST:
-            raise SettingsError(f"the text has {len(text)} characters; describe one situation in at most {LONGEST}")
+        check_text(text)
+        check_english(text)
         read = prepared(text)
-        written = _decoder(self.weights).written(read)
+        written = written_of(read, self.weights)
         verdicts = dict.fromkeys(Verdict, 0.0)
         for one in written:
             verdicts[verdict_of(one.steps)] += math.exp(one.likely)
-        ranked = _ranked(read, written)
+        ranked = ranked_of(read, written)
         verdict = max(verdicts, key=lambda one: verdicts[one])
         if verdict is not Verdict.SITUATION or not ranked:
             refused = max((one for one in Verdict if one is not Verdict.SITUATION), key=lambda one: verdicts[one])
-            return SituationReading(text=text, reader=self.name, verdict=refused, reason=_REASON)
+            return SituationReading(text=text, reader=self.name, verdict=refused)
         trust = load(self.weights)
         sure = tuple(replace(one, probability=_trusted(one.probability, trust.scale, trust.offset)) for one in ranked)
         return SituationReading(
@@ -71,9 +69,13 @@ class LearnedReader:
             reader=self.name,
             verdict=Verdict.SITUATION,
             ranked=sure,
-            settled_by=("",) * len(sure),
             unread=unread(sure[0].situation, text),
         )
+
+
+def written_of(read: Read, weights: Path) -> tuple[Written, ...]:
+    """The likeliest sequences of a text, the likeliest first."""
+    return _decoder(weights).written(read)
 
 
 @lru_cache(maxsize=2)
@@ -81,14 +83,25 @@ def _decoder(weights: Path) -> Decoder:
     return Decoder(load(weights))
 
 
-def _ranked(read: Read, written: Sequence[Written]) -> tuple[Ranked, ...]:
-    """The situations that differ in the main and are not against themselves, the likeliest first.
+@dataclass(frozen=True, slots=True, eq=False)
+class Way:
+    """A situation that a text may tell.
 
-    The probability of one is that of all sequences that come to a situation with the same main facts, of which it
-    is the likeliest.
+    Attributes:
+        situation: The situation, whose others are called A, B, C….
+        probability: That of all sequences that come to it, in [0, 1].
+        written: The likeliest of them.
     """
+
+    situation: Situation
+    probability: float
+    written: Written
+
+
+def ways_of(written: Sequence[Written]) -> tuple[Way, ...]:
+    """The situations that sequences come to and that are not against themselves, the likeliest first."""
     likely: dict[Situation, float] = {}
-    way: dict[Situation, Written] = {}
+    first: dict[Situation, Written] = {}
     for one in written:
         if verdict_of(one.steps) is not Verdict.SITUATION:
             continue
@@ -98,12 +111,21 @@ def _ranked(read: Read, written: Sequence[Written]) -> tuple[Ranked, ...]:
             continue
         if situation.others:
             likely[situation] = likely.get(situation, 0.0) + math.exp(one.likely)
-            way.setdefault(situation, one)
-    told: dict[Situation, float] = {}
-    for one in sorted(likely, key=lambda one: -likely[one]):
-        same = next((before for before in told if same_in_the_main(one, before)), one)  # each counts for one of them
-        told[same] = told.get(same, 0.0) + likely[one]
-    ranked = (Ranked(situation=_evident(one, read, way[one]), probability=p) for one, p in told.items())
+            first.setdefault(situation, one)
+    return tuple(Way(one, likely[one], first[one]) for one in sorted(likely, key=lambda one: -likely[one]))
+
+
+def ranked_of(read: Read, written: Sequence[Written]) -> tuple[Ranked, ...]:
+    """The situations that differ in the main, the likeliest first.
+
+    The probability of one is that of all sequences that come to a situation with the same main facts, of which it
+    is the likeliest.
+    """
+    told: dict[Way, float] = {}
+    for one in ways_of(written):
+        same = next((way for way in told if same_in_the_main(one.situation, way.situation)), one)
+        told[same] = told.get(same, 0.0) + one.probability  # each counts for one of them
+    ranked = (Ranked(situation=_evident(one.situation, read, one.written), probability=p) for one, p in told.items())
     return tuple(sorted(ranked, key=lambda one: -one.probability))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import files
 
@@ -14,10 +14,12 @@ from chatscene.library.load import library_with
 from chatscene.maps.network import map_with
 from chatscene.program.assemble import assemble
 from chatscene.program.orders import ORDERS
+from chatscene.read.canonical import canonical
+from chatscene.read.reader import in_one_line
 from chatscene.search.generator import Choice, Written
 from chatscene.search.generators.exploring import Exploring
-from chatscene.settings import PAPER, RetrievalSettings
-from chatscene.terms.scenario import BaseScenario, Scenario, Site, Slots
+from chatscene.settings import PAPER, PAPER_READER, RetrievalSettings
+from chatscene.terms.scenario import BaseScenario, Quantity, Scenario, Site, Slots
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
 
@@ -33,29 +35,30 @@ class Retrieved(Exploring):
 
     def read(self, text: str, settings: RetrievalSettings) -> Scenario:
         """Step 2: any sentence; one of the benchmark says what is listed of it, whatever it reads like."""
-        from chatscene.interpret.asked import heard
-        from chatscene.interpret.readings import as_read, understand  # no sentence is read for a replayed scene
-        from chatscene.sentences.plain import told
+        from chatscene.interpret.asked import framed, scenario_of  # no sentence is read for a replayed scene
+        from chatscene.interpret.decide import understood
 
-        frame = heard(text, settings)
-        facts = None if settings.stated or settings.reading else _facts().get(frame.canonical)
-        scenario = understand(frame, settings) if facts is None else as_read(frame, facts, frame.notes)
-        readings = tuple(replace(one, told=told(one.slots)) for one in scenario.readings)
-        return replace(scenario, base=_listed().get(frame.canonical, scenario.base), readings=readings)
+        listed = None if settings.stated or settings.reading else _listed().get(canonical(text))
+        if listed is None:
+            return scenario_of(text, settings)
+        frame = framed(in_one_line(text))
+        if listed.told and settings.reader != PAPER_READER:
+            frame = replace(frame, clauses=replace(frame.clauses, adversary=listed.told))
+        frame = replace(frame, outright=listed.slots, quantities=listed.numbers, sure=1.0)
+        scenario = understood(frame)
+        return replace(scenario, base=listed.base)
 
     def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:
         """Steps 3 and 4."""
         from chatscene.interpret.choose import choose
-        from chatscene.interpret.readings import offered
-        from chatscene.read.accounting import words_of
 
         try:
             retrieval, triple = choose(scenario, settings, tried)
         except NothingFits as refusal:
             refusal.understood = str(scenario.slots)
-            refusal.readings = offered(scenario.readings)
+            refusal.readings = scenario.readings
             refusal.text = scenario.text
-            refusal.words = tuple(one.as_dict() for one in words_of(scenario))
+            refusal.words = tuple(one.as_dict() for one in scenario.words)
             raise
         if scenario.slots.ego is not None:
             told = f"the ego is under orders: {ORDERS[scenario.slots.ego].words}"
@@ -87,21 +90,32 @@ def _benchmark_texts() -> dict[BaseScenario, tuple[str, ...]]:
     return {BaseScenario(base): tuple(texts) for base, texts in json.loads(packaged).items()}
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Listed:
+    """What is listed of a sentence of the benchmark, so that it is the same for every reader.
+
+    Attributes:
+        base: Its base scenario.
+        slots: What it says.
+        numbers: The numbers that it says.
+        told: What its adversary does, in the words of the library; empty where its own words find it.
+    """
+
+    base: BaseScenario
+    slots: Slots
+    numbers: tuple[Quantity, ...] = ()
+    told: str = ""
+
+
 @cache
-def _facts() -> dict[str, Slots]:
-    """What each sentence of the benchmark says, by its canonical text, so that it is the same for every reader."""
+def _listed() -> dict[str, _Listed]:
+    """The sentences of the benchmark by their canonical texts."""
     from pydantic import TypeAdapter
 
-    from chatscene.read.canonical import canonical
-
     packaged = files("chatscene.search.generators").joinpath("benchmark_facts.json").read_text(encoding="utf-8")
-    slots = TypeAdapter(Slots)
-    return {canonical(text): slots.validate_python(facts) for text, facts in json.loads(packaged).items()}
-
-
-@cache
-def _listed() -> dict[str, BaseScenario]:
-    """The base scenario of each sentence of the benchmark, by its canonical text."""
-    from chatscene.read.canonical import canonical
-
-    return {canonical(text): base for base, texts in _benchmark_texts().items() for text in texts}
+    facts, listed = json.loads(packaged), TypeAdapter(_Listed)
+    return {
+        canonical(text): listed.validate_python({"base": base, **facts[text]})
+        for base, texts in _benchmark_texts().items()
+        for text in texts
+    }

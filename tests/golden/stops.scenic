@@ -1,4 +1,4 @@
-# A pedestrian steps out from behind a bus stop on the right and freezes in front of us.
+# A pedestrian crosses from the right and stops in front of us.
 
 model chatscene.world.model
 
@@ -23,16 +23,12 @@ kerbLane = ownLane(egoRoute)
 
 ego = new Car at egoSpawnPt, facing directionOn(egoRoute, 0), with route egoRoute
 
-## spawn/behind-bus-stop-right
+## spawn/roadside-right
 param OPT_GEO_Y = Range(22, 50)
-param OPT_GEO_X = Range(1.5, 2.3)
-param OPT_BLOCKER_GAP = Range(2.7, 4.4)
+param OPT_GEO_X = Range(1.2, 5)
 
 # Not in the middle of an intersection, where the side of the road would be far away.
 advLevel = shortOfJunction(egoRoute, globalParameters.OPT_GEO_Y)
-new BusStop at besideRoad(egoRoute, advLevel - globalParameters.OPT_BLOCKER_GAP, "right", 1.6),
-    facing directionOn(egoRoute, advLevel - globalParameters.OPT_BLOCKER_GAP),
-    with label "bus-stop"
 AdvAgent = new AdvClass at besideRoad(egoRoute, advLevel, "right", globalParameters.OPT_GEO_X),
     facing crossingDirection(egoRoute, advLevel, "right"),
     with behavior AdvBehavior()

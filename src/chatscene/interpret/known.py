@@ -1,0 +1,133 @@
+"""What a text may say once a user stated some of it, and which of its readings a user is asked to choose between."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+
+from chatscene.errors import NothingFits, OfferedReading, SettingsError, SituationError
+from chatscene.settings import MOST_READINGS, OFFLINE, RetrievalSettings
+from chatscene.situations.facts import said_in, with_fact
+from chatscene.situations.main_facts import same_in_the_main
+from chatscene.situations.words import told
+from chatscene.terms.reading import Ranked, SituationReading, Verdict
+from chatscene.terms.situation import Situation
+
+SURE = 0.75  # of a text as likely to be read rightly as this, no other readings are told
+FAINTEST = 0.005  # a reading less likely than this is not offered
+
+WithFacts = Callable[[Situation], Situation]
+"""Sets what a user stated in a situation."""
+
+
+def once_known(ranked: Sequence[Ranked], with_facts: WithFacts) -> tuple[Ranked, ...]:
+    """Readings once a user stated some facts: those that agree in all others are one, as likely as all of them.
+
+    It is told as the likeliest of them in which the reader itself has what was stated, else as the likeliest.
+
+    Args:
+        ranked: What a reader gave, the likeliest first.
+        with_facts: Sets what was stated.
+
+    Raises:
+        SettingsError: A fact has no place in the likeliest reading.
+        SituationError: The same of a fact that is stated by its path.
+    """
+    found: list[Ranked] = []
+    ours: set[int] = set()  # of which the reader itself has it so
+    for one in ranked:
+        try:
+            made = with_facts(one.situation)
+        except (SettingsError, SituationError):
+            if one is ranked[0]:
+                raise
+            continue  # so it is not what the user means
+        at = next((i for i, other in enumerate(found) if same_in_the_main(made, other.situation)), None)
+        if at is None:
+            at = len(found)
+            found.append(replace(one, situation=made))
+        else:
+            kept = made if made == one.situation and at not in ours else found[at].situation
+            likely = min(found[at].probability + one.probability, 1.0)
+            found[at] = replace(found[at], situation=kept, probability=likely)
+        if made == one.situation:
+            ours.add(at)
+    return tuple(sorted(found, key=lambda one: -one.probability))
+
+
+def taken(
+    read: SituationReading, with_facts: WithFacts, settings: RetrievalSettings
+) -> tuple[Ranked, tuple[Ranked, ...]]:
+    """The reading of a text that is taken, and all that there are with what the user stated, the likeliest first.
+
+    Args:
+        read: What a reader gave.
+        with_facts: Sets what was stated.
+        settings: Which reading the user took.
+
+    Raises:
+        NothingFits: The text tells no situation.
+        SettingsError: There is no such reading, or a fact has no place in it.
+        SituationError: A fact has no place in it.
+    """
+    if read.verdict is not Verdict.SITUATION:
+        reader = "the offline reader" if read.reader == OFFLINE else read.reader
+        because = f": “{read.reason}”" if read.reason else ""
+        reason = read.reason or read.verdict.said
+        raise NothingFits(f"{reader} says that {read.verdict.said}{because}", reasons=(reason,))
+    ranked = once_known(read.ranked, with_facts)
+    if settings.reading > len(ranked):
+        raise SettingsError(f"there is no reading {settings.reading} of this text; {read.reader} gives {len(ranked)}")
+    return ranked[max(settings.reading, 1) - 1], ranked
+
+
+def offered(
+    ranked: Sequence[Ranked],
+    settings: RetrievalSettings,
+    cannot_build: Callable[[Situation], str] = lambda _: "",
+    above: Ranked | None = None,
+) -> tuple[OfferedReading, ...]:
+    """What a user may choose between, by its number, the likeliest first; only what can be built.
+
+    Args:
+        ranked: All readings, the likeliest first.
+        settings: Below which probability none is sure.
+        cannot_build: Why a situation cannot be built; empty if it can.
+        above: The one that is served, which is not offered; None where none is.
+    """
+    numbered = [(number, one) for number, one in enumerate(ranked[:MOST_READINGS], 1) if one is not above]
+    return tuple(
+        OfferedReading(
+            number=number,
+            told=told(one.situation),
+            probability=one.probability,
+            settled_by=_settling(one, ranked, settings),
+        )
+        for number, one in numbered
+        if one.probability >= FAINTEST and not cannot_build(one.situation)
+    )
+
+
+def _settling(one: Ranked, ranked: Sequence[Ranked], settings: RetrievalSettings) -> str:
+    """The fact, as ``path=value``, by which a reading is sure enough once it is stated; empty if no single one is."""
+    rival = next((other for other in ranked if other is not one), None)
+    if rival is None:
+        return ""
+    for path, value in _apart(one.situation, rival.situation):
+
+        def stating(situation: Situation, path: str = path, value: object = value) -> Situation:
+            return with_fact(situation, path, value)
+
+        try:
+            first = once_known(ranked, stating)[0]
+        except SituationError:
+            continue
+        if same_in_the_main(first.situation, one.situation) and first.probability >= settings.refuse_below:
+            return f"{path}={value}"
+    return ""
+
+
+def _apart(one: Situation, other: Situation) -> Iterator[tuple[str, object]]:
+    """The facts of one situation that another has otherwise or not at all."""
+    theirs = dict(said_in(other))
+    return ((path, value) for path, value in said_in(one) if theirs.get(path) != value)
