@@ -94,6 +94,7 @@ def test_a_contact_is_edited_as_all_else(monkeypatch: pytest.MonkeyPatch) -> Non
         ("10 km/h slower", "10 km/h", "40 km/h"),
         ("slow it down by 10 km/h", "10 km/h", "40 km/h"),
         ("another 10 km/h", "10 km/h", "60 km/h"),
+        ("20 faster", "20 km/h", "70 km/h"),
         ("at 30 km/h", "30 km/h", "30 km/h"),
         ("brake harder, at 30 km/h", "30 km/h", "30 km/h"),
     ],

@@ -6,6 +6,7 @@ probability. So an error that is in both changes nothing, and neither does what 
 
 from __future__ import annotations
 
+import math
 import re
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping
@@ -39,6 +40,9 @@ MOST = 5
 """Others that are compared in every order."""
 LIKELIER = 0.5
 """By how much what an edit comes to is likelier with it than without it."""
+
+ALONE = (Form.PLAIN, Form.BARE_KMH, Form.BARE_MPH)
+"""Forms of an amount by which something may change."""
 
 Facts = Mapping[str, object]
 
@@ -121,7 +125,7 @@ def _facts(way: Way, at_hand: Situation, read: Read, begins: int) -> Facts:
     names = _names(way.situation, at_hand)
     facts, held = dict(all_facts(renamed(way.situation, names))), dict(all_facts(at_hand))
     for at, found in way.written.found:
-        more = _comparative(read.text, found, begins) if found.form is Form.PLAIN else None
+        more = _comparative(read.text, found, begins) if found.form in ALONE else None
         if more is None:
             continue
         path = path_of(way.written.steps, at)
@@ -138,7 +142,12 @@ def _shifted(was: object, by: Amount, *, more: bool) -> object:
     old, step = type(by).of(str(was)), by.low if more else -by.low
     if old.low + step <= 0:
         raise EditRefused(f"nothing is left of {was} if {by} are taken away")
-    return str(replace(old, low=old.low + step, high=old.high + step))
+    made = replace(old, low=old.low + step, high=old.high + step)
+    for unit, scale in type(by).UNITS.items() if made.exact else ():  # a sum is rarely short to the bit
+        said = f"{made.low / scale:.6g} {unit}"
+        if unit and math.isclose(type(by).of(said).low, made.low, rel_tol=1e-9):
+            return said
+    return str(made)
 
 
 def _names(read: Situation, at_hand: Situation) -> dict[str, str]:
