@@ -497,7 +497,7 @@ def run(
     settings = settings or Settings(simulation=SimulationSettings(simulator=SIMULATOR))
     chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading)
     if report is not None:
-        text = _only_conflict(report, chosen)
+        text = _only_conflict(report)
     from chatscene.report.filled import explain_text, is_filled, read_already
     from chatscene.report.stated import Stated, explain_stated, stated
     from chatscene.search.generators.their_map import their_map
@@ -619,26 +619,20 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
     settings = settings or Settings()
     chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading)
     if report is not None:
-        text = _only_conflict(report, chosen)
+        text = _only_conflict(report)
     return explain_text(str(text), replace(settings, retrieval=chosen), facts=set, edits=_names(edit or ()))
 
 
 def conflicts(
     report: Name,
     *,
-    library: Name | None = None,
-    embedder: str | None = None,
-    language_model: str | None = None,
     progress: Progress = silent,
 ) -> tuple[Conflict, ...]:
     """The conflicts that a report tells, each to be run or explained, with what is in none of them.
 
     Args:
         report: A file: text in UTF-8, of any length up to 1 MB.
-        library: Folder of one's own snippets, beside the packaged ones.
-        embedder: Who measures wording.
-        language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
-        progress: Told how many of its passages are read.
+        progress: Told how many of its paragraphs are read.
 
     Raises:
         SettingsError: There is no such file, or it is no text.
@@ -647,8 +641,7 @@ def conflicts(
     from chatscene.interpret.conflicts import conflicts_in, read_report
 
     path = _path(report)
-    reading = _reading(RetrievalSettings(), library, embedder, language_model)
-    return conflicts_in(read_report(path), reading, path.name, progress)
+    return conflicts_in(read_report(path), path.name, progress)
 
 
 def describe(
@@ -1302,11 +1295,11 @@ def _check_asked(program: bool, *, told: bool, driven: bool, changed: bool, read
         raise SettingsError("`reading` is about a text; there is one way to read a situation or a program")
 
 
-def _only_conflict(report: Name, reading: RetrievalSettings) -> Conflict:
+def _only_conflict(report: Name) -> Conflict:
     """The conflict of a report that tells one."""
     from chatscene.interpret.conflicts import conflicts_in, read_report
 
-    found, *others = conflicts_in(read_report(_path(report)), reading, _path(report).name)
+    found, *others = conflicts_in(read_report(_path(report)), _path(report).name)
     if others:
         raise SettingsError(
             f"{report} tells {found.of} conflicts; run them one by one: "

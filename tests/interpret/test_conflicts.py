@@ -14,7 +14,6 @@ from chatscene.errors import NothingFits, SettingsError
 from chatscene.interpret.conflicts import MOST_BYTES, conflicts_in
 from chatscene.read.reader import LONGEST
 from chatscene.runs import asked_run
-from chatscene.settings import RetrievalSettings
 from chatscene.terms.conflict import Conflict
 
 LOG = """INCIDENT LOG, Riverside depot
@@ -39,7 +38,7 @@ Nobody was hurt. The wing is dented.
 
 
 def found(text: str) -> tuple[Conflict, ...]:
-    return conflicts_in(text, RetrievalSettings())
+    return conflicts_in(text)
 
 
 def command(*arguments: str) -> Result:
@@ -77,7 +76,7 @@ def test_a_report_is_as_long_as_it_likes() -> None:
 
 
 def test_a_report_without_a_conflict_is_refused() -> None:
-    with pytest.raises(NothingFits, match="no conflict was found in the text: none of its 2 passages"):
+    with pytest.raises(NothingFits, match="no conflict was found in the text: none of its 2 paragraphs"):
         found("Preheat the oven.\n\nWhisk the eggs with sugar.")
 
 

@@ -29,9 +29,8 @@ def found_in(report: Path, reading: Chosen, as_json: bool) -> tuple[Conflict, ..
     """The conflicts of a report, and a word on what it is read as; ends with status 3 if there is none."""
     from chatscene import api
 
-    own = {name: reading[name] for name in ("library", "embedder", "language_model")}
     with refusing("", reading["embedder"], as_json):
-        found = api.conflicts(report, progress=progress(), **own)
+        found = api.conflicts(report, progress=progress())
     if len(found) > 1 and (reading["reading"] or reading["set"]):
         raise click.UsageError(
             f"{report} tells {len(found)} conflicts; --reading and --set are about one: give its text"

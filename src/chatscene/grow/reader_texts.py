@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cache
+from itertools import groupby, pairwise
 from pathlib import Path
 from typing import Any, cast
 
@@ -120,7 +121,8 @@ def told_in(path: Path) -> Iterator[tuple[str, Verdict, Situation | None]]:
 
     A row has a `situation`, or of a language model a `verdict` and a `situation`, or its `replies`, of which the last
     counts; and a `text`, or an `id` as ``reports/12`` for the thirteenth line of ``reports.jsonl`` in the same folder.
-    A reply whose sides are not those of the text (left-hand traffic), or that is no situation, is left out.
+    A reply whose sides are not those of the text (left-hand traffic), or that is no situation, is left out. Rows with a
+    `report` are its parts: what reaches from one of its conflicts to the next tells no single situation.
     """
 
     @cache
@@ -141,6 +143,17 @@ def told_in(path: Path) -> Iterator[tuple[str, Verdict, Situation | None]]:
             continue
         if situation is None or not situation.evidence.mirrored:
             yield text, verdict, situation
+    for text in _several(_rows(path)):
+        yield text, Verdict.OUT_OF_REACH, None
+
+
+def _several(rows: Iterable[Mapping[str, Any]]) -> Iterator[str]:
+    """Of reports in their parts, what reaches from each conflict to the next."""
+    for _, parts in groupby((row for row in rows if "report" in row), key=lambda row: row["report"]):
+        report = list(parts)
+        at = [i for i, row in enumerate(report) if row["verdict"] == Verdict.SITUATION]
+        for first, last in pairwise(at):
+            yield " ".join(row["text"] for row in report[first : last + 1])
 
 
 def of_told(path: Path) -> Iterator[Example]:

@@ -102,7 +102,7 @@ class ModelReader:
             return self._reading(text, sound[-1])
         if answer.verdict is not Verdict.SITUATION:
             reason = printable(answer.reason or "", LONGEST_REASON)
-            return SituationReading(text=text, reader=self.name, verdict=answer.verdict, reason=reason)
+            return SituationReading(text=text, reader=self.name, verdict=answer.verdict, reason=reason, tells=0.0)
         return self._reading(text, sound[-1])
 
     def _reading(self, text: str, situation: Situation) -> SituationReading:

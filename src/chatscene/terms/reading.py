@@ -24,7 +24,7 @@ class Verdict(StrEnum):
 _SAID = {
     Verdict.SITUATION: "it tells a situation",
     Verdict.NO_SITUATION: "it tells no dangerous traffic situation",
-    Verdict.OUT_OF_REACH: "it tells a situation for which there are no words here",
+    Verdict.OUT_OF_REACH: "it tells a situation for which there are no words here, or several, as a report may",
 }
 
 
@@ -54,6 +54,7 @@ class SituationReading:
         reason: Why not, in the reader's own words, if it has any; or why it is not sure of the likeliest situation.
         ranked: The situations that it may tell, the likeliest first; none unless the verdict is `Verdict.SITUATION`.
         unread: The words that gave no fact of the likeliest one, in the order of the text.
+        tells: How likely it is that the text tells a situation at all, in [0, 1].
     """
 
     text: str
@@ -62,3 +63,4 @@ class SituationReading:
     reason: str = ""
     ranked: tuple[Ranked, ...] = ()
     unread: tuple[str, ...] = ()
+    tells: float = 1.0

@@ -55,7 +55,7 @@ def asked(said: str | Path | Situation, reading: RetrievalSettings, facts: Mappi
 
     text = str(said)
     if text.lower().endswith(REPORTS) and (isinstance(said, Path) or is_there(Path(text))):
-        found, *others = conflicts_in(read_report(Path(text)), reading, Path(text).name)
+        found, *others = conflicts_in(read_report(Path(text)), Path(text).name)
         if others:
             raise SettingsError(f"{text} tells {found.of} conflicts; give the text of one")
         text = found.text

@@ -58,10 +58,11 @@ class LearnedReader:
         for one in written:
             verdicts[verdict_of(one.steps)] += math.exp(one.likely)
         ranked = ranked_of(read, written)
+        tells = verdicts[Verdict.SITUATION] / sum(verdicts.values())
         verdict = max(verdicts, key=lambda one: verdicts[one])
         if verdict is not Verdict.SITUATION or not ranked:
             refused = max((one for one in Verdict if one is not Verdict.SITUATION), key=lambda one: verdicts[one])
-            return SituationReading(text=text, reader=self.name, verdict=refused)
+            return SituationReading(text=text, reader=self.name, verdict=refused, tells=tells)
         trust = load(self.weights)
         sure = tuple(replace(one, probability=_trusted(one.probability, trust.scale, trust.offset)) for one in ranked)
         return SituationReading(
@@ -70,6 +71,7 @@ class LearnedReader:
             verdict=Verdict.SITUATION,
             ranked=sure,
             unread=unread(sure[0].situation, text),
+            tells=tells,
         )
 
 
