@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, overload
 from chatscene import runs
 from chatscene.errors import EditRefused, RunError, SettingsError, no_such
 from chatscene.interpret.stated import in_text
-from chatscene.maps.network import TOWN, check_opendrive, map_with, resolve_map
+from chatscene.maps.network import check_opendrive, resolve_map
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
