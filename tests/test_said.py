@@ -24,7 +24,7 @@ from chatscene.settings import Settings, SimulationSettings
 from chatscene.simulate.simulator import load_simulator
 from places import ROOT
 
-UNSURE = "A vehicle comes."
+UNSURE = "A car surprises us."
 _SHOWN = re.compile(r"chatscene (?:run|explain) \"([^\"…]+)\"([^\n]*)")
 
 

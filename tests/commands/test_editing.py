@@ -143,7 +143,7 @@ def test_what_is_asked_back_is_answered_in_a_conversation() -> None:
 
 
 def test_what_is_answered_adds_up_and_what_is_refused_leaves_the_situation() -> None:
-    lines = ["the car ahead brakes hard", "new a vehicle comes", "set adversary=bicycle", "show"]
+    lines = ["the car ahead brakes hard", "new a truck is suddenly there", "set adversary=bicycle", "show"]
     facts = ["set actions=cross", "set position=roadside", "set side=left", "set maneuver=straight", "show", "quit"]
     done = said("chat", *FEW, lines="\n".join([*lines, *facts]))
     assert done.exit_code == 0

@@ -83,7 +83,7 @@ def test_a_program_with_another_is_written_again_from_what_was_chosen() -> None:
 def test_the_other_is_told_in_words(tmp_path: Path) -> None:
     told = " ".join(CliRunner().invoke(main, ["explain", TWO]).output.split())
     assert "A truck is coming the other way. It is not the danger. It goes straight on." in told
-    assert "(others.B.starts.where: an oncoming)" in told
+    assert "(others.B.kind: an oncoming truck)" in told
     assert "no words of the text say" not in told
     run = CliRunner().invoke(main, ["run", TWO, "--out", str(tmp_path / "run"), "--routes", "1", "--scenes", "4"])
     assert run.exit_code == 0, run.output

@@ -247,15 +247,15 @@ def test_a_port_that_is_taken_is_told(page: Page, folder: Path) -> None:
 
 
 def test_a_conversation_asks_back_changes_takes_back_and_runs(page: Page, folder: Path) -> None:
-    refused = page.turn("new a cyclist and a pedestrian both cross from the right")
+    refused = page.turn("new a lorry comes over from the right because of a xylophone")
     assert refused["kind"] == "refused"
     assert [one["reading"] for one in refused["readings"]] == [1, 2]
     assert any(part["unread"] for part in refused["parts"])
 
-    shown = page.turn("reading 2")
-    assert shown["told"] == "A pedestrian is at the roadside on our right. The pedestrian crosses our path."
+    shown = page.turn("reading 1")
+    assert shown["told"] == "A truck is on a side road of the junction on our right. It crosses our path."
     assert ["others.A.starts.side", "right"] in shown["facts"]
-    assert "Pedestrian" in shown["program"]
+    assert "Truck" in shown["program"]
 
     edited = page.turn("from the left")
     assert edited["changes"] == [{"fact": "others.A.starts.side", "before": "right", "after": "left"}]

@@ -193,6 +193,7 @@ goes into looking through what has just been loaded and stays."""
 @click.option(
     "--param",
     multiple=True,
+    default=(),
     metavar="NAME=VALUE",
     callback=parameters,
     help="A parameter that the program reads and does not state; a text, or JSON.  Repeatable.",

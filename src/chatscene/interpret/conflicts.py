@@ -1,8 +1,7 @@
 """The conflicts in a report of any length: passages in which somebody does something to the ego, with what leads to it.
 
-Paragraphs are parted by empty lines or by the number or mark that an item begins with; one that is longer than a text
-may be is cut between sentences. The project's own reader cuts each into conflicts and sentences that belong to none,
-whoever reads the conflicts then.
+The project's own reader cuts it into conflicts and sentences that belong to none, whoever reads the conflicts then. A
+conflict reaches over an empty line, and not into the next item, which begins with a number or a mark.
 """
 
 from __future__ import annotations
@@ -10,13 +9,13 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
+from itertools import groupby
 from pathlib import Path
 
 from chatscene.errors import NothingFits, SettingsError
 from chatscene.files.bounded import check_file
-from chatscene.read.canonical import canonical
 from chatscene.read.learned.reader import LearnedReader
 from chatscene.read.reader import LONGEST, Reader
 from chatscene.terms.conflict import Conflict
@@ -25,8 +24,8 @@ from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Act
 
 MOST_BYTES = 2**20  # of a report
-SENTENCES = 5  # in a row that are tried as one conflict
-MAY_TELL = 0.05  # how likely a sentence tells a situation for which those around it are tried with it
+SENTENCES = 6  # in a row that are tried as one conflict
+MAY_TELL = 0.05  # how likely the first and the last sentence of a conflict tell a situation at least
 
 _IMPOSSIBLE = 1e-9
 _GAP = re.compile(r"\n[ \t]*\n|\n(?=[ \t]*(?:\d{1,3}[.)]|[-*•])[ \t])")
@@ -41,12 +40,12 @@ class _Passage:
     Attributes:
         text: Its words.
         tells: Whether it tells a conflict.
-        leads: Whether it stands in a paragraph without a conflict that speaks of the ego.
+        paragraph: The number of the paragraph that it ends in.
     """
 
     text: str
     tells: bool
-    leads: bool = False
+    paragraph: int
 
 
 _Way = tuple[float, tuple[_Passage, ...]]  # how likely it is, in nats, and its parts
@@ -86,77 +85,63 @@ def conflicts_in(
 ) -> tuple[Conflict, ...]:
     """The conflicts that a report tells, in its order.
 
-    A paragraph that tells none, and says how or where the ego drives, belongs to the next conflict; behind the last, to
-    that one.
-
     Args:
         text: The report.
         name: What it is called.
-        told: Told how many of its paragraphs are read.
+        told: Told how many of its sentences are read.
 
     Raises:
         NothingFits: It tells none.
     """
-    passages: list[_Passage] = []
-    written = _paragraphs(text)
-    reader = LearnedReader()
-    for number, paragraph in enumerate(written):
-        if told is not None:
-            told("looking for conflicts", number, len(written))
-        passages.extend(_cut(paragraph, reader))
-    texts: list[str] = []
-    leading, left_out = list[str](), list[str]()
-    for passage in passages:
-        if passage.tells:
-            texts.append(_joined(leading, passage.text, left_out))
-            leading = []
-        else:
-            (leading if passage.leads else left_out).append(passage.text)
+    passages = _cut(text, LearnedReader(), told or (lambda _what, _done, _of: None))
+    texts = [one.text for one in passages if one.tells]
     if not texts:
         raise NothingFits(
-            f"no conflict was found in {name}: none of its {len(written)} paragraphs tells what a road user does to us",
-            reasons=("no paragraph tells what a road user does to us",),
+            f"no conflict was found in {name}: nothing in it tells what a road user does to us",
+            reasons=("nothing tells what a road user does to us",),
         )
-    if leading:
-        texts[-1] = _joined([texts[-1]], " ".join(leading), left_out)
-    found = (Conflict(text=one, report=name, number=number, of=len(texts)) for number, one in enumerate(texts, 1))
-    in_order = tuple(one.text for one in passages if one.text in left_out)
-    return tuple(replace(one, left_out=in_order) for one in found)
+    rest = (one for one in passages if not one.tells)
+    left_out = tuple(" ".join(one.text for one in some) for _, some in groupby(rest, key=lambda one: one.paragraph))
+    return tuple(
+        Conflict(text=one, report=name, number=number, of=len(texts), left_out=left_out)
+        for number, one in enumerate(texts, 1)
+    )
 
 
-def _joined(before: list[str], passage: str, left_out: list[str]) -> str:
-    """A passage with what leads to it, as far back as a text may be long; the rest is left out."""
-    for number in range(len(before)):
-        together = " ".join((*before[number:], passage))
-        if len(together) <= LONGEST:
-            return together
-        left_out.append(before[number])
-    return passage
-
-
-def _cut(paragraph: str, reader: Reader) -> list[_Passage]:
-    """A paragraph in conflicts and sentences that belong to none: what is likeliest by the reader's probabilities.
+def _cut(text: str, reader: Reader, told: Callable[[str, int, int], None]) -> tuple[_Passage, ...]:
+    """A report in conflicts and sentences that belong to none: what is likeliest by the reader's probabilities.
 
     Likely is the product over the parts: of a conflict how sure it is of it, of a sentence without one that it tells
-    no situation. That there is no conflict at all is no likelier than that the paragraph as a whole tells none.
+    no situation. That there is no conflict at all is no likelier than that the report as a whole tells none.
     """
-    sentences = _SENTENCE_ENDS.split(paragraph)
+    paragraphs = _paragraphs(text)
+    sentences = [(one, i) for i, (part, _) in enumerate(paragraphs) for one in _SENTENCE_ENDS.split(part)]
+    paragraph_of = [i for _, i in sentences]
+    items = {paragraph_of.index(i) for i, (_, item) in enumerate(paragraphs) if item}  # where each begins
     read = cache(reader.read)
-    empty = [math.log(max(_IMPOSSIBLE, 1.0 - read(one).tells)) for one in sentences]
+    empty = list[float]()
+    for number, (one, _) in enumerate(sentences):
+        told("looking for conflicts", number, len(sentences))
+        empty.append(math.log(max(_IMPOSSIBLE, 1.0 - read(one).tells)))
     may_tell = [one < math.log(1.0 - MAY_TELL) for one in empty]
     best: list[_Way] = [(0.0, ())]  # up to each sentence
     some: list[_Way] = [(-math.inf, ())]  # of those that have a conflict
     for end in range(1, len(sentences) + 1):
-        alone = _Passage(sentences[end - 1], tells=False)
-        starts = [at for at in range(max(0, end - SENTENCES), end) if any(may_tell[at:end])]
-        if end == len(sentences) > SENTENCES:
-            starts.insert(0, 0)
-        found = [_told(best[at], " ".join(sentences[at:end]), read) for at in starts]
+        sentence, paragraph = sentences[end - 1]
+        found = list[_Way]()
+        for first in range(end - 1, max(-1, end - 1 - SENTENCES), -1):
+            if may_tell[first] and may_tell[end - 1]:
+                together = " ".join(one for one, _ in sentences[first:end])
+                found.append(_told(best[first], together, paragraph, read))
+            if first in items:
+                break
+        alone = _Passage(sentence, tells=False, paragraph=paragraph)
         some.append(max([_and(some[-1], alone, empty[end - 1]), *found], key=_likely))
         best.append(max([_and(best[-1], alone, empty[end - 1]), some[-1]], key=_likely))
-    nothing = min(sum(empty), math.log(max(_IMPOSSIBLE, 1.0 - read(paragraph).tells)))
-    likely, parts = some[-1]
-    return list(parts) if likely > nothing else [_Passage(paragraph, tells=False, leads=_says_of_ego(paragraph))]
+    whole = " ".join(part for part, _ in paragraphs)
+    tells = read(whole).tells if len(whole) <= LONGEST else 0.0
+    nothing = min(sum(empty), math.log(max(_IMPOSSIBLE, 1.0 - tells)))
+    return some[-1][1] if some[-1][0] > nothing else ()
 
 
 def _likely(way: _Way) -> float:
@@ -167,9 +152,9 @@ def _and(way: _Way, passage: _Passage, likely: float) -> _Way:
     return way[0] + likely, (*way[1], passage)
 
 
-def _told(way: _Way, text: str, read: Callable[[str], SituationReading]) -> _Way:
+def _told(way: _Way, text: str, paragraph: int, read: Callable[[str], SituationReading]) -> _Way:
     sure = _conflict(read(text)) if len(text) <= LONGEST else 0.0
-    return _and(way, _Passage(text, tells=True), math.log(sure) if sure > 0.0 else -math.inf)
+    return _and(way, _Passage(text, tells=True, paragraph=paragraph), math.log(sure) if sure > 0.0 else -math.inf)
 
 
 def _conflict(read: SituationReading) -> float:
@@ -184,18 +169,11 @@ def _happens(situation: Situation) -> bool:
     return bool(acts - {Act.GO_ALONG}) or bool(situation.ego.does) or situation.contact is not None
 
 
-_OF_EGO = re.compile(r"\b(?:we|us|our|ours)\b")
-
-
-def _says_of_ego(passage: str) -> bool:
-    """Whether a passage speaks of the ego."""
-    return _OF_EGO.search(canonical(passage)) is not None
-
-
-def _paragraphs(text: str) -> tuple[str, ...]:
-    """The paragraphs of a text, none longer than a text may be; one without a letter says nothing."""
-    paragraphs = (" ".join(_MARK.sub("", part.strip(), count=1).split()) for part in _GAP.split(text.replace("\r", "")))
-    return tuple(one for part in paragraphs for one in _short(part) if re.search(r"[^\W\d_]", one))
+def _paragraphs(text: str) -> list[tuple[str, bool]]:
+    """The paragraphs of a text, none longer than a text may be, and whether each is an item; with letters in it."""
+    written = [part.strip() for part in _GAP.split(text.replace("\r", ""))]
+    parts = [(" ".join(_MARK.sub("", part).split()), _MARK.match(part) is not None) for part in written]
+    return [(one, item) for part, item in parts for one in _short(part) if re.search(r"[^\W\d_]", one)]
 
 
 def _short(paragraph: str) -> list[str]:
