@@ -1,12 +1,12 @@
 """Answers of our own to the tasks: a folder that ``score.py`` scores.
 
     python benchmarks/text2scene/answers.py oracle FOLDER
-    python benchmarks/text2scene/answers.py reader:facts FOLDER --clones CLONES
+    python benchmarks/text2scene/answers.py reader FOLDER --clones CLONES
     python benchmarks/text2scene/answers.py mutants:sides FOLDER
 
 - ``oracle``: what our builder makes of the task's own facts.
-- ``reader:NAME``: what chatscene makes of the text with that reader (``chatscene run --reader NAME``): its situation,
-  or its program where it has none. There is no file where it refuses. ``reader`` alone is the usual reader.
+- ``reader``: what chatscene makes of the text: its situation. There is no file where it refuses. ``reader:paper``: the
+  program of the paper's way (``chatscene run --reader paper``).
 - ``mutants:KIND``: what our builder makes of facts one of which was changed, as ``benchmarks/mutants.py`` changes them:
   sides, kinds, orders, left_out, added, changed, lights, speeds, contacts, timings. There is no file where the facts
   cannot be changed so, or nothing is built of it, or where only a deed is missing that nearly everybody does.
