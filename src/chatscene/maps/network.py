@@ -317,7 +317,7 @@ def _reaches(road: Xml.Element) -> Iterator[tuple[Xml.Element, float]]:
     """The widths of sections shorter than a metre, with that length [m]: CARLA's Town03 has some of a micrometre."""
     sections = list(road.iter("laneSection"))
     ends = [*(one.get("s", "") for one in sections[1:]), road.get("length", "")]
-    for section, end in zip(sections, ends, strict=True):
+    for section, end in zip(sections, ends, strict=False):  # a road may have no section, which is refused by that
         try:
             length = float(end) - float(section.get("s", ""))
         except ValueError:
