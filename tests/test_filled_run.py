@@ -122,7 +122,10 @@ def test_from_python_it_is_a_stated_situation(tmp_path: Path) -> None:
     ("verdict", "said"),
     [
         ("no-situation", "it tells no dangerous traffic situation: “It is a poem.”"),
-        ("out-of-reach", "it tells a situation for which there are no words here, or several, as a report may: “It is a poem.”"),
+        (
+            "out-of-reach",
+            "it tells a situation for which there are no words here, or several, as a report may: “It is a poem.”",
+        ),
     ],
 )
 def test_what_the_model_does_not_take_for_one_is_refused_in_its_words(tmp_path: Path, verdict: str, said: str) -> None:
