@@ -48,7 +48,27 @@ class _Passage:
     paragraph: int
 
 
-_Way = tuple[float, tuple[_Passage, ...]]  # how likely it is, in nats, and its parts
+@dataclass(frozen=True, slots=True)
+class _Way:
+    """A way to cut the beginning of a report.
+
+    Attributes:
+        likely: How likely it is, in nats.
+        last: Its last passage; none of an empty one.
+        before: The way without that.
+    """
+
+    likely: float
+    last: _Passage | None = None
+    before: _Way | None = None
+
+    def passages(self) -> tuple[_Passage, ...]:
+        """All passages, in order."""
+        found, way = list[_Passage](), self
+        while way is not None and way.last is not None:
+            found.append(way.last)
+            way = way.before
+        return tuple(reversed(found))
 
 
 def read_report(path: Path) -> str:
@@ -124,8 +144,8 @@ def _cut(text: str, reader: Reader, told: Callable[[str, int, int], None]) -> tu
         told("looking for conflicts", number, len(sentences))
         empty.append(math.log(max(_IMPOSSIBLE, 1.0 - read(one).tells)))
     may_tell = [one < math.log(1.0 - MAY_TELL) for one in empty]
-    best: list[_Way] = [(0.0, ())]  # up to each sentence
-    some: list[_Way] = [(-math.inf, ())]  # of those that have a conflict
+    best = [_Way(0.0)]  # up to each sentence
+    some = _Way(-math.inf)  # of those that have a conflict, up to the last one
     for end in range(1, len(sentences) + 1):
         sentence, paragraph = sentences[end - 1]
         found = list[_Way]()
@@ -136,20 +156,20 @@ def _cut(text: str, reader: Reader, told: Callable[[str, int, int], None]) -> tu
             if first in items:
                 break
         alone = _Passage(sentence, tells=False, paragraph=paragraph)
-        some.append(max([_and(some[-1], alone, empty[end - 1]), *found], key=_likely))
-        best.append(max([_and(best[-1], alone, empty[end - 1]), some[-1]], key=_likely))
+        some = max([_and(some, alone, empty[end - 1]), *found], key=_likely)
+        best.append(max([_and(best[-1], alone, empty[end - 1]), some], key=_likely))
     whole = " ".join(part for part, _ in paragraphs)
     tells = read(whole).tells if len(whole) <= LONGEST else 0.0
     nothing = min(sum(empty), math.log(max(_IMPOSSIBLE, 1.0 - tells)))
-    return some[-1][1] if some[-1][0] > nothing else ()
+    return some.passages() if some.likely > nothing else ()
 
 
 def _likely(way: _Way) -> float:
-    return way[0]
+    return way.likely
 
 
 def _and(way: _Way, passage: _Passage, likely: float) -> _Way:
-    return way[0] + likely, (*way[1], passage)
+    return _Way(way.likely + likely, passage, way)
 
 
 def _told(way: _Way, text: str, paragraph: int, read: Callable[[str], SituationReading]) -> _Way:
