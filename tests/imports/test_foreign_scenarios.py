@@ -27,7 +27,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.search.generators.foreign import foreign_program
 from chatscene.terms.storyboard import Storyboard
 from played import DISTANCE, STATE, TIME, driven, read, speed, story
-from red_team.scenario_files import CAR, NEAR, SLOWS, event, scenario
+from red_team.scenario_files import CAR, NEAR, SLOWS, alone, event, scenario
 
 # Parameters and expressions
 
@@ -523,13 +523,7 @@ def test_a_file_in_which_only_the_ego_does_something_has_the_other_as_adversary(
 
 
 def test_a_file_with_nobody_but_an_ego_is_a_program(beside: Path) -> None:
-    text = scenario()
-    body = text[text.index('<ScenarioObject name="lead">') : text.index("</Entities>")]
-    init = text[text.index('<Private entityRef="lead">') : text.index("</Actions></Init>")]
-    tale = text[text.index("<Story ") : text.index("<StopTrigger/></Storyboard>")]
-    for part in (body, init, tale):
-        text = text.replace(part, "")
-    foreign_program("theirs", written_story(story(beside, text), "theirs.xosc"))
+    foreign_program("theirs", written_story(story(beside, alone()), "theirs.xosc"))
 
 
 def test_the_ego_may_be_named_and_else_the_first_vehicle_is_taken_and_that_is_noted(beside: Path) -> None:

@@ -20,7 +20,7 @@ from chatscene.world.story.entities import Entity
 from chatscene.world.story.places import Place, place_of
 from chatscene.world.story.ways import way_of
 from played import DISTANCE, STATE, TIME, driven, read, speed, story
-from red_team.scenario_files import NEAR, event, scenario
+from red_team.scenario_files import NEAR, alone, event, scenario
 
 SHAPE = '<Trajectory name="t" closed="false"><Shape><Polyline>{}</Polyline></Shape></Trajectory>'
 VERTEX = '<Vertex{}><Position><WorldPosition x="136.75" y="{}"/></Position></Vertex>'
@@ -71,13 +71,7 @@ def test_a_file_in_which_only_the_ego_does_something_ends_as_it_tells(beside: Pa
 
 
 def test_the_end_of_a_file_with_nobody_but_an_ego_is_noted(beside: Path) -> None:
-    text = scenario()
-    body = text[text.index('<ScenarioObject name="lead">') : text.index("</Entities>")]
-    init = text[text.index('<Private entityRef="lead">') : text.index("</Actions></Init>")]
-    tale = text[text.index("<Story ") : text.index("<StopTrigger/></Storyboard>")]
-    for part in (body, init, tale):
-        text = text.replace(part, "")
-    found = read(beside, stopped_by(TIME.format(1), text))
+    found = read(beside, stopped_by(TIME.format(1), alone()))
     assert any("ends as any does, not as is told" in note for note in found.notes)
     foreign_program("theirs", written_story(found.board, "theirs.xosc"))  # type: ignore[arg-type]
 

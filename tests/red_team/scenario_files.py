@@ -82,3 +82,14 @@ ATTACKS = {
     "a body like a town": (scenario(body=CAR.replace('length="4.5"', 'length="4500"')), "is not made here"),
 }
 """What an enemy tries with a file, and a part of the sentence that it is refused with."""
+
+
+def alone() -> str:
+    """A scenario with nobody but an ego, and no story."""
+    text = scenario()
+    body = text[text.index('<ScenarioObject name="lead">') : text.index("</Entities>")]
+    init = text[text.index('<Private entityRef="lead">') : text.index("</Actions></Init>")]
+    tale = text[text.index("<Story ") : text.index("<StopTrigger/></Storyboard>")]
+    for part in (body, init, tale):
+        text = text.replace(part, "")
+    return text
