@@ -65,7 +65,10 @@ def mutated(task: Task, kind: str, seed: int) -> Answer | None:
     rng = random.Random(f"{seed}/{task.id}/{kind}")
     facts = mutants.stated(task.facts)
     truth = mutants.Truth(source=task.split, situation=facts, built=build(facts, name=task.id))
-    mutation = next(one for one in mutants.MUTATIONS if one.__name__ == kind)
+    known = {one.__name__: one for one in mutants.MUTATIONS}
+    if kind not in known:
+        raise click.UsageError(f"there is no kind of mutant {kind!r}; there are {', '.join(known)}")
+    mutation = known[kind]
     made = [one for one in mutation(truth, rng) if mutants.is_claim(one) and told_apart(facts, one.situation)]
     if not made:
         return None

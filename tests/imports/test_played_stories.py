@@ -118,6 +118,21 @@ def test_a_selection_of_nobody_who_is_known_is_refused(members: str, why: str, b
         read(beside, text)
 
 
+def chain(count: int) -> str:
+    """Selections each of which names the next one twice."""
+    names = [*(f"s{i}" for i in range(count)), "lead"]
+    twice = (f'<EntityRef entityRef="{name}"/><EntityRef entityRef="{name}"/>' for name in names[1:])
+    parts = (BY_TYPE.replace('"all"', f'"{one}"').format(of) for one, of in zip(names, twice, strict=False))
+    return "".join(part.removesuffix("</Entities>") for part in parts) + "</Entities>"
+
+
+def test_selections_of_selections_are_read_once_and_refused_where_they_lie_too_deep(beside: Path) -> None:
+    text = scenario(events=about("s0"))
+    assert "'apart', 'any', ('lead',)" in str(story(beside, text.replace("</Entities>", chain(40))).acts)
+    with pytest.raises(ScenarioError, match=r"line \d+: .*more than 50 deep"):
+        read(beside, text.replace("</Entities>", chain(60)))
+
+
 def test_that_a_condition_is_about_nobody_who_is_there_is_noted(beside: Path) -> None:
     text = scenario(events=about("all") + event(DISTANCE, TIME.format(1))).replace(
         "</Entities>", BY_TYPE.format('<ByType objectType="pedestrian"/>')

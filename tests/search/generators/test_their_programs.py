@@ -10,6 +10,7 @@ import pytest
 from chatscene.errors import ForeignCodeRefused, MapError, SettingsError
 from chatscene.maps import carla_towns
 from chatscene.maps.network import resolve_map
+from chatscene.mcp.folder import Folder
 from chatscene.search.generators.foreign import as_scenic_3, foreign_program, read_foreign
 from chatscene.search.generators.left_out import left_out
 from chatscene.search.generators.parameters import stated
@@ -94,24 +95,31 @@ def test_the_map_of_a_program_is_its_own_then_the_users_then_carlas_and_what_sta
         resolve_map("Town05")
     packed(tmp_path, monkeypatch)
     where, (note,) = their_map(gone, None)
-    assert where is not None
-    assert Path(where).read_bytes() == b"<OpenDRIVE/>"
+    assert where == "Town05"  # by name, so that whoever opens its run opens no file of another folder
+    assert resolve_map("Town05").read_bytes() == b"<OpenDRIVE/>"
     assert note.endswith("it runs on CARLA's Town05 of the package py123d")
-    assert str(resolve_map("Town05_Opt")) == where
+    assert resolve_map("Town05_Opt") == resolve_map("Town05")
+    assert Folder(tmp_path).map("Town05") == "Town05"
     assert their_map(tmp_path / "mine.xodr", None)[1] == ("the program's map mine.xodr is not there; it runs on town",)
     gone.write_text("")
     assert their_map(gone, "a.xodr") == (str(gone), ())
+
+
+def test_a_town_of_a_damaged_package_is_not_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    packed(tmp_path, monkeypatch, b"no gzip")
+    with pytest.raises(MapError, match="there is no map 'Town05'"):
+        resolve_map("Town05")
 
 
 def absent(_name: str) -> None:
     raise PackageNotFoundError
 
 
-def packed(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def packed(folder: Path, monkeypatch: pytest.MonkeyPatch, content: bytes = gzip.compress(b"<OpenDRIVE/>")) -> None:
     """A package that brings a town."""
     file = folder / "py123d/parser/opendrive/carla_maps/Town05.xodr.gz"
     file.parent.mkdir(parents=True)
-    file.write_bytes(gzip.compress(b"<OpenDRIVE/>"))
+    file.write_bytes(content)
 
     def locate(path: str) -> Path:
         return folder / path

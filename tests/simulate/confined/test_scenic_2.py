@@ -95,6 +95,9 @@ def test_what_neither_scenic_runs_is_mended_in_programs_of_both(before: str, aft
         "N = DiscreteRange(3, 9)\nfor _ in range(N):\n    wait\n",
         "N = Range(3, 9)\nfor _ in range(round(N)):\n    wait\n",
         "behavior B():\n    do SetSpeed(0)\n",
+        "goal = [10, 20]\nrequire (distance from ego to goal) > 5\n",  # a place
+        "one = [a, b][0]\nrequire (distance from ego to one) > 5\n",
+        "behavior FollowAction(n):\n    wait\nbehavior B():\n    do FollowAction(3)\n",
     ],
 )
 def test_what_runs_is_not_mended(text: str) -> None:

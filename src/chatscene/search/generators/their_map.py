@@ -17,7 +17,8 @@ def their_map(asked: Path | None, chosen: str | None) -> tuple[str | None, tuple
         chosen: The map that its user names, or None.
 
     Returns:
-        The map, None for the packaged town; and lines for a person, none where there is nothing to say.
+        The map by its file or name, None for the packaged town; and lines for a person, none where there is nothing to
+        say.
     """
     if asked is None:
         return chosen, ()
@@ -25,6 +26,6 @@ def their_map(asked: Path | None, chosen: str | None) -> tuple[str | None, tuple
         return str(asked), ()
     gone = f"the program's map {asked.name} is not there"
     if chosen is None and (town := carla_town(asked.stem)) is not None:
-        return str(town), (f"{gone}; it runs on CARLA's {town.stem} of the package {PACKAGE}",)
+        return town.stem, (f"{gone}; it runs on CARLA's {town.stem} of the package {PACKAGE}",)
     brings = f"; `{INSTALL}` brings CARLA's towns" if chosen is None and is_town(asked.stem) else ""
     return chosen, (f"{gone}; it runs on {chosen or TOWN}{brings}",)

@@ -180,7 +180,10 @@ def _projected(code: _Code) -> Iterator[Change]:
 
 def _far_from_lists(code: _Code) -> Iterator[Change]:
     """`distance from x to lanes`, where these are a list."""
-    lists = {a.string for a, b, c in _threes(code) if b.string == "=" and c.string == "[" and a.start[1] == 0}
+    opened = (
+        (k, a) for k, (a, b, c) in enumerate(_threes(code)) if b.string == "=" and c.string == "[" and not a.start[1]
+    )
+    lists = {a.string for k, a in opened if _is_list(code, k + 2)}
     taken = {token.string for token in code}
     part = next(name for name in ("part", "piece", "one_part", "_") if name not in taken or name == "_")
     for k, token in enumerate(code):
@@ -191,6 +194,15 @@ def _far_from_lists(code: _Code) -> Iterator[Change]:
                 yield _before(token, "min([", why)
                 name = code[to + 1]
                 yield Change(*name.start, *name.end, f"{part} for {part} in {name.string}])", why)
+
+
+def _is_list(code: _Code, k: int) -> bool:
+    """Whether the bracket that opens at a token is all of a value, and no place in numbers, which Scenic takes too."""
+    end = _closing(code, k)
+    inside = code[k + 1 : end]
+    numbers = sum(one.type == tokenize.NUMBER for one in inside)
+    place = numbers in (2, 3) and all(one.type == tokenize.NUMBER or one.string in {",", "-", "+"} for one in inside)
+    return code[end + 1].type in _ENDS and not place
 
 
 def _whole_turns(code: _Code) -> Iterator[Change]:
@@ -207,8 +219,9 @@ def _whole_turns(code: _Code) -> Iterator[Change]:
 
 
 def _actions_done(code: _Code) -> Iterator[Change]:
+    behaviors = {b.string for a, b, _ in _threes(code) if _begins(a, "behavior")}
     for a, b, c in _threes(code):
-        if _begins(a, "do") and b.string.endswith("Action") and c.string == "(":
+        if _begins(a, "do") and b.string.endswith("Action") and c.string == "(" and b.string not in behaviors:
             yield _replaced(a, a, "take", "an action is taken; a behavior is done")
 
 
