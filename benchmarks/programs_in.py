@@ -14,7 +14,6 @@ Columns: how many changes make it Scenic 3; whether it compiles, can be drawn an
 
 from __future__ import annotations
 
-import ast
 import fnmatch
 import json
 from collections import Counter
@@ -185,7 +184,7 @@ def description(source: str) -> str:
     if quotes not in {'"""', "'''"}:
         return ""
     text = source.lstrip()[3:].partition(quotes)[0]
-    return " ".join(str(ast.literal_eval(repr(text))).split())
+    return " ".join(text.split())
 
 
 def short(reason: object) -> str:

@@ -3,7 +3,7 @@
     python benchmarks/text2scene/score.py FOLDER
 
 FOLDER has a file for each task, ``ID.scenic``, ``ID.xosc``, ``ID.yaml`` or ``ID.json``: a Scenic program, an
-OpenSCENARIO file or a situation. Each is driven and held against the facts of its task as ``chatscene verify`` does.
+OpenSCENARIO file or a situation. Each is driven and checked against the facts of its task as ``chatscene verify`` does.
 Programs run confined; a situation is built by chatscene's own builder. What is judged is kept in a file of rows
 (``--out``), so that a second call judges only what is new or changed. No row depends on when, where or beside what
 it was judged.

@@ -632,7 +632,7 @@ def conflicts(
 
     Args:
         report: A file: text in UTF-8, of any length up to 1 MB.
-        progress: Told how many of its paragraphs are read.
+        progress: Told how many of its sentences are read.
 
     Raises:
         SettingsError: There is no such file, or it is no text.

@@ -75,6 +75,13 @@ def test_a_report_is_as_long_as_it_likes() -> None:
     assert sum(passage.count("committee") for passage in one.left_out) == 63
 
 
+def test_a_sentence_of_foreign_names_refuses_no_report() -> None:
+    (one,) = found("Los Angeles, La Brea. A cyclist crossed from the left in front of us.")
+    assert one.text == "A cyclist crossed from the left in front of us."
+    with pytest.raises(NothingFits, match="not look like English"):
+        found("Der Radfahrer kam von rechts. Wir fuhren auf der Straße und konnten nicht bremsen.")
+
+
 def test_a_report_without_a_conflict_is_refused() -> None:
     with pytest.raises(NothingFits, match="no conflict was found in the text: nothing in it"):
         found("Preheat the oven.\n\nWhisk the eggs with sugar.")

@@ -53,7 +53,7 @@ class Maps:
 
 def _map_at(named: str, path: Path, given: Given) -> Path:
     """The map that a scenario names by a path from its own folder."""
-    if re.fullmatch(r"\w+", named):  # as CARLA's towns are named
+    if re.fullmatch(r"\w+", named):  # a name, and no file
         if named in PACKAGED and not (path.parent / f"{named}.xodr").is_file():
             return PACKAGED[named]
         named += ".xodr"

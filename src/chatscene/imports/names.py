@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Mapping
-from itertools import count
+from collections.abc import Iterable, Mapping
 
 ODD = re.compile(r"[^A-Za-z0-9 ,.:!?_-]")
 _LABEL = 40  # characters
@@ -25,25 +24,37 @@ class Names:
 
     def __init__(self, used: Mapping[str, str]) -> None:
         self._used = dict(used)
-        self._taken = set(used.values())
+        self._apart = Apart("_", used.values())
 
     def of(self, name: str) -> str:
         """What something is called that has a name in the file; with a number where that is taken."""
         if name not in self._used:
-            self._used[name] = numbered(plain(name), self._taken, "_")
-            self._taken.add(self._used[name])
+            self._used[name] = self._apart.of(plain(name))
         return self._used[name]
 
 
-def numbered(text: str, taken: Collection[str], before: str) -> str:
-    """A text that is not taken: itself, else with the first number behind that makes it one."""
-    return next(one for n in count(1) if (one := text if n == 1 and text else f"{text}{before}{n}") not in taken)
+class Apart:
+    """Tells texts apart: one that is taken gets the first number behind that makes it another.
+
+    Args:
+        before: What stands before the number.
+        taken: The texts that are taken.
+    """
+
+    def __init__(self, before: str, taken: Iterable[str] = ()) -> None:
+        self._before, self._taken, self._next = before, set(taken), dict[str, int]()
+
+    def of(self, text: str) -> str:
+        """A text that was not taken, and is now."""
+        number = self._next.get(text, 1)
+        while (one := text if number == 1 and text else f"{text}{self._before}{number}") in self._taken:
+            number += 1
+        self._next[text] = number + 1
+        self._taken.add(one)
+        return one
 
 
 def labels(names: Iterable[str]) -> list[str]:
     """What tells each of several apart from the others in a scene: letters and digits, no two alike."""
-    found: list[str] = []
-    for name in names:
-        text = "".join(c if c.isascii() and c.isalnum() else "-" for c in name)[:_LABEL]
-        found.append(numbered(text, found, "-"))
-    return found
+    apart = Apart("-")
+    return [apart.of("".join(c if c.isascii() and c.isalnum() else "-" for c in name)[:_LABEL]) for name in names]

@@ -13,7 +13,7 @@ from functools import partial
 from chatscene.imports.environment import surroundings_of
 from chatscene.imports.events import plan_of
 from chatscene.imports.given import Refused
-from chatscene.imports.names import numbered
+from chatscene.imports.names import Apart
 from chatscene.imports.opening import EGO_DOES, GONE, LEFT_ALONE, OFF, Opening
 from chatscene.imports.player import InLane, Player
 from chatscene.imports.positions import Pose
@@ -41,9 +41,8 @@ class PlanReader(Opening):
             return None
         events = self._attempt(lambda: self._events(ego)) or {}
         others = [name for name in self._objects if name != ego]
-        prefixes: dict[str, str] = {}
-        for name in others:
-            prefixes[name] = numbered(_prefix(name), prefixes.values(), "_")
+        apart = Apart("_")
+        prefixes = {name: apart.of(_prefix(name)) for name in others}
         made = [self._attempt(partial(self._actor, name, ego, prefixes[name], events.get(name))) for name in others]
         actors = [first, *(actor for actor in made if actor is not None)]
         surroundings = self._attempt(lambda: surroundings_of(self._actions(), self._given)) or Surroundings()
@@ -96,7 +95,7 @@ class PlanReader(Opening):
             player = self._player(name, ego, prefix, kind, speed, None if walks else way, pose, beside)
             moved, first = events or ([], [])
             plan = plan_of(player, moved, self._given, first) if moved else Plan(phases=(self._goes_on(player),))
-        called = name if name != "ego" else numbered(name, {name, *self._objects}, "_")
+        called = name if name != "ego" else Apart("_", (name, *self._objects)).of(name)
         return Actor(name=called, kind=kind, length=length, width=width, start=start, speed=speed, plan=plan)
 
     def _goes_on(self, player: Player) -> Phase:

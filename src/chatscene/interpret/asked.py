@@ -55,6 +55,7 @@ def heard(text: str, settings: RetrievalSettings) -> Frame:
             has no place in it.
         LanguageModelError: The model gave no usable reply.
         MissingExtra: The language model's package is missing.
+        NothingFits: The text is not English.
     """
     plain = in_one_line(text)
     read = reader_of(settings).read(plain)
@@ -85,7 +86,7 @@ def scenario_of(text: str, settings: RetrievalSettings | None = None) -> Scenari
     Raises:
         SettingsError: As `heard`.
         LanguageModelError: The model gave no usable reply.
-        NothingFits: In the paper's way, no triple has the kind of road user that was said.
+        NothingFits: The text is not English, or in the paper's way no triple has the kind of road user that was said.
     """
     settings = settings or RetrievalSettings()
     return understand(heard(text, settings), settings)

@@ -16,10 +16,11 @@ from pathlib import Path
 
 from chatscene.errors import NothingFits, SettingsError
 from chatscene.files.bounded import check_file
+from chatscene.read.english import check_english, is_english
 from chatscene.read.learned.reader import LearnedReader
 from chatscene.read.reader import LONGEST, Reader
 from chatscene.terms.conflict import Conflict
-from chatscene.terms.reading import SituationReading
+from chatscene.terms.reading import SituationReading, Verdict
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Act
 
@@ -111,8 +112,9 @@ def conflicts_in(
         told: Told how many of its sentences are read.
 
     Raises:
-        NothingFits: It tells none.
+        NothingFits: It tells none, or is not English.
     """
+    check_english(text)
     passages = _cut(text, LearnedReader(), told or (lambda _what, _done, _of: None))
     texts = [one.text for one in passages if one.tells]
     if not texts:
@@ -138,7 +140,13 @@ def _cut(text: str, reader: Reader, told: Callable[[str, int, int], None]) -> tu
     sentences = [(one, i) for i, (part, _) in enumerate(paragraphs) for one in _SENTENCE_ENDS.split(part)]
     paragraph_of = [i for _, i in sentences]
     items = {paragraph_of.index(i) for i, (_, item) in enumerate(paragraphs) if item}  # where each begins
-    read = cache(reader.read)
+
+    @cache
+    def read(one: str) -> SituationReading:
+        if is_english(one):
+            return reader.read(one)
+        return SituationReading(text=one, reader=reader.name, verdict=Verdict.NO_SITUATION, tells=0.0)  # such as names
+
     empty = list[float]()
     for number, (one, _) in enumerate(sentences):
         told("looking for conflicts", number, len(sentences))

@@ -1,7 +1,7 @@
 """Snippets by the nearness of their wordings to a text, as vectors and as words: what the paper retrieves with.
 
-Paper: section 3.3, step iii. `chatscene library search` shows it; retrieval goes by it only for behaviors that the
-classifier was not trained on, such as a user's own.
+Paper: section 3.3, step iii. `chatscene library search` shows it; retrieval goes by it only for behaviors of
+a user's own.
 """
 
 from __future__ import annotations

@@ -30,7 +30,6 @@ from chatscene.interpret.situation_rows import (
     WHO,
     aside_of,
 )
-from chatscene.read.kinds import kind_named, number_in
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Amount, Length, Speed
@@ -47,19 +46,6 @@ _ROUNDED = 0.01  # of SI units, to which a number is rounded when it is read
 
 def _ego_speed(numbers: Sequence[Quantity]) -> Speed | None:
     return next((_amount(Speed, one) for one in numbers if one.measure is Measure.EGO_SPEED), None)
-
-
-def as_named(one: Other, words: str, *, anew: bool = True) -> Other:
-    """Somebody as what words say, where they say more than the kinds of facts: a van, a child, three of them.
-
-    Args:
-        one: As the facts have it.
-        words: Those for it.
-        anew: Whether they say what kind it is.
-    """
-    kind = kind_named(words, one.kind.row.body) if anew else None
-    count = number_in(words) if one.count != 1 else None
-    return replace(one, kind=kind or one.kind, count=one.count if count is None else count)
 
 
 def in_a_situation(slots: Slots, numbers: Sequence[Quantity], around: Surroundings) -> Situation:

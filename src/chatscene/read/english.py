@@ -13,13 +13,13 @@ _ENGLISH_WORDS = """
 """
 _ENGLISH = frozenset(_ENGLISH_WORDS.split())
 _OTHER_WORDS = """
-    der die das den dem des ein eine einen einem einer und ist wir uns von vor nach mit auf aus im bei zu rechts links
+    der das den dem des ein eine einen einem einer und ist wir uns von vor nach mit auf aus im bei zu rechts links
     el la los las un una uno y que del con por para desde hacia nos se en su derecha izquierda delante
     le les une et est nous du de des qui dans avec sur depuis devant vers notre gauche droite au
-    il lo gli i che di da dal dalla nel nella con per noi davanti sinistra destra verso
-    het een van naar voor wij ons onze os um uma
+    il lo gli che di da dal dalla nel nella con noi davanti sinistra destra verso
+    het een naar voor wij ons onze os um uma
 """
-_OTHER = frozenset(_OTHER_WORDS.split()) - {"die", "per", "i", "van", "no"}  # English has these as well
+_OTHER = frozenset(_OTHER_WORDS.split())  # without those that English has as well, such as "die" and "van"
 _LAST_LATIN = "\u024f"
 
 

@@ -75,11 +75,6 @@ def conjugated(phrase: str, form: Form) -> str:
     return _MARKED.sub(lambda m: inflected(m[1], form), phrase)
 
 
-def any_form(*verbs: str) -> str:
-    """A pattern of verbs in every person and tense, the longest form first."""
-    return "(?:" + "|".join(sorted(every_form(*verbs), key=len, reverse=True)) + ")"
-
-
 def every_form(*verbs: str) -> set[str]:
     """Verbs in every person and tense."""
     forms = {inflected(verb, form) for verb in verbs for form in (Form.SINGULAR, Form.PLURAL, Form.PAST, Form.ING)}

@@ -5,17 +5,13 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from chatscene.situations.phrases import KINDS, NUMBERS
+from chatscene.situations.phrases import KINDS
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.vocabulary import UserKind
 
 _PARTED = re.compile(r", not said.*|, (?:with|electric) .*| or |, |\|")
 _BEFORE = re.compile(r"^(?:somebody (?:on|in|who stands on) )?(?:(?:another|an?|the|with) )?")
 _BEHIND = re.compile(r" (?:of any|on|in|with) .*|:.*")
-_COUNTED = re.compile(
-    rf"\b(?:{'|'.join(NUMBERS[2:])}|\d{{1,2}})\b(?![.,]\d)(?! ?(?:m|km|s|sec|mph|kph|g|ft|met|sec|yard|feet)\w*\b)"
-)
-"""A number of somebody, and none of a measure."""
 _ANYBODY = frozenset(("somebody", "person", "child", "boy", "man", "woman", "rider"))
 """What those are called who may be of several kinds."""
 
@@ -34,14 +30,6 @@ def kind_named(words: str, body: AdversaryKind) -> UserKind | None:
 def is_named(kind: UserKind, words: str) -> bool:
     """Whether words have a noun of a kind in them."""
     return bool(_named(kind, words))
-
-
-def number_in(words: str) -> int | None:
-    """How many words say that there are, up to twelve; None if they do not."""
-    found = _COUNTED.search(words.lower())
-    if found is None:
-        return None
-    return int(found[0]) if found[0].isdecimal() else NUMBERS.index(found[0])
 
 
 @lru_cache(maxsize=64)

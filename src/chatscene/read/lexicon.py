@@ -1,4 +1,4 @@
-"""What words mean on the road, by which a text is cut into clauses where snippets are chosen for it.
+"""What words mean on the road: a text is cut into clauses by them for snippets, and sentences are made up with them.
 
 Patterns are matched against lower-case text. They are our own, collected from crash reports, driving schools and the
 way people talk.
@@ -38,7 +38,7 @@ EGO_AS_OBJECT = re.compile(
 KINDS: dict[AdversaryKind, re.Pattern[str]] = {
     kind: _p(kind.row.words)
     for kind in sorted(AdversaryKind, key=lambda kind: kind.row.general)
-    if kind.row.words and not kind.lies  # of things only the reader of whole texts may speak
+    if kind.row.words and not kind.lies  # things do nothing
 }
 ENCOUNTER = _p(
     r"encounter\w*|meets?|faces?|notices?|sees?|spots?",
@@ -120,7 +120,7 @@ PLACES: dict[Place, re.Pattern[str]] = {
 
 # What the adversary does
 
-# Turns are looked for later: the ego makes them as well, in the same words
+# Turns stand apart: the ego makes them as well, in the same words
 ACTIONS: dict[Action, re.Pattern[str]] = {
     action: _p(action.row.words) for action in Action if action.row.words and not action.row.turn
 }

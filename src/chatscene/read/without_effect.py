@@ -18,7 +18,7 @@ _COLOURS = (
 STREET, DATE, COLOUR = "a name of a street or a place", "a date or a time of day", "a colour"
 _SAID: tuple[tuple[str, re.Pattern[str]], ...] = (
     (
-        "a name of a street or a place",
+        STREET,
         re.compile(rf"(?:{_NAME} )+(?:{_STREET})\b\.?|\b\d+(?:st|nd|rd|th) (?:{_STREET})\b"),
     ),
     (

@@ -114,6 +114,21 @@ def test_what_was_not_said_cannot_be_shifted(monkeypatch: pytest.MonkeyPatch) ->
         changed("the van 10 km/h faster")
 
 
+@pytest.mark.parametrize(
+    ("was", "by", "more", "now"),
+    [
+        ("10 km/h more than the ego", "5 km/h", True, "15 km/h more than the ego"),
+        ("10 km/h less than the ego", "5 km/h", True, "5 km/h less than the ego"),
+        ("at most 30 km/h", "5 km/h", False, "at most 25 km/h"),
+        ("20 to 30 km/h", "5 km/h", False, "15 to 25 km/h"),
+    ],
+)
+def test_an_amount_is_shifted_as_what_it_is(was: str, by: str, more: bool, now: str) -> None:
+    made, wanted = Speed.of(str(edits.shifted(was, Speed.of(by), more=more))), Speed.of(now)
+    assert (made.low, made.high) == pytest.approx((wanted.low, wanted.high))
+    assert made.than_ego is wanted.than_ego
+
+
 def test_an_amount_that_gives_no_fact_refuses_the_edit(monkeypatch: pytest.MonkeyPatch) -> None:
     reads(monkeypatch, situation(CAR, VAN), (situation(CAR | {"kind": "truck"}, VAN), 0.9))
     with pytest.raises(EditRefused, match="'20 %'"):

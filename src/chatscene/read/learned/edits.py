@@ -131,19 +131,23 @@ def _facts(way: Way, at_hand: Situation, read: Read, begins: int) -> Facts:
         path = path_of(way.written.steps, at)
         head, name, *rest = path.split(".")
         path = ".".join((head, names[name], *rest)) if head == "others" and name in NAMES else path
-        facts[path] = _shifted(held.get(path), found.amount, more=more)
+        facts[path] = shifted(held.get(path), found.amount, more=more)
     return facts
 
 
-def _shifted(was: object, by: Amount, *, more: bool) -> object:
+def shifted(was: object, by: Amount, *, more: bool) -> object:
     """An amount that is so much more or less, as it stands in a file; with a sign if there was none."""
     if was is None:
         return f"{'+' if more else '-'}{by}"
     old, step = type(by).of(str(was)), by.low if more else -by.low
-    if old.low + step <= 0:
+    opens = not old.than_ego and old.low <= 0.0  # at most so much
+    low, high = old.low if opens else old.low + step, old.high + step
+    if not old.than_ego and (high <= 0.0 or (low <= 0.0 and not opens)):
         raise EditRefused(f"nothing is left of {was} if {by} are taken away")
-    made = replace(old, low=old.low + step, high=old.high + step)
-    for unit, scale in type(by).UNITS.items() if made.exact else ():  # a sum is rarely short to the bit
+    made = replace(old, low=low, high=high)
+    for unit, scale in (
+        type(by).UNITS.items() if made.exact and not made.than_ego else ()
+    ):  # a sum is rarely short to the bit
         said = f"{made.low / scale:.6g} {unit}"
         if unit and math.isclose(type(by).of(said).low, made.low, rel_tol=1e-9):
             return said

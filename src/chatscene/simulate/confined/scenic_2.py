@@ -132,8 +132,8 @@ def _new(code: _Code) -> Iterator[Change]:
     classes = placeable() | {b.string for a, b in pairwise(code) if _begins(a, "class", "constructor")}
     for k, token in enumerate(code[:-1]):
         placed = code[k + 1].type in _ENDS or code[k + 1].string in _BEGINS_SPECIFIER
-        after = code[k - 1].string if k else ""
-        if token.string in classes and placed and after not in {"new", "class", "constructor", "import", "as", "."}:
+        previous = code[k - 1].string if k else ""
+        if token.string in classes and placed and previous not in {"new", "class", "constructor", "import", "as", "."}:
             yield _before(token, "new ", "Scenic 3 places things with `new`")
 
 

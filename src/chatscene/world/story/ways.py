@@ -120,7 +120,7 @@ class Line(Way):
         self.done = False
 
     def untimed(self) -> Way:
-        """What is left of its line, without its time table."""
+        """The same line, without its time table."""
         return Line(self._who, self._world, self.line, (), 0.0)
 
     def left(self, time: float) -> float:
