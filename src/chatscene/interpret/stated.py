@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from chatscene.errors import SettingsError, no_such
-from chatscene.interpret.edited import with_changes
+from chatscene.interpret.changed_facts import with_changes
 from chatscene.interpret.situation_of import in_a_situation
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.situations.words import told
