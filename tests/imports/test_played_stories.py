@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -259,6 +260,19 @@ def test_a_distance_along_a_line_that_is_longer_than_it_is_refused(beside: Path)
     assert "20.0)" in str(story(beside, told("20")).acts)
     with pytest.raises(ScenarioError, match=r"its line is 100 m long, and 100 m is not on it"):
         read(beside, told("100"))
+
+
+def test_the_line_of_a_trajectory_is_built_once(beside: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    built: list[int] = []
+
+    def counting(points: Sequence[tuple[float, ...]]) -> Polyline:
+        built.append(len(points))
+        return Polyline(points)
+
+    monkeypatch.setattr("chatscene.imports.shapes.Polyline", counting)
+    way = follows((-345, 0), (-300, 5), (-300, 8), (-245, 20), timed=True)
+    assert "(8.0, 45.0)" in str(story(beside, scenario(events=event(way))).acts)
+    assert built.count(4) == 1
 
 
 def test_that_a_plan_follows_its_line_from_where_somebody_is_is_noted(beside: Path) -> None:

@@ -11,7 +11,7 @@ from chatscene.imports.entities import Entities
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.names import Names
 from chatscene.imports.positions import Pose, Positions
-from chatscene.imports.shapes import Shape, line_through, shape_of, thinned
+from chatscene.imports.shapes import Shape, shape_of, thinned
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written_story import Line, Told
 from chatscene.terms.polyline import Polyline
@@ -133,7 +133,7 @@ class Cast:
             return (("beside", self.names[frame], 0.0, 0.0, 0.0), kept), shape
         if len(frames) > 1 and actor is not None:
             raise Refused(trajectory, "its places lie beside several road users, who move; put it beside one")
-        return self.known(line_through(trajectory, shape.points)), shape
+        return self.known(shape.line), shape
 
     def known(self, line: Polyline) -> Line:
         """A line by its name in the program."""

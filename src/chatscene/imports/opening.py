@@ -136,7 +136,7 @@ class Opening:
         trajectory = follows.find("TrajectoryRef", "Trajectory") or follows.find("Trajectory")
         if trajectory is None:
             raise Refused(follows, "its trajectory is not there")
-        return line_through(trajectory, shape_of(trajectory, self._given, self._positions.pose).points)
+        return shape_of(trajectory, self._given, self._positions.pose).line
 
     def _along(self, one: Element, ahead: float) -> Start:
         trajectory, turned = one.find("TrajectoryRef", "Trajectory"), one.find("Orientation")
@@ -154,7 +154,7 @@ class Opening:
         """The line of a trajectory and what it is called: as in the file, if that is free or means the same."""
         if trajectory.find("Shape", "Polyline") is None:
             raise Refused(trajectory, "in a plan, a line is one of vertices; write a Polyline")
-        line = line_through(trajectory, shape_of(trajectory, self._given, self._positions.pose).points)
+        line = shape_of(trajectory, self._given, self._positions.pose).line
         name = GONE.sub("_", self._given.text(trajectory, "name", ""))
         usual = f"{prefix}Way"
         for known in (name, usual) if name.endswith("Way") or name == EGO_ROUTE else (usual,):

@@ -98,7 +98,7 @@ class Positions:
         trajectory = one.find("TrajectoryRef", "Trajectory")
         if trajectory is None:
             raise Refused(one, "its trajectory is not there")
-        line = line_through(trajectory, shape_of(trajectory, self._given, self.pose).points)
+        line = shape_of(trajectory, self._given, self.pose).line
         along, left = self._given.number(one, "s"), self._left * self._given.number(one, "t", "0")
         if not 0.0 <= along <= line.length:
             raise Refused(one, f"its trajectory is {line.length:.0f} m long, and {along:g} m is not on it")

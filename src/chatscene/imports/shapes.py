@@ -27,14 +27,17 @@ class Shape:
     """A trajectory.
 
     Attributes:
-        points: x and y of each [m].
+        points: x and y of each [m], those at which somebody waits twice.
         times: When each is passed [s]; None where no time is told.
-        faces: The direction told at its beginning [rad]; None where none is.
+        line: The line through them.
     """
 
     points: tuple[tuple[float, float], ...]
     times: tuple[float, ...] | None
-    faces: float | None = None
+    line: Polyline
+
+
+_Traced = tuple[tuple[tuple[float, float], ...], tuple[float, ...] | None]  # the points of a shape, and their times
 
 
 def shape_of(trajectory: Element, given: Given, place: Places) -> Shape:
@@ -55,9 +58,8 @@ def shape_of(trajectory: Element, given: Given, place: Places) -> Shape:
     read = {"Polyline": _polyline, "Clothoid": _clothoid, "ClothoidSpline": _spline, "Nurbs": _nurbs}.get(inner.tag)
     if read is None:
         raise Refused(inner, "such a shape is not read; write a Polyline")
-    found = read(inner, given, place)
-    line_through(inner, found.points)
-    return found
+    points, times = read(inner, given, place)
+    return Shape(points, times, line_through(inner, points))
 
 
 def line_through(one: Element, points: Sequence[tuple[float, ...]]) -> Polyline:
@@ -82,23 +84,19 @@ def _counted(one: Element, points: int) -> int:
     return points
 
 
-def _polyline(one: Element, given: Given, place: Places) -> Shape:
+def _polyline(one: Element, given: Given, place: Places) -> _Traced:
     points: list[tuple[float, float]] = []
     times: list[float | None] = []
-    faces: float | None = None
     vertices = one.all("Vertex")
     _counted(one, len(vertices))
     for vertex in vertices:
         position = vertex.find("Position")
         if position is None:
             raise Refused(vertex, "it has no Position")
-        x, y, heading = place(position)
-        if not points:
-            faces = heading
-        points.append((x, y))
+        points.append(place(position)[:2])
         times.append(given.number(vertex, "time") if "time" in vertex.attributes else None)
     known = [time for time in times if time is not None]
-    return Shape(tuple(points), tuple(known) if len(known) == len(points) else None, faces)
+    return tuple(points), tuple(known) if len(known) == len(points) else None
 
 
 def _start(one: Element, tag: str, place: Places) -> Pose:
@@ -106,17 +104,17 @@ def _start(one: Element, tag: str, place: Places) -> Pose:
     return place(position) if position is not None else (0.0, 0.0, 0.0)
 
 
-def _clothoid(one: Element, given: Given, place: Places) -> Shape:
+def _clothoid(one: Element, given: Given, place: Places) -> _Traced:
     length = given.number(one, "length")
     prime = next((name for name in ("curvaturePrime", "curvatureDot") if name in one.attributes), "curvaturePrime")
     curvature, slope = given.number(one, "curvature"), given.number(one, prime, "0")
     bend = (length, curvature, curvature + slope * length, 0.0)
     points = _bent(one, _start(one, "Position", place), [bend])
     ends = [given.number(one, name) for name in ("startTime", "stopTime") if name in one.attributes]
-    return Shape(points, _evenly(points, ends[0], ends[1]) if len(ends) == 2 else None)
+    return points, _evenly(points, ends[0], ends[1]) if len(ends) == 2 else None
 
 
-def _spline(one: Element, given: Given, place: Places) -> Shape:
+def _spline(one: Element, given: Given, place: Places) -> _Traced:
     segments = one.all("ClothoidSplineSegment")
     if not segments:
         raise Refused(one, "it has no segment")
@@ -131,7 +129,7 @@ def _spline(one: Element, given: Given, place: Places) -> Shape:
     ]
     points = _bent(one, _start(segments[0], "PositionStart", place), bends)
     ends = [given.number(part, "timeEnd") for part in segments if "timeEnd" in part.attributes]
-    return Shape(points, _evenly(points, 0.0, ends[-1]) if len(ends) == len(segments) else None)
+    return points, _evenly(points, 0.0, ends[-1]) if len(ends) == len(segments) else None
 
 
 def _bent(
@@ -165,7 +163,7 @@ def _evenly(points: Sequence[tuple[float, float]], begin: float, end: float) -> 
     return tuple(times)
 
 
-def _nurbs(one: Element, given: Given, place: Places) -> Shape:
+def _nurbs(one: Element, given: Given, place: Places) -> _Traced:
     order = given.count(one, "order")
     controls = one.all("ControlPoint")
     count = _counted(one, _PARTS * len(controls))
@@ -185,7 +183,7 @@ def _nurbs(one: Element, given: Given, place: Places) -> Shape:
     curve = [_on_nurbs(low + (high - low) * i / count, order, points, weights, knots) for i in range(count + 1)]
     told = [given.number(control, "time") for control in controls if "time" in control.attributes]
     times = _evenly(curve, told[0], told[-1]) if len(told) == len(controls) else None
-    return Shape(tuple(curve), times)
+    return tuple(curve), times
 
 
 def _on_nurbs(

@@ -9,7 +9,7 @@ from typing import Any
 from chatscene.imports.cast import Cast, told_number
 from chatscene.imports.given import Refused
 from chatscene.imports.opening import LEFT_ALONE
-from chatscene.imports.shapes import line_through, thinned
+from chatscene.imports.shapes import thinned
 from chatscene.imports.story_conditions import text_or_number
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written_story import Told
@@ -238,7 +238,7 @@ class StoryActions:
         if trajectory is None:
             raise Refused(one, "its trajectory is not there")
         line, shape = self._cast.line(trajectory, name)
-        start, length = self._given.number(one, "initialDistanceOffset", "0"), line_through(one, shape.points).length
+        start, length = self._given.number(one, "initialDistanceOffset", "0"), shape.line.length
         if not 0.0 <= start < length:
             raise Refused(one, f"its line is {length:.0f} m long, and {start:g} m is not on it")
         timing = one.find("TimeReference", "Timing")
