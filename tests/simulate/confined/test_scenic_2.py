@@ -76,6 +76,14 @@ def test_a_program_of_scenic_3_that_lacks_new_in_one_place_is_not_taken_for_an_o
             "param N = Range(3, 9)\nfor _ in range(globalParameters.N):\n    wait\n",
             "param N = Range(3, 9)\nfor _ in range(int(globalParameters.N)):\n    wait\n",
         ),
+        (
+            "behavior B():\n    n = Range(3, 9)\n    x = range(n)\n",
+            "behavior B():\n    n = Range(3, 9)\n    x = range(int(n))\n",
+        ),
+        (
+            "n = Range(3, 9)\ndef f(k):\n    return range(n)\n",
+            "n = Range(3, 9)\ndef f(k):\n    return range(int(n))\n",
+        ),
         ("N = Normal(3, 9)\nx = range(N)\n", "N = Normal(3, 9)\nx = range(int(N))\n"),
         ("behavior B():\n    do SetSpeedAction(0)\n", "behavior B():\n    take SetSpeedAction(0)\n"),
     ],
@@ -94,6 +102,11 @@ def test_what_neither_scenic_runs_is_mended_in_programs_of_both(before: str, aft
         "way = [a]\nx = distance to way\n",
         "N = DiscreteRange(3, 9)\nfor _ in range(N):\n    wait\n",
         "N = Range(3, 9)\nfor _ in range(round(N)):\n    wait\n",
+        "behavior A():\n    n = Range(3, 9)\nbehavior B(n):\n    for _ in range(n):\n        wait\n",
+        "behavior A():\n    n = Range(3, 9)\ndef f():\n    n = 4\n    return range(n)\n",
+        "n = Range(3, 9)\ndef f(n):\n    return range(n)\n",
+        "n = Range(3, 9)\nparam n = 4\nx = range(globalParameters.n)\n",
+        "ego = new Car with speed Range(3, 9), with weight f(n=Range(1, 2))\nn = 4\nx = range(n)\n",
         "behavior B():\n    do SetSpeed(0)\n",
         "goal = [10, 20]\nrequire (distance from ego to goal) > 5\n",  # a place
         "one = [a, b][0]\nrequire (distance from ego to one) > 5\n",

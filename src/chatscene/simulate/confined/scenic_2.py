@@ -11,6 +11,7 @@ import difflib
 import io
 import re
 import tokenize
+from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -28,6 +29,7 @@ _BEGINS_SPECIFIER = frozenset(_SPECIFIERS.split())
 _ENDS = frozenset((tokenize.NEWLINE, tokenize.ENDMARKER))
 _UNSEEN = frozenset((tokenize.COMMENT, tokenize.NL))
 _REALS = frozenset(("Range", "VerifaiRange", "Normal", "TruncatedNormal"))
+_DEFINES = frozenset(("behavior", "class", "def", "monitor", "scenario"))
 _CLASS_LINE = re.compile(r"^class +(\w+)", re.MULTILINE)
 
 
@@ -207,15 +209,56 @@ def _is_list(code: _Code, k: int) -> bool:
 
 def _whole_turns(code: _Code) -> Iterator[Change]:
     """`range(x)`, where this is a real number that is drawn."""
-    reals = {a.string for a, b, c in _threes(code) if b.string == "=" and c.string in _REALS}
+    names = _Names(code)
     for k, token in enumerate(code):
         if token.string == "range" and code[k + 1].string == "(":
             end = _closing(code, k + 1)
             what = [one.string for one in code[k + 2 : end]]
-            if what[-1:] and what[-1] in reals and what[:-1] in ([], ["globalParameters", "."]):
+            if names.real(what, token):
                 why = "a count is a whole number, and this one is drawn as a real one"
                 yield _before(code[k + 2], "int(", why)
                 yield _before(code[end], ")", why)
+
+
+class _Names:
+    """Which names of a program stand for real numbers that are drawn, and where.
+
+    Each definition at the left margin has names of its own, which hide those of the program there.
+    """
+
+    def __init__(self, code: _Code) -> None:
+        self._begins = sorted({token.start[0] for token in code if token.type == tokenize.NAME and not token.start[1]})
+        self._defines = {token.start[0] for token in code if not token.start[1] and token.string in _DEFINES}
+        self._params = set[str]()
+        self._bound = dict[tuple[int, str], bool]()  # whether everything that a name is given in a block is such
+        param = False
+        for k, token in enumerate(code[:-2]):
+            first = not token.line[: token.start[1]].strip()
+            param = token.string == "param" if first else param
+            drawn = code[k + 1].string == "=" and code[k + 2].string in _REALS
+            given = first and code[k + 1].string == "="
+            taken = token.start[0] in self._defines or code[k - 1].string == "for"
+            if token.type == tokenize.NAME and param and drawn:
+                self._params.add(token.string)
+            elif token.type == tokenize.NAME and (given or taken):
+                at = self._block(token), token.string
+                self._bound[at] = given and drawn and self._bound.get(at, True)
+
+    def real(self, what: Sequence[str], where: tokenize.TokenInfo) -> bool:
+        """Whether an expression is a name or a parameter that stands for such a number there."""
+        match what:
+            case ["globalParameters", ".", name]:
+                return name in self._params
+            case [name]:
+                return self._bound.get((self._block(where), name), self._bound.get((0, name), False))
+            case _:
+                return False
+
+    def _block(self, token: tokenize.TokenInfo) -> int:
+        """The line where the definition begins that a token is in; 0 for one that is in none."""
+        at = bisect_right(self._begins, token.start[0])
+        begins = self._begins[at - 1] if at else 0
+        return begins if begins in self._defines else 0
 
 
 def _actions_done(code: _Code) -> Iterator[Change]:
