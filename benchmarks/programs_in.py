@@ -18,21 +18,22 @@ import fnmatch
 import json
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import click
 
-from chatscene.ego.policy import EgoPolicy, load_ego
-from chatscene.errors import ChatSceneError, DoesNotCompile, NothingFits, ProgramError, StuckBehavior
+from chatscene.ego.policy import EgoPolicy, fitted, load_ego, name_of, observation_of, pedals_of
+from chatscene.errors import ChatSceneError, NothingFits
+from chatscene.maps.carla_towns import file_or_town
 from chatscene.maps.network import resolve_map
 from chatscene.program.sample import draw, scene_seed
 from chatscene.search.generators.foreign import ForeignProgram, foreign_files, read_foreign
-from chatscene.search.generators.their_map import their_map
 from chatscene.settings import EGO, RetrievalSettings, SimulationSettings, VerifySettings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
-from chatscene.simulate.simulator import simulate
+from chatscene.simulate.simulator import drive
 from chatscene.terms.scene import Rejected, Scene
 from chatscene.verdict.said import asked
 from chatscene.verdict.verdict import Answer
@@ -122,14 +123,14 @@ class Running:
 
 def maps_of(own: ForeignProgram, others: Sequence[Path]) -> list[Path]:
     """The map of a program if it is at hand; else the others."""
-    named, notes = their_map(own.map_path, None)
-    return [Path(named)] if named is not None and (not notes or "CARLA's" in notes[0]) else list(others)
+    named = None if own.map_path is None else file_or_town(own.map_path)
+    return list(others) if named is None else [resolve_map(named)]
 
 
 def driven(own: ForeignProgram, where: Path, row: Row, run: Running) -> list[Watched]:
     """The drives of a program; what came of them is written into its row."""
     drives: list[Watched] = []
-    program, row.samples = own.program, 0
+    program, row.samples, ego = own.program, 0, fitted(run.ego, own.program)
     for number in range(run.tries):
         if len(drives) == run.draws:
             break
@@ -142,18 +143,24 @@ def driven(own: ForeignProgram, where: Path, row: Row, run: Running) -> list[Wat
             if where not in run.simulators:
                 run.simulators[where] = ConfinedSimulator(where, SimulationSettings())
             simulator = run.simulators[where]
-            episode = simulate(simulator, program, scene, run.ego)
-            if isinstance(episode, Rejected):
-                row.compiles, row.end = True, short(f"not drawn: {episode.reason}")
+            simulator.routes(program)
+            row.compiles = True
+            session = simulator.open(program, scene, observation=observation_of(ego), pedals=pedals_of(ego))
+            if isinstance(session, Rejected):
+                row.end = short(f"not drawn: {session.reason}")
                 continue
+            row.samples += 1
+            with closing(session):
+                drive(session, ego)
+                if session.rejection:
+                    row.end = short(f"rejected in the drive: {session.rejection}")
+                    continue
+                episode = session.episode(scene.id, name_of(ego))
             route = simulator.route_in(program, scene)
         except ChatSceneError as error:
-            drove = isinstance(error, StuckBehavior | ProgramError) and "is set up" not in str(error)
-            row.compiles |= drove and not isinstance(error, DoesNotCompile)
-            row.samples += drove and not isinstance(error, DoesNotCompile)
             row.end = short(f"{type(error).__name__}: {error}")
             continue
-        row.compiles, row.samples, row.runs = True, row.samples + 1, row.runs + 1
+        row.runs += 1
         crash = f" with {episode.collision.other}" if episode.collision else ""
         row.end = f"{episode.ending} after {episode.duration:.1f} s{crash}"
         drives.append(Watched(episode=episode, route=route, tested=not run.as_written))

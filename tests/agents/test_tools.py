@@ -131,7 +131,7 @@ def test_an_import_of_many_programs_tells_of_all_and_one_can_be_chosen(folder: P
         (folder / f"values-{count}.xosc").write_text(VALUES.format(most=most))
     told = called(folder, "import", file="values-3.xosc", save_as="sets/of.scenic")["text"]
     assert [line for line in told.splitlines() if line.startswith("written")] == [
-        f"written: sets/of-{number}.scenic" for number in (1, 2, 3)
+        f"written: sets/of-{number}.scenic on map town.xodr" for number in (1, 2, 3)
     ]
     assert (folder / "sets" / "of-3.scenic").is_file()
     many = called(folder, "import", file="values-25.xosc", save_as="sets/many.scenic")["text"]
@@ -139,9 +139,26 @@ def test_an_import_of_many_programs_tells_of_all_and_one_can_be_chosen(folder: P
     assert "sets/many-21.scenic" not in many
     one = called(folder, "import", file="values-3.xosc", save_as="sets/second.scenic", variant=2)["text"]
     assert "variant 2 of 3" in one
-    assert "next: verify sets/second.scenic" in one
+    assert "next: verify sets/second.scenic on map town.xodr" in one
     refused = called(folder, "import", file="crash.xosc", save_as="sets/nobody.scenic", ego="nobody")["error"]
     assert "nobody" in refused
+
+
+def test_an_import_of_programs_on_several_maps_tells_the_map_of_each(folder: Path) -> None:
+    (folder / "other.xodr").write_bytes((folder / "town.xodr").read_bytes())
+    where = '<ParameterDeclaration name="where" parameterType="string" value="town.xodr"/></ParameterDeclarations>'
+    text = (folder / "crash.xosc").read_text().replace("</ParameterDeclarations>", where, 1)
+    (folder / "placed.xosc").write_text(text.replace('filepath="town.xodr"', 'filepath="$where"'))
+    both = '<DistributionSet><Element value="town.xodr"/><Element value="other.xodr"/></DistributionSet>'
+    (folder / "places.xosc").write_text(
+        '<OpenSCENARIO><ParameterValueDistribution><ScenarioFile filepath="placed.xosc"/><Deterministic>'
+        f'<DeterministicSingleParameterDistribution parameterName="where">{both}'
+        "</DeterministicSingleParameterDistribution>"
+        "</Deterministic></ParameterValueDistribution></OpenSCENARIO>"
+    )
+    told = called(folder, "import", file="places.xosc", save_as="placed.scenic")["text"]
+    assert "written: placed-1.scenic on map town.xodr" in told
+    assert "written: placed-2.scenic on map other.xodr" in told
 
 
 def test_arguments_that_are_about_something_else_are_refused_and_none_is_dropped(folder: Path) -> None:

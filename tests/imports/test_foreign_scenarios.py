@@ -268,6 +268,15 @@ def test_where_one_variant_is_refused_no_program_is_written(beside: Path) -> Non
     assert [one.name for one in beside.glob("*.scenic")] == ["values-2.scenic"]
 
 
+def test_that_nothing_is_overwritten_is_looked_at_once_and_before_a_file_is_read(
+    beside: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looked: list[str] = []
+    monkeypatch.setattr("chatscene.imports.import_file._free", lambda out: looked.append(out.name))
+    import_scenario(variants(beside, sets("near", "20", "30")))
+    assert looked == ["values-1.scenic", "values-2.scenic"]
+
+
 def test_where_one_program_cannot_be_written_none_is_there(beside: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def full(path: Path, content: bytes) -> None:
         if path.name == "values-2.scenic":

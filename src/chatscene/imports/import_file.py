@@ -13,6 +13,7 @@ from chatscene.imports.stranger_xml import read_xml
 from chatscene.imports.variants import Variants, variants_of
 from chatscene.imports.written import written
 from chatscene.imports.written_story import StoryProgram, written_story
+from chatscene.maps.network import name_of
 from chatscene.search.generators.foreign import foreign_program
 
 MOST_PROGRAMS = 100  # written at once
@@ -40,7 +41,7 @@ class ImportedScenario:
     @property
     def command(self) -> str:
         """How it is run."""
-        return f"chatscene run --program {self.program} --map {self.map_path}"
+        return f"chatscene run --program {self.program} --map {name_of(self.map_path)}"
 
     def __str__(self) -> str:
         """A line per note, and how it is run."""
@@ -83,6 +84,7 @@ def import_scenario(
     if found is None:
         if variant is not None:
             raise SettingsError(f"{path} is one scenario and has no variants; leave --variant away")
+        _free(out)
         scenario = ScenarioFile(path, map_name, ego=ego, within=within, root=root)
         return _written({out: _program(scenario.said(), path, out)})
     if variant is None and found.count > MOST_PROGRAMS:
@@ -150,9 +152,7 @@ def _program(read: Imported, path: Path, out: Path) -> _Program:
 
     Raises:
         ScenarioError: It is more than a program of a user's may be.
-        SettingsError: It is there already.
     """
-    _free(out)
     board = read.board
     text = written_story(board, path.name) if isinstance(board, StoryProgram) else written(board, path.name)
     try:

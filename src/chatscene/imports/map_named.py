@@ -11,6 +11,7 @@ from chatscene.errors import ScenarioError
 from chatscene.imports.catalogs import ABSOLUTE, lies_within, relative
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.stranger_xml import Element
+from chatscene.maps.carla_towns import PACKAGE, carla_town, how_to_have
 from chatscene.maps.network import PACKAGED, check_opendrive, load_network, resolve_map
 
 
@@ -39,7 +40,13 @@ class Maps:
             found = resolve_map(self._asked or "") if named is None else _map_at(named, self._path, given)
             load_network(found)  # whatever is the matter with the map, is no fault of a place in the file
             self._found[named] = found
-        return self._found[named]
+        found = self._found[named]
+        if self._logic and named is not None and found == carla_town(found.stem):
+            given.note(
+                self._logic,
+                f"the map that it names is not there; it lies on CARLA's {found.stem} of the package {PACKAGE}",
+            )
+        return found
 
     def _named(self, given: Given) -> str:
         try:
@@ -52,6 +59,21 @@ class Maps:
 
 
 def _map_at(named: str, path: Path, given: Given) -> Path:
+    """The map that a scenario names: a file, or CARLA's town of that name where no such file is opened.
+
+    Raises:
+        ScenarioError: Neither is there.
+    """
+    try:
+        return _file_at(named, path, given)
+    except ScenarioError as error:
+        name = Path(named).stem
+        if (town := carla_town(name)) is not None:
+            return town
+        raise ScenarioError(f"{error}{how_to_have(name)}") from error
+
+
+def _file_at(named: str, path: Path, given: Given) -> Path:
     """The map that a scenario names by a path from its own folder."""
     if re.fullmatch(r"\w+", named):  # a name, and no file
         if named in PACKAGED and not (path.parent / f"{named}.xodr").is_file():

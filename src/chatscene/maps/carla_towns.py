@@ -7,6 +7,7 @@ into the user's cache.
 from __future__ import annotations
 
 import gzip
+import os
 import re
 import zlib
 from importlib.metadata import PackageNotFoundError, distribution
@@ -25,6 +26,29 @@ _TOWN = re.compile(r"Town\d\d(HD)?\Z")
 def is_town(name: str) -> bool:
     """Whether a map's name without its suffix is that of a town of CARLA's, as `Town05` or `Town05_Opt`."""
     return _TOWN.match(name.removesuffix("_Opt")) is not None
+
+
+def file_or_town(named: Path) -> str | None:
+    """The map that a scene names by a path: this file; where it is not there, CARLA's town of that name, by its name.
+
+    Returns:
+        None where neither is there.
+    """
+    if os.path.isfile(named):  # noqa: PTH113 - Path.is_file() raises for a path that the system refuses
+        return str(named)
+    town = carla_town(named.stem)
+    return None if town is None else town.stem
+
+
+def how_to_have(name: str) -> str:
+    """How a town comes here that is not there, in words that follow a sentence; empty for any other map."""
+    if not is_town(name):
+        return ""
+    try:
+        package = distribution(PACKAGE)
+    except PackageNotFoundError:
+        return f"; `{INSTALL}` brings CARLA's towns"
+    return f"; the package {PACKAGE} {package.version} is installed, and has no whole map of {name[:20]}"
 
 
 def carla_town(name: str) -> Path | None:

@@ -23,7 +23,7 @@ from chatscene.files.atomic import write_whole
 from chatscene.files.bounded import is_there
 from chatscene.files.caches import cache_folder, only_mine
 from chatscene.maps.apart import read_apart, takes_seconds
-from chatscene.maps.carla_towns import INSTALL, carla_town, is_town
+from chatscene.maps.carla_towns import carla_town, how_to_have
 from chatscene.maps.curves import read_all_curves
 from chatscene.maps.unread import why_unread
 from chatscene.terms.scenario import Site
@@ -71,10 +71,14 @@ def resolve_map(name: str) -> Path:
         raise MapError(f"map {name!r} is a folder; give an .xodr file")
     beside = [p.name for p in path.parent.glob("*.xodr")] if path.parent.is_dir() else []
     near = difflib.get_close_matches(path.name, [*PACKAGED, *beside], n=1, cutoff=0.4)
-    hint = f"; did you mean {near[0]!r}?" if near else ""
-    if is_town(name):
-        hint = f"; `{INSTALL}` brings CARLA's towns"
+    hint = how_to_have(name) or (f"; did you mean {near[0]!r}?" if near else "")
     raise MapError(f"there is no map {name!r}: neither packaged ({', '.join(PACKAGED)}) nor a file{hint}")
+
+
+def name_of(path: Path) -> str:
+    """By what a map is asked for: a packaged one and a town of CARLA's by its name, any other by its path."""
+    packaged = next((name for name, file in PACKAGED.items() if file == path), None)
+    return packaged or (path.stem if carla_town(path.stem) == path else str(path))
 
 
 def map_with(site: Site | None) -> str:

@@ -118,6 +118,7 @@ def import_(
     said here is refused by its element and line.
     """
     from chatscene import api
+    from chatscene.maps.network import name_of
 
     out = desk.folder.free(save_as, ".scenic")
     desk.folder.make_above(out)
@@ -125,8 +126,9 @@ def import_(
     done = api.import_scenario(
         source, out=out, map=desk.folder.map(map), ego=ego, variant=variant, within=desk.folder.root
     )
-    written = [f"written: {program}" for program in done.programs]
-    return "\n".join([*done.notes, *first_of(written), f"map: {done.map_path}", f"next: verify {done.program}"])
+    lies = [name_of(one) for one in done.maps]
+    written = [f"written: {program} on map {where}" for program, where in zip(done.programs, lies, strict=True)]
+    return "\n".join([*done.notes, *first_of(written), f"next: verify {done.program} on map {lies[0]}"])
 
 
 def _situation(desk: Desk, text: str | None, file: str | None) -> Situation:

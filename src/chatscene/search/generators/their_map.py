@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
-from chatscene.maps.carla_towns import INSTALL, PACKAGE, carla_town, is_town
+from chatscene.maps.carla_towns import PACKAGE, file_or_town, how_to_have
 from chatscene.maps.network import TOWN
 
 
@@ -22,10 +21,10 @@ def their_map(asked: Path | None, chosen: str | None) -> tuple[str | None, tuple
     """
     if asked is None:
         return chosen, ()
-    if os.path.isfile(asked):  # noqa: PTH113 - Path.is_file() raises for a path that the system refuses
-        return str(asked), ()
-    gone = f"the program's map {asked.name} is not there"
-    if chosen is None and (town := carla_town(asked.stem)) is not None:
-        return town.stem, (f"{gone}; it runs on CARLA's {town.stem} of the package {PACKAGE}",)
-    brings = f"; `{INSTALL}` brings CARLA's towns" if chosen is None and is_town(asked.stem) else ""
+    found, gone = file_or_town(asked), f"the program's map {asked.name} is not there"
+    if found == str(asked):
+        return found, ()
+    if chosen is None and found is not None:
+        return found, (f"{gone}; it runs on CARLA's {found} of the package {PACKAGE}",)
+    brings = how_to_have(asked.stem) if chosen is None else ""
     return chosen, (f"{gone}; it runs on {chosen or TOWN}{brings}",)
