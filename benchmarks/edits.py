@@ -26,8 +26,10 @@ from chatscene.errors import EditRefused, NotBuilt
 from chatscene.interpret.edited import edited
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.read.learned.reader import LearnedReader
-from chatscene.terms.edit import changes
+from chatscene.terms.edit import Facts
+from chatscene.terms.scenario import Measure
 from chatscene.terms.situation import Situation
+from chatscene.terms.slots import SLOTS
 
 OWN = Path(__file__).parent / "texts" / "edits.jsonl"
 FOLLOWS = frozenset(("place", "control", "maneuver", "position", "blocker", "occluder", "surface"))
@@ -85,7 +87,16 @@ def _changed(before: Situation, after: Situation) -> dict[str, Any]:
     was, now = parties_of(before), parties_of(after)
     if was is None or now is None:
         return {}
-    return {one.fact: one.after for one in changes(facts_of(before, was), facts_of(after, now))}
+    earlier, later = _by_name(facts_of(before, was)), _by_name(facts_of(after, now))
+    return {name: value for name, value in later.items() if value != earlier[name]}
+
+
+def _by_name(facts: Facts) -> dict[str, Any]:
+    """Every fact by its name; how far off it starts may be a number or near or far."""
+    slots = {name: getattr(facts.slots, name) for name in ("adversary", "actions", *SLOTS, "others")}
+    around = {name: getattr(facts.surroundings, name) for name in ("light", "weather", "surface")}
+    said = {one: tuple(each for each in facts.quantities if each.measure is one) for one in Measure}
+    return {**slots, **around, **{str(one): numbers or slots.get(one) or () for one, numbers in said.items()}}
 
 
 def _starts(situation: Situation) -> list[object]:

@@ -10,7 +10,7 @@ from chatscene.errors import NothingFits
 from chatscene.interpret.paper import nearest_triple
 from chatscene.interpret.retrieve import does_all, does_just, retrieve
 from chatscene.library.beside import placed_beside, reveals
-from chatscene.library.bind import Triple, bound, measured, narrowed, settable
+from chatscene.library.bind import Triple, bound, narrowed, settable
 from chatscene.library.compatibility import agree, contradiction, incompatibility
 from chatscene.library.compose import Asked, compose, goes_without_saying
 from chatscene.library.load import Library, library_with
@@ -80,7 +80,6 @@ def _composed(scenario: Scenario, found: Retrieval | NothingFits, tried: Sequenc
         isinstance(found, Retrieval)
         and does_just(found.behavior.snippet, slots.actions, unsaid)
         and all(settable(one, found.snippets, slots.adversary) for one in scenario.frame.quantities)
-        and all(measured(shift, found.snippets) for shift in scenario.frame.shifts)
         and not (held and _waits_for_ego(found.behavior.snippet))
     ):
         return None

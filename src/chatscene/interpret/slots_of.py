@@ -1,6 +1,6 @@
-"""A situation as the facts that an edit in words can name: `chatscene.interpret.situation_rows` read back.
+"""A situation as the facts that have names of their own: `chatscene.interpret.situation_rows` read back.
 
-What no slot holds is not here; it stays in the situation, whatever an edit says.
+What no slot holds is not here; it stays in the situation, whatever is stated.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ _MEASURES = (("speed", Measure.SPEED), ("time", Measure.TIME), ("acceleration", 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parties:
-    """Who of a situation is who for an edit.
+    """Who of a situation is who among the facts that have names of their own.
 
     Attributes:
         adversary: The first who meets the ego.
@@ -114,7 +114,7 @@ def parties_of(situation: Situation) -> Parties | None:
 
 
 def facts_of(situation: Situation, parties: Parties) -> Facts:
-    """The facts that an edit can name."""
+    """The facts that have names of their own."""
     around, road = situation.around, situation.road
     follows = FOLLOWS.get(around.weather) if around.weather is not None else None
     who = parties.adversary
@@ -141,7 +141,7 @@ def facts_of(situation: Situation, parties: Parties) -> Facts:
         weather=around.weather or Weather.CLEAR,
         surface=around.surface or follows or Surface.DRY,
     )
-    return Facts(slots=slots, surroundings=surroundings, numbers=dict(_numbers(who, situation.ego)))
+    return Facts(slots=slots, surroundings=surroundings, quantities=tuple(_quantities(who, situation.ego)))
 
 
 def _slots(one: Other, **more: object) -> Slots:
@@ -213,28 +213,25 @@ def _site(situation: Situation) -> Site | None:
     return max(fits, key=lambda site: len(SITES[site].has), default=None)
 
 
-def _numbers(who: Other, ego: Ego) -> Iterator[tuple[Measure, tuple[Quantity, ...]]]:
+def _quantities(who: Other, ego: Ego) -> Iterator[Quantity]:
     """The numbers that were said of somebody and of the ego."""
     if (drives := _number(Measure.EGO_SPEED, ego.speed)) is not None:
-        yield Measure.EGO_SPEED, (drives,)
+        yield drives
     if (there := _number(Measure.DISTANCE, who.starts.distance)) is not None:
-        yield Measure.DISTANCE, (there,)
+        yield there
     for name, measure in _MEASURES:
         amounts = [getattr(deed, name) for deed in who.does] + [who.starts.speed] * (measure is Measure.SPEED)
         said = next((one for amount in amounts if (one := _number(measure, amount)) is not None), None)
         if said is not None:
-            yield measure, (said,)
+            yield said
     near = (deed.when.ego_within for deed in who.does if deed.when is not None)
     if (
         trigger := next((one for one in (_number(Measure.TRIGGER, amount) for amount in near) if one), None)
     ) is not None:
-        yield Measure.TRIGGER, (trigger,)
+        yield trigger
     aside = next((deed.to for deed in who.does if deed.act is Act.SWERVE and deed.to is not None), None)
     if aside is not None:
-        yield (
-            Measure.ASIDE,
-            (Quantity(measure=Measure.ASIDE, value=aside_of(aside, who.starts.where), said=f"to the {aside}"),),
-        )
+        yield Quantity(measure=Measure.ASIDE, value=aside_of(aside, who.starts.where), said=f"to the {aside}")
 
 
 def _number(measure: Measure, amount: Amount | None) -> Quantity | None:

@@ -14,7 +14,6 @@ from chatscene.situations.words import told
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.edit import Facts
-from chatscene.terms.scenario import Measure
 from chatscene.terms.situation import Situation
 from chatscene.terms.slots import SLOTS
 from chatscene.terms.surroundings import Light, Surface, Weather
@@ -108,7 +107,7 @@ def _stated(facts: Facts, said: Mapping[str, Any]) -> Facts:
         facts,
         slots=concluded(replace(facts.slots, **slots)),
         surroundings=replace(facts.surroundings, **around),
-        numbers={one: n for one, n in facts.numbers.items() if one is not Measure.DISTANCE or "distance" not in said},
+        quantities=tuple(one for one in facts.quantities if one.measure.value not in said),
     )
 
 

@@ -15,7 +15,6 @@ from chatscene.terms.scenario import (
     Place,
     Quantity,
     Scenario,
-    Shift,
     Side,
     Slots,
     Unused,
@@ -94,16 +93,6 @@ def bound(triple: Triple, scenario: Scenario) -> Bound:
                 nearest = _in_words(parameter.clip(quantity.value), parameter)
                 notes.append(f"{quantity.said!r} is met only nearly: {_range(parameter)}; {nearest} is the nearest")
             parts[i] = _narrowed(parts[i], parameter, quantity)
-    declared = {p.name: p for part in triple for p in part.parameters}
-    for shift in scenario.frame.shifts if scenario.frame else ():
-        found = [(i, p) for i, part in enumerate(parts) for p in part.parameters if _measures(shift.measure, p)]
-        if not found:
-            unused.append(Unused(said=shift.said, why=Why.NUMBER))
-        for i, parameter in found:
-            low, high = _shifted(shift, parameter, declared[parameter.name])
-            parts[i] = _set(parts[i], parameter, low, high)
-            now = next(p for p in parts[i].parameters if p.name == parameter.name)
-            notes.append(f"{shift.said!r}: {_range(now)}, before between {_ends(parameter)}")
     return Bound((parts[0], parts[1], parts[2]), tuple(notes), tuple(unused))
 
 
@@ -119,35 +108,6 @@ def _swerving(behavior: Snippet, aside: float, side: Side | None) -> Snippet | N
     if (aside > 0) == (swerves[1] == "" and parameter.low > 0):
         return behavior
     return _set(behavior, parameter, -parameter.high, -parameter.low)
-
-
-def _shifted(shift: Shift, now: ParameterRange, declared: ParameterRange) -> tuple[float, float]:
-    """A range that is shifted: by as much as was said, else to the half of it that was meant.
-
-    Raises:
-        NothingFits: It lies outside of what the snippet can do.
-    """
-    if shift.times is None and shift.by is None:
-        middle = (now.low + now.high) / 2
-        low, high = (middle, now.high) if shift.more else (now.low, middle)
-    elif shift.times is not None:
-        low, high = now.low * shift.times, now.high * shift.times
-    else:
-        by = shift.by if shift.more else -(shift.by or 0.0)
-        low, high = now.low + (by or 0.0), now.high + (by or 0.0)
-    if high < declared.low or low > declared.high or now.low == now.high:
-        raise NothingFits(f"{shift.said!r} cannot be done: {_range(declared)}, and is between {_ends(now)} already")
-    return declared.clip(low), declared.clip(high)
-
-
-def measured(shift: Shift, snippets: Sequence[Snippet]) -> bool:
-    """Whether some parameter of snippets is of the measure of a shift."""
-    return any(_measures(shift.measure, parameter) for snippet in snippets for parameter in snippet.parameters)
-
-
-def _measures(measure: Measure, parameter: ParameterRange) -> bool:
-    """Whether a parameter is of a measure."""
-    return _speaks_of(Quantity(measure=measure, value=0.0, said=""), parameter)
 
 
 def _for(triple: Triple, scenario: Scenario) -> tuple[Quantity, ...]:

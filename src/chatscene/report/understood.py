@@ -43,7 +43,7 @@ class Understood:
     def told(self) -> str:
         """All facts as they are decided, in plain sentences."""
         scenario, frame = self.scenario, self.scenario.frame
-        numbers = [one.said for one in (*frame.quantities, *frame.shifts)] if frame is not None else []
+        numbers = [one.said for one in frame.quantities] if frame is not None else []
         besides = {"Light, weather and road": str(scenario.surroundings), "Numbers": ", ".join(numbers)}
         return " ".join((told(scenario.slots), *(f"{name}: {said}." for name, said in besides.items() if said)))
 

@@ -10,7 +10,7 @@ from enum import StrEnum
 from typing import Any
 
 from chatscene.errors import OfferedReading
-from chatscene.terms.scenario import Quantity, Shift, Slots, Unused
+from chatscene.terms.scenario import Quantity, Slots, Unused
 from chatscene.terms.surroundings import Surroundings
 
 
@@ -96,7 +96,6 @@ class Frame:
         outright: The facts.
         quantities: The numbers that can be set.
         ego_speed: How fast the ego drives, which no snippet says and a situation does.
-        shifts: The numbers that are other than they were, as edits say it, in their order.
         unused: What is in no slot and no quantity.
         notes: What was unsure, and who read it.
         reader: The language model that read it; empty for our own reader.
@@ -112,7 +111,6 @@ class Frame:
     outright: Slots = field(default_factory=Slots)
     quantities: tuple[Quantity, ...] = ()
     ego_speed: Quantity | None = None
-    shifts: tuple[Shift, ...] = ()
     unused: tuple[Unused, ...] = ()
     notes: tuple[Note, ...] = ()
     reader: str = ""

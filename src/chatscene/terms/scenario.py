@@ -243,29 +243,6 @@ class Quantity:
         return self.said
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Shift:
-    """A number that was said by comparison with what a program has: faster, closer, twice as fast.
-
-    Attributes:
-        measure: Of what.
-        more: Whether it grows.
-        by: By how much, in SI units; None where that was not said.
-        times: To how many times of what it was; None where that was not said.
-        said: The words.
-    """
-
-    measure: Measure
-    more: bool
-    by: float | None = None
-    times: float | None = None
-    said: str
-
-    def __str__(self) -> str:
-        """The words."""
-        return self.said
-
-
 class Why(StrEnum):
     """Why something that was said is not in the program, in the order in which that is listed."""
 
