@@ -10,7 +10,7 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from chatscene.grow.dropout import Dropout
-from chatscene.grow.tuned_encoder import WIDTH, Tuned
+from chatscene.grow.tuned_encoder import WIDTH, Tuned, padded
 from chatscene.read.learned.numbers import Form
 
 DEPTH, HEADS, INNER, LAYERS = 256, 8, 1024, 2  # of the decoder
@@ -76,7 +76,7 @@ class Network(nn.Module):
 
     def __init__(self, *, tokens: int, places: int, frozen: int) -> None:
         super().__init__()
-        self.encoder = Tuned(frozen=frozen, columns=[1], dropout=DROPOUT)
+        self.encoder = Tuned(frozen=frozen, dropout=DROPOUT)
         for layer in self.encoder.upper:
             layer.self_attn.dropout = 0.0  # type: ignore[assignment]
             layer.dropout, layer.dropout1, layer.dropout2 = (Dropout(DROPOUT) for _ in range(3))  # type: ignore[assignment]
@@ -107,12 +107,10 @@ class Network(nn.Module):
 
     def states(self, lower: Sequence[Tensor]) -> tuple[Tensor, Tensor]:
         """States of texts from what `Tuned.lower` gave, and where there are none."""
-        padded = nn.utils.rnn.pad_sequence([state.float() for state in lower], batch_first=True)
-        lengths = torch.tensor([len(state) for state in lower])
-        padding = torch.arange(padded.shape[1])[None, :] >= lengths[:, None]
+        states, padding = padded([state.float() for state in lower])
         for layer in self.encoder.upper:
-            padded = layer(padded, src_key_padding_mask=padding)
-        return padded, padding
+            states = layer(states, src_key_padding_mask=padding)
+        return states, padding
 
     def amounts(self, states: Tensor, share: Tensor, forms: Tensor) -> Tensor:
         """(N, amounts, depth) from the share that each piece of the text has of each amount."""

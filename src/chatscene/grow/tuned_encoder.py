@@ -30,29 +30,19 @@ Array = NDArray[Any]
 
 
 class Tuned(nn.Module):
-    """The encoder's upper layers, and heads that attend to its states.
+    """The encoder, of which the upper layers are trained.
 
     Args:
         frozen: How many lower layers are not trained.
-        columns: Classes of each head.
-        dropout: Of the layers and of what a head sees.
+        dropout: Of the layers.
     """
 
-    def __init__(self, *, frozen: int, columns: Sequence[int], dropout: float) -> None:
+    def __init__(self, *, frozen: int, dropout: float) -> None:
         super().__init__()
         self._file = _File()
         layers = [self._file.layer(i, dropout) for i in range(LAYERS)]
         self._lower = nn.ModuleList(layers[:frozen]).eval().requires_grad_(False)
         self.upper = nn.ModuleList(layers[frozen:])
-        self._columns = list(columns)
-        self._drop = nn.Dropout(dropout)
-        self.queries = nn.Parameter(torch.zeros(len(columns), WIDTH))
-        self.weights = nn.Parameter(torch.randn(WIDTH, sum(columns)) * WIDTH**-0.5)
-        self.bias = nn.Parameter(torch.zeros(sum(columns)))
-
-    def heads(self) -> list[nn.Parameter]:
-        """What is trained beside the encoder."""
-        return [self.queries, self.weights, self.bias]
 
     def train(self, mode: bool = True) -> Tuned:
         """Set what is trained to training or running; the lower layers always run."""
@@ -67,22 +57,12 @@ class Tuned(nn.Module):
         with torch.no_grad():
             for first in range(0, len(order), AT_ONCE):
                 some = order[first : first + AT_ONCE]
-                states, padding = _padded([self._file.words(rows[i]) for i in some])
+                states, padding = padded([self._file.words(rows[i]) for i in some])
                 for layer in self._lower:
                     states = layer(states, src_key_padding_mask=padding)
                 for i, state in zip(some, states, strict=True):
                     found[i] = state[: len(rows[i])].half().clone()
         return [found[i] for i in range(len(rows))]
-
-    def forward(self, lower: Sequence[Tensor]) -> list[Tensor]:
-        """(N, classes) log-odds of each head, from what `lower` gave."""
-        states, padding = _padded([state.float() for state in lower])
-        for layer in self.upper:
-            states = layer(states, src_key_padding_mask=padding)
-        share = (states @ self.queries.T).masked_fill(padding[..., None], -torch.inf).softmax(dim=1)
-        pooled = self._drop(torch.einsum("nth,ntd->nhd", share, states))
-        columns = zip(self.weights.split(self._columns, dim=1), self.bias.split(self._columns), strict=True)
-        return [pooled[:, i] @ weights + bias for i, (weights, bias) in enumerate(columns)]
 
     def changes(self) -> dict[int, bytes]:
         """What to add to the bytes of the encoder's file, by where they stand."""
@@ -92,10 +72,11 @@ class Tuned(nn.Module):
         return changed
 
 
-def _padded(states: Sequence[Tensor]) -> tuple[Tensor, Tensor]:
-    padded = nn.utils.rnn.pad_sequence(list(states), batch_first=True)
+def padded(states: Sequence[Tensor]) -> tuple[Tensor, Tensor]:
+    """(N, tokens, D) states of several texts, and where each has none."""
+    together = nn.utils.rnn.pad_sequence(list(states), batch_first=True)
     lengths = torch.tensor([len(state) for state in states])
-    return padded, torch.arange(padded.shape[1])[None, :] >= lengths[:, None]
+    return together, torch.arange(together.shape[1])[None, :] >= lengths[:, None]
 
 
 class _File:
