@@ -176,7 +176,7 @@ class Run:
             raise EditRefused(f"{self.folder} is a run of a program of one's own; only what was said can be edited")
         follow(replace(self._repeated, ego=(), simulator=()), reading_of=[self._workspace])
         if record.situation is not None:
-            return explain_stated(self._situation, record.situation.read_by, record.situation.left_out)
+            return explain_stated(self._situation, record.situation.read_by)
         settings = runs.settings_of(record)
         if record.generator == "chatscene" and not record.stated:  # made by a version that chose snippets, maybe
             return explain_text(record.text, settings, edits=record.edits)

@@ -11,7 +11,7 @@ from scenic.simulators.carla import blueprints
 
 from chatscene.interpret.situation_rows import KINDS
 from chatscene.read import lexicon
-from chatscene.read.kinds import kind_named
+from chatscene.read.kinds import is_named
 from chatscene.sentences.grammar.who import NOUNS
 from chatscene.simulate.confined.words import world_words
 from chatscene.terms.actors import AIR_DRAG, BY_CLASS, AdversaryKind
@@ -80,7 +80,7 @@ def test_a_kind_has_a_class_in_the_world_and_a_blueprint_in_carla(kind: Adversar
 def test_what_a_kind_is_called_first_is_read_as_that_kind(kind: AdversaryKind) -> None:
     noun = NOUNS[kind][0].partition(":")[0]
     if not kind.row.words:
-        assert kind_named(noun, kind.heard_as) is KINDS[kind]  # which a situation tells from what it is like
+        assert is_named(KINDS[kind], noun)  # which a situation tells from what it is like
         return
     heard = [read for read, words in lexicon.KINDS.items() if words.fullmatch(noun)]
     assert heard == ([] if kind.lies else [kind])

@@ -38,7 +38,6 @@ from chatscene.terms.scenario import (
     Site,
     Slots,
     SubDescriptions,
-    Why,
     grouped,
     includes,
 )
@@ -405,7 +404,6 @@ def _confidence(frame: Frame, triple: tuple[Match, ...]) -> float:
 
 def _reasons(scenario: Scenario, frame: Frame, triple: tuple[Match, ...]) -> tuple[str, ...]:
     """Why a sentence is refused, in a user's words, what decides alone first."""
-    told = grouped(scenario.unused)
     notes = [note for note in scenario.notes if note.about is About.NOTHING]
     said = list(map(str, notes))
     said += [conflict for match in triple for conflict in match.conflicts]
@@ -416,7 +414,7 @@ def _reasons(scenario: Scenario, frame: Frame, triple: tuple[Match, ...]) -> tup
         if snippets and not settable(quantity, snippets, scenario.slots.adversary)
     ]
     said += [f"{number!r}: nothing that fits the rest can be set to it" for number in unmet]
-    said += [reason for why, reason in told.items() if why is not Why.BESIDES]
+    said += grouped(scenario.unused).values()
     return tuple(dict.fromkeys(said)) or ("it is not sure what is meant",)
 
 

@@ -75,15 +75,6 @@ def conjugated(phrase: str, form: Form) -> str:
     return _MARKED.sub(lambda m: inflected(m[1], form), phrase)
 
 
-def every_form(*verbs: str) -> set[str]:
-    """Verbs in every person and tense."""
-    forms = {inflected(verb, form) for verb in verbs for form in (Form.SINGULAR, Form.PLURAL, Form.PAST, Form.ING)}
-    return forms | {form for verb in verbs for form in (verb, *_FURTHER.get(verb, ()))}
-
-
-_FURTHER = {"be": ("are", "were"), "do": ("does", "did", "doesn't"), "have": ("has", "had")}
-
-
 @lru_cache(maxsize=4096)
 def with_article(noun: str) -> str:
     """A noun phrase after *a* or *an*."""

@@ -6,7 +6,6 @@ import re
 from functools import lru_cache
 
 from chatscene.situations.phrases import KINDS
-from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.vocabulary import UserKind
 
 _PARTED = re.compile(r", not said.*|, (?:with|electric) .*| or |, |\|")
@@ -16,20 +15,9 @@ _ANYBODY = frozenset(("somebody", "person", "child", "boy", "man", "woman", "rid
 """What those are called who may be of several kinds."""
 
 
-def kind_named(words: str, body: AdversaryKind) -> UserKind | None:
-    """The kind that words name, of those that are heard as a body is; None if they name none of them.
-
-    Args:
-        words: Such as ``a delivery van``.
-        body: As what the kind is driven.
-    """
-    named = {kind: max(len(noun) for noun in nouns) for kind in _of(body) if (nouns := _named(kind, words))}
-    return max(named, key=lambda kind: named[kind]) if named else None
-
-
 def is_named(kind: UserKind, words: str) -> bool:
     """Whether words have a noun of a kind in them."""
-    return bool(_named(kind, words))
+    return any(_has(words, noun) for noun in nouns_of(kind))
 
 
 @lru_cache(maxsize=64)
@@ -41,15 +29,6 @@ def nouns_of(kind: UserKind) -> frozenset[str]:
         listed += _PARTED.split(kind.row.body.row.nouns.replace("\n", "|"))
     bare = (_BEHIND.sub("", _BEFORE.sub("", one.strip().lower())) for one in listed)
     return frozenset(one for one in bare if one) - (_ANYBODY if kind is not UserKind.CHILD else frozenset())
-
-
-@lru_cache(maxsize=32)
-def _of(body: AdversaryKind) -> tuple[UserKind, ...]:
-    return tuple(kind for kind in UserKind if kind.row.body.heard_as is body.heard_as)
-
-
-def _named(kind: UserKind, words: str) -> list[str]:
-    return [noun for noun in nouns_of(kind) if _has(words, noun)]
 
 
 def _has(words: str, noun: str) -> bool:

@@ -63,7 +63,6 @@ def filled(
         situation=made,
         built=built,
         reader=read.reader,
-        not_said=one.left_out,
         editor=editor_of(settings.language_model),
         readings=offered(ranked, settings, cannot_build, one) if doubted else (),
     )

@@ -37,7 +37,6 @@ class Stated:
         situation: What was said.
         built: The program, what was assumed and what is left out.
         reader: Who read it in a text; empty if it was stated.
-        not_said: What was read in the text and a situation has no word for.
         editor: Who applies edits in words; who reads without a language model if None.
         readings: What else the text may say that it was read in.
     """
@@ -45,7 +44,6 @@ class Stated:
     situation: Situation
     built: Built
     reader: str = ""
-    not_said: tuple[str, ...] = ()
     editor: Editor | None = field(default=None, repr=False)
     readings: tuple[OfferedReading, ...] = ()
 
@@ -81,7 +79,6 @@ class Stated:
             name=self.situation.about or title(self.situation),
             text=to_yaml(replace(self.situation, map=self.built.map)),
             read_by=self.reader,
-            left_out=list(self.not_said),
         )
 
     def edit(self, text: str) -> Changed:
@@ -96,7 +93,6 @@ class Stated:
             situation=made.after,
             built=built,
             reader=self.reader,
-            not_said=(*self.not_said, *(f"{one}: no scene shows it" for one in made.unused)),
             editor=self.editor,
             before=self,
             edited=made,
@@ -109,7 +105,7 @@ class Stated:
             "situation": to_plain(self.situation),
             "map": self.built.map,
             "assumed": list(self.built.assumed),
-            "left_out": [*self.not_said, *self.built.left_out],
+            "left_out": list(self.built.left_out),
             "not_read": list(left_over(self.situation)),
             "words": self._words(),
             "reader": self.reader,
@@ -122,7 +118,7 @@ class Stated:
         return (
             *not_in_words(self.situation),
             *(f"assumed: {one}" for one in self.built.assumed),
-            *(f"left out: {one}" for one in (*self.not_said, *self.built.left_out)),
+            *(f"left out: {one}" for one in self.built.left_out),
         )
 
     def __str__(self) -> str:
@@ -244,26 +240,19 @@ def stated(
     return made if speed is None or made.ego.speed is not None else with_fact(made, "ego.speed", f"{speed:g} km/h")
 
 
-def explain_stated(
-    situation: Situation,
-    reader: str = "",
-    not_said: Sequence[str] = (),
-    edits: Sequence[str] = (),
-) -> Stated:
+def explain_stated(situation: Situation, reader: str = "", edits: Sequence[str] = ()) -> Stated:
     """What becomes of a situation, and of edits of it, one after the other.
 
     Args:
         situation: What is to happen.
         reader: Who read it in a text; empty if it was stated.
-        not_said: What was read in the text and a situation has no word for.
         edits: What is to be another than it says, in words.
 
     Raises:
         NotBuilt: A fact of it cannot be built.
         EditRefused: An edit was not understood.
     """
-    made = Stated(situation=situation, built=built_of(situation), reader=reader, not_said=tuple(not_said))
-    return with_edits(made, edits)
+    return with_edits(Stated(situation=situation, built=built_of(situation), reader=reader), edits)
 
 
 def with_edits(made: Stated, edits: Sequence[str]) -> Stated:

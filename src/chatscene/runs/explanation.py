@@ -37,13 +37,12 @@ def write_choice(run: Workspace, scenario: Scenario, written: Written | None = N
     """Keep what was read and, if it came that far, what was chosen and the program it makes."""
     retrieval = written.retrieval if written else None
     record = read_record(run)
-    explained, stated = explain(record.text, [(scenario, retrieval)]), record.situation
+    explained = explain(record.text, [(scenario, retrieval)])
     if written:
-        told = (f"left out: {one}" for one in stated.left_out) if stated is not None else ()
-        explained["scenarios"][0]["otherwise"] += [*told, *written.left_out]
+        explained["scenarios"][0]["otherwise"] += written.left_out
     write_json(run.file("explanation.json"), explained)
-    if stated is not None:
-        write_bytes(run.file("situation.yaml"), stated.text.encode())
+    if record.situation is not None:
+        write_bytes(run.file("situation.yaml"), record.situation.text.encode())
     if written:
         write_program(run, scenario.id, written.program.source)
 

@@ -84,13 +84,11 @@ class SituationRecord(_Frozen):
         name: What it is called.
         text: All of it, in YAML, with the map that it is built on.
         read_by: Who read it in the text by which it is called; empty if it was stated.
-        left_out: What was read in that text, or said in an edit, and a situation has no word for.
     """
 
     name: str
     text: str
     read_by: str = ""
-    left_out: list[str] = []
 
 
 class ReportRecord(_Frozen):

@@ -16,13 +16,11 @@ class Edited:
         text: The edit.
         before: What it was.
         after: What it is.
-        unused: What the edit says and no scene has, in words.
     """
 
     text: str
     before: Situation
     after: Situation
-    unused: tuple[str, ...] = ()
 
     @property
     def changes(self) -> tuple[tuple[str, object, object], ...]:

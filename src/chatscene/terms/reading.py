@@ -35,12 +35,10 @@ class Ranked:
     Attributes:
         situation: The situation, with the words that gave each fact as its evidence.
         probability: That every fact of it is right.
-        left_out: What was read and a situation has no word for, in lines for a person.
     """
 
     situation: Situation
     probability: float
-    left_out: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,7 +49,7 @@ class SituationReading:
         text: The text.
         reader: Who read it.
         verdict: Whether it tells a situation.
-        reason: Why not, in the reader's own words, if it has any; or why it is not sure of the likeliest situation.
+        reason: Why it tells none, in the reader's own words, if it has any.
         ranked: The situations that it may tell, the likeliest first; none unless the verdict is `Verdict.SITUATION`.
         unread: The words that gave no fact of the likeliest one, in the order of the text.
         tells: How likely it is that the text tells a situation at all, in [0, 1].

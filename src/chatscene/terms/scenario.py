@@ -246,9 +246,7 @@ class Quantity:
 class Why(StrEnum):
     """Why something that was said is not in the program, in the order in which that is listed."""
 
-    DEGREE = "rain, snowfall and fog have no degrees here"
     NUMBER = "no parameter of the program fits it"
-    BESIDES = "no scene can show it"
     WORDS = "gave no fact"
 
 

@@ -62,4 +62,4 @@ def asked(said: str | Path | Situation, reading: RetrievalSettings, facts: Mappi
     if not is_filled(text, reading):
         raise SettingsError("say what it is to show: a sentence that is read into facts, a situation or a report")
     one = read_in(text, reading, facts)
-    return Asked(situation=one.situation, not_read=(*left_over(one.situation), *one.left_out))
+    return Asked(situation=one.situation, not_read=left_over(one.situation))
