@@ -7,7 +7,7 @@ put into the situation. So whatever can be said in a situation can be edited, wh
 from __future__ import annotations
 
 from chatscene.errors import EditRefused, SituationError
-from chatscene.read.learned.edits import changes
+from chatscene.read.learned.edits import Step, likely_changes
 from chatscene.read.reader import LONGEST
 from chatscene.situations.check import faults_of
 from chatscene.situations.edited import Edited
@@ -30,14 +30,15 @@ def edited(situation: Situation, text: str) -> Edited:
     """
     if not text.strip() or len(text) > LONGEST:
         raise EditRefused(f"say what is to be changed, in at most {LONGEST} characters, such as 'make it a truck'")
-    found = changes(situation, text)
+    found = likely_changes(situation, text)
     meant = {one.path: one.now for one in found if one.is_meant}
     if not meant:
         unsure = "; ".join(str(one) for one in found[:SHOWN] if one.after - one.before >= SHOWN_FROM)
         why = f"it is not sure enough what that changes: {unsure}" if unsure else "no fact changes by that"
         raise EditRefused(f"{why}; say what is to be another, such as 'make it a truck', or --set a fact")
-    if unsaid := next((path for path, now in meant.items() if str(now)[:1] in "+-"), ""):
-        raise EditRefused(f"{unsaid} was not said, so that there is nothing to change by {str(meant[unsaid])[1:]}")
+    for path, now in meant.items():
+        if isinstance(now, Step):
+            raise EditRefused(f"{path} was not said, so that there is nothing to change by {now.by}")
     try:
         made = with_facts(situation, meant)
     except SituationError as error:

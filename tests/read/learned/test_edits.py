@@ -24,6 +24,7 @@ from chatscene.terms.situation import Situation
 
 CAR = {"kind": "car", "starts": {"where": "ahead", "speed": "50 km/h"}, "does": [{"act": "brake"}]}
 VAN = {"kind": "van", "role": "supporting", "starts": {"where": "behind"}, "does": [{"act": "follow"}]}
+CRAWLS = VAN | {"starts": {"where": "behind", "speed": "5 km/h"}}
 HAND = from_plain({"others": [{"id": "T", **CAR}, {"id": "V", **VAN}]})
 
 
@@ -127,6 +128,21 @@ def test_an_amount_is_shifted_as_what_it_is(was: str, by: str, more: bool, now: 
     made, wanted = Speed.of(str(edits.shifted(was, Speed.of(by), more=more))), Speed.of(now)
     assert (made.low, made.high) == pytest.approx((wanted.low, wanted.high))
     assert made.than_ego is wanted.than_ego
+
+
+def test_a_way_that_takes_away_more_than_there_is_counts_for_nothing_and_refuses_only_as_the_likeliest(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    there = situation(CAR, CRAWLS)
+    right = situation(CAR | {"starts": {"where": "ahead", "speed": "10 km/h"}}, CRAWLS)
+    odd = situation(CAR, CRAWLS | {"starts": {"where": "behind", "speed": "10 km/h"}})
+    hand = from_plain({"others": [{"id": "T", **CAR}, {"id": "V", **CRAWLS}]})
+    reads(monkeypatch, there, (right, 0.6), (odd, 0.3))
+    (change,) = edited(hand, "10 km/h slower").changes
+    assert change == ("others.T.starts.speed", "50 km/h", "40 km/h")
+    reads(monkeypatch, there, (right, 0.3), (odd, 0.6))
+    with pytest.raises(EditRefused, match="nothing is left of 5 km/h"):
+        edited(hand, "10 km/h slower")
 
 
 def test_an_amount_that_gives_no_fact_refuses_the_edit(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,6 +11,7 @@ import re
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import permutations
 from pathlib import Path
 
@@ -25,7 +26,7 @@ from chatscene.situations.facts import all_facts
 from chatscene.situations.renamed import renamed
 from chatscene.situations.words import told
 from chatscene.terms.amount import Amount
-from chatscene.terms.situation import Evidence, Situation
+from chatscene.terms.situation import Evidence, Other, Situation
 
 CHANGE = " Change: "
 """Stands between the telling of a situation and the edit."""
@@ -38,13 +39,32 @@ _BY = re.compile(r"(?i)\b(?:by|another|(?:an )?extra)\s+$")
 _DOWN = re.compile(rf"(?i)\b(?:slow|down|reduc\w+|decreas\w+|cut|shorten\w*|{_LESS})\b")
 MOST = 5
 """Others that are compared in every order."""
-LIKELIER = 0.5
-"""By how much what an edit comes to is likelier with it than without it."""
+EVEN = 0.5
+"""From here on something is likelier than not."""
+MEANT_BY = 0.5
+"""An edit means a fact that is likelier by so much with it than without it."""
 
-ALONE = (Form.PLAIN, Form.BARE_KMH, Form.BARE_MPH)
-"""Forms of an amount by which something may change."""
+ONE_NUMBER = (Form.PLAIN, Form.BARE_KMH, Form.BARE_MPH)
+"""Forms of an amount that is one number, by which something may change."""
 
 Facts = Mapping[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """So much more or less of what nothing was said about, so that there is nothing to add it to.
+
+    Attributes:
+        by: How much.
+        more: Whether it is more.
+    """
+
+    by: Amount
+    more: bool
+
+    def __str__(self) -> str:
+        """In words."""
+        return f"{'+' if self.more else '-'}{self.by}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +73,7 @@ class Change:
 
     Attributes:
         path: Of the fact, by the ids at hand.
-        now: What it is then, as it stands in a file; None for what is not said.
+        now: What it is then, as it stands in a file; None for what is not said, and a `Step` from what was not.
         before: How likely that is without the edit, in [0, 1].
         after: How likely it is with it.
     """
@@ -66,7 +86,7 @@ class Change:
     @property
     def is_meant(self) -> bool:
         """Whether the edit says so."""
-        return self.after - self.before >= LIKELIER
+        return self.after - self.before >= MEANT_BY
 
     def __str__(self) -> str:
         """In words."""
@@ -75,22 +95,29 @@ class Change:
 
 def asked(situation: Situation, edit: str) -> str:
     """What is read: a situation in our words, and the edit."""
-    return f"{_told(situation)}{CHANGE}{' '.join(edit.split())}"
+    return _with_edit(_told(situation), edit)
 
 
-def changes(situation: Situation, edit: str, weights: Path = PACKAGED) -> tuple[Change, ...]:
+def _with_edit(telling: str, edit: str) -> str:
+    return f"{telling}{CHANGE}{' '.join(edit.split())}"
+
+
+def likely_changes(situation: Situation, edit: str, weights: Path = PACKAGED) -> tuple[Change, ...]:
     """The facts that are likelier another with an edit than without it, the surest first.
 
     Raises:
-        EditRefused: The reader is lost in the situation, or an amount of the edit gives no fact.
+        EditRefused: The reader is lost in the situation, an amount of the edit gives no fact, or the likeliest way to
+            read it takes away more than there is.
     """
-    telling, whole = prepared(_told(situation)), prepared(asked(situation, edit))
+    told = _told(situation)
+    telling, whole = prepared(told), prepared(_with_edit(told, edit))
     begins = len(telling.text) + len(CHANGE)
     alone, both = (ways_of(written_of(read, weights)) for read in (telling, whole))
-    if min(sum(way.probability for way in ways) for ways in (alone, both)) < LIKELIER:
+    if min(sum(way.probability for way in ways) for ways in (alone, both)) < EVEN:
         raise EditRefused("this situation is more than words can change; change its file, or a fact with --set")
-    was = _shares([(_facts(way, situation, telling, len(telling.text)), way.probability) for way in alone])
-    now = _shares([(_facts(way, situation, whole, begins), way.probability) for way in both])
+    was = _shares([(_facts(way, _names(way.situation, situation)), way.probability) for way in alone])
+    shifted = _with_steps(both, situation, whole.text, begins)
+    now = _shares([(facts, way.probability) for way, facts in shifted.items()])
     found = [
         Change(path, value, was.get(path, {None: 1.0}).get(value, 0.0), share)
         for path in {**now, **was}
@@ -98,7 +125,7 @@ def changes(situation: Situation, edit: str, weights: Path = PACKAGED) -> tuple[
     ]
     made = tuple(sorted((one for one in found if one.after > one.before), key=lambda one: one.before - one.after))
     if any(one.is_meant for one in made):
-        _check_amounts(whole, both, begins)
+        _check_amounts(whole, tuple(shifted), begins)
     return made
 
 
@@ -116,29 +143,50 @@ def _shares(ways: list[tuple[Facts, float]]) -> dict[str, dict[object, float]]:
     return shares
 
 
-def _facts(way: Way, at_hand: Situation, read: Read, begins: int) -> Facts:
-    """The facts of a way, by the ids at hand; amounts by which the edit shifts others are these others, shifted.
+def _facts(way: Way, names: Mapping[str, str]) -> dict[str, object]:
+    """The facts of a way, by the ids at hand."""
+    return dict(all_facts(renamed(way.situation, names)))
+
+
+def _with_steps(ways: tuple[Way, ...], at_hand: Situation, text: str, begins: int) -> dict[Way, Facts]:
+    """The facts of each way, by the ids at hand; amounts by which the edit shifts others are these others, shifted.
+
+    A way that takes away more than there is cannot be what is meant, and is left out.
 
     Raises:
-        EditRefused: There is no such amount to shift.
+        EditRefused: The likeliest way is such a one.
     """
-    names = _names(way.situation, at_hand)
-    facts, held = dict(all_facts(renamed(way.situation, names))), dict(all_facts(at_hand))
-    for at, found in way.written.found:
-        more = _comparative(read.text, found, begins) if found.form in ALONE else None
-        if more is None:
-            continue
-        path = path_of(way.written.steps, at)
-        head, name, *rest = path.split(".")
-        path = ".".join((head, names[name], *rest)) if head == "others" and name in NAMES else path
-        facts[path] = shifted(held.get(path), found.amount, more=more)
-    return facts
+    held, found = dict(all_facts(at_hand)), dict[Way, Facts]()
+    for way in ways:
+        names = _names(way.situation, at_hand)
+        facts = _facts(way, names)
+        try:
+            for at, one in way.written.found:
+                if one.form in ONE_NUMBER and (more := _comparative(text, one, begins)) is not None:
+                    path = _at_hand(path_of(way.written.steps, at), names)
+                    facts[path] = shifted(held.get(path), one.amount, more=more)
+        except EditRefused:
+            if way is ways[0]:
+                raise
+        else:
+            found[way] = facts
+    return found
+
+
+def _at_hand(path: str, names: Mapping[str, str]) -> str:
+    """The path of a fact by the ids at hand."""
+    head, name, *rest = path.split(".")
+    return ".".join((head, names[name], *rest)) if head == "others" and name in NAMES else path
 
 
 def shifted(was: object, by: Amount, *, more: bool) -> object:
-    """An amount that is so much more or less, as it stands in a file; with a sign if there was none."""
+    """An amount that is so much more or less, as it stands in a file; a `Step` if there was none.
+
+    Raises:
+        EditRefused: It takes away more than there is.
+    """
     if was is None:
-        return f"{'+' if more else '-'}{by}"
+        return Step(by, more)
     old, step = type(by).of(str(was)), by.low if more else -by.low
     opens = not old.than_ego and old.low <= 0.0  # at most so much
     low, high = old.low if opens else old.low + step, old.high + step
@@ -172,10 +220,11 @@ def _pairings(some: int, others: int) -> Iterator[tuple[tuple[int, int], ...]]:
         yield tuple((i, k) if some <= others else (k, i) for i, k in enumerate(order))
 
 
-def _said(one: object) -> Counter[tuple[str, object]]:
+@lru_cache(maxsize=256)
+def _said(one: Other) -> Counter[tuple[str, object]]:
     """The facts of a road user by the last name of their paths, however often."""
-    alone = Situation(others=(one,))  # type: ignore[arg-type]
-    return Counter((path.rpartition(".")[2], value) for path, value in all_facts(alone))
+    facts = all_facts(Situation(others=(one,)))
+    return Counter((path.rpartition(".")[2], value) for path, value in facts)
 
 
 def _check_amounts(read: Read, ways: tuple[Way, ...], begins: int) -> None:
@@ -189,7 +238,7 @@ def _check_amounts(read: Read, ways: tuple[Way, ...], begins: int) -> None:
         if one.low < begins or one.form in (Form.BARE_KMH, Form.BARE_MPH):
             continue
         copied = (way for way in ways if any(_meet(one, found) for _, found in way.written.found))
-        if sum(way.probability for way in copied) < LIKELIER * total:
+        if sum(way.probability for way in copied) < EVEN * total:
             said = read.text[one.low : one.high]
             raise EditRefused(f"no fact changes by {said!r}; say what it is of, or --set a fact")
 
