@@ -237,7 +237,7 @@ def fit(learning: Learning, *, epochs: int, seed: int, out: Path, minutes: float
 def written(learning: Learning, out: Path) -> None:
     """Write the file that the reader loads."""
     text, following = exported(learning.network)
-    changes = learning.network.encoder.changes()
+    changes = learning.network.encoder.file_changes()
     tokens, places = learning.grammar.tokens, tuple(learning.tables.places)
     save(Weights(changes, text, following, tokens, places), out / NAME)
 

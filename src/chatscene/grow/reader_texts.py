@@ -26,9 +26,6 @@ from chatscene.terms.amount import Amount
 from chatscene.terms.reading import Verdict
 from chatscene.terms.situation import Situation
 
-MANY = 99
-"""Behind all that were there."""
-
 
 @dataclass(frozen=True, slots=True)
 class Example:
@@ -170,9 +167,8 @@ def of_edits(path: Path) -> Iterator[Example]:
         before = _as_told(from_plain(row["situation"]))
         after = from_plain(row["after"]) if "after" in row else before
         order = [one.id for one in before.others]
-        after = replace(
-            after, others=tuple(sorted(after.others, key=lambda one: order.index(one.id) if one.id in order else MANY))
-        )
+        there = {one.id: one for one in after.others}
+        after = replace(after, others=tuple(there[name] for name in dict.fromkeys((*order, *there)) if name in there))
         text = asked(before, row["edit"])
         yield example(text, Verdict.SITUATION, after, tuple(_amounts(before)), text.rindex(CHANGE))
 

@@ -64,7 +64,7 @@ class Tuned(nn.Module):
                     found[i] = state[: len(rows[i])].half().clone()
         return [found[i] for i in range(len(rows))]
 
-    def changes(self) -> dict[int, bytes]:
+    def file_changes(self) -> dict[int, bytes]:
         """What to add to the bytes of the encoder's file, by where they stand."""
         changed: dict[int, bytes] = {}
         for i, layer in enumerate(self.upper, LAYERS - len(self.upper)):

@@ -76,7 +76,7 @@ def heard(text: str, settings: RetrievalSettings) -> Frame:
         said_by(frame, one.situation),
         sure=1.0 if settings.reading else one.probability,
         notes=(*frame.notes, *notes),
-        readings=offered(ranked, settings, above=None if refused else one) if doubted else (),
+        readings=offered(ranked, settings, served=None if refused else one) if doubted else (),
     )
 
 

@@ -85,7 +85,7 @@ def offered(
     ranked: Sequence[Ranked],
     settings: RetrievalSettings,
     cannot_build: Callable[[Situation], str] = lambda _: "",
-    above: Ranked | None = None,
+    served: Ranked | None = None,
 ) -> tuple[OfferedReading, ...]:
     """What a user may choose between, by its number, the likeliest first; only what can be built.
 
@@ -93,9 +93,9 @@ def offered(
         ranked: All readings, the likeliest first.
         settings: Below which probability none is sure.
         cannot_build: Why a situation cannot be built; empty if it can.
-        above: The one that is served, which is not offered; None where none is.
+        served: The one that is served, which is not offered; None where none is.
     """
-    numbered = [(number, one) for number, one in enumerate(ranked[:MOST_READINGS], 1) if one is not above]
+    numbered = [(number, one) for number, one in enumerate(ranked[:MOST_READINGS], 1) if one is not served]
     return tuple(
         OfferedReading(
             number=number,
