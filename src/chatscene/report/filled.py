@@ -51,7 +51,7 @@ def filled(
         LanguageModelError: The model gave no usable reply.
     """
     with_facts = _stating(facts or {}, settings)
-    cannot_build = _unbuilt(with_facts, map_name, speed)
+    cannot_build = _unbuilt(map_name, speed)
     read, one, ranked = _read(text, settings, with_facts, cannot_build)
     made = stated(one.situation, None, map_name, speed)
     doubted = not settings.reading and one.probability < SURE
@@ -163,7 +163,14 @@ def _read(
     cannot_build: Callable[[Situation], str] = lambda _: "",
 ) -> tuple[SituationReading, Ranked, tuple[Ranked, ...]]:
     """What a reader gave, the reading that is taken, and all readings with what the user states."""
-    read = reader_of(settings, cannot_build).read(text)
+
+    def cannot_build_so(situation: Situation) -> str:
+        try:
+            return cannot_build(with_facts(situation))
+        except (SituationError, SettingsError):  # which whoever states the facts is told
+            return ""
+
+    read = reader_of(settings, cannot_build_so).read(text)
     one, ranked = taken(read, with_facts, settings)
     if not settings.reading and one.probability < settings.refuse_below:
         raise _unsure(read, ranked, settings, cannot_build)
@@ -217,16 +224,14 @@ def _with_what_was_read(
     return refusal
 
 
-def _unbuilt(with_facts: WithFacts, map_name: str | None, speed: float | None) -> Callable[[Situation], str]:
-    """Why a situation, with what the user states, cannot be built; empty if it can."""
+def _unbuilt(map_name: str | None, speed: float | None) -> Callable[[Situation], str]:
+    """Why a situation cannot be built; empty if it can."""
 
     def why(situation: Situation) -> str:
         try:
-            build(stated(with_facts(situation), None, map_name, speed))
+            build(stated(situation, None, map_name, speed))
         except NotBuilt as error:
             return str(error)
-        except (SituationError, SettingsError):  # which whoever states the facts is told
-            return ""
         return ""
 
     return why
