@@ -451,9 +451,9 @@ def run(
         trust: Whether the program may use all of Scenic and Python, in this process; else it runs in the sandbox.
         as_written: Whether the program's own ego drives; else `ego` does, on a route that follows from the program.
         within: The folder in which the map lies that the program names, if it may lie nowhere else.
-        param: Parameters that the program reads and does not state, by name; with no program there are none.
-        edit: What is to be another than the sentence says, in words, edit by edit. A text with edits, and be it none
-            of them (``[]``), is read as a sentence that can be edited, also by a language model.
+        param: Values, by name, of parameters that the program uses and does not define; only with a program.
+        edit: What is to differ from the text or the situation, in words: one edit, or several that are applied one
+            after the other. None and ``[]`` change nothing.
         map: Packaged ``town``, ``outskirts`` or ``region``, or an ``.xodr`` file; None for the town, or for the
             outskirts where the text names what the town has not, such as a motorway. Where a program names a map that
             is there, that one is taken.

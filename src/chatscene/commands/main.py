@@ -196,7 +196,8 @@ goes into looking through what has just been loaded and stays."""
     default=(),
     metavar="NAME=VALUE",
     callback=parameters,
-    help="A parameter that the program reads and does not state; a text, or JSON.  Repeatable.",
+    help="Set a parameter that the program uses and does not define, such as town=Town05. VALUE is JSON, or else text. "
+    "Repeatable.",
 )
 @EDITS
 @MAP_WITH_SITE
