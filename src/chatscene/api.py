@@ -861,6 +861,9 @@ def verify(
     trust: bool = False,
     ego_id: str | None = None,
     scene: str | None = None,
+    param: Mapping[str, object] | None = None,
+    variant: int | None = None,
+    budget: float | None = None,
     within: Name | None = None,
     page: Name | None = None,
     library: Name | None = None,
@@ -884,6 +887,10 @@ def verify(
         trust: Whether a program may use all of Scenic and Python, in this process.
         ego_id: Whose track of a recording is the ego's; None for the one that is marked.
         scene: Which scene of a run; None for those that it keeps.
+        param: Parameters that a program reads and does not state, or values of those that a file of OpenSCENARIO
+            declares, by name.
+        variant: Which set of parameter values of a file of such sets, from 1; None spreads the drives over them.
+        budget: Processor time [s] for scenes that cannot be placed, over all drives; then no more are tried.
         within: The folder in which map and catalogs lie that a program names, if they may lie nowhere else.
         page: Where a page with the moment of each fact is written; None for none.
         library: As `explain`, where it is refused: snippets have no facts to be judged by.
@@ -913,6 +920,9 @@ def verify(
         map_name=None if map is None else str(map),
         ego_id=ego_id,
         scene_id=scene,
+        given=param,
+        variant=variant,
+        budget=budget,
         within=None if within is None else str(_path(within)),
     )
     path = what.folder if isinstance(what, Run) else _path(what)
@@ -934,6 +944,8 @@ def story(
     map: Name | None = None,  # noqa: A002 - the word of the command line
     trust: bool = False,
     ego_id: str | None = None,
+    param: Mapping[str, object] | None = None,
+    variant: int | None = None,
     within: Name | None = None,
 ) -> Story:
     """What happened in a drive of a program, a run or a recording, in words, with times and speeds.
@@ -948,6 +960,8 @@ def story(
         map: The map of a program that names none.
         trust: Whether a program may use all of Scenic and Python, in this process.
         ego_id: Whose track of a recording is the ego's; None for the one that is marked.
+        param: As `verify`.
+        variant: Which set of parameter values of a file of such sets, from 1; None for the first.
         within: The folder in which map and catalogs lie that a program names, if they may lie nowhere else.
 
     Raises:
@@ -964,6 +978,8 @@ def story(
         map_name=None if map is None else str(map),
         ego_id=ego_id,
         scene_id=scene,
+        given=param,
+        variant=variant,
         within=None if within is None else str(_path(within)),
     )
     return told(what.folder if isinstance(what, Run) else _path(what), settings)
@@ -1015,6 +1031,7 @@ def import_scenario(
     map: Name | None = None,  # noqa: A002 - the word of the command line
     ego: str | None = None,
     variant: int | None = None,
+    param: Mapping[str, object] | None = None,
     within: Name | None = None,
 ) -> ImportedScenario:
     """Write a scenario of OpenSCENARIO XML as a Scenic program of one's own, which `run` takes; nothing of it is run.
@@ -1025,6 +1042,7 @@ def import_scenario(
         map: A packaged map or an ``.xodr`` file; None for the one that the file names by a path from its folder.
         ego: What the file calls the ego; None where that is told by the file.
         variant: The number of one set of parameter values, from 1; None for all of them.
+        param: Values of parameters in place of those in the file, by name.
         within: The folder in which catalogs and the map lie that the file names, if they may lie nowhere else.
 
     Raises:
@@ -1040,6 +1058,7 @@ def import_scenario(
         map_name=None if map is None else str(map),
         ego=ego,
         variant=variant,
+        given=param,
         within=None if within is None else _path(within),
     )
 

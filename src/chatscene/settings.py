@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import MISSING, dataclass, field, fields
 
 from chatscene.errors import SettingsError, no_such
 
@@ -26,6 +26,8 @@ def check_settings(settings: object, limits: Mapping[str, tuple[float, float]]) 
         SettingsError: One is not; the message names it and the range.
     """
     for setting in fields(settings):  # type: ignore[arg-type]
+        if setting.default is MISSING:  # a mapping, which is looked at where it is used
+            continue
         name, value, kind = setting.name, getattr(settings, setting.name), type(setting.default)
         fits = type(value) is kind or (kind is float and type(value) is int)
         if name not in limits:
@@ -136,11 +138,18 @@ class VerifySettings:
         ego_id: Whose track of a recording is the ego's; empty for the one that is marked.
         scene_id: Which scene of a run; empty for those that it keeps.
         within: The folder in which every other file lies that a program names; empty for any.
+        budget: Processor time [s] for scenes that cannot be placed, over all drives; then no more are tried.
+        variant: Which set of parameter values of a file of such sets, from 1; 0 for as many of them as there are
+            drives.
+        given: Parameters of a program, or of a file of OpenSCENARIO, by name.
     """
 
     draws: int = 10
     seed: int = 0
     least: float = 0.5
+    budget: float = 60.0
+    variant: int = 0
+    given: Mapping[str, object] = field(default_factory=dict[str, object])
     ego: str = ""
     map_name: str = ""
     trust: bool = False
@@ -149,7 +158,16 @@ class VerifySettings:
     within: str = ""
 
     def __post_init__(self) -> None:
-        check_settings(self, {"draws": (1, 1_000), "seed": (0, 2**63 - 1), "least": (0.0, 1.0)})
+        check_settings(
+            self,
+            {
+                "draws": (1, 1_000),
+                "seed": (0, 2**63 - 1),
+                "least": (0.0, 1.0),
+                "budget": (0.0, 1e6),
+                "variant": (0, 10**9),
+            },
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -144,6 +144,19 @@ def test_an_import_of_many_programs_tells_of_all_and_one_can_be_chosen(folder: P
     assert "nobody" in refused
 
 
+def test_a_program_is_given_its_parameters_and_a_file_its_variant(folder: Path) -> None:
+    (folder / "reads.scenic").write_text(
+        "model scenic.domains.driving.model\nego = new Car with behavior "
+        "FollowLaneBehavior(target_speed=globalParameters.pace)\nterminate after 1 seconds\n"
+    )
+    assert "--param pace=VALUE" in called(folder, "story", what="reads.scenic")["error"]
+    assert "the ego" in called(folder, "story", what="reads.scenic", param={"pace": 9})["text"]
+    (folder / "values-two.xosc").write_text(VALUES.format(most=18.25))
+    for tool, more in (("story", {}), ("verify", {"said_file": "crosses.yaml", "draws": 1})):
+        told = called(folder, tool, what="values-two.xosc", variant=2, **more)["text"]
+        assert "variant 2 of 2 of crash.xosc: OPT_A_Y = 18.25" in told
+
+
 def test_an_import_of_programs_on_several_maps_tells_the_map_of_each(folder: Path) -> None:
     (folder / "other.xodr").write_bytes((folder / "town.xodr").read_bytes())
     where = '<ParameterDeclaration name="where" parameterType="string" value="town.xodr"/></ParameterDeclarations>'

@@ -271,10 +271,10 @@ def test_where_one_variant_is_refused_no_program_is_written(beside: Path) -> Non
 def test_that_nothing_is_overwritten_is_looked_at_once_and_before_a_file_is_read(
     beside: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    looked: list[str] = []
-    monkeypatch.setattr("chatscene.imports.import_file._free", lambda out: looked.append(out.name))
+    looked: list[Path] = []
+    monkeypatch.setattr("chatscene.imports.import_file._free", looked.append)
     import_scenario(variants(beside, sets("near", "20", "30")))
-    assert looked == ["values-1.scenic", "values-2.scenic"]
+    assert [one.name for one in looked] == ["values-1.scenic", "values-2.scenic"]
 
 
 def test_where_one_program_cannot_be_written_none_is_there(beside: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -354,9 +354,38 @@ def test_more_variants_than_are_read_are_refused_before_they_are_made(axes: int,
         variants_of(read_xml(path), path)
 
 
-def test_that_one_of_several_variants_is_judged_is_told(beside: Path) -> None:
-    verdict = chatscene.verify(variants(beside, sets("near", "20", "30")), "The car ahead brakes hard.", draws=1)
-    assert any("variant 1 of 2 is judged" in note for note in verdict.notes)
+SLOWS_DOWN = "The car ahead brakes hard."
+
+
+def test_drives_are_spread_over_the_variants_and_which_are_judged_is_told(beside: Path) -> None:
+    verdict = chatscene.verify(path := variants(beside, STEPS.format(10)), SLOWS_DOWN, draws=4)
+    assert [one.variant for one in verdict.draws] == [1, 1, 2, 3]
+    assert "judged, with how many drives, of 3 variants: 1 (2), 2 (1), 3 (1)" in verdict.notes
+    assert [one["variant"] for one in verdict.as_dict()["draws"]] == [1, 1, 2, 3]
+    chosen = chatscene.verify(path, SLOWS_DOWN, draws=1, variant=3)
+    assert [one.variant for one in chosen.draws] == [3]
+    assert "variant 3 of 3 of theirs.xosc: near = 30" in chosen.notes
+    assert "variant 2 of 3 of theirs.xosc: near = 20" in str(chatscene.story(path, variant=2))
+    with pytest.raises(SettingsError, match="variants 1 to 3, and no 4"):
+        chatscene.verify(path, SLOWS_DOWN, variant=4)
+    with pytest.raises(SettingsError, match="tells the values of 'near' itself"):
+        chatscene.verify(path, SLOWS_DOWN, param={"near": 12})
+
+
+def test_a_few_of_many_variants_are_spread_over_all(beside: Path) -> None:
+    done = import_scenario(variants(beside, STEPS.format(0.1)), at_most=3)
+    assert (done.variants, done.count) == ((1, 68, 135), 201)
+    assert "< 16.7" in done.programs[1].read_text()
+
+
+def test_a_parameter_that_a_file_declares_can_be_given_and_no_other(beside: Path) -> None:
+    (path := beside / "theirs.xosc").write_text(scenario())
+    done = import_scenario(path, given={"near": 12})
+    assert "< 12.0" in done.program.read_text()
+    with pytest.raises(SettingsError, match="parameter 'far'"):
+        import_scenario(path, out=beside / "two.scenic", given={"far": 12})
+    with pytest.raises(SettingsError, match=r"near is given \[1\]"):
+        import_scenario(path, out=beside / "two.scenic", given={"near": [1]})
 
 
 # Shapes

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -237,6 +238,46 @@ def test_a_program_that_does_not_compile_is_bad_input(theirs: Path) -> None:
     status, told = say(theirs / "wrong.scenic", "The car ahead brakes hard.", "--draws", 1)
     assert status == 2
     assert "wrong.scenic" in told
+
+
+def test_a_parameter_that_a_program_reads_is_given_to_each_command_that_drives_it(tmp_path: Path) -> None:
+    path = tmp_path / "reads.scenic"
+    path.write_text(BRAKES.format(ego=DRIVES).replace("Range(12, 15)", "globalParameters.gap"))
+    status, told = say(path, "The car ahead brakes hard.", "--draws", 1)
+    assert status == 2
+    assert "reads parameters that it does not state: gap; give each, as in --param gap=VALUE" in told
+    assert say(path, "The car ahead brakes hard.", "--draws", 1, "--param", "gap=13")[0] == 0
+    for gap in (13, 30):
+        done = CliRunner().invoke(main, ["story", str(path), "--param", f"gap={gap}"], catch_exceptions=False)
+        far = re.search(r"the car is (\d+) m ahead", done.output)
+        assert far is not None, done.output
+        assert gap - 6 <= float(far[1]) <= gap + 1
+
+
+@pytest.mark.parametrize(("option", "why"), [("--param", "parameters are given to"), ("--variant", "variants are of")])
+@pytest.mark.parametrize("command", ["verify", "story"])
+def test_what_a_recording_has_none_of_is_refused_and_not_dropped(
+    command: str, option: str, why: str, drive: Path
+) -> None:
+    words = [command, str(drive), *(["A car brakes."] if command == "verify" else []), option]
+    done = CliRunner().invoke(main, [*words, "near=3" if option == "--param" else "3"])
+    assert done.exit_code != 0
+    assert why in done.output
+
+
+def test_scenes_that_cannot_be_placed_cost_no_more_than_a_budget_that_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("chatscene.simulate.staging.DRAWING", 0.3)  # [s] for each scene
+    path = tmp_path / "hardly.scenic"
+    path.write_text(BRAKES.format(ego=DRIVES) + "require distance from ego to ahead > 100\n")
+    verdict = chatscene.verify(path, "The car ahead brakes hard.", trust=True, draws=9, budget=0.5)
+    assert verdict.status == 2
+    assert len(verdict.rejected) == 2
+    counted, stopped = verdict.notes[-2:]
+    assert re.fullmatch(r"(\d+) draws for 0 drives: \1 met no requirement or had no place", counted)
+    assert stopped.startswith("stopped after 2 of 9 drives: scenes that could not be placed took 1 s of processor time")
+    assert stopped.endswith("--budget allows 0.5 s")
 
 
 def test_a_program_of_ours_with_two_who_act_is_judged_on_a_map_that_has_its_place(tmp_path: Path) -> None:

@@ -151,6 +151,32 @@ def parameters(context: click.Context, option: click.Parameter, said: tuple[str,
     return told
 
 
+def param_option(told: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """The option that gives a program parameters.
+
+    Args:
+        told: What they are, for its help.
+    """
+    return click.option(
+        "--param",
+        multiple=True,
+        default=(),
+        metavar="NAME=VALUE",
+        callback=parameters,
+        help=f"{told} VALUE is JSON, or else text. Repeatable.",
+    )
+
+
+PARAM = param_option("Set a parameter that a program uses and does not define, or that an .xosc file declares.")
+VARIANT = click.option(
+    "--variant",
+    default=0,
+    type=click.IntRange(min=0),
+    metavar="N",
+    help="Set N of an .xosc file of parameter values.  [default: drives spread over all sets]",
+)
+
+
 # What the user says again of what a run names beyond what is packaged (`chatscene.runs.trust.Repeated`).
 _AGAIN = "that the run uses, to confirm that you trust it."
 LIBRARY_AGAIN = click.option("--library", multiple=True, metavar="DIR", help=f"The snippet folder {_AGAIN}")

@@ -38,7 +38,7 @@ from chatscene.commands.library import (
     DrivenAgain,
     console,
     library,
-    parameters,
+    param_option,
     progress,
     say,
     usable_map,
@@ -190,15 +190,7 @@ goes into looking through what has just been loaded and stays."""
 @REPORT
 @click.option("--trust", is_flag=True, help="Run the program with all of Python, outside the sandbox.")
 @click.option("--as-written", is_flag=True, help="Let the program's own ego drive.")
-@click.option(
-    "--param",
-    multiple=True,
-    default=(),
-    metavar="NAME=VALUE",
-    callback=parameters,
-    help="Set a parameter that the program uses and does not define, such as town=Town05. VALUE is JSON, or else text. "
-    "Repeatable.",
-)
+@param_option("Set a parameter that the program uses and does not define, such as town=Town05.")
 @EDITS
 @MAP_WITH_SITE
 @click.option("--ego", default=EGO, show_default=True, help="An ego by name, file or package.module:factory.")
@@ -677,9 +669,16 @@ def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: b
 )
 @click.option("--ego", metavar="NAME", help="The ego in FILE; default: who is called ego, else the first vehicle.")
 @click.option("--variant", type=click.IntRange(min=1), metavar="N", help="Only set N of a file of parameter values.")
+@param_option("Set a parameter that FILE declares.")
 @JSON
 def import_scenario(
-    file: Path, out: Path | None, map_name: str | None, ego: str | None, variant: int | None, as_json: bool
+    file: Path,
+    out: Path | None,
+    map_name: str | None,
+    ego: str | None,
+    variant: int | None,
+    param: dict[str, object],
+    as_json: bool,
 ) -> None:
     """Write the OpenSCENARIO XML in FILE as a Scenic program, which `run --program` takes; nothing of it is run.
 
@@ -693,7 +692,7 @@ def import_scenario(
     """
     from chatscene import api
 
-    done = api.import_scenario(file, out=out, map=map_name, ego=ego, variant=variant)
+    done = api.import_scenario(file, out=out, map=map_name, ego=ego, variant=variant, param=param)
     told = {
         "program": str(done.program),
         "programs": [str(one) for one in done.programs],

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from chatscene.commands.library import JSON, say
+from chatscene.commands.library import JSON, PARAM, VARIANT, say
 from chatscene.errors import SettingsError
 
 
@@ -19,6 +19,8 @@ from chatscene.errors import SettingsError
 @click.option("--map", "map_name", default="", help="The map of a program that names none: a packaged one, or a file.")
 @click.option("--trust", is_flag=True, help="Run the program with all of Python, outside the sandbox.")
 @click.option("--ego-id", default="", metavar="ID", help="Whose track of a recording is the ego's, if none is marked.")
+@PARAM
+@VARIANT
 @click.option("--picture", type=click.Path(path_type=Path), default=None, help="Write a moment from above, as PNG.")
 @click.option("--at", type=float, default=None, metavar="SECONDS", help="Which moment.  [default: the nearest one]")
 @JSON
@@ -30,6 +32,8 @@ def story(
     map_name: str,
     trust: bool,
     ego_id: str,
+    param: dict[str, object],
+    variant: int,
     picture: Path | None,
     at: float | None,
     as_json: bool,
@@ -57,6 +61,8 @@ def story(
         map=map_name or None,
         trust=trust,
         ego_id=ego_id or None,
+        param=param or None,
+        variant=variant or None,
     )
     if picture is not None:
         try:

@@ -9,7 +9,7 @@ from typing import Unpack
 
 import click
 
-from chatscene.commands.library import CHOOSING, JSON, READING, Chosen, say
+from chatscene.commands.library import CHOOSING, JSON, PARAM, READING, VARIANT, Chosen, say
 from chatscene.commands.refusal import complain, refusing
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 from chatscene.settings import VerifySettings
@@ -36,6 +36,15 @@ _USUAL = VerifySettings()
 @click.option("--map", "map_name", default="", help="The map of a program that names none: a packaged one, or a file.")
 @click.option("--trust", is_flag=True, help="Run the program with all of Python, outside the sandbox.")
 @click.option("--ego-id", default="", metavar="ID", help="Whose track of a recording is the ego's, if none is marked.")
+@PARAM
+@VARIANT
+@click.option(
+    "--budget",
+    default=_USUAL.budget,
+    show_default=True,
+    metavar="SECONDS",
+    help="Processor time for scenes that cannot be placed, over all drives; then no more are tried.",
+)
 @click.option("--scene", "scene_id", default="", metavar="ID", help="A scene of a run.  [default: those it keeps]")
 @click.option(
     "--page", type=click.Path(path_type=Path), default=None, help="Write a page with the moment of each fact."
@@ -53,6 +62,9 @@ def verify(
     map_name: str,
     trust: bool,
     ego_id: str,
+    param: dict[str, object],
+    variant: int,
+    budget: float,
     scene_id: str,
     page: Path | None,
     as_json: bool,
@@ -70,6 +82,7 @@ def verify(
     \b
     chatscene verify theirs.scenic "a cyclist crosses from the right"
     chatscene verify theirs.scenic situation.yaml --draws 20 --page verdict.html
+    chatscene verify variations.xosc "the car ahead brakes hard" --variant 3
     chatscene verify drive.csv "the car ahead brakes hard" --json
     """
     from chatscene import api
@@ -87,6 +100,9 @@ def verify(
                 trust=trust,
                 ego_id=ego_id or None,
                 scene=scene_id or None,
+                param=param or None,
+                variant=variant or None,
+                budget=budget,
                 page=page,
                 **reading,
             )

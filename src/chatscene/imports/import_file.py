@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from chatscene.errors import ForeignCodeRefused, ScenarioError, SettingsError
@@ -30,6 +30,8 @@ class ImportedScenario:
         notes: What was taken otherwise than it is written, or left to others, each with its line.
         programs: All programs, one for each variant that was asked for.
         maps: The map of each of them.
+        variants: The number of the variant of each of them; none where the file is one scenario.
+        count: How many variants the file has.
     """
 
     program: Path
@@ -37,6 +39,8 @@ class ImportedScenario:
     notes: tuple[str, ...]
     programs: tuple[Path, ...]
     maps: tuple[Path, ...]
+    variants: tuple[int, ...] = ()
+    count: int = 0
 
     @property
     def command(self) -> str:
@@ -56,6 +60,8 @@ def import_scenario(
     map_name: str | None = None,
     ego: str | None = None,
     variant: int | None = None,
+    at_most: int | None = None,
+    given: Mapping[str, object] | None = None,
     within: Path | None = None,
 ) -> ImportedScenario:
     """Write a scenario as a Scenic program; nothing of it is run.
@@ -68,6 +74,8 @@ def import_scenario(
         map_name: A packaged map or an ``.xodr`` file; None for the one that the file names by a path from its folder.
         ego: What the file calls the ego; None where that is told by the file.
         variant: The number of one variant, from 1; None for all of them.
+        at_most: So many variants at most, spread over all of them; None for all, up to a hundred.
+        given: Values of parameters in place of those in the file, by name: numbers, truth values or texts.
         within: The folder in which catalogs, scenario and map lie, if they may lie nowhere else.
 
     Raises:
@@ -79,33 +87,37 @@ def import_scenario(
     out = out or path.with_suffix(".scenic")
     if out.suffix != ".scenic":
         raise SettingsError(f"a program's name ends in .scenic, and {str(out)!r} does not")
-    root = read_xml(path)
+    root, told = read_xml(path), _told(given or {})
     found = variants_of(root, path, within)
     if found is None:
         if variant is not None:
             raise SettingsError(f"{path} is one scenario and has no variants; leave --variant away")
         _free(out)
         scenario = ScenarioFile(path, map_name, ego=ego, within=within, root=root)
-        return _written({out: _program(scenario.said(), path, out)})
-    if variant is None and found.count > MOST_PROGRAMS:
+        scenario.check_declared(told)
+        return _written({out: _program(scenario.said(told), path, out)})
+    if variant is None and at_most is None and found.count > MOST_PROGRAMS:
         found = found.searched()
-    chosen = _chosen(found, variant, path)
+    if twice := sorted(set(told) & found.names):
+        raise SettingsError(f"{path} tells the values of {twice[0]!r} itself; choose them with --variant")
+    chosen = _chosen(found, variant, at_most, path)
     where = {n: out if len(chosen) == 1 else out.with_name(f"{out.stem}-{n}.scenic") for n in chosen}
     for one in where.values():
         _free(one)
     scenario = ScenarioFile(found.scenario, map_name, ego=ego, within=within)
+    scenario.check_declared(told)
     made: dict[Path, _Program] = {}
     for number, values in chosen.items():
         try:
-            said = scenario.said(values, found.spans)
+            said = scenario.said({**told, **values}, found.spans)
             made[where[number]] = _program(said, path, where[number])
         except ScenarioError as error:
             raise ScenarioError(f"variant {number} of {path}, {_said(values)}: {error}") from error
-    told = f"{found.count} variants of {found.scenario.name}"
+    every = f"{found.count} variants of {found.scenario.name}"
     if len(chosen) == 1:
         ((number, values),) = chosen.items()
-        told = f"variant {number} of {found.count} of {found.scenario.name}: {_said(values)}"
-    return _written(made, told, *found.notes)
+        every = f"variant {number} of {found.count} of {found.scenario.name}: {_said(values)}"
+    return replace(_written(made, every, *found.notes), variants=tuple(chosen), count=found.count)
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,8 +129,25 @@ class _Program:
     notes: tuple[str, ...]
 
 
-def _chosen(found: Variants, variant: int | None, path: Path) -> dict[int, Mapping[str, str]]:
+def _told(given: Mapping[str, object]) -> dict[str, str]:
+    """Values of parameters as a file of OpenSCENARIO writes them.
+
+    Raises:
+        SettingsError: One is none that a parameter there has.
+    """
+    told: dict[str, str] = {}
+    for name, value in given.items():
+        if not isinstance(value, str | int | float):
+            raise SettingsError(f"the parameter {name} is given {value!r}; of OpenSCENARIO it is a number or a text")
+        told[name] = str(value).lower() if isinstance(value, bool) else str(value)
+    return told
+
+
+def _chosen(found: Variants, variant: int | None, at_most: int | None, path: Path) -> dict[int, Mapping[str, str]]:
     if variant is None:
+        if at_most is not None:
+            many = min(at_most, found.count)
+            return {number: found.number(number) for number in (1 + k * found.count // many for k in range(many))}
         if found.count > MOST_PROGRAMS:
             raise SettingsError(f"{path} has {found.count} variants, too many programs; choose one with --variant N")
         return {number: found.number(number) for number in range(1, found.count + 1)}

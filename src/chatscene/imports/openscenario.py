@@ -7,12 +7,12 @@ line, all of it at once.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
-from chatscene.errors import ScenarioError
+from chatscene.errors import ScenarioError, SettingsError, no_such
 from chatscene.imports.catalogs import Catalogs, written_out
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.map_named import Maps
@@ -76,6 +76,18 @@ class ScenarioFile:
         if root.find("Entities") is None or root.find("Storyboard", "Init", "Actions") is None:
             raise ScenarioError(f"{path} tells no scenario: it has no Entities, or no Storyboard with an Init")
         self._maps, self._catalogs = Maps(root, path, map_name), Catalogs(root, path)
+
+    def check_declared(self, names: Iterable[str]) -> None:
+        """Hold parameters that are told from outside to those that the scenario declares.
+
+        Raises:
+            SettingsError: It does not declare one.
+        """
+        declared = {
+            one.attributes.get("name", "") for group in self._root.all("ParameterDeclarations") for one in group.inside
+        }
+        if odd := sorted(set(names) - declared):
+            raise SettingsError(f"{self._path}: {no_such('parameter', odd[0], declared)}")
 
     def said(
         self, told: Mapping[str, str] | None = None, spans: Mapping[str, tuple[float, float]] | None = None

@@ -47,6 +47,11 @@ class Variants:
         """How many there are."""
         return math.prod(map(len, self.axes))
 
+    @property
+    def names(self) -> frozenset[str]:
+        """The parameters whose values they tell."""
+        return frozenset(name for axis in self.axes for name in axis[0]) | frozenset(self.spans)
+
     def number(self, number: int) -> Values:
         """The values of a variant by its number, from 1: the last axis changes first."""
         index, chosen = number - 1, list[Values]()

@@ -10,7 +10,7 @@ from pydantic import Field
 
 from chatscene.errors import SettingsError
 from chatscene.mcp.tool import SCHEME, Answer, Desk, Path, first_of
-from chatscene.mcp.writing import SITUATIONS, Facts, Sentence, situation_in
+from chatscene.mcp.writing import SITUATIONS, Facts, Given, Sentence, Variant, situation_in
 from chatscene.settings import EGO
 
 if TYPE_CHECKING:
@@ -89,6 +89,8 @@ def verify(
     map: Map | None = None,  # noqa: A002
     ego_id: Annotated[str, Field(max_length=200, description="Whose track of a recording is the ego's.")] | None = None,
     scene: SceneId | None = None,
+    param: Given | None = None,
+    variant: Variant | None = None,
     page: Annotated[Path, Field(description="A new .html file with a picture of the moment of each fact.")]
     | None = None,
     facts: Facts | None = None,
@@ -115,6 +117,8 @@ def verify(
         map=on,
         ego_id=ego_id,
         scene=scene,
+        param=param,
+        variant=variant,
         within=desk.folder.root,
         page=out,
         set=facts or None,
@@ -132,6 +136,8 @@ def story(
     ego: Ego | None = None,
     map: Map | None = None,  # noqa: A002
     ego_id: Annotated[str, Field(max_length=200, description="Whose track of a recording is the ego's.")] | None = None,
+    param: Given | None = None,
+    variant: Variant | None = None,
     picture: Picture = False,
     at: Annotated[float, Field(ge=0, le=10_000, description="Moment of the picture [s].")] | None = None,
 ) -> Answer:
@@ -148,6 +154,8 @@ def story(
         ego=desk.folder.ego(ego),
         map=desk.folder.map(map),
         ego_id=ego_id,
+        param=param,
+        variant=variant,
         within=desk.folder.root,
     )
     return Answer(str(told), told.picture(at) if picture or at is not None else b"")

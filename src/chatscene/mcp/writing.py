@@ -22,6 +22,11 @@ Facts = Annotated[
     dict[_Short, _Short | int | float | bool],
     Field(max_length=50, description='Facts that hold whatever the text says, by path: {"others.A.kind": "truck"}.'),
 ]
+Given = Annotated[
+    dict[_Short, Annotated[str, Field(max_length=2000)] | int | float | bool | list[int | float]],
+    Field(max_length=50, description="Parameters that a program reads and does not state, or a .xosc declares."),
+]
+Variant = Annotated[int, Field(ge=1, le=10**9, description="One set of parameter values of an .xosc file, from 1.")]
 Written = Annotated[Text, Field(description="A situation as YAML or JSON text. Give this or `file`.")]
 SituationFile = Annotated[Path, Field(description="A file with a situation (.yaml, .json). Give this or `situation`.")]
 SaveAs = Annotated[Path, Field(description="A new .yaml file for the situation; its .scenic program lies beside it.")]
@@ -111,6 +116,7 @@ def import_(
     | None = None,
     variant: Annotated[int, Field(ge=1, le=10**9, description="One set of parameter values, from 1; else all.")]
     | None = None,
+    param: Given | None = None,
 ) -> str:
     """Turn an OpenSCENARIO XML file into a Scenic program. Nothing of it is run.
 
@@ -124,7 +130,7 @@ def import_(
     desk.folder.make_above(out)
     source = desk.folder.file(file, ".xosc")
     done = api.import_scenario(
-        source, out=out, map=desk.folder.map(map), ego=ego, variant=variant, within=desk.folder.root
+        source, out=out, map=desk.folder.map(map), ego=ego, variant=variant, param=param, within=desk.folder.root
     )
     lies = [name_of(one) for one in done.maps]
     written = [f"written: {program} on map {where}" for program, where in zip(done.programs, lies, strict=True)]

@@ -163,7 +163,13 @@ def telling(tell: Callable[[], None]) -> Generator[None]:
 
 
 def simulate(
-    simulator: Simulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy, *, through_collisions: bool = False
+    simulator: Simulator,
+    program: ScenicProgram,
+    scene: Scene,
+    ego: EgoPolicy,
+    *,
+    through_collisions: bool = False,
+    placed: Callable[[int], None] | None = None,
 ) -> Episode | Rejected:
     """Run one scene to its end.
 
@@ -173,6 +179,7 @@ def simulate(
         scene: The concrete values.
         ego: Who drives.
         through_collisions: Whether to go on after a collision, to see whether the adversary does what was said.
+        placed: Told how many draws the scene took to place, once it is.
 
     Raises:
         EgoError: The ego fails, or does not answer.
@@ -190,6 +197,8 @@ def simulate(
         )
         if isinstance(session, Rejected):
             return session
+        if placed is not None:
+            placed(getattr(session, "draws", 1))
         try:
             drive(session, ego)
             if session.rejection:

@@ -10,6 +10,7 @@ import random
 import re
 import time
 from collections import Counter, OrderedDict
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -141,7 +142,7 @@ class Stage:
         self._placed.move_to_end(key)
         _seed(scene.seed, 1)  # whatever was drawn until here, and by whom, the drive draws from its own beginning
         found, self.draws = self._placed[key]
-        return Rejected(scene=scene, reason=found.reason) if isinstance(found, Rejected) else found
+        return replace(found, scene=scene) if isinstance(found, Rejected) else found
 
     def _drawn(self, program: ScenicProgram, scenario: Any, scene: Scene) -> tuple[Any | Rejected, int]:
         """The first scene that Scenic draws and that meets the requirements, its ego with a route; how many it drew."""
@@ -169,7 +170,8 @@ class Stage:
                 return drawn, reasons.total() + 1
         why = "; ".join(f"{times} times: {reason}" for reason, times in reasons.most_common(3))
         reason = f"none of {reasons.total()} draws in {spent:.0f} s of processor time meets the requirements ({why})"
-        return Rejected(scene=scene, reason=reason), reasons.total()
+        rejected = Rejected(scene=scene, reason=reason, draws=reasons.total(), spent=spent)
+        return rejected, rejected.draws
 
 
 class _Drawn(dict[str, Any]):

@@ -139,7 +139,16 @@ class Scene:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rejected:
-    """A scene that could not be run, with the reason; counted and shown, never dropped."""
+    """A scene that could not be run, with the reason; counted and shown, never dropped.
+
+    Attributes:
+        scene: Which one.
+        reason: Why, in words.
+        draws: How many draws of its places were tried.
+        spent: The processor time [s] that they took.
+    """
 
     scene: Scene
     reason: str
+    draws: int = 1
+    spent: float = field(default=0.0, compare=False)

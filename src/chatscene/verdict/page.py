@@ -118,7 +118,7 @@ def picture(episode: Episode, at: float, drawing: Drawing | None, form: str = "W
     gone = {track.actor for track in episode.tracks} - {track.actor for track in there}
     events = tuple(one for one in episode.events if one.other not in gone)
     shown = replace(episode, tracks=there, events=events)
-    return still(shown, drawing(box_of(shown)) if drawing else {}, step, form)
+    return still(shown, drawing(shown.scene_id, box_of(shown)) if drawing else {}, step, form)
 
 
 def _since(track: Track) -> Track:

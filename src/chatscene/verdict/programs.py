@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, nullcontext
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
+from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from chatscene.ego.policy import EgoPolicy, fitted, load_ego
+from chatscene.ego.policy import fitted, load_ego
 from chatscene.errors import MapError
 from chatscene.maps.network import PACKAGED, TOWN, resolve_map
 from chatscene.measure.avoidability import avoidable
@@ -22,7 +23,7 @@ from chatscene.search.generators.their_map import their_map
 from chatscene.settings import EGO, SimulationSettings, VerifySettings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
-from chatscene.terms.scene import OWN_MODEL, Rejected, Scene, ScenicProgram
+from chatscene.terms.scene import OWN_MODEL, Rejected, Scene
 from chatscene.verdict.watched import Watched, Watching
 
 
@@ -38,56 +39,101 @@ def watch_program(path: Path, settings: VerifySettings) -> Watching:
         MapError: No map has what it asks for.
         SettingsError: Its map lies where it may not.
     """
-    own = read_foreign(path, trusted=settings.trust, as_written=not settings.ego, searched_with=False)
+    own = read_foreign(
+        path, trusted=settings.trust, as_written=not settings.ego, searched_with=False, given=settings.given
+    )
     if settings.within:
         own.check_map(Path(settings.within))
     if own.program.as_written and own.program.model == OWN_MODEL and not drives_itself(own.program.source):
         own = replace(own, program=replace(own.program, as_written=False))
     driver = "its own ego drives" if own.program.as_written else f"{settings.ego or EGO} drives the ego"
-    return _watched(own, "Scenic program", settings, (*own.changed(), driver, *left_out(own.program)))
+    notes = (*own.changed(), driver, *left_out(own.program))
+    return _watched([_Part(own, range(settings.draws))], "Scenic program", settings, notes)
 
 
 def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
-    """Drives of a file of OpenSCENARIO, as the program that it is imported as.
+    """Drives of a file of OpenSCENARIO, as the program that it is imported as; of a file of variants as those.
 
     Raises:
         ScenarioError: It cannot be read, or says what cannot be said here.
+        SettingsError: It has no such variant, or declares no such parameter.
     """
     from chatscene.imports.import_file import import_scenario
 
     within = Path(settings.within) if settings.within else None
     with TemporaryDirectory(prefix="chatscene-") as folder:
-        out = Path(folder) / "scenario.scenic"
-        made = import_scenario(path, out=out, map_name=settings.map_name or None, within=within)
-        own = read_foreign(made.program, searched_with=False)
-        own = replace(own, map_path=made.map_path.resolve())  # read in a process that works elsewhere
-        notes = [f"{settings.ego or EGO} drives the ego", *made.notes]
-        if len(made.programs) > 1:
-            notes.append(
-                f"variant 1 of {len(made.programs)} is judged; for another: chatscene import {path} --variant N, and "
-                "judge its program"
-            )
-        return _watched(own, "OpenSCENARIO file", settings, notes)
+        made = import_scenario(
+            path,
+            out=Path(folder) / "scenario.scenic",
+            map_name=settings.map_name or None,
+            variant=settings.variant or None,
+            at_most=settings.draws,
+            given=settings.given,
+            within=within,
+        )
+        parts = list[_Part]()
+        shares = _shares(settings.draws, len(made.programs))
+        for program, lies, numbers, variant in zip(
+            made.programs, made.maps, shares, made.variants or (0,), strict=True
+        ):
+            own = read_foreign(program, searched_with=False)
+            # Resolved, since it is read in a process that works elsewhere.
+            parts.append(_Part(replace(own, map_path=lies.resolve()), numbers, variant))
+    notes = (f"{settings.ego or EGO} drives the ego", *made.notes, *_variants(parts, made.count, settings.variant))
+    return _watched(parts, "OpenSCENARIO file", settings, notes)
 
 
-def _watched(own: ForeignProgram, kind: str, settings: VerifySettings, notes: Sequence[str]) -> Watching:
-    maps, more = _maps(own, settings)
-    notes = (*notes, *more)
-    for number, map_path in enumerate(maps, 1):
-        simulator = _simulator(map_path, settings)
-        with closing(simulator) if isinstance(simulator, ConfinedSimulator) else nullcontext():
-            try:
-                if not own.program.drawn:
-                    simulator.route(own.program, 0)
-            except MapError:
-                if number == len(maps):
-                    raise
-                continue
-            drives, rejected = _drives(own.program, simulator, load_ego(settings.ego or EGO), settings)
-            where = f"on map {map_path.stem}"
-            drawing = partial(_drawing, map_path)
-            return Watching(kind=kind, drives=drives, rejected=rejected, notes=(*notes, where), drawing=drawing)
-    raise AssertionError("there is a map")
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """A program of which some drives are judged: which of all, by their numbers, and which variant it is."""
+
+    own: ForeignProgram
+    drives: range
+    variant: int = 0
+
+
+def _shares(drives: int, programs: int) -> list[range]:
+    """Which of so many drives are of each program: as many of one as of another, the first ones have one more."""
+    ends = [-(-drives * k // programs) for k in range(programs + 1)]
+    return [range(begin, end) for begin, end in pairwise(ends)]
+
+
+def _variants(parts: Sequence[_Part], count: int, chosen: int) -> Iterator[str]:
+    """Which variants are judged, and how the others are."""
+    if len(parts) == 1 < count and not chosen:
+        yield f"variant {parts[0].variant} of {count} is judged; for others give more --draws, or --variant N"
+    if len(parts) > 1:
+        told = ", ".join(f"{one.variant} ({len(one.drives)})" for one in parts)
+        others = "" if len(parts) == count else "; for others give more --draws, or --variant N"
+        yield f"judged, with how many drives, of {count} variants: {told}{others}"
+
+
+def _watched(parts: Sequence[_Part], kind: str, settings: VerifySettings, notes: Sequence[str]) -> Watching:
+    """Drives of programs, each on the first of its maps that has what it asks for."""
+    trying, ran, more = _Trying(settings), dict[str, Path](), list[str]()
+    for part in parts:
+        maps, told = _maps(part.own, settings)
+        more += told
+        for number, map_path in enumerate(maps, 1):
+            simulator = _simulator(map_path, settings)
+            with closing(simulator) if isinstance(simulator, ConfinedSimulator) else nullcontext():
+                try:
+                    if not part.own.program.drawn:
+                        simulator.route(part.own.program, 0)
+                except MapError:
+                    if number == len(maps):
+                        raise
+                    continue
+                ran |= dict.fromkeys(trying.drive(part, simulator), map_path)
+                break
+    where = [f"on map {stem}" for stem in dict.fromkeys(one.stem for one in ran.values())]
+    return Watching(
+        kind=kind,
+        drives=tuple(trying.drives),
+        rejected=tuple(trying.rejected),
+        notes=tuple(dict.fromkeys((*notes, *more, *where, *trying.notes()))),
+        drawing=partial(_drawing, ran),
+    )
 
 
 def _maps(own: ForeignProgram, settings: VerifySettings) -> tuple[list[Path], tuple[str, ...]]:
@@ -103,35 +149,72 @@ def _simulator(map_path: Path, settings: VerifySettings) -> Simulator:
     return load_simulator(map_path, simulation) if settings.trust else ConfinedSimulator(map_path, simulation)
 
 
-def _drives(
-    program: ScenicProgram, simulator: Simulator, ego: EgoPolicy, settings: VerifySettings
-) -> tuple[tuple[Watched, ...], tuple[str, ...]]:
-    """As many drives as are asked for, and why some were not made."""
-    drives, rejected = list[Watched](), list[str]()
-    ego = fitted(ego, program)
-    for number in range(settings.draws):
-        name = f"{program.scenario_id}/route-00/draw-{number:03d}"
-        seed = scene_seed(settings.seed, name)
-        values = draw(program.parameters, seed=seed)
-        scene = Scene(id=name, scenario_id=program.scenario_id, route=0, block=0, seed=seed, values=values)
-        episode = simulate(simulator, program, scene, ego)
-        if isinstance(episode, Rejected):
-            rejected.append(episode.reason)
-            continue
-        drives.append(
-            Watched(
-                episode=episode,
-                route=simulator.route_in(program, scene),
-                tested=not program.as_written,
-                avoidable=avoidable(episode, program, scene, ego, simulator),
-                unplayed=unplayed(program, episode),
+class _Trying:
+    """Drives that are made until there are enough, or until scenes that cannot be placed have cost too much.
+
+    Attributes:
+        drives: Those that were made.
+        rejected: Why others were not.
+    """
+
+    def __init__(self, settings: VerifySettings) -> None:
+        self._settings, self._ego = settings, load_ego(settings.ego or EGO)
+        self.drives, self.rejected = list[Watched](), list[str]()
+        self._spent, self._tried, self._draws = 0.0, 0, 0
+
+    def drive(self, part: _Part, simulator: Simulator) -> list[str]:
+        """Make the drives of a program, and name its scenes."""
+        program, scenes = part.own.program, list[str]()
+        ego = fitted(self._ego, program)
+        for number in part.drives:
+            name = f"{program.scenario_id}/route-00/draw-{number:03d}"
+            scenes.append(name)
+            if self._over():
+                continue
+            self._tried += 1
+            seed = scene_seed(self._settings.seed, name)
+            values = draw(program.parameters, seed=seed)
+            scene = Scene(id=name, scenario_id=program.scenario_id, route=0, block=0, seed=seed, values=values)
+            before = self._draws
+            episode = simulate(simulator, program, scene, ego, placed=self._count)
+            if isinstance(episode, Rejected):
+                self.rejected.append(episode.reason)
+                self._spent += episode.spent
+                self._draws = max(self._draws, before + episode.draws)
+                continue
+            self.drives.append(
+                Watched(
+                    episode=episode,
+                    route=simulator.route_in(program, scene),
+                    tested=not program.as_written,
+                    avoidable=avoidable(episode, program, scene, ego, simulator),
+                    unplayed=unplayed(program, episode),
+                    variant=part.variant,
+                )
             )
-        )
-    return tuple(drives), tuple(rejected)
+        return scenes
+
+    def notes(self) -> Iterator[str]:
+        """How many draws met no requirement, and whether it was stopped."""
+        if self._draws > self._tried:
+            made = len(self.drives)
+            for_them = f"{self._draws} draws for {made} drive{'s' * (made != 1)}"
+            yield f"{for_them}: {self._draws - made} met no requirement or had no place"
+        if self._over() and self._tried < self._settings.draws:
+            yield (
+                f"stopped after {self._tried} of {self._settings.draws} drives: scenes that could not be placed took "
+                f"{self._spent:.0f} s of processor time, and --budget allows {self._settings.budget:g} s"
+            )
+
+    def _count(self, draws: int) -> None:
+        self._draws += draws
+
+    def _over(self) -> bool:
+        return self._spent > 0.0 and self._spent >= self._settings.budget
 
 
-def _drawing(map_path: Path, box: tuple[float, float, float, float]) -> Mapping[str, Any]:
+def _drawing(ran: Mapping[str, Path], scene: str, box: tuple[float, float, float, float]) -> Mapping[str, Any]:
     from chatscene.maps.drawing import map_drawing
     from chatscene.maps.network import load_network
 
-    return map_drawing(load_network(map_path), box)
+    return map_drawing(load_network(ran[scene]), box)

@@ -42,7 +42,10 @@ def watch_run(folder: Path, settings: VerifySettings) -> Watching:
     drawing = read_drawing(run)
     kept = "the scene that was named" if settings.scene_id else "kept scenes"
     return Watching(
-        kind=f"run, {kept}", drives=drives, notes=(f"{record.ego} drives the ego",), drawing=lambda _: drawing
+        kind=f"run, {kept}",
+        drives=drives,
+        notes=(f"{record.ego} drives the ego",),
+        drawing=lambda _scene, _box: drawing,
     )
 
 

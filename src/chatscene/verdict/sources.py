@@ -25,11 +25,16 @@ def watching(what: Path, settings: VerifySettings) -> Watching:
         ChatSceneError: It cannot be read or driven.
     """
     check_there(what)
+    kind = what.suffix.lower() if not what.is_dir() else ""
+    if settings.given and kind not in (".scenic", ".xosc"):
+        raise SettingsError(f"parameters are given to a program or to a file of OpenSCENARIO, and {what} is neither")
+    if settings.variant and kind != ".xosc":
+        raise SettingsError(f"variants are of a file of OpenSCENARIO, and {what} is none")
     if what.is_dir():
         from chatscene.verdict.runs_of_ours import watch_run
 
         return watch_run(what, settings)
-    if (watch := KINDS.get(what.suffix.lower())) is None:
+    if (watch := KINDS.get(kind)) is None:
         raise SettingsError(no_such("kind of file", what.suffix or what.name, KINDS))
     return watch(what, settings)
 

@@ -117,6 +117,7 @@ class Draw:
         impact: The speed of approach then [m/s].
         avoidable: Whether a careful driver would have avoided that; None without a collision, or where nobody knows.
         missing: What it does not show, a sentence each.
+        variant: The number of the set of parameter values; 0 where there are no such sets.
     """
 
     number: int
@@ -128,6 +129,7 @@ class Draw:
     impact: float | None = None
     avoidable: bool | None = None
     missing: tuple[str, ...] = ()
+    variant: int = 0
 
     def as_dict(self) -> dict[str, Any]:
         """For a script."""
@@ -141,6 +143,7 @@ class Draw:
             "impact_speed": self.impact,
             "avoidable": self.avoidable,
             "missing": list(self.missing),
+            "variant": self.variant or None,
         }
 
 

@@ -107,6 +107,7 @@ def _draws(
             impact=round(crash.impact_speed, 3) if crash else None,
             avoidable=one.avoidable,
             missing=failures(found),
+            variant=one.variant,
         )
 
 

@@ -9,8 +9,9 @@ from typing import Any
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 
-Drawing = Callable[[tuple[float, float, float, float]], Mapping[str, Any]]
-"""The map inside a box (west, south, east, north [m]), as `chatscene.maps.drawing.map_drawing` gives it."""
+Drawing = Callable[[str, tuple[float, float, float, float]], Mapping[str, Any]]
+"""The map of a scene, by its id, inside a box (west, south, east, north [m]), as `chatscene.maps.drawing.map_drawing`
+gives it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,6 +25,7 @@ class Watched:
         tested: Whether an ego under test drove, which may avoid what the scene has for it.
         avoidable: Whether a careful driver would have avoided the collision; None without one, or where nobody knows.
         unplayed: What of the program did not take place, in words.
+        variant: The number of the set of parameter values; 0 where the file has no such sets.
     """
 
     episode: Episode
@@ -32,6 +34,7 @@ class Watched:
     tested: bool = True
     avoidable: bool | None = None
     unplayed: tuple[str, ...] = ()
+    variant: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -219,7 +219,7 @@ class _Confined:
             self._loaded(), scene_from_json(scene), observation=observation, pedals=pedals, through_collisions=through
         )
         if isinstance(session, Rejected):
-            return {"rejected": session.reason}
+            return {"rejected": session.reason, "draws": session.draws, "spent": session.spent}
         self._session = session
         return {**_state(session), "draws": getattr(session, "draws", 1)}
 

@@ -127,7 +127,8 @@ class ConfinedSimulator:
             "open", scene=scene_to_json(scene), observation=observation, pedals=pedals, through=through_collisions
         )
         if "rejected" in state:
-            return Rejected(scene=scene, reason=words(state["rejected"]))
+            draws, spent = int(number(state, "draws")), number(state, "spent")
+            return Rejected(scene=scene, reason=words(state["rejected"]), draws=draws, spent=spent)
         return ConfinedSession(confined, state, size, self._settings)
 
     def _at(self, program: ScenicProgram) -> Confined:
