@@ -22,7 +22,6 @@ class Deed:
             `chatscene.read.inflection`; ``{from}`` is where somebody comes from and may be empty.
         rides: The same for somebody on two wheels; empty for who speaks like a driver.
         walks: The same for somebody on foot; empty for who speaks like a driver.
-        also: Further phrases, in which it is read but not written.
         brings: Acts that come along without a word: whoever cuts in changes lanes.
         opposite: The act that nobody means who says this one; empty for none.
         turn: The side to which it turns: 1 for left, -1 for right.
@@ -30,7 +29,6 @@ class Deed:
         stands: Whether who does it, and nothing else, stands.
         sudden: Whether it may be called sudden.
         hasty: Whether it only says how a thing is done, which need not be said.
-        at_junction: Whether who does it is at a junction.
         directed: Whether it says which way somebody goes.
         named: Regular expression of what in a snippet's id says that it is done; empty for nothing.
     """
@@ -40,7 +38,6 @@ class Deed:
     words: str = ""
     rides: str = ""
     walks: str = ""
-    also: str = ""
     brings: tuple[str, ...] = ()
     opposite: str = ""
     turn: int = 0
@@ -48,7 +45,6 @@ class Deed:
     stands: bool = False
     sudden: bool = False
     hasty: bool = False
-    at_junction: bool = False
     directed: bool = False
     named: str = ""
 
@@ -95,22 +91,6 @@ class Action(StrEnum):
             sudden=True,
             directed=True,
             named="^cross",
-            also="""
-                [take] {egos} right of way | [cross] the street that we turn into | [cross] the road that we turn into |
-                [cross] | [cross] the road | [cross] the street | [cross] {egos} lane | [cross] {egos} way
-                [step] out | [run] across the street | [run] across the road | [walk] across | [run] across
-                [ride] across | [drive] across | [race] across | [race] across the road | [race] across the street
-                [speed] across | [speed] across the road | [speed] across the street
-                [run] into the road | [run] into the street
-                [walk] into the road | [step] into the road | [walk] into {egos} path
-                [step] into {egos} path | [step] into {egos} lane | [ride] across the street
-                [ride] across {egos} lane | [step] onto the street | [step] off the kerb | [step] off the curb
-                [run] out | [run] out in front of {ego} | [walk] onto the road | [step] out in front of {ego}
-                [ride] into the road | [ride] into {egos} path | [cross] the junction
-                [cross] the intersection | [drive] into {egos} path | [cross] at the crosswalk
-                [cross] {egos} lane in front of {ego} | [ride] out | [walk] out | [run] into {egos} path
-                [drive] across the junction | [drive] across the intersection | [drive] through the junction
-            """,
         ),
     )
     STOP = (
@@ -132,14 +112,6 @@ class Action(StrEnum):
             """,
             brings=("brake",),
             sudden=True,
-            also="""
-                [slow] down to a stop | [brake] to a stop | [slow] to a stop | [roll] to a stop |
-                [stop] | [come] to a stop | [come] to rest | [stop] in the lane | [stop] in the road
-                [stop] in {its} lane | [stop] on the road | [stop] moving | [stop] there
-                [stop] in the middle of the road | [freeze] | [halt] | [stop] halfway | [stop] midway
-                [stop] in the junction | [stop] completely | [stop] in front of {ego}
-                [stop] in the middle of the junction
-            """,
         ),
     )
     BRAKE = (
@@ -157,10 +129,6 @@ class Action(StrEnum):
             """,
             opposite="accelerate",
             sudden=True,
-            also="""
-                [slow] down | [slow] | [reduce] {its} speed |
-                [brake] | [slam] on {its} brakes | [brake] in front of {ego} | [decelerate] | [brake] heavily
-            """,
         ),
     )
     ACCELERATE = (
@@ -186,9 +154,6 @@ class Action(StrEnum):
             opposite="brake",
             sudden=True,
             hasty=True,
-            also="""
-                [accelerate] | [speed] up | [gain] speed
-            """,
         ),
     )
     SLOW = (
@@ -209,9 +174,6 @@ class Action(StrEnum):
                 [drive] at a snail's pace | [drive] much too slowly | [inch] along
             """,
             all_along=True,
-            also="""
-                [drive] slowly | [ride] slowly | [walk] slowly | [crawl] | [creep] | [move] slowly
-            """,
         ),
     )
     REVERSE = (
@@ -226,10 +188,6 @@ class Action(StrEnum):
                 [start] to reverse | [drive] backwards towards {ego}
             """,
             sudden=True,
-            also="""
-                [reverse] | [back] up | [roll] back | [drive] backwards | [move] backwards
-                [back] towards {ego}
-            """,
         ),
     )
     CUT_IN = (
@@ -251,13 +209,6 @@ class Action(StrEnum):
             """,
             brings=("change-lane",),
             sudden=True,
-            also="""
-                [cut] in | [cut] in in front of {ego} | [cut] into {egos} lane | [cut] in ahead of {ego}
-                [merge] in front of {ego} | [change] into {egos} lane | [change] to {egos} lane
-                [move] into {egos} lane | [pull] into {egos} lane | [move] over into {egos} lane
-                [change] lanes in front of {ego} | [come] into {egos} lane | [enter] {egos} lane
-                [drift] over into {egos} lane | [drift] into {egos} lane
-            """,
         ),
     )
     CHANGE_LANE = (
@@ -270,12 +221,6 @@ class Action(StrEnum):
                 [make] a sudden lane change | [switch] lanes | [change] lanes without indicating
             """,
             sudden=True,
-            also="""
-                [change] lanes | [change] lane | [leave] {egos} lane | [change] into the next lane
-                [move] over to the next lane | [change] to the next lane | [leave] the lane | [cut] out
-                [cut] out of {egos} lane | [move] to the next lane | [pull] out into the next lane
-                [change] into the adjacent lane | [move] into the next lane | [leave] {its} lane
-            """,
         ),
     )
     WEAVE = (
@@ -291,9 +236,6 @@ class Action(StrEnum):
                 [weave] from side to side | [zigzag] along | [weave] between lanes | [swing] from side to side
                 [weave] about erratically | [snake] along the road | [slalom] along
             """,
-            also="""
-                [weave] | [zigzag] | [swerve] from side to side | [sway] from side to side | [swerve] about
-            """,
         ),
     )
     SWERVE = (
@@ -307,11 +249,6 @@ class Action(StrEnum):
                 [swerve] into {egos} lane | [lurch] towards {ego} | [veer] off {its} line
             """,
             sudden=True,
-            also="""
-                [drift] over the centre line into {egos} lane |
-                [come] over into {egos} lane | [come] over the centre line |
-                [swerve] | [veer] | [swerve] into {egos} path | [swerve] in front of {ego}
-            """,
         ),
     )
     PACE = (
@@ -331,9 +268,6 @@ class Action(StrEnum):
                 [keep] level with {ego} | [keep] pace with {ego} | [drive] parallel to {ego} | [drive] alongside {ego}
                 [keep] pace beside {ego} | [stay] level with {ego} and [leave] no gap
                 [keep] pace and [refuse] to let {ego} in
-            """,
-            also="""
-                [drive] beside {ego} | [ride] beside {ego} | [match] {egos} speed | [keep] up with {ego}
             """,
         ),
     )
@@ -360,11 +294,6 @@ class Action(StrEnum):
                 [drive] through the red light | [disregard] the red light | [shoot] through the red light
                 [run] the red
             """,
-            at_junction=True,
-            also="""
-                [run] a red | [drive] through a red light | [cross] on red | [cross] against the red light
-                [go] through the red light | [run] the light | [disregard] a red light | [ignore] a red light
-            """,
         ),
     )
     TURN_LEFT = (
@@ -385,13 +314,8 @@ class Action(StrEnum):
             opposite="turn-right",
             sudden=True,
             turn=1,
-            at_junction=True,
             directed=True,
             named="turn-left",
-            also="""
-                [turn] left | [turn] left across {egos} path | [turn] left in front of {ego}
-                [turn] off to the left
-            """,
         ),
     )
     TURN_RIGHT = (
@@ -413,13 +337,8 @@ class Action(StrEnum):
             opposite="turn-left",
             sudden=True,
             turn=-1,
-            at_junction=True,
             directed=True,
             named="turn-right|right-turn",
-            also="""
-                [turn] right | [turn] right across {egos} path | [turn] right in front of {ego}
-                [turn] off to the right | [turn] right across {egos} lane
-            """,
         ),
     )
     ONCOMING = (
@@ -442,9 +361,6 @@ class Action(StrEnum):
             """,
             all_along=True,
             directed=True,
-            also="""
-                [come] towards {ego} | [approach] {ego} | [drive] straight towards {ego} | [come] at {ego}
-            """,
         ),
     )
     HESITATE = (
@@ -460,9 +376,6 @@ class Action(StrEnum):
                 [hesitate] for a moment | [pause] briefly
             """,
             brings=("stop",),
-            also="""
-                [hesitate] | [pause]
-            """,
         ),
     )
     DIAGONAL = (
@@ -480,9 +393,6 @@ class Action(StrEnum):
             """,
             brings=("cross",),
             all_along=True,
-            also="""
-                [cross] diagonally | [cross] the road diagonally | [cross] at an angle
-            """,
         ),
     )
     TURN_BACK = (
@@ -503,10 +413,6 @@ class Action(StrEnum):
             """,
             brings=("stop",),
             sudden=True,
-            also="""
-                [go] back | [turn] back | [run] back | [walk] back | [step] back | [turn] around
-                [go] back where {it} came from
-            """,
         ),
     )
     FOLLOW = (
@@ -530,19 +436,6 @@ class Action(StrEnum):
                 [continue] at a constant speed | [drive] on without slowing | [keep] going along {its} lane
             """,
             all_along=True,
-            also="""
-                [drive] on | [go] on | [keep] going | [go] straight on | [drive] straight on | [continue]
-                [carry] on | [keep] {its} lane | [keep] its speed | [drive] | [ride] | [walk]
-                [go] straight ahead | [travel] | [run] along the road | [drive] along | [ride] along
-                [ride] on | [ride] straight on | [walk] along the road | [walk] along the lane
-                [ride] along the lane | [ride] along the road | [drive] along the road | [walk] along
-                [walk] along the edge of the road | [ride] along the edge of the road | [drive] along the lane
-                [move] | [come] up | [keep] driving | [keep] riding | [keep] walking | [drive] into {ego}
-                [ride] into {ego} | [run] into {ego} | [hit] {ego} | [go] through | [continue] straight on
-                [go] straight | [drive] straight ahead | [drive] up |
-                [drive] straight | [ride] up | [come] | [keep] coming
-                [approach] | [jog] along the road
-            """,
         ),
     )
     OVERTAKE = (
@@ -560,9 +453,6 @@ class Action(StrEnum):
                 [go] past {ego} | [overtake] {ego} at the last moment | [drive] past {ego}
             """,
             named="overtake",
-            also="""
-                [overtake] | [pass] {ego} | [overtake] {ego} on that side
-            """,
         ),
     )
     TAILGATE = (
@@ -587,9 +477,6 @@ class Action(StrEnum):
                 [tailgate] {ego} | [drive] bumper to bumper behind {ego} | [follow] {ego} much too closely
                 [hang] on {egos} rear bumper | [sit] right on {egos} tail | [follow] {ego} at an unsafe distance
                 [close] right up to {egos} rear bumper
-            """,
-            also="""
-                [follow] {ego} closely | [drive] close behind {ego} | [follow] {ego} too closely
             """,
         ),
     )
@@ -620,12 +507,6 @@ class Action(StrEnum):
                 "change-lane",
             ),
             sudden=True,
-            also="""
-                [pull] out | [pull] away | [move] off | [pull] out in front of {ego} | [pull] into traffic
-                [pull] away from the kerb | [pull] out of {its} parking space | [leave] {its} parking space
-                [set] off | [drive] off | [leave] the kerb | [pull] out of a parking space
-                [move] out in front of {ego}
-            """,
         ),
     )
     WRONG_WAY = (
@@ -654,12 +535,6 @@ class Action(StrEnum):
             all_along=True,
             directed=True,
             named="wrong-way",
-            also="""
-                [drive] in {egos} lane against traffic | [drive] against the traffic | [drive] the wrong way
-                [come] towards {ego} in {egos} lane | [drive] towards {ego} in {egos} lane
-                [come] straight at {ego} in {egos} lane | [drive] straight towards {ego} in {egos} lane
-                [approach] {ego} in {egos} lane
-            """,
         ),
     )
     U_TURN = (
@@ -683,10 +558,6 @@ class Action(StrEnum):
             sudden=True,
             directed=True,
             named="u-turn",
-            also="""
-                [make] a u-turn | [turn] around in the road | [do] a u-turn
-                [make] a u-turn in front of {ego}
-            """,
         ),
     )
     BLOCK = (
@@ -705,10 +576,6 @@ class Action(StrEnum):
             """,
             all_along=True,
             stands=True,
-            also="""
-                [block] {egos} lane | [block] the road | [block] {egos} way | [block] the junction
-                [block] the lane | [block] several lanes
-            """,
         ),
     )
     STAND = (
@@ -719,13 +586,6 @@ class Action(StrEnum):
             drives="[stand] still | [stand] there motionless | [stand] still with {its} hazard lights on",
             all_along=True,
             stands=True,
-            also="""
-                [stand] | [stand] still | [wait] | [stay] where {it} is | [stay] there | [stand] motionless
-                [be] parked | [sit] | [be] standing | [be] stationary | [be] stopped | [be] waiting
-                [have] broken down | [stand] there | [sit] still | [stand] on the road | [have] stalled
-                [lie] | [lie] there | [be] broken down | [do] not move | [do] not cross | [do] not step out
-                [stay] put | [wait] there | [remain] standing | [be] standing still
-            """,
         ),
     )
     NARROW = (
@@ -738,13 +598,6 @@ class Action(StrEnum):
             """,
             all_along=True,
             stands=True,
-            also="""
-                [block] part of {egos} lane | [block] half of {egos} lane | [block] a part of the lane
-                [block] a part of the road
-                [narrow] {egos} lane | [be] parked half in {egos} lane | [be] parked partly in {egos} lane
-                [protrude] into {egos} lane | [stand] at the edge of {egos} lane | [block] half the lane
-                [block] {egos} lane partly
-            """,
         ),
     )
     FAST = (
@@ -770,10 +623,6 @@ class Action(StrEnum):
             """,
             all_along=True,
             hasty=True,
-            also="""
-                [come] up fast | [come] fast | [approach] fast |
-                [speed] | [race] | [drive] fast | [ride] fast | [run] fast | [drive] at high speed
-            """,
         ),
     )
 
