@@ -94,8 +94,7 @@ def scenario_of(text: str, settings: RetrievalSettings | None = None) -> Scenari
 
 def framed(text: str) -> Frame:
     """A text, sorted by whom it speaks of, of which nothing is known yet."""
-    plain = canonical(text)
-    return Frame(text=text, canonical=plain, clauses=cut(plain))
+    return Frame(text=text, clauses=cut(canonical(text)))
 
 
 def said_by(frame: Frame, situation: Situation) -> Frame:

@@ -68,7 +68,7 @@ def canonical(text: str) -> str:
         The canonical form; only a full stop if nothing is said.
     """
     shown = " ".join("".join(c if c.isprintable() else " " for c in text).split())
-    if telegraphed(shown):
+    if len(_TELEGRAM.findall(shown)) > 1:  # one alone is an act
         shown = _TELEGRAM.sub(".", shown)
     plain = shown.lower().translate(_APOSTROPHES)
     plain = _END.sub("", plain)
@@ -81,12 +81,6 @@ def canonical(text: str) -> str:
         name, rest = _named(told, ego, rest[ego.end() :])
         told += name
     return f"{told}{rest}."
-
-
-def telegraphed(text: str) -> tuple[tuple[int, int], ...]:
-    """Where each STOP stands that is a telegram's full stop; nowhere in other texts, in which one alone is an act."""
-    found = tuple((match.end() - len("STOP"), match.end()) for match in _TELEGRAM.finditer(text))
-    return found if len(found) > 1 else ()
 
 
 def _named(before: str, ego: re.Match[str], after: str) -> tuple[str, str]:

@@ -91,8 +91,7 @@ class Frame:
 
     Attributes:
         text: The text as it was written, printable and with single spaces.
-        canonical: The text in the one form in which it is compared and sorted by whom it speaks of.
-        clauses: `canonical`, so sorted.
+        clauses: The text in its canonical form, sorted by whom it speaks of.
         outright: The facts.
         quantities: The numbers that can be set.
         ego_speed: How fast the ego drives, which no snippet says and a situation does.
@@ -106,7 +105,6 @@ class Frame:
     """
 
     text: str = ""
-    canonical: str = ""
     clauses: Clauses = field(default_factory=Clauses)
     outright: Slots = field(default_factory=Slots)
     quantities: tuple[Quantity, ...] = ()

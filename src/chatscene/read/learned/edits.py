@@ -13,7 +13,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import permutations
-from pathlib import Path
 
 from chatscene.errors import EditRefused
 from chatscene.read.learned.grammar import NAMES
@@ -102,7 +101,7 @@ def _with_edit(telling: str, edit: str) -> str:
     return f"{telling}{CHANGE}{' '.join(edit.split())}"
 
 
-def likely_changes(situation: Situation, edit: str, weights: Path = PACKAGED) -> tuple[Change, ...]:
+def likely_changes(situation: Situation, edit: str) -> tuple[Change, ...]:
     """The facts that are likelier another with an edit than without it, the surest first.
 
     Raises:
@@ -112,7 +111,7 @@ def likely_changes(situation: Situation, edit: str, weights: Path = PACKAGED) ->
     told = _told(situation)
     telling, whole = prepared(told), prepared(_with_edit(told, edit))
     begins = len(telling.text) + len(CHANGE)
-    alone, both = (ways_of(written_of(read, weights)) for read in (telling, whole))
+    alone, both = (ways_of(written_of(read, PACKAGED)) for read in (telling, whole))
     if min(sum(way.probability for way in ways) for ways in (alone, both)) < EVEN:
         raise EditRefused("this situation is more than words can change; change its file, or a fact with --set")
     was = _shares([(_facts(way, _names(way.situation, situation)), way.probability) for way in alone])
