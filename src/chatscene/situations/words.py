@@ -68,9 +68,9 @@ def told(situation: Situation, voice: Voice = Voice.PLAIN) -> str:
     return _whole(situation, voice).text
 
 
-def facts_told(situation: Situation) -> tuple[tuple[str, str], ...]:
+def facts_told(situation: Situation, voice: Voice = Voice.PLAIN) -> tuple[tuple[str, str], ...]:
     """The path of each fact of a situation, and the words of `told` that tell it, in their order."""
-    whole = _whole(situation, Voice.PLAIN)
+    whole = _whole(situation, voice)
     in_order = sorted(whole.facts, key=lambda fact: (fact[1], -fact[2]))
     return tuple((path, whole.text[low:high]) for path, low, high in in_order)
 
