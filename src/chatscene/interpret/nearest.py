@@ -22,7 +22,7 @@ WORDS = 0.5  # share of shared words beside the cosine
 
 
 def nearest(
-    text: str, component: Component, library: Library, embedder: Embedder, *, count: int
+    text: str, component: Component, library: Library, embedder: Embedder, *, count: int, lexical_weight: float = WORDS
 ) -> list[tuple[Snippet, float]]:
     """The snippets of one component most similar to a text, best first, with their similarities.
 
@@ -32,10 +32,12 @@ def nearest(
         library: From which library.
         embedder: Of the cosines.
         count: How many.
+        lexical_weight: Share of shared words in the similarity, in [0, 1].
     """
     snippets = library.of(component)
     similarity = cosines(text, snippets, embedder)
-    similarity = (1 - WORDS) * similarity + WORDS * _words(snippets).search(text)[0]
+    if lexical_weight:
+        similarity = (1 - lexical_weight) * similarity + lexical_weight * _words(snippets).search(text)[0]
     best = np.argsort(-similarity, kind="stable")[:count]
     return [(snippets[i], float(similarity[i])) for i in best]
 
