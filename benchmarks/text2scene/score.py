@@ -5,8 +5,8 @@
 FOLDER has a file for each task, ``ID.scenic``, ``ID.xosc``, ``ID.yaml`` or ``ID.json``: a Scenic program, an
 OpenSCENARIO file or a situation. Each is driven and checked against the facts of its task as ``chatscene verify`` does.
 Programs run confined; a situation is built by chatscene's own builder. What is judged is kept in a file of rows
-(``--out``), so that a second call judges only what is new or changed. No row depends on when, where or beside what
-it was judged.
+(``--out``), so that a second call judges only what is new or changed, the maps and
+catalogs that it refers to included. No row depends on when, where or beside what it was judged.
 
 *right*: verify ends with status 0. *part*: everybody is there, begins where they should, does what was said, and there
 is an encounter; something else is not shown, such as a speed, a contact or a weather, or something happens that nobody
@@ -30,6 +30,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+from referred import digest
 from tasks import TASKS, Task, tasks
 
 from chatscene import __version__
@@ -171,8 +172,8 @@ def answers(folder: Path) -> dict[str, Path]:
 
 
 def key_of(task: Task, answer: Path | None, settings: VerifySettings) -> str:
-    """What is judged how, in short."""
-    read = answer.read_bytes() if answer is not None else b""
+    """What is judged how, in short: another once the answer, or a map or catalog that it refers to, is another."""
+    read = answer.read_bytes() + digest(answer) if answer is not None else b""
     name = answer.suffix if answer is not None else ""
     how = {"draws": settings.draws, "seed": settings.seed, "least": settings.least, "version": __version__}
     said = json.dumps([task.id, dict(task.situation), name, how], sort_keys=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -114,6 +115,59 @@ def test_answers_are_right_part_wrong_refused_or_missing_and_are_judged_once(
     monkeypatch.setattr(bench["score"], "judged", never)
     assert score(bench, answers, listed).stdout == first.stdout
     assert (tmp_path / "answers.rows.jsonl").read_bytes() == kept
+
+
+SCENARIO = (
+    '<OpenSCENARIO><CatalogLocations><VehicleCatalog><Directory path="cars"/></VehicleCatalog></CatalogLocations>'
+    '<RoadNetwork><LogicFile filepath="{}"/></RoadNetwork></OpenSCENARIO>'
+)
+VALUES = (
+    '<OpenSCENARIO><ParameterValueDistribution><ScenarioFile filepath="deep/one.xosc"/>'
+    "</ParameterValueDistribution></OpenSCENARIO>"
+)
+
+
+@pytest.mark.parametrize(
+    ("answer", "refers"),
+    [
+        ("a.scenic", {"maps/a.xodr"}),
+        ("computed.scenic", {"maps/a.xodr", "maps/b.xodr", "b.xodr"}),
+        ("a.xosc", {"maps/a.xodr", "cars/all.xosc"}),
+        ("named.xosc", {"b.xodr", "cars/all.xosc"}),
+        ("values.xosc", {"deep/one.xosc", "maps/b.xodr"}),
+        ("a.json", set[str]()),
+    ],
+)
+def test_an_answer_is_judged_again_once_a_file_that_it_refers_to_is_another(
+    answer: str, refers: set[str], bench: dict[str, Any], tmp_path: Path
+) -> None:
+    for name in ("maps/a.xodr", "maps/b.xodr", "cars/all.xosc", "deep/one.xosc"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text("<OpenSCENARIO/>")
+    (tmp_path / "a.scenic").write_text("param map = localPath('maps/a.xodr')\n")
+    (tmp_path / "computed.scenic").write_text("param map = localPath(f'maps/{globalParameters.town}.xodr')\n")
+    (tmp_path / "a.xosc").write_text(SCENARIO.format(".\\maps\\a.xodr"))
+    (tmp_path / "named.xosc").write_text(SCENARIO.format("b"))
+    (tmp_path / "b.xodr").write_text("")
+    (tmp_path / "values.xosc").write_text(VALUES)
+    (tmp_path / "deep" / "one.xosc").write_text(SCENARIO.format("../maps/b.xodr"))
+    (tmp_path / "a.json").write_text(json.dumps(AHEAD))
+    task, settings = bench["tasks"].tasks()[0], bench["score"].VerifySettings()
+
+    def key() -> str:
+        return bench["score"].key_of(task, tmp_path / answer, settings)
+
+    others = {str(one.relative_to(tmp_path)) for one in tmp_path.rglob("*.x*")} - {answer}
+    assert {one for one in others if _edited_gives_another(tmp_path / one, key)} == refers
+
+
+def _edited_gives_another(file: Path, key: Callable[[], str]) -> bool:
+    before, text = key(), file.read_text()
+    file.write_text(f"{text}<!-- edited -->")
+    after = key()
+    file.write_text(text)
+    assert key() == before
+    return after != before
 
 
 def score(bench: dict[str, Any], answers: Path, listed: Path) -> Result:
