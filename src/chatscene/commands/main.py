@@ -689,9 +689,19 @@ def import_scenario(
     chatscene import cut-in.xosc
     chatscene import cut-in.xosc --map Town04.xodr --ego Car1 --out mine.scenic
     chatscene import variations.xosc --variant 3
+    chatscene import theirs --out mine
+
+    Of a folder each .xosc file in it is written below --out, and a table says what each became, or why it did not.
     """
     from chatscene import api
+    from chatscene.imports.import_folder import import_folder
 
+    if file.is_dir():
+        if out is None or variant is not None or param:
+            raise click.UsageError("of a folder, give --out, a new folder, and neither --variant nor --param")
+        folder = import_folder(file, out, map_name=map_name, ego=ego)
+        say(json.dumps([one.as_dict() for one in folder.files]) if as_json else str(folder))
+        return
     done = api.import_scenario(file, out=out, map=map_name, ego=ego, variant=variant, param=param)
     told = {
         "program": str(done.program),

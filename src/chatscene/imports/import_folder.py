@@ -1,0 +1,125 @@
+"""A folder of scenarios of another tool's format, as a folder of programs: what each file became, or why it did not."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from chatscene.errors import MapError, ScenarioError, SettingsError
+from chatscene.imports.import_file import import_scenario
+from chatscene.imports.stranger_xml import read_xml
+from chatscene.maps.network import name_of
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ImportedFile:
+    """What a file of the folder became.
+
+    Attributes:
+        file: Its path from the folder.
+        programs: What was written of it, by paths from the folder of programs; none where it was refused.
+        maps: The map of each, as ``--map`` takes it.
+        notes: What was taken otherwise than it is written, or left to others.
+        refused: Why it became none, all reasons with their lines; empty where it became one.
+        catalog: Whether it is a catalog, which others refer to.
+    """
+
+    file: Path
+    programs: tuple[Path, ...] = ()
+    maps: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    refused: str = ""
+    catalog: bool = False
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script."""
+        return {
+            "file": str(self.file),
+            "became": "catalog" if self.catalog else "refused" if self.refused else "programs",
+            "programs": [str(one) for one in self.programs],
+            "maps": list(self.maps),
+            "notes": list(self.notes),
+            "refused": self.refused or None,
+        }
+
+    def __str__(self) -> str:
+        """A row of the table."""
+        if self.catalog:
+            return f"{self.file}: a catalog, read with the files that name it"
+        if self.refused:
+            first, *more = self.refused.splitlines()
+            reasons = [line.strip() for line in more]
+            told = f"{reasons[0]}{f' and {len(reasons) - 1} more' * (len(reasons) > 1)}" if reasons else first
+            return f"{self.file}: REFUSED: {told}"
+        many = f" and {len(self.programs) - 1} more" * (len(self.programs) > 1)
+        noted = f", {len(self.notes)} note{'s' * (len(self.notes) != 1)}" * bool(self.notes)
+        return f"{self.file}: {self.programs[0]}{many} on map {self.maps[0]}{noted}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ImportedFolder:
+    """What the files of a folder became.
+
+    Attributes:
+        out: Where the programs are.
+        files: A row for each file, in order of names.
+    """
+
+    out: Path
+    files: tuple[ImportedFile, ...]
+
+    def __str__(self) -> str:
+        """A row for each file, and how many there are of each kind."""
+        count = Counter(one.as_dict()["became"] for one in self.files)
+        programs = sum(len(one.programs) for one in self.files)
+        end = (
+            f"{len(self.files)} files: {count['programs']} became {programs} programs in {self.out}, "
+            f"{count['refused']} were refused, {count['catalog']} are catalogs"
+        )
+        return "\n".join((*map(str, self.files), end))
+
+
+def import_folder(
+    folder: Path, out: Path, *, map_name: str | None = None, ego: str | None = None, within: Path | None = None
+) -> ImportedFolder:
+    """Write each scenario below a folder as a Scenic program below another; nothing of them is run.
+
+    Args:
+        folder: Where ``.xosc`` files are, in it and in the folders in it.
+        out: Where programs are written, at the same paths; a new folder, or an empty one.
+        map_name: The map of all of them; None for the one that each names.
+        ego: What the files call the ego; None where that is told by them.
+        within: The folder in which catalogs and maps lie, if they may lie nowhere else.
+
+    Raises:
+        SettingsError: There is no such file, or the folder of programs has something in it, or cannot be written.
+    """
+    files = sorted(one for one in folder.rglob("*") if one.suffix.lower() == ".xosc" and one.is_file())
+    if not files:
+        raise SettingsError(f"{folder} holds no .xosc file, and neither does any folder in it")
+    if out.exists() and (not out.is_dir() or any(out.iterdir())):
+        raise SettingsError(f"{out} is there and is no empty folder; give another with --out")
+    rows = list[ImportedFile]()
+    for path in files:
+        named = path.relative_to(folder)
+        rows.append(_row(path, named, (out / named).with_suffix(".scenic"), out, map_name, ego, within))
+    return ImportedFolder(out=out, files=tuple(rows))
+
+
+def _row(
+    path: Path, named: Path, program: Path, out: Path, map_name: str | None, ego: str | None, within: Path | None
+) -> ImportedFile:
+    try:
+        if read_xml(path).find("Catalog") is not None:
+            return ImportedFile(file=named, catalog=True)
+        done = import_scenario(path, out=program, map_name=map_name, ego=ego, within=within)
+    except (ScenarioError, MapError, SettingsError) as error:
+        return ImportedFile(file=named, refused=str(error))
+    return ImportedFile(
+        file=named,
+        programs=tuple(one.relative_to(out) for one in done.programs),
+        maps=tuple(map(name_of, done.maps)),
+        notes=done.notes,
+    )

@@ -1,0 +1,70 @@
+"""A folder of others' scenarios becomes a folder of programs, with a row for each file."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from chatscene.commands.main import main
+from chatscene.errors import SettingsError
+from chatscene.imports.import_folder import import_folder
+from chatscene.search.generators.foreign import foreign_files, read_foreign
+from red_team.scenario_files import scenario
+
+
+@pytest.fixture
+def theirs(beside: Path) -> Path:
+    """Two scenarios that are read, one in a folder, one that is not, a catalog, and values for a scenario."""
+    (beside / "deep").mkdir()
+    (beside / "a.xosc").write_text(scenario())
+    (beside / "deep" / "b.xosc").write_text(scenario(map_name="../town.xodr"))
+    (beside / "cars.xosc").write_text('<OpenSCENARIO><Catalog name="cars"/></OpenSCENARIO>')
+    (beside / "gone.xosc").write_text(scenario(map_name="gone.xodr"))
+    both = '<DistributionSet><Element value="20"/><Element value="30"/></DistributionSet>'
+    (beside / "values.xosc").write_text(
+        '<OpenSCENARIO><ParameterValueDistribution><ScenarioFile filepath="a.xosc"/><Deterministic>'
+        f'<DeterministicSingleParameterDistribution parameterName="near">{both}'
+        "</DeterministicSingleParameterDistribution></Deterministic></ParameterValueDistribution></OpenSCENARIO>"
+    )
+    return beside
+
+
+def test_a_folder_of_scenarios_becomes_a_folder_of_programs_and_each_file_has_a_row(theirs: Path) -> None:
+    out = theirs / "mine"
+    done = CliRunner().invoke(main, ["import", str(theirs), "--out", str(out)], catch_exceptions=False)
+    assert done.exit_code == 0
+    rows = done.output.splitlines()
+    assert [row.partition(":")[0] for row in rows[:-1]] == [
+        "a.xosc", "cars.xosc", "deep/b.xosc", "gone.xosc", "values.xosc",
+    ]  # fmt: skip
+    assert rows[0].startswith(f"a.xosc: a.scenic on map {theirs / 'town.xodr'}")
+    assert "a catalog" in rows[1]
+    assert "REFUSED: " in rows[3]
+    assert "does not lie there" in rows[3]
+    assert "values-1.scenic and 1 more on map" in rows[4]
+    assert rows[-1] == f"5 files: 3 became 4 programs in {out}, 1 were refused, 1 are catalogs"
+    assert [str(one.relative_to(out)) for one in foreign_files(out)] == [
+        "a.scenic", "deep/b.scenic", "values-1.scenic", "values-2.scenic",
+    ]  # fmt: skip
+    assert all(read_foreign(one).program.source for one in foreign_files(out))
+
+
+def test_the_rows_of_a_folder_are_json_too_and_nothing_is_overwritten(theirs: Path) -> None:
+    arguments = ["import", str(theirs), "--out", str(theirs / "mine"), "--json"]
+    rows = json.loads(CliRunner().invoke(main, arguments, catch_exceptions=False).output)
+    assert [row["became"] for row in rows] == ["programs", "catalog", "programs", "refused", "programs"]
+    assert rows[4]["programs"] == ["values-1.scenic", "values-2.scenic"]
+    with pytest.raises(SettingsError, match="is no empty folder"):
+        import_folder(theirs, theirs / "mine")
+
+
+def test_a_folder_needs_a_place_for_its_programs(theirs: Path, tmp_path: Path) -> None:
+    for more in ([], ["--out", "x", "--variant", "1"], ["--out", "x", "--param", "near=3"]):
+        done = CliRunner().invoke(main, ["import", str(theirs), *more])
+        assert "of a folder, give --out" in done.output
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(SettingsError, match=r"holds no \.xosc file"):
+        import_folder(tmp_path / "empty", tmp_path / "out")
