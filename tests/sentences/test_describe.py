@@ -17,9 +17,9 @@ from chatscene.terms.scenario import BaseScenario, Place, Position, Side, Slots
 @pytest.mark.parametrize("base", BaseScenario)
 def test_descriptions_belong_to_their_base_scenario_and_can_be_joined(base: BaseScenario) -> None:
     library = load_library()
-    made = describe(base, 6, library=library, seed=0)
-    assert len(made) == 6
-    assert len({d.snippet_ids for d in made}) == len({d.text for d in made}) == 6
+    made = describe(base, 3, library=library, seed=0)
+    assert len(made) == 3
+    assert len({d.snippet_ids for d in made}) == len({d.text for d in made}) == 3
     for description in made:
         behavior, geometry, spawn = (library.get(snippet_id) for snippet_id in description.snippet_ids)
         assert incompatibility(behavior, geometry, spawn) is None
@@ -29,54 +29,54 @@ def test_descriptions_belong_to_their_base_scenario_and_can_be_joined(base: Base
 
 
 def test_descriptions_are_read_as_they_are_meant() -> None:
-    for description in describe(BaseScenario.TURNING_OBSTACLE, 8, library=load_library(), seed=1):
+    for description in describe(BaseScenario.TURNING_OBSTACLE, 3, library=load_library(), seed=1):
         heard = scenario_of(description.text)
         assert heard.base is description.base
         assert misread(heard.slots, description.slots) is None
 
 
 def test_the_same_seed_describes_the_same() -> None:
-    one, same, other = (describe(None, 4, library=load_library(), seed=seed) for seed in (3, 3, 4))
+    one, same, other = (describe(None, 2, library=load_library(), seed=seed) for seed in (3, 3, 4))
     assert one == same
     assert one != other
 
 
 def test_no_behavior_comes_twice_while_others_wait() -> None:
-    made = describe(BaseScenario.STRAIGHT_OBSTACLE, 16, library=load_library(), seed=0)
-    assert len({d.snippet_ids[0] for d in made}) == 16
-    assert len({d.adversary for d in made}) >= 4
+    made = describe(BaseScenario.STRAIGHT_OBSTACLE, 6, library=load_library(), seed=0)
+    assert len({d.snippet_ids[0] for d in made}) == 6
+    assert len({d.adversary for d in made}) >= 3
 
 
 def test_without_a_base_scenario_all_of_them_occur() -> None:
-    made = describe(None, 40, library=load_library(), seed=0)
+    made = describe(None, 16, library=load_library(), seed=0)
     assert len({d.base for d in made}) >= 6
 
 
 def test_an_instruction_restricts_who_and_where() -> None:
-    made = describe(None, 6, library=load_library(), seed=0, instruction="dangerous cyclists at junctions")
+    made = describe(None, 3, library=load_library(), seed=0, instruction="dangerous cyclists at junctions")
     assert {d.adversary for d in made} == {AdversaryKind.BICYCLE}
     assert {d.slots.place for d in made} <= {Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY}
 
 
 def test_an_instruction_restricts_the_side_and_the_action() -> None:
-    made = describe(None, 5, library=load_library(), seed=0, instruction="pedestrians who cross from the left and stop")
+    made = describe(None, 2, library=load_library(), seed=0, instruction="pedestrians who cross from the left and stop")
     assert {d.slots.side for d in made} == {Side.LEFT}
     assert all({Action.CROSS, Action.STOP} <= set(d.slots.actions) for d in made)
 
 
 def test_vehicles_are_more_than_cars() -> None:
-    made = describe(BaseScenario.RIGHT_TURN, 8, library=load_library(), seed=0, instruction="vehicles that brake")
+    made = describe(BaseScenario.RIGHT_TURN, 3, library=load_library(), seed=0, instruction="vehicles that brake")
     assert len({d.adversary for d in made}) > 1
 
 
 def test_a_plural_is_no_group_and_a_parked_bus_no_adversary() -> None:
-    made = describe(None, 6, library=load_library(), seed=0, instruction="pedestrians behind a parked bus")
+    made = describe(None, 3, library=load_library(), seed=0, instruction="pedestrians behind a parked bus")
     assert {d.adversary for d in made} == {AdversaryKind.PEDESTRIAN}
     assert not all(d.slots.group for d in made)
 
 
 def test_emergency_vehicles_are_not_all_vehicles() -> None:
-    made = describe(None, 3, library=load_library(), seed=0, instruction="emergency vehicles")
+    made = describe(None, 1, library=load_library(), seed=0, instruction="emergency vehicles")
     assert {d.adversary for d in made} == {AdversaryKind.EMERGENCY_VEHICLE}
 
 

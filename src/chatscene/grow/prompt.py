@@ -15,7 +15,7 @@ from chatscene.library.compatibility import compatibility
 from chatscene.library.load import Library
 from chatscene.library.snippet_file import ADVERSARY_CLASS
 from chatscene.models.language.protocol import Example
-from chatscene.sentences.describe import describe
+from chatscene.sentences.describe import varied
 from chatscene.simulate.confined.words import world_words
 from chatscene.terms.scenario import BaseScenario, Component
 from chatscene.terms.snippet import Snippet
@@ -109,8 +109,8 @@ def question(component: Component, base: BaseScenario, have: Sequence[str], trie
 def shots(component: Component, base: BaseScenario, library: Library) -> tuple[Example, ...]:
     """Snippets of the component that serve the base scenario, a varied choice of short ones."""
     axis = list(Component).index(component)
-    varied = dict.fromkeys(d.snippet_ids[axis] for d in describe(base, 4 * SHOTS, library=library, seed=0))
-    compact = sorted((library.get(one) for one in varied), key=lambda s: len(s.source) > SHORT)
+    several = dict.fromkeys(one[axis].id for one in varied(base, 4 * SHOTS, library=library, seed=0))
+    compact = sorted((library.get(one) for one in several), key=lambda s: len(s.source) > SHORT)
     return tuple(Example(f"Write a {component} for the base scenario {base}.", draft_of(s)) for s in compact[:SHOTS])
 
 

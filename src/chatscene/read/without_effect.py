@@ -6,6 +6,7 @@ No scene shows them, whatever is read of the rest.
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 _NAME = r"[A-Z][\w'-]+"
 _STREET = (
@@ -94,7 +95,10 @@ def without_effect(text: str, span: tuple[int, int]) -> str:
         span: Where the word begins and ends.
     """
     start, end = span
-    for why, pattern in _SAID:
-        if any(match.start() <= start and end <= match.end() for match in pattern.finditer(text)):
-            return why
-    return ""
+    return next((why for low, high, why in _found(text) if low <= start and end <= high), "")
+
+
+@lru_cache(maxsize=32)
+def _found(text: str) -> tuple[tuple[int, int, str], ...]:
+    """Where words without effect stand in a text, and why they are; the kinds in their order."""
+    return tuple((*found.span(), why) for why, pattern in _SAID for found in pattern.finditer(text))

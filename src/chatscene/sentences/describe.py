@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import random
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import lru_cache
-from itertools import pairwise
+from itertools import islice, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +32,7 @@ from chatscene.terms.description import Description, Diversity, Style
 from chatscene.terms.scenario import BaseScenario, Maneuver, Place, Position, Slots, includes
 from chatscene.terms.snippet import Snippet
 
-TRIES = 24  # renderings of one triple before it is given up
+TRIES = 4  # renderings of one triple before it is given up
 GIVE_UP = 200  # triples in a row of which nothing could be said
 STYLES = (Style.PLAIN, Style.PLAIN, Style.PLAIN, Style.COLLOQUIAL, Style.REPORT, Style.PROTOCOL)
 ASIDES = ("lanes", "two_way", "distance")  # facts that a sentence need not be burdened with …
@@ -63,6 +63,17 @@ def describe(
     Raises:
         NothingFits: The library has no such scenario, or nothing in the instruction was understood.
     """
+    return tuple(islice(described(base, library=library, seed=seed, instruction=instruction), n))
+
+
+def described(
+    base: BaseScenario | None, *, library: Library, seed: int, instruction: str = ""
+) -> Iterator[Description]:
+    """The scenarios of `describe`, one after the other, each made up when it is asked for.
+
+    Raises:
+        NothingFits: As `describe`.
+    """
     wanted = _wanted(instruction)
     pool = _Pool(library, base, wanted, seed)
     if not len(pool.rows):
@@ -72,16 +83,26 @@ def describe(
             "ask for less at once"
         )
     rng = random.Random(f"{seed}/{base}/{instruction}")
-    made: dict[str, Description] = {}
+    texts: set[str] = set()
     failed = 0
-    while len(made) < n and failed < GIVE_UP and (row := pool.draw()) is not None:
-        description = _said(pool.triple(row), _KINDS[pool.rows[row, 3]], rng)
-        told = description is not None and description.text not in made
-        if told and description is not None:
-            made[description.text] = description
-        failed = 0 if told else failed + 1
+    while failed < GIVE_UP and (row := pool.draw()) is not None:
+        one = _said(pool.triple(row), _KINDS[pool.rows[row, 3]], rng)
+        told = one is not None and one.text not in texts
         pool.use(row, 1.0 if told else NO_LUCK)
-    return tuple(made.values())
+        failed = 0 if told else failed + 1
+        if told and one is not None:
+            texts.add(one.text)
+            yield one
+
+
+def varied(base: BaseScenario, n: int, *, library: Library, seed: int) -> tuple[tuple[Snippet, ...], ...]:
+    """Triples of a base scenario that are as different from each other as the library allows; at most so many."""
+    pool = _Pool(library, base, _Wanted(), seed)
+    rows: list[int] = []
+    while len(rows) < n and len(pool.rows) and (row := pool.draw()) is not None:
+        rows.append(row)
+        pool.use(row, 1.0)
+    return tuple(pool.triple(row) for row in rows)
 
 
 # What is asked for
@@ -249,7 +270,7 @@ def _said(triple: tuple[Snippet, Snippet, Snippet], kind: AdversaryKind, rng: ra
         spoken = replace(slots, **{name: None for name in ASIDES if rng.random() >= BURDEN})
         wordings = (behavior.description, *behavior.rephrasings)
         text = render(spoken, wordings, kind, rng=rng, style=rng.choice(STYLES)).text
-        heard = scenario_of(text)
+        heard = scenario_of(text, RetrievalSettings(reading=1))  # the likeliest, and no other is asked for
         if heard.base is base and misread(heard.slots, slots) is None:
             ids = (triple[0].id, triple[1].id, triple[2].id)
             return Description(text=text, base=base, adversary=kind, snippet_ids=ids, slots=slots)

@@ -10,6 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -22,7 +23,7 @@ from chatscene.library.bind import bound
 from chatscene.library.load import Library, library_with
 from chatscene.models.language.protocol import Example, LanguageModel, Limits, Prompt, load_language_model
 from chatscene.models.language.structured import printable
-from chatscene.sentences.describe import describe, joined
+from chatscene.sentences.describe import describe, described, joined
 from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.terms.description import Description
 from chatscene.terms.scenario import BaseScenario
@@ -129,10 +130,10 @@ def describe_with(
     if n < 1:
         raise SettingsError(f"the number of sentences must be at least 1, not {n}")
     settings = replace(settings, language_model=OFFLINE)
-    # More than are needed, since some are the model's already; and some for the examples.
-    offline = describe(base, 2 * n + SHOTS, library=library, seed=seed, instruction=instruction)
-    examples = _examples(base, offline[-SHOTS:], instruction)
-    sieve = _Sieve(base, library, settings, known=[d.text for d in offline[-SHOTS:]])
+    offline = described(base, library=library, seed=seed, instruction=instruction)
+    shown = tuple(islice(offline, SHOTS))
+    examples = _examples(base, shown, instruction)
+    sieve = _Sieve(base, library, settings, known=[d.text for d in shown])
     for _ in range(ROUNDS):
         missing = n - len(sieve.kept)
         if not missing:
@@ -146,10 +147,10 @@ def describe_with(
         for sentence in answer.sentences[:missing]:
             sieve.take(sentence)
     triples, texts = {d.snippet_ids for d in sieve.kept}, {_normalised(d.text) for d in sieve.kept}
-    others = [d for d in offline if d.snippet_ids not in triples and _normalised(d.text) not in texts]
+    others = (d for d in offline if d.snippet_ids not in triples and _normalised(d.text) not in texts)
     return Told(
         by_model=tuple(sieve.kept),
-        topped_up=tuple(others[: n - len(sieve.kept)]),
+        topped_up=tuple(islice(others, n - len(sieve.kept))),
         unserved=tuple(sieve.unserved),
     )
 

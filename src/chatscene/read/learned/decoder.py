@@ -5,8 +5,9 @@ One thread and one text at a time, so that a text is read the same whatever stan
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -27,6 +28,8 @@ WIDTH = 24
 LONGEST = 96
 """Tokens of a sequence."""
 _NEVER = -1e9
+_FAINT = math.log(1e-3)
+"""What has begun so much less likely than the likeliest is not followed: all that it could become together is less."""
 _LAYERS, _HEADS, _DEPTH = 2, 8, 256
 
 
@@ -56,6 +59,9 @@ class _Begun:
     steps: tuple[Step, ...]
     found: tuple[tuple[int, Found], ...]
     marks: tuple[Floats, ...]
+
+    def marked(self, marks: Floats) -> _Begun:
+        return _Begun(self.place, self.token, self.which, self.likely, self.steps, self.found, (*self.marks, marks))
 
 
 class Decoder:
@@ -107,11 +113,14 @@ class Decoder:
         past = {f"own_{name}": np.zeros((1, _HEADS, 0, _DEPTH // _HEADS), np.float32) for name in given}
         given |= {"amounts": amounts, "words": words}
         alive, done = [_Begun(BEGUN, 0, -1, 0.0, (), (), ())], list[Written]()
+        allowed: dict[str, NDArray[np.bool_]] = {}
         for at in range(LONGEST):
             odds, marks, *kept = self._following.run(None, {**given, **past, **self._fed(alive, at)})
             if at:
-                alive = [replace(one, marks=(*one.marks, its)) for one, its in zip(alive, marks, strict=True)]
-            likely = self._masked(odds, alive, read.amounts)
+                alive = [one.marked(its) for one, its in zip(alive, marks, strict=True)]
+            for place in {one.place for one in alive} - allowed.keys():
+                allowed[place] = self._allowed(place, read.amounts, odds.shape[1])
+            likely = _likely(odds, np.stack([allowed[one.place] for one in alive]))
             scores = np.array([one.likely for one in alive])[:, None] + likely
             best = np.argsort(-scores, axis=None, kind="stable")[: WIDTH + len(done)]
             ways = [divmod(int(i), scores.shape[1]) for i in best if scores.flat[i] > _NEVER / 2]
@@ -121,6 +130,8 @@ class Decoder:
             done = sorted(done, key=lambda one: -one.likely)[:WIDTH]
             if len(done) == WIDTH:
                 nexts = [(row, one) for row, one in nexts if one.likely > done[-1].likely]
+            likeliest = max(one.likely for one in (*done[:1], *(one for _, one in nexts))) if nexts else 0.0
+            nexts = [(row, one) for row, one in nexts if one.likely > likeliest + _FAINT]
             if not nexts:
                 break
             rows = [row for row, _ in nexts]
@@ -137,40 +148,40 @@ class Decoder:
             "which": np.array([one.which for one in alive], np.int64),
         }
 
-    def _masked(self, odds: Floats, alive: Sequence[_Begun], amounts: Sequence[Found]) -> NDArray[np.float64]:
-        """Logarithms of the probabilities of what the grammar allows next."""
-        allowed = np.zeros(odds.shape, bool)
-        tokens = len(self._tokens)
-        allowed[:, :tokens] = self._follow[[self._places[one.place] for one in alive]]
-        for row, one in enumerate(alive):
-            for there in self._grammar.follow[one.place]:
-                kinds = self._grammar.amounts.get(there, ())
-                fits = np.array([isinstance(found.amount, kinds) for found in amounts], bool)
-                allowed[row, tokens : tokens + len(amounts)] |= fits
-                if (
-                    there.endswith(COPIED)
-                    or not (after := self._grammar.follow[there])
-                    or not after[0].endswith(COPIED)
-                ):
-                    continue
-                wanted = self._grammar.amounts[after[0]]
-                if not any(isinstance(found.amount, wanted) for found in amounts):
-                    allowed[row, list(self._of[there])] = False  # nothing to copy
-        z = np.where(allowed, odds.astype(np.float64), _NEVER)
-        z -= z.max(axis=1, keepdims=True)
-        return np.where(allowed, z - np.log(np.exp(z).sum(axis=1, keepdims=True)), _NEVER)
+    def _allowed(self, place: str, amounts: Sequence[Found], width: int) -> NDArray[np.bool_]:
+        """What the grammar allows after a place: tokens, and amounts of the text."""
+        tokens, row = len(self._tokens), np.zeros(width, bool)
+        row[:tokens] = self._follow[self._places[place]]
+        for there in self._grammar.follow[place]:
+            kinds = self._grammar.amounts.get(there, ())
+            row[tokens : tokens + len(amounts)] |= np.array(
+                [isinstance(found.amount, kinds) for found in amounts], bool
+            )
+            if there.endswith(COPIED) or not (after := self._grammar.follow[there]) or not after[0].endswith(COPIED):
+                continue
+            wanted = self._grammar.amounts[after[0]]
+            if not any(isinstance(found.amount, wanted) for found in amounts):
+                row[list(self._of[there])] = False  # nothing to copy
+        return row
 
     def _on(self, one: _Begun, token: int, likely: float, read: Read) -> _Begun:
         tokens = len(self._tokens)
         if token < tokens:
             place = self._next[one.place, token]
             step = Step(place, self._tokens[token])
-            return replace(one, place=place, token=token, which=-1, likely=likely, steps=(*one.steps, step))
+            return _Begun(place, token, -1, likely, (*one.steps, step), one.found, one.marks)
         place = next(there for there in self._grammar.follow[one.place] if there.endswith(COPIED))
         found = read.amounts[token - tokens]
         step = Step(place, None, found.amount)
         copied = (*one.found, (len(one.steps), found))
         return _Begun(place, 0, token - tokens, likely, (*one.steps, step), copied, one.marks)
+
+
+def _likely(odds: Floats, allowed: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Logarithms of the probabilities of what is allowed next."""
+    z = np.where(allowed, odds.astype(np.float64), _NEVER)
+    z -= z.max(axis=1, keepdims=True)
+    return np.where(allowed, z - np.log(np.exp(z).sum(axis=1, keepdims=True)), _NEVER)
 
 
 def _spans(read: Read) -> tuple[Floats, NDArray[np.int64]]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cache
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache, lru_cache
+
+import numpy as np
 
 from chatscene.read.learned.decoder import Written
 from chatscene.read.learned.grammar import Token, grammar
@@ -23,24 +25,42 @@ def quoted_of(read: Read, written: Written) -> Mapping[str, str]:
     does not say this one.
     """
     copied = {path_of(written.steps, at): found for at, found in written.found}
+    spans, begins = _spans(read)
     quoted: dict[str, str] = {}
     for at, marks in enumerate(written.marks):
         if not written.steps[at].place or at == 0:
             continue
         path = path_of(written.steps, at)
-        words = _words(read, [float(one) for one in marks], _says_another(written.steps[at].token), copied.get(path))
+        if path in quoted:
+            continue
+        likely = np.maximum.reduceat(marks[1 : len(read.where) + 1], begins) if spans else marks[:0]
+        mine = [i for i, word in enumerate(spans) if not _says_another(written.steps[at].token, word[2])]
+        words = _words(read.text, [(spans[i], float(likely[i])) for i in mine], copied.get(path))
         if words:
-            quoted.setdefault(path, words)
+            quoted[path] = words
     return quoted
 
 
-def _says_another(token: Token | None) -> Callable[[str], bool]:
+_Word = tuple[int, int, str]
+"""Where a word begins and ends in a text, and the word without what stands around it, in small letters."""
+
+
+@lru_cache(maxsize=8)
+def _spans(read: Read) -> tuple[tuple[_Word, ...], tuple[int, ...]]:
+    """The words of a text, and of each the number of its first piece."""
+    first = {where: i for i, where in reversed(tuple(enumerate(read.where)))}
+    spans = sorted(first, key=lambda where: first[where])
+    words = tuple((low, high, read.text[low:high].strip(_ENDS).lower()) for low, high in spans)
+    return words, tuple(first[where] for where in spans)
+
+
+@lru_cache(maxsize=4096)
+def _says_another(token: Token | None, word: str) -> bool:
     """Whether a word says another fact than a token, whatever is marked."""
     if token is None:
-        return lambda _: False
+        return False
     field, value = token
-    others = _words_of(field) - {value}
-    return lambda word: word in others or (not value.isdigit() and any(c.isdigit() for c in word))
+    return (word != value and word in _words_of(field)) or (not value.isdigit() and any(c.isdigit() for c in word))
 
 
 @cache
@@ -48,22 +68,20 @@ def _words_of(field: str) -> frozenset[str]:
     return frozenset(word for each, word in grammar().tokens if each == field)
 
 
-def _words(read: Read, marks: Sequence[float], others: Callable[[str], bool], copied: Found | None) -> str:
+def _words(text: str, marked: Sequence[tuple[_Word, float]], copied: Found | None) -> str:
     """The marked words of a text as they stand, what lies between them left out; empty if all say something else."""
-    best: dict[tuple[int, int], float] = {}
-    for where, mark in zip(read.where, marks[1:], strict=False):  # before the first piece stands the mark of begin
-        if not others(read.text[where[0] : where[1]].strip(_ENDS).lower()):
-            best[where] = max(mark, best.get(where, mark))
-    taken = sorted(where for where, mark in best.items() if mark > 0)
+    taken = [word[:2] for word, mark in marked if mark > 0]
     if copied is not None:
         apart = (where for where in taken if where[1] <= copied.low or where[0] >= copied.high)
         taken = sorted((*apart, (copied.low, copied.high)))
-    elif best and not taken:
-        taken = [max(best, key=lambda one: best[one])]
-    return GAP.join(filter(None, (read.text[low:high].strip(_ENDS) for low, high in _runs(read.text, taken))))
+    elif marked and not taken:
+        taken = [max(marked, key=lambda one: one[1])[0][:2]]
+    return GAP.join(filter(None, (text[low:high].strip(_ENDS) for low, high in _runs(text, taken))))
 
 
 def _runs(text: str, taken: Sequence[tuple[int, int]]) -> Iterator[tuple[int, int]]:
+    if not taken:
+        return
     begin, end = taken[0]
     for low, high in taken[1:]:
         if text[end:low].strip():
