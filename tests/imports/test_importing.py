@@ -225,8 +225,8 @@ def test_an_event_that_never_begins_is_told_on_the_terminal_in_the_head_of_the_p
     unread, told = json.loads(said.stdout)["told_first"]
     assert unread == "param OPT_NEAR = Range(10.0, 30.0) has no effect here: nothing reads it"
     assert told == (
-        "in 1 of 1 scenes: this never began: adversary brakes along leadWay by 0.5; it waits until "
-        "the distance along the ego's route between the ego and it is under 1.0"
+        "in 1 of 1 scenes: this never began: adversary was to brake along leadWay by 0.5, "
+        "once the ego is less than 1 m from it along the road"
     )
     done = chatscene.Run(beside / "run")
     assert str(done).splitlines()[:2] == [unread, told]

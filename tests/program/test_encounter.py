@@ -8,10 +8,14 @@ import numpy as np
 import pytest
 from test_meaning import DT, EGO_SPEED, ROUTE, episode, moving
 
+from chatscene.program.doing import ACTS
 from chatscene.program.encounter import meeting
 from chatscene.program.judge import Finding, failures, judge
+from chatscene.program.watching import watch
 from chatscene.terms.amount import Acceleration, Length, Speed
 from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, SignalTrack, Track
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Contact, Deed, Ego, Other, Road, Situation, Start
 from chatscene.terms.surroundings import Light
 from chatscene.terms.vocabulary import (
@@ -182,6 +186,20 @@ def test_who_goes_along_and_leaves_its_lane_is_told() -> None:
     assert shown("unasked.adversary.lane", goes, episode(leaves)) is False
     stays = moving(20.0, 0.0, (120, 8.0, 0.0), speed=8.0)
     assert found("unasked.adversary.lane", goes, episode(stays)) is None
+
+
+def test_who_keeps_its_lane_while_the_ego_changes_its_own_has_left_none_and_taken_no_exit() -> None:
+    over = np.column_stack([np.arange(300.0), 3.5 * np.clip((np.arange(300.0) - 60.0) / 40.0, 0.0, 1.0)])
+    route = replace(ROUTE, line=Polyline(over), maneuver=Maneuver.LANE_CHANGE_LEFT, event_at=60.0)
+    goes = one(other(Where.AHEAD, Deed(act=Act.GO_ALONG)), ego=Ego(route=EgoRoute.LANE_CHANGE_LEFT))
+    for left in (0.0, 3.5):  # in the lane that the ego leaves, and in the one that it comes to
+        stays = moving(20.0, left, (120, 8.0, 0.0), speed=8.0)
+        told = [f.told for f in judge(goes, episode(stays), route) if f.path.startswith("unasked")]
+        assert not told
+        assert not list(ACTS[Act.EXIT](watch(episode(stays), route, stays)))
+    leaves = moving(20.0, 0.0, (30, 8.0, 0.0), (10, 8.0, 20.0), (15, 8.0, 0.0), (60, 8.0, 0.0), speed=8.0)
+    (told,) = (f.told for f in judge(goes, episode(leaves), route) if f.path == "unasked.adversary.lane")
+    assert told.startswith("adversary goes ")
 
 
 # Numbers

@@ -95,10 +95,10 @@ def _phase(phase: Phase) -> str:
             end = f", for {in_words(seconds)} s"
         case None:
             end = ""
-    return f"{values}{phase_in_words(phase)}{end}"
+    return f"{values}{_does(phase)}{end}"
 
 
-def phase_in_words(phase: Phase) -> str:
+def _does(phase: Phase) -> str:
     """What a phase does, without what ends it."""
     takes = PRIMITIVES[phase.primitive].takes
     said = {

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
-from chatscene.library.plan_words import in_words, phase_in_words
+from chatscene.library.waiting_words import begins_in_words, to_do_in_words
 from chatscene.terms.episode import Episode, Track
-from chatscene.terms.plan import After, Kind, Name, Phase, Plan, Until
+from chatscene.terms.plan import Kind, Name, Phase, Plan
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.written_plans import WrittenPlan, written_plans
@@ -46,15 +46,9 @@ def _never_began(actor: str, plan: Plan, reached: int) -> list[str]:
     ]
     if not left:
         return []
-    match plan.phases[reached].end:
-        case Until(condition):
-            waits = f"waits until {in_words(condition)}"
-        case After(seconds):
-            waits = f"waits {in_words(seconds)} s"
-        case None:
-            waits = "comes to no end of what it does before"
-    more = f" (and {len(left) - 1} more after that)" if len(left) > 1 else ""
-    return [f"this never began: {actor} {phase_in_words(left[0])}{more}; it {waits}"]
+    more = f", and {len(left) - 1} more after that" if len(left) > 1 else ""
+    begins = begins_in_words(plan.phases[reached].end)
+    return [f"this never began: {actor} was to {to_do_in_words(left[0])}, {begins}{more}"]
 
 
 def _goes_on(phase: Phase, before: Phase) -> bool:

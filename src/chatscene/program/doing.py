@@ -253,8 +253,11 @@ def _turns_round(s: Seen) -> Iterator[Act]:
 
 
 def _exits(s: Seen) -> Iterator[Act]:
-    """It ends farther aside of the ego's way than it was, by more than a lane, and not because it crossed that."""
-    away = np.abs(s.offset)
+    """It ends farther aside of the ego's way than it was, by more than a lane, and not because it crossed that.
+
+    Of an ego that changes lanes, also farther aside of the lane that the ego left: who stays there has not gone.
+    """
+    away = np.minimum(np.abs(s.offset), np.abs(s.aside))
     if abs(s.offset[0]) > OUTSIDE and s.offset[0] * s.offset[-1] < 0.0:
         return
     gone = away > np.minimum.accumulate(away) + LANE

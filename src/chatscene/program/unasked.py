@@ -49,7 +49,7 @@ def unasked(situation: Situation, episode: Episode, until: int | None) -> Iterat
         broken = any(deed.breaks is not None and BROKEN.get(deed.breaks) is event.kind for deed in situation.ego.does)
         chosen = event.kind in rules and rules[event.kind] not in _SAID[event.kind] and not broken
         if chosen and (until is None or event.step < until):
-            told = f"the ego runs a {event.kind}, of which nobody said that it has one"
+            told = f"the ego runs a {event.kind}, and nobody said that it has one"
             yield Finding(path=f"unasked.{event.kind}", shown=False, told=told, at=event.step * episode.dt)
     yield from _let_go(situation, episode, until)
     yield from _through_others(situation, episode, until)
@@ -65,7 +65,7 @@ def _let_go(situation: Situation, episode: Episode, until: int | None) -> Iterat
                 moves = np.abs(body.speed[:until]) > STANDING
                 if moves.any():
                     at, name = int(np.argmax(moves)) * episode.dt, f"{one.id}-{part}"
-                    told = f"{act}, {said} times said, happens once more"
+                    told = f"{one.id}: {act}, {said} times said, happens once more"
                     yield Finding(path=f"unasked.{name}", shown=False, told=told, at=at)
 
 
@@ -97,31 +97,33 @@ def of_somebody(situation: Situation, one: Other, seen: Seen, route: Route) -> I
     """
     acts = [deed.act for deed in one.does]
     if acts and acts[-1] is Act.CROSS and (stops := _in_the_way(seen)) is not None:
-        told = "it comes to stand in the way of the ego, which nobody said"
+        told = f"{one.id} comes to stand in the way of the ego, which nobody said"
         yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=stops * seen.dt)
     if not acts or not IN_LANE.issuperset(acts):
         return
     if set(acts) == {Act.STAND}:
         gone = np.hypot(seen.track.x - seen.track.x[0], seen.track.y - seen.track.y[0]) > LEFT_PLACE
         if gone.any():
-            told = f"it goes {'back' if seen.track.speed[int(np.argmax(gone))] < 0.0 else 'off'}, which nobody said"
+            told = (
+                f"{one.id} goes {'back' if seen.track.speed[int(np.argmax(gone))] < 0.0 else 'off'}, which nobody said"
+            )
             yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=int(np.argmax(gone)) * seen.dt)
         return
     later = one.does[1:]  # who goes on at a speed or comes to stand may have to brake for it
     said = (acts[0] in SLOWS) + sum(deed.act in (*SLOWS, Act.STAND) or deed.speed is not None for deed in later)
     times = _times_braking(seen, turns=route.junction is not None)
     if said and len(times) > said:
-        told = f"it brakes {len(times)} times, which was said {said} times"
+        told = f"{one.id} brakes {len(times)} times, which was said {said} {'time' if said == 1 else 'times'}"
         yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=times[0] * seen.dt)
     straight = route.junction is None and np.ptp(headings(route.line)) < STRAIGHT
     contact = situation.contact
     goes_by = contact is not None and not contact.happens and one.starts.where is Where.ONCOMING_IN_OUR_LANE
     if straight and not goes_by and not one.starts.where.row.junction:
-        aside = np.abs(seen.offset - seen.offset[0])
+        aside = np.abs(seen.aside - seen.aside[0])  # of the lanes: an ego that changes lanes moves its own way over
         inside = (seen.at > 0.0) & (seen.at < route.length)
         if (gone := inside & (aside > LEFT_LANE)).any() and abs(np.cos(seen.bearing[0])) > 0.9:
             step = int(np.argmax(gone))
-            told = f"it goes {aside[step]:.1f} m aside, which nobody said"
+            told = f"{one.id} goes {aside[step]:.1f} m aside, which nobody said"
             yield Finding(path=f"unasked.{one.id}.lane", shown=False, told=told, at=step * seen.dt)
 
 

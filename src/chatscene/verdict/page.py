@@ -15,6 +15,7 @@ from chatscene.files.atomic import write_whole
 from chatscene.report.animation import still
 from chatscene.report.templates import asset, fill, policy
 from chatscene.terms.episode import Episode, Track
+from chatscene.verdict.result import in_a_line
 from chatscene.verdict.verdict import VERDICTS, Answer, Fact, Seen, Verdict
 from chatscene.verdict.watched import Drawing
 
@@ -44,13 +45,13 @@ def verdict_page(verdict: Verdict, drawing: Drawing | None) -> str:
         drawing: The map; None where there is none.
     """
     moments = _moments([*verdict.facts, *verdict.encounters, *verdict.unasked])
-    whole = sum(not one.missing for one in verdict.draws)
+    result = in_a_line(verdict)
     return fill(
         "verdict.html",
         title=f"{VERDICTS[verdict.status]}: {verdict.told}",
         policy=policy(),
         style=asset("viewer.css") + asset("coverage.css"),
-        heading=f"{VERDICTS[verdict.status].capitalize()}: {whole} of {len(verdict.draws)} drives show all of it",
+        heading=f"{result[0].upper()}{result[1:]}",
         what=verdict.what,
         kind=verdict.kind,
         told=verdict.told,

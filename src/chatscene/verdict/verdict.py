@@ -162,6 +162,7 @@ class Verdict:
         facts: What was said.
         encounters: Whether the ego could meet each of those who are to meet it.
         unasked: What happened that nobody said.
+        nearest: How near [m] each adversary comes to the ego, in the drive in which it comes nearest; 0 if they touch.
         dead: What makes the scene none: nobody drives, or nothing moves.
         notes: What else is to be known.
         who: The road user of the scene in whom each of the situation is seen, by id.
@@ -179,6 +180,7 @@ class Verdict:
     facts: tuple[Fact, ...] = ()
     encounters: tuple[Fact, ...] = ()
     unasked: tuple[Fact, ...] = ()
+    nearest: Mapping[str, float] = field(default_factory=dict[str, float])
     dead: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     who: Mapping[str, str] = field(default_factory=dict[str, str])
@@ -223,6 +225,7 @@ class Verdict:
             "facts": [one.as_dict() for one in self.facts],
             "encounters": [one.as_dict() for one in self.encounters],
             "unasked": [one.as_dict() for one in self.unasked],
+            "nearest": {who: round(gap, 3) for who, gap in self.nearest.items()},
             "dead": list(self.dead),
             "collisions": len(crashes),
             "avoidable": sum(one.avoidable is True for one in crashes),

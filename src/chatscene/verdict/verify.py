@@ -7,9 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
+from chatscene.program.contacts import is_of
 from chatscene.program.deeds import MOVING
 from chatscene.program.finding import Finding, failures
 from chatscene.settings import VerifySettings
+from chatscene.simulate.boxes import least_gap
 from chatscene.situations.form import to_plain
 from chatscene.situations.words import told
 from chatscene.terms.episode import Episode, Role
@@ -84,6 +86,7 @@ def weighed(found: Watching, what: str, asked: Asked, settings: VerifySettings) 
         facts=facts,
         encounters=encounters,
         unasked=unasked,
+        nearest=_nearest(situation, episodes),
         dead=(*dead, *_still(situation, episodes, settings.least)),
         notes=(*found.notes, *_cut(played, cast), *_unplayed(driven), *_motionless(situation, episodes)),
         who=_in_words(cast),
@@ -109,6 +112,21 @@ def _draws(
             missing=failures(found),
             variant=one.variant,
         )
+
+
+def _nearest(situation: Situation, episodes: Sequence[Episode]) -> dict[str, float]:
+    """How near [m] each adversary comes to the ego in any drive; one who is in none of them is left out."""
+    found = dict[str, float]()
+    for one in situation.adversaries:
+        every = [
+            least_gap(episode.ego_track, track)
+            for episode in episodes
+            for track in episode.tracks
+            if is_of(track.actor, one.id)
+        ]
+        if every:
+            found[one.id] = min(every)
+    return found
 
 
 def _cut(played: Sequence[Played], cast: Cast) -> Iterator[str]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from chatscene.verdict.verdict import VERDICTS, Answer, Fact, Verdict
+from chatscene.verdict.result import in_a_line
+from chatscene.verdict.verdict import Answer, Fact, Verdict
 
 _WORDS = {
     Answer.SHOWN: "shown",
@@ -36,8 +37,7 @@ def _lines(verdict: Verdict) -> Iterator[str]:
         yield from (f"  unasked      {_in(one)}  {one.instead}" for one in verdict.unasked)
         yield from _careful(verdict)
     yield from (f"  {line}" for line in verdict.dead)
-    whole = sum(not one.missing for one in verdict.draws)
-    yield f"{VERDICTS[verdict.status]}: {whole} of {many} drives show all of it (exit status {verdict.status})"
+    yield f"{in_a_line(verdict)} (exit status {verdict.status})"
 
 
 def _facts(facts: Sequence[Fact]) -> Iterator[str]:
@@ -56,8 +56,11 @@ def _encounters(verdict: Verdict) -> Iterator[str]:
         at = "" if one.at is None else f", at {one.at:.1f} s"
         told = f": {one.instead}" if one.instead else ""
         yield f"  encounter    the ego could meet {who} in {one.shown} of {len(one.judged)}{at}{told}"
-    if not verdict.encounters and verdict.draws:
-        yield "  encounter    nothing that was said asks for one"
+    if not verdict.encounters:
+        near = "".join(
+            f"; {who} comes no nearer to the ego than {gap:.1f} m" for who, gap in verdict.nearest.items() if gap > 0.0
+        )
+        yield f"  encounter    nothing that was said asks for one{near}"
 
 
 def _careful(verdict: Verdict) -> Iterator[str]:
