@@ -78,15 +78,16 @@ def form() -> Mapping[str, Any]:
 
 def _fields() -> Iterator[str]:
     made = schema()
+    parts = made["$defs"]
     yield f"situation: {', '.join(_named(*one) for one in _asked(made))}"
-    for name, part in made["$defs"].items():
+    for name, part in parts.items():
         if "properties" in part:
-            yield f"{name}: {' '.join(_meant(*one) for one in _asked(part))}"
+            yield f"{name}: {' '.join(_meant(*one, parts) for one in _asked(part))}"
 
 
-def _meant(name: str, property_: Mapping[str, Any]) -> str:
+def _meant(name: str, property_: Mapping[str, Any], parts: Mapping[str, Any]) -> str:
     """A field with what it says, but where the words that it takes tell that."""
-    table = schema()["$defs"].get(_type(property_).removeprefix(_SEVERAL), {})
+    table = parts.get(_type(property_).removeprefix(_SEVERAL), {})
     of_its_own_name = _named(name, property_) == name
     if "enum" in table and (of_its_own_name or "\n" in table.get("description", "")):
         return f"{_named(name, property_)}."

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Iterator, Mapping
+from copy import deepcopy
 from dataclasses import is_dataclass
 from functools import cache
 from typing import Any, cast
@@ -59,6 +60,11 @@ def to_plain(situation: Situation) -> dict[str, Any]:
 
 def schema() -> dict[str, Any]:
     """The JSON schema (2020-12) of written situations, each word and field with what it means."""
+    return deepcopy(_schema())
+
+
+@cache
+def _schema() -> dict[str, Any]:
     made = _form().json_schema()
     described = {name: noun for name, noun in vars(nouns).items() if inspect.isclass(noun) and is_dataclass(noun)}
     for name, part in ((Situation.__name__, made), *made["$defs"].items()):
