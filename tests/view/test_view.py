@@ -479,7 +479,7 @@ def test_an_address_that_is_none_is_told(page: Page, capfd: pytest.CaptureFixtur
 def test_who_connects_and_asks_for_nothing_gives_way_to_others(page: Page) -> None:
     before = threading.active_count()
     with ExitStack() as held:
-        for number in range(200):
+        for number in range(CONNECTIONS + 30):
             place = ("127.0.0.1", page.server.server_port)
             connection = held.enter_context(socket.create_connection(place, timeout=60))
             connection.sendall((b"", b"GET /", b"POST / HTTP/1.1\r\nContent-Length: 9\r\n")[number % 3])

@@ -86,6 +86,7 @@ class Server(ThreadingHTTPServer):
     """
 
     daemon_threads = True
+    request_queue_size = 128  # connections that wait to be let in; of more, each costs a browser a second at least
 
     def __init__(self, folder: Path, port: int, reading: Mapping[str, Any], search: Mapping[str, Any]) -> None:
         self.folder, self.search = folder, search
