@@ -22,7 +22,7 @@ from chatscene.imports.stranger_xml import Element, read_xml
 from chatscene.imports.variants import variants_of
 from chatscene.imports.written import written
 from chatscene.imports.written_story import written_story
-from chatscene.maps.curves import normalised
+from chatscene.maps.curves import normalise
 from chatscene.maps.network import resolve_map
 from chatscene.search.generators.foreign import foreign_program
 from chatscene.terms.storyboard import Storyboard
@@ -435,7 +435,10 @@ def test_a_nurbs_of_order_two_is_the_polyline_of_its_control_points(tmp_path: Pa
 
 def test_a_curve_by_its_arc_length_is_the_same_with_a_parameter_from_0_to_1() -> None:
     text = '<r><geometry length="10"><paramPoly3 aU="1" bU="2" cU="3" dU="4" aV="0" bV="0" cV="0.5" dV="0" pRange="arcLength"/></geometry></r>'
-    curve = normalised(Xml.ElementTree(Xml.fromstring(text))).getroot().find("geometry/paramPoly3")
+    geometry = Xml.fromstring(text).find("geometry")
+    assert geometry is not None
+    normalise(geometry)
+    curve = geometry.find("paramPoly3")
     assert curve is not None
     assert [float(curve.get(name, 0)) for name in ("aU", "bU", "cU", "dU", "cV")] == [1.0, 20.0, 300.0, 4000.0, 50.0]
 

@@ -243,13 +243,6 @@ def test_a_map_in_an_encoding_of_no_map_is_refused(encoding: str, tmp_path: Path
         load_network(path)
 
 
-def test_a_map_in_a_namespace_is_said_to_be_in_one(tmp_path: Path) -> None:
-    path = _map(tmp_path)
-    path.write_text(path.read_text().replace("<OpenDRIVE", '<OpenDRIVE xmlns="http://www.opendrive.org"', 1))
-    with pytest.raises(MapError, match=r"OpenDRIVE in the XML namespace 'http://www\.opendrive\.org'"):
-        load_network(path)
-
-
 def test_that_the_time_for_a_map_is_up_is_no_fault_of_the_map(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def stopped(*_: object, **__: object) -> None:
         raise StuckBehavior("its time is up")

@@ -41,18 +41,22 @@ def test_the_map_that_is_spoiled_below_is_sound(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("right", "wrong", "message"),
     [
-        ('id="7"', 'id="north"', "road 'north' has the id 'north'; only whole numbers are read"),
         ('length="400" id', "id", "road '7' has no length"),
         (GEOMETRY, "", "road '7' has no <geometry>, so no place"),
-        ("<line/>", '<poly3 a="0" b="0" c="0" d="0"/>', "<geometry> at s='0' of the shape <poly3>; line, arc, spiral"),
+        ("<line/>", "<nurbs/>", "<geometry> at s='0' of the shape <nurbs>; line, arc, spiral, paramPoly3"),
+        ("<line/>", '<spiral curvEnd="0"/>', "<geometry> at s='0' whose <spiral> has no curvStart"),
         (
             "<line/>",
             '<paramPoly3 aU="0" bU="400" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="degrees"/>',
             "with pRange='degrees'; normalized and arcLength are read",
         ),
         (SECTION + LATER, "", "road '7' has no <laneSection>, so no lane"),
-        (LATER, LATER.replace('a="3.5"', 'a="0"'), "section 1 (s='200'): lane '-1' has a width of 0 all along"),
-        (SECTION, SECTION.replace("width", "border"), "section 0 (s='0'): lane '-1' has a <border> and no <width>"),
+        (
+            LATER,
+            LATER.replace('a="3.5"', 'a="-1"'),
+            "section 1 (s='200'): lane '-1' is -1.00 m wide 0 m into the",
+        ),
+        (SECTION, SECTION.replace("width", "height"), "section 0 (s='0'): lane '-1' has no <width>"),
     ],
 )
 def test_what_cannot_be_read_is_told_by_road_section_and_lane(

@@ -12,9 +12,10 @@ from chatscene.imports.given import Given, Refused
 from chatscene.imports.player import InLane
 from chatscene.imports.shapes import Pose, line_through, shape_of
 from chatscene.imports.stranger_xml import Element
-from chatscene.maps.curves import read_all_curves
 from chatscene.maps.neighbours import number_beside, numbered_beside
-from chatscene.maps.network import load_network, map_digest
+from chatscene.maps.network import check_opendrive, load_network, map_digest
+from chatscene.maps.plain_form import name_of
+from chatscene.maps.scenic_parser import read_other_makers
 from chatscene.terms.polyline import Polyline
 from chatscene.world.places import laneLine
 
@@ -266,14 +267,15 @@ class Positions:
 
 @lru_cache(maxsize=4)
 def _roads_of(path: Path, digest: str) -> Any:
-    """The roads of a map as they are written, by number."""
+    """The roads of a map as they are written, by name."""
     del digest  # tells one content of a file from another
     from scenic.formats.opendrive.xodr_parser import RoadMap
 
-    read_all_curves()
+    read_other_makers()
     roads = RoadMap()
     roads.parse(str(path))
-    return roads.roads
+    names = {road.get("id"): name_of(road) for road in check_opendrive(path).iter("road")}
+    return {names[str(number)]: road for number, road in roads.roads.items()}
 
 
 def _in_order(parts: list[list[tuple[float, float]]]) -> list[list[tuple[float, float]]]:

@@ -1,19 +1,27 @@
-"""Curves of OpenDRIVE that Scenic's parser leaves out: cubic ones whose parameter is the arc length.
+"""Curves of OpenDRIVE that Scenic's parser leaves out, told as those that it reads: cubics from 0 to 1.
 
 With ``pRange="arcLength"`` the parameter of a <paramPoly3> runs from 0 to the length of its geometry, with
-``normalized``, which the parser reads, from 0 to 1: the same curve, its coefficients times powers of the length.
+``normalized``, which the parser reads, from 0 to 1: the same curve, its coefficients times powers of the length. A
+<poly3>, of OpenDRIVE 1.4, is a cubic of the distance along the direction at its start, to where it is as long as its
+geometry.
 """
 
 from __future__ import annotations
 
+import math
 import xml.etree.ElementTree as Xml
-from typing import Any
+from itertools import pairwise
+
+_STEPS = 64  # of the arc length of a <poly3>, each by Gauss's rule of three points
+_GAUSS = ((-math.sqrt(0.6), 5 / 9), (0.0, 8 / 9), (math.sqrt(0.6), 5 / 9))
 
 
-def normalised(tree: Xml.ElementTree[Any]) -> Xml.ElementTree[Any]:
-    """A map in which the parameter of every cubic curve runs from 0 to 1; the tree itself is changed."""
-    for geometry in tree.iter("geometry"):
-        length = float(geometry.get("length", 0))
+def normalise(geometry: Xml.Element) -> None:
+    """Tell the cubic curve of a piece of a reference line, if it is one, by a parameter from 0 to 1."""
+    try:
+        length = float(geometry.get("length", ""))
+        for curve in geometry.findall("poly3"):
+            _parametric(curve, length)
         for curve in geometry.findall("paramPoly3"):
             if curve.get("pRange") == "arcLength":
                 for power, letter in enumerate("abcd"):
@@ -21,32 +29,36 @@ def normalised(tree: Xml.ElementTree[Any]) -> Xml.ElementTree[Any]:
                         name = f"{letter}{axis}"
                         curve.set(name, repr(float(curve.get(name, 0)) * length**power))
                 curve.set("pRange", "normalized")
-    return tree
-
-
-class _Etree:
-    """The parser of XML as Scenic's parser of maps asks it."""
-
-    @staticmethod
-    def parse(path: Any) -> Xml.ElementTree[Any]:
-        """The tree of a file."""
-        return normalised(Xml.parse(path))
-
-
-def read_all_curves() -> None:
-    """Have Scenic's parser of maps read these curves too."""
-    from scenic.formats.opendrive import xodr_parser
-
-    if xodr_parser.ET is _Etree:
+    except ValueError:  # what is no number is told where it stands
         return
-    setattr(xodr_parser, "ET", _Etree)  # noqa: B010 - a module of somebody else's
-    ends = xodr_parser.ParamCubic.point_at
 
-    def point_at(self: Any, s: float) -> Any:
-        """The point at an arc length; the last one for what lies a little beyond it."""
-        whole = getattr(self, "_whole", None)
-        if whole is None:
-            whole = self._whole = self.arclength(self.p_range)
-        return ends(self, min(s, whole * (1.0 - 1e-9)))
 
-    xodr_parser.ParamCubic.point_at = point_at
+def _parametric(curve: Xml.Element, length: float) -> None:
+    a, b, c, d = (float(curve.get(name, "")) for name in "abcd")
+    reach = _reach(b, c, d, length)
+    curve.attrib.clear()
+    curve.tag = "paramPoly3"
+    across = (a, b * reach, c * reach**2, d * reach**3)
+    for letter, along, aside in zip("abcd", (0.0, reach, 0.0, 0.0), across, strict=True):
+        curve.set(f"{letter}U", repr(along))
+        curve.set(f"{letter}V", repr(aside))
+    curve.set("pRange", "normalized")
+
+
+def _reach(b: float, c: float, d: float, length: float) -> float:
+    """How far [m] along its first direction a cubic leads until it is so long; at most its length."""
+
+    def long(u: float) -> float:
+        ends = [u * i / _STEPS for i in range(_STEPS + 1)]
+        return sum(
+            weight * (end - start) / 2 * math.hypot(1.0, b + 2 * c * x + 3 * d * x * x)
+            for start, end in pairwise(ends)
+            for at, weight in _GAUSS
+            for x in [(start + end) / 2 + at * (end - start) / 2]
+        )
+
+    low, high = 0.0, length
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if long(middle) < length else (low, middle)
+    return (low + high) / 2

@@ -9,7 +9,6 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
-from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as Xml
 
@@ -81,11 +80,11 @@ def furniture_of(network: Any) -> Furniture:
     return getattr(network, "furniture", Furniture())
 
 
-def read_furniture(path: Path, network: Any) -> Furniture:
+def read_furniture(root: Xml.Element, network: Any) -> Furniture:
     """What a map's file says of crosswalks, standing places and lights.
 
     Args:
-        path: An OpenDRIVE file that has been checked.
+        root: A map that has been checked, in the plain form.
         network: Scenic's road network of it.
     """
     roads = {road.id: road for road in network.roads}
@@ -95,7 +94,7 @@ def read_furniture(path: Path, network: Any) -> Furniture:
     cycle_lanes: dict[tuple[int, bool], shapely.Polygon] = {}
     tracks: list[tuple[int, shapely.Polygon, bool]] = []
     lights: dict[tuple[int, bool], list[str]] = {}
-    for road in Xml.parse(path).getroot().iter("road"):
+    for road in root.iter("road"):
         number = int(road.get("id", "0"))
         for light, forward in _lights(road, inside=number not in lines):
             lights.setdefault((number, forward), []).append(light)

@@ -24,7 +24,8 @@ from chatscene.files.bounded import is_there
 from chatscene.files.caches import cache_folder, only_mine
 from chatscene.maps.apart import read_apart, takes_seconds
 from chatscene.maps.carla_towns import carla_town, how_to_have
-from chatscene.maps.curves import read_all_curves
+from chatscene.maps.plain_form import in_plain_form, without_namespace
+from chatscene.maps.scenic_parser import read_other_makers
 from chatscene.maps.unread import why_unread
 from chatscene.terms.scenario import Site
 
@@ -143,7 +144,7 @@ def furnished(path: Path, root: Xml.Element, make: Callable[[], Any]) -> Any:
 
     try:
         network = make()
-        furniture, limits = read_furniture(path, network), read_limits(root)
+        furniture, limits = read_furniture(root, network), read_limits(root)
     except (ChatSceneError, MemoryError):  # such as that the time for it is up
         raise
     except Exception as error:  # whatever a parser and its geometry library raise for a map they were not made for
@@ -209,7 +210,7 @@ def parsed(path: Path, *, cached: bool) -> Any:
     """
     from scenic.formats.opendrive.xodr_parser import OpenDriveWarning
 
-    read_all_curves()
+    read_other_makers()
     parse = _scenic_from_file()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", OpenDriveWarning)
@@ -225,18 +226,13 @@ def check_opendrive(path: Path) -> Xml.Element:
     """Hold a file to what every map is.
 
     Returns:
-        Its root.
+        Its root, in the plain form.
 
     Raises:
         MapError: It cannot be read, is no OpenDRIVE, has no road, or has numbers that no road has.
     """
     root = _read(path)
-    if root.tag.endswith("}OpenDRIVE"):
-        space = root.tag[1:].partition("}")[0]
-        raise MapError(
-            f"map {path.name!r} is OpenDRIVE in the XML namespace {space!r}, which is not read; take the attribute "
-            f"xmlns away from its first element ({path})"
-        )
+    without_namespace(root)
     if root.tag != "OpenDRIVE":
         raise MapError(f"map {path.name!r} is XML but not OpenDRIVE: its root is <{root.tag}> ({path})")
     if root.find("road") is None:
@@ -246,7 +242,14 @@ def check_opendrive(path: Path) -> Xml.Element:
     for road in root.iter("road"):
         if fault := next(_faults(road), None):
             raise MapError(f"map {path.name!r} is OpenDRIVE, but road {road.get('id')!r} {fault} ({path})")
+    in_plain_form(root)
     return root
+
+
+def put_right(path: Path) -> tuple[str, ...]:
+    """What is wrong with the links and pieces of a map, and is read as it must be meant; in words."""
+    root = _read(path)
+    return in_plain_form(root)
 
 
 def _read(path: Path) -> Xml.Element:

@@ -18,11 +18,13 @@ from chatscene.maps.layout import (
     roundabouts,
     weaving_sections,
 )
-from chatscene.maps.network import load_network
+from chatscene.maps.network import load_network, put_right
 from chatscene.maps.routes import APPROACHES, BASE_SCENARIO_QUERIES, SHORT_ROAD, find_routes, lacking
+from chatscene.maps.scenic_parser import outside
 from chatscene.terms.route import RouteQuery
 
 ROUTES = 10  # per base scenario, as in the paper (section 4.2)
+_ASIDE = 0.5  # [m]; a middle farther outside its lane is a fault of the map
 _SHARED = 0.5  # [m]; lanes of one road that overlap more widely than this are a fault of the map
 
 
@@ -123,7 +125,7 @@ def check_map(path: Path) -> tuple[str, ...]:
         network = load_network(path)
     except MapError as error:
         return (str(error),)
-    problems = [*_dead_lanes(network), *_overlaps(network)]
+    problems = [*put_right(path), *_dead_lanes(network), *_overlaps(network), *_strays(network)]
     if not any(_count(network, path.stem, query) for queries in BASE_SCENARIO_QUERIES.values() for query in queries):
         problems.append(
             f"no base scenario finds a route: there is neither a lane that is straight for {SHORT_ROAD:.0f} m without "
@@ -167,4 +169,14 @@ def _overlaps(network: Any) -> list[str]:
                 shared = a.polygons.intersection(b.polygons).area
                 if shared > _SHARED * a.centerline.length:
                     found.append(f"lanes {a.openDriveID} and {b.openDriveID} of road {road.id} overlap")
+    return found
+
+
+def _strays(network: Any) -> list[str]:
+    """Lanes whose middle runs outside their area."""
+    found: list[str] = []
+    for lane in network.lanes:
+        if not lane.containsRegion(lane.centerline, tolerance=_ASIDE):
+            far = outside(lane, lane.centerline)
+            found.append(f"lane {lane.uid}: its middle runs up to {far:.1f} m outside its area")
     return found

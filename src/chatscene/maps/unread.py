@@ -7,12 +7,18 @@ from itertools import pairwise
 from traceback import walk_tb
 from xml.etree import ElementTree as Xml
 
+from chatscene.maps.plain_form import name_of
+
+NEGATIVE = 0.05  # [m], a width that is less negative is taken for none
+
 SHAPES = ("line", "arc", "spiral", "paramPoly3")
 _NUMBERS = {
     "road": ("length",),
     "geometry": ("s", "x", "y", "hdg", "length"),
     "laneSection": ("s",),
     "width": ("sOffset", "a", "b", "c", "d"),
+    "arc": ("curvature",),
+    "spiral": ("curvStart", "curvEnd"),
 }
 
 _RANGES = ("normalized", "arcLength")
@@ -27,10 +33,10 @@ def why_unread(root: Xml.Element, error: Exception) -> str:
     """
     for road in root.iter("road"):
         if (fault := next(_of_road(road), None)) is not None:
-            return f"road {road.get('id', '')!r} {fault}"
+            return f"road {name_of(road)!r} {fault}"
     for junction in root.iter("junction"):
         if (fault := next(_of_junction(junction), None)) is not None:
-            return f"junction {junction.get('id', '')!r} {fault}"
+            return f"junction {name_of(junction)!r} {fault}"
     said = "" if isinstance(error, LookupError) else str(error).partition("\n")[0]  # a key is the parser's own
     return f"{_where(error)}{said or 'what is drawn there does not fit together'}"
 
@@ -38,6 +44,23 @@ def why_unread(root: Xml.Element, error: Exception) -> str:
 def _of_road(road: Xml.Element) -> Iterator[str]:
     yield from _identified(road)
     yield from _numbers(road)
+    yield from _line(road)
+    sections = list(road.iterfind("lanes/laneSection"))
+    if not sections:
+        yield "has no <laneSection>, so no lane"
+    for number, section in enumerate(sections):
+        where = f"section {number} (s={section.get('s')!r})"
+        yield from (f"has the {where} that {fault}" for fault in _numbers(section))
+        after = sections[number + 1].get("s") if number + 1 < len(sections) else road.get("length")
+        for lane in section.iter("lane"):
+            faults = (*_of_lane(lane), *_negative(lane, section.get("s"), after))
+            yield from (f"{where}: lane {lane.get('id', '')!r} {fault}" for fault in faults)
+    for one, after in pairwise(sections):
+        if float(after.get("s", 0)) <= float(one.get("s", 0)):
+            yield f"has sections out of order: one at s={after.get('s')} follows one at s={one.get('s')}"
+
+
+def _line(road: Xml.Element) -> Iterator[str]:
     shapes = list(road.iterfind("planView/geometry"))
     if not shapes:
         yield "has no <geometry>, so no place"
@@ -48,48 +71,40 @@ def _of_road(road: Xml.Element) -> Iterator[str]:
         if shape is None or shape.tag not in SHAPES:
             what = "without a shape" if shape is None else f"of the shape <{shape.tag}>"
             yield f"{at} {what}; {', '.join(SHAPES)} are read"
+        elif shape.tag in _NUMBERS:
+            yield from (f"{at} whose <{shape.tag}> {fault}" for fault in _numbers(shape))
         elif shape.tag == "paramPoly3" and shape.get("pRange", "normalized") not in _RANGES:
             yield f"{at} with pRange={shape.get('pRange')!r}; {' and '.join(_RANGES)} are read"
-    sections = list(road.iterfind("lanes/laneSection"))
-    if not sections:
-        yield "has no <laneSection>, so no lane"
-    for number, section in enumerate(sections):
-        where = f"section {number} (s={section.get('s')!r})"
-        yield from (f"has the {where} that {fault}" for fault in _numbers(section))
-        for lane in section.iter("lane"):
-            yield from (f"{where}: lane {lane.get('id', '')!r} {fault}" for fault in _of_lane(lane))
-    for one, after in pairwise(sections):
-        if float(after.get("s", 0)) <= float(one.get("s", 0)):
-            yield f"has sections out of order: one at s={after.get('s')} follows one at s={one.get('s')}"
-        yield from _links(one, after)
 
 
 def _of_lane(lane: Xml.Element) -> Iterator[str]:
     yield from _identified(lane)
-    if lane.get("id") == "0":
+    if lane.get("id") == "0" or lane.get("type") == "none":
         return
     widths = lane.findall("width")
     if not widths:
         yield "has a <border> and no <width>" if lane.find("border") is not None else "has no <width>"
     for width in widths:
         yield from (f"has a <width> that {fault}" for fault in _numbers(width))
-    if all(not float(width.get(name, 0)) for width in widths for name in "abcd"):
-        yield "has a width of 0 all along the section; leave it away"
 
 
-def _links(one: Xml.Element, after: Xml.Element) -> Iterator[str]:
-    known = {lane.get("id") for lane in after.iter("lane")}
-    for lane in one.iter("lane"):
-        successor = lane.find("link/successor")
-        if successor is not None and successor.get("id") not in known:
-            to = f"lane {successor.get('id')!r} in the section at s={after.get('s')}"
-            yield f"section at s={one.get('s')}: lane {lane.get('id')!r} leads to {to}, which has none such"
+def _negative(lane: Xml.Element, start: str | None, end: str | None) -> Iterator[str]:
+    """Where the width of a lane is negative, at the ends of its pieces."""
+    try:
+        pieces = [[float(one.get(name, "")) for name in ("sOffset", *"abcd")] for one in lane.iter("width")]
+        stops = [*(piece[0] for piece in pieces[1:]), float(end or "") - float(start or "")]
+    except ValueError:  # which is told by the attribute
+        return
+    for (offset, a, b, c, d), stop in zip(pieces, stops, strict=False):
+        for x in (0.0, stop - offset):
+            if (width := a + x * (b + x * (c + x * d))) < -NEGATIVE:
+                yield f"is {width:.2f} m wide {offset + x:g} m into the section"
 
 
 def _of_junction(junction: Xml.Element) -> Iterator[str]:
     yield from _identified(junction)
-    if junction.get("type") == "direct" or any(c.get("connectingRoad") is None for c in junction.iter("connection")):
-        yield "is direct: its connections name no connecting road, and only those that do are read"
+    if any(connection.get("connectingRoad") is None for connection in junction.iter("connection")):
+        yield "has a connection that names no connecting road, and it is not direct"
 
 
 def _identified(element: Xml.Element) -> Iterator[str]:
