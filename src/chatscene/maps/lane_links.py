@@ -62,7 +62,8 @@ class _Links:
                 continue
             if incoming is None or through is None:
                 missing = connection.get("incomingRoad" if incoming is None else "connectingRoad")
-                junction.remove(connection)
+                if through is None:  # else its road belongs to the junction's area all the same
+                    junction.remove(connection)
                 yield f"{told}: connection {connection.get('id')!r} is of road {missing!r}, which is missing; left out"
                 continue
             at_start = connection.get("contactPoint") == "start"
@@ -98,7 +99,7 @@ class _Links:
                 Xml.SubElement(connection, "laneLink", {"from": number, "to": number})
         for link in connection.findall("laneLink"):
             one, other = link.get("from", ""), link.get("to", "")
-            if one not in lanes_in or other not in lanes:
+            if one not in lanes_in or (lanes_in[one] in DRIVEN and other not in lanes):
                 yield (
                     f"junction {_name(junction)!r}: connection {connection.get('id')!r} links lane {one!r} of road "
                     f"{_name(incoming)!r} to lane {other!r} of road {_name(through)!r}, and one is not there; left out"
