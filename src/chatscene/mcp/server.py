@@ -36,6 +36,7 @@ MOST_ERROR = 2_000
 KEPT = 16  # answers of which the further parts can be asked for
 WAITING = 32  # calls that wait for their turn at a time
 LOOK, BEAT = 1.0, 5.0  # [s] between two looks at how far the work is, and at most between two times that it is told
+NOT_FOUND = -32002  # of a resource, up to the protocol of 2025-11-25; the package does not name it
 PART = {
     "type": "integer",
     "minimum": 1,
@@ -163,10 +164,13 @@ class Agents:
         self.worker = Worker(Folder(folder).root, reading)
         self._kept: OrderedDict[str, dict[str, Any]] = OrderedDict()
 
-    async def tools(self, _ctx: ServerRequestContext[Any, Any], _params: Any) -> types.ListToolsResult:
+    async def tools(
+        self, _ctx: ServerRequestContext[Any, Any], params: types.PaginatedRequestParams | None
+    ) -> types.ListToolsResult:
         """The table of tools."""
         from mcp import types
 
+        _whole(params)
         return types.ListToolsResult(tools=[_listed(tool) for tool in TOOLS.values()])
 
     async def call(
@@ -211,9 +215,9 @@ class Agents:
         """What can be read, some at a time."""
         from mcp import types
 
-        cursor = (params.cursor if params is not None else None) or "0"
+        cursor = _cursor(params) or "0"
         if not cursor.isdecimal() or len(cursor) > 9:
-            raise _refused(f"{short(cursor)} is no cursor; begin without one")
+            raise _no_cursor(cursor)
         found = await self._asked({"list": int(cursor)}, ctx)
         return types.ListResourcesResult(
             resources=[
@@ -223,10 +227,13 @@ class Agents:
             next_cursor=None if found["next"] is None else str(found["next"]),
         )
 
-    async def templates(self, _ctx: ServerRequestContext[Any, Any], _params: Any) -> types.ListResourceTemplatesResult:
+    async def templates(
+        self, _ctx: ServerRequestContext[Any, Any], params: types.PaginatedRequestParams | None
+    ) -> types.ListResourceTemplatesResult:
         """What can be read by an address that is made up."""
         from mcp import types
 
+        _whole(params)
         return types.ListResourceTemplatesResult(
             resource_templates=[
                 types.ResourceTemplate(
@@ -257,7 +264,7 @@ class Agents:
     async def _asked(self, question: Mapping[str, Any], ctx: ServerRequestContext[Any, Any]) -> dict[str, Any]:
         answer = await self.worker.ask(question, ctx)
         if "error" in answer:
-            raise _refused(answer["error"])
+            raise _failed(answer, question.get("resource", ""), ctx.protocol_version)
         return answer
 
 
@@ -351,6 +358,40 @@ def _said(text: str, *, picture: str = "", error: bool = False) -> types.CallToo
     if picture:
         content.append(types.ImageContent(data=picture, mime_type="image/png"))
     return types.CallToolResult(content=content, is_error=error)
+
+
+def _cursor(params: types.PaginatedRequestParams | None) -> str:
+    """Where a list is to go on; empty for its beginning."""
+    return (params.cursor if params is not None else None) or ""
+
+
+def _whole(params: types.PaginatedRequestParams | None) -> None:
+    """Hold a request to a list that comes whole to beginning at its beginning."""
+    if cursor := _cursor(params):
+        raise _no_cursor(cursor)
+
+
+def _no_cursor(cursor: str) -> Exception:
+    return _refused(f"{short(cursor)} is no cursor; begin without one")
+
+
+def _failed(answer: Mapping[str, Any], uri: str, protocol: str) -> Exception:
+    """Why nothing is listed or read: nothing stands at the address, which each protocol says by its code, or a fault.
+
+    Args:
+        answer: Of the process.
+        uri: The address; empty of a list.
+        protocol: Its version.
+    """
+    from mcp.shared.exceptions import MCPError
+    from mcp_types import INTERNAL_ERROR, INVALID_PARAMS
+    from mcp_types.version import HANDSHAKE_PROTOCOL_VERSIONS
+
+    told = _bounded(answer["error"])
+    if not answer.get("absent"):
+        return MCPError(INTERNAL_ERROR, told)
+    code = NOT_FOUND if protocol in HANDSHAKE_PROTOCOL_VERSIONS else INVALID_PARAMS
+    return MCPError(code, told, {"uri": uri} if len(uri) <= MOST_ERROR else None)
 
 
 def _refused(message: str) -> Exception:

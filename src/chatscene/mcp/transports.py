@@ -61,8 +61,8 @@ class _Lines:
             yield '{"id": null}' if _odd(line) else line
 
 
-def _odd(line: str) -> bool:
-    """Whether a line is a request but for its id."""
+def _odd(line: str | bytes) -> bool:
+    """Whether a line or a body is a request but for its id."""
     try:
         said = json.loads(line)
     except (ValueError, RecursionError):
@@ -99,13 +99,13 @@ async def over_streams(server: Server[Any], read: Any, write: Any) -> None:
 
 
 def _no_message(error: Exception) -> Any:
-    """The answer to a line that is no message."""
+    """The answer to a line, or to the body of a request, that is no message."""
     from mcp_types import INVALID_REQUEST, PARSE_ERROR, ErrorData, JSONRPCError
     from pydantic import ValidationError
 
     faults = error.errors(include_url=False) if isinstance(error, ValidationError) else []
     if not faults or faults[0]["type"] == "json_invalid":
-        message = f"this line is no JSON: {faults[0]['msg'] if faults else short(str(error))}"
+        message = f"this is no JSON: {faults[0]['msg'] if faults else short(str(error))}"
         return JSONRPCError(jsonrpc="2.0", id=None, error=ErrorData(code=PARSE_ERROR, message=message))
     given = next((one["input"] for one in faults if isinstance(one["input"], dict) and "id" in one["input"]), {})
     known = given.get("id")
@@ -144,9 +144,36 @@ def serve_http(folder: Path, reading: Mapping[str, Any], port: int, token: str, 
         say(f"agents are served at {address} until this is interrupted (Ctrl+C)")
         say(f"they send: Authorization: Bearer {told}")
         sys.stdout.flush()
-        app = guarded(server.streamable_http_app(streamable_http_path=PATH, host=LOOPBACK), secret)
+        app = guarded(checked(server.streamable_http_app(streamable_http_path=PATH, host=LOOPBACK)), secret)
         config = uvicorn.Config(app, log_level="warning", server_header=False, access_log=False)
         uvicorn.Server(config).run(sockets=[listening])
+
+
+def checked(app: App) -> App:
+    """An application of HTTP to which only messages come: the package would take a request of an odd id for none."""
+    from mcp.server.transport_security import DEFAULT_MAX_REQUEST_BODY_SIZE, RequestBodyLimitMiddleware
+    from mcp_types import jsonrpc_message_adapter
+
+    async def check(scope: Any, receive: Any, send: Any) -> None:
+        if scope["type"] != "http" or scope["method"] != "POST":
+            await app(scope, receive, send)
+            return
+        came = [await receive()]  # the whole body, which the package has gathered
+        body: bytes = came[0].get("body", b"")
+        try:
+            if came[0]["type"] == "http.request" and not came[0].get("more_body"):
+                jsonrpc_message_adapter.validate_json(b'{"id": null}' if _odd(body) else body, by_name=False)
+        except ValueError as error:
+            said = _no_message(error).model_dump(mode="json", by_alias=True, exclude_unset=True)
+            await _send(send, 400, said)
+            return
+
+        async def again() -> Any:
+            return came.pop() if came else await receive()
+
+        await app(scope, again, send)
+
+    return cast("App", RequestBodyLimitMiddleware(cast("Any", check), DEFAULT_MAX_REQUEST_BODY_SIZE))
 
 
 def guarded(app: App, token: str) -> App:
@@ -154,8 +181,8 @@ def guarded(app: App, token: str) -> App:
 
     async def guard(scope: Any, receive: Any, send: Any) -> None:
         if scope["type"] == "http":
-            given = dict(scope["headers"]).get(b"authorization", b"")
-            if not secrets.compare_digest(given, f"Bearer {token}".encode()):
+            scheme, _, given = dict(scope["headers"]).get(b"authorization", b"").partition(b" ")
+            if scheme.lower() != b"bearer" or not secrets.compare_digest(given.strip(b" "), token.encode()):
                 await _refuse(send)
                 return
         await app(scope, receive, send)
@@ -165,6 +192,10 @@ def guarded(app: App, token: str) -> App:
 
 async def _refuse(send: Any) -> None:
     said = {"error": "unauthorized", "message": "send the header that was printed: Authorization: Bearer TOKEN"}
-    headers = [(b"content-type", b"application/json"), (b"www-authenticate", b"Bearer")]
-    await send({"type": "http.response.start", "status": 401, "headers": headers})
+    await _send(send, 401, said, (b"www-authenticate", b"Bearer"))
+
+
+async def _send(send: Any, status: int, said: Mapping[str, Any], *headers: tuple[bytes, bytes]) -> None:
+    headers = ((b"content-type", b"application/json"), *headers)
+    await send({"type": "http.response.start", "status": status, "headers": headers})
     await send({"type": "http.response.body", "body": json.dumps(said).encode()})

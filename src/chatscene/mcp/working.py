@@ -14,7 +14,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
 from chatscene.mcp.folder import Folder
 from chatscene.mcp.resources import listed_resources, read
 from chatscene.mcp.tool import Answer, Desk, short
@@ -46,6 +46,8 @@ def working(setup: Question, tell: Tell) -> Answering:
 def answered(desk: Desk, question: Question) -> dict[str, Any]:
     """What is answered to a question: what a tool says, what a resource holds, or what went wrong.
 
+    Of what went wrong it is said whether the question names what there is not, or what it may not name: `absent`.
+
     Args:
         desk: What tools work with; the working folder is its own.
         question: ``tool`` with ``arguments``, ``resource``, or ``list``.
@@ -53,7 +55,7 @@ def answered(desk: Desk, question: Question) -> dict[str, Any]:
     try:
         return _without_root(desk, _answer(desk, question))
     except ChatSceneError as error:
-        return _without_root(desk, {"error": complaint(error)})
+        return _without_root(desk, {"error": complaint(error), "absent": isinstance(error, SettingsError)})
     except Exception as error:  # noqa: BLE001 - whoever asked has an answer, and the next call another chance
         from chatscene.memory import lack_of_memory
 
