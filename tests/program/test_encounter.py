@@ -237,6 +237,12 @@ def test_a_speed_is_held_and_not_passed() -> None:
     assert shown("others.adversary.does.0.speed", said, episode(holds)) is True
 
 
+def test_who_brakes_from_a_high_speed_holds_none_on_the_way() -> None:
+    brakes = moving(60.0, 0.0, (20, 20.0, 0.0), (40, 0.0, 0.0), (20, 0.0, 0.0), speed=20.0)  # with 5 m/s²
+    said = one(other(Where.AHEAD, Deed(act=Act.BRAKE, speed=Speed.of("14 m/s"))))
+    assert shown("others.adversary.does.0.speed", said, episode(brakes)) is False
+
+
 # Starts, lights, deeds to others, contacts
 
 

@@ -24,7 +24,7 @@ SLACK = 0.15  # of a number that was said: what a watcher does not see
 SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 1.0, 0.4  # [m/s], [m], [s]: the least of it
 SLACK_ACCELERATION = 0.5  # [m/s²]
 BACK_SLACK, SLACK_ASIDE = 0.7, 0.2  # [m]
-HELD = 0.5  # [s] for which somebody holds a speed, within the slack, that it is seen to go at
+HELD = 0.5  # [s] for which somebody holds a speed, within `SLACK_SPEED`, that it is seen to go at
 LEVEL = 2.0  # [s] about its highest speed, after which somebody is seen to gain no more
 OVER = 5  # [steps] over which somebody is seen to gain speed
 
@@ -74,10 +74,9 @@ class Measure:
         steps = round(HELD / seen.dt)
         values = np.abs(seen.track.speed[max(once.began - steps, 0) :])
         windows = np.lib.stride_tricks.sliding_window_view(values, min(steps, len(values)))
-        middle = windows.mean(axis=1)
-        even = np.ptp(windows, axis=1) <= np.maximum(SLACK_SPEED, SLACK * middle)
+        even = np.ptp(windows, axis=1) <= SLACK_SPEED  # a share of it would call even what brakes from a high speed
         turns = np.flatnonzero(np.diff(np.sign(np.diff(values)))) + 1
-        held = np.concatenate((middle[even], values[turns], values[-1:] if self.cut else ()))
+        held = np.concatenate((windows.mean(axis=1)[even], values[turns], values[-1:] if self.cut else ()))
         return self.number(path, said, held, SLACK_SPEED, "goes at")
 
     def acceleration(self, path: str, deed: Deed, seen: Seen, once: Act) -> Finding | None:
