@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,10 @@ from test_building import drive
 from chatscene.build.build import build
 from chatscene.build.coming import coming
 from chatscene.errors import NotBuilt
+from chatscene.maps.network import resolve_map
+from chatscene.program.judge import judge
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.simulator import load_simulator
 from chatscene.situations.form import from_plain
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.order import Order
@@ -210,3 +215,33 @@ def test_who_walks_along_the_road_beside_it_stays_beside_it() -> None:
     aside = (there.x - ego.x[0]) * np.sin(ego.heading[0]) - (there.y - ego.y[0]) * np.cos(ego.heading[0])
     assert np.ptp(aside) < 0.5
     assert np.hypot(there.x[-1] - there.x[0], there.y[-1] - there.y[0]) > 5.0
+
+
+def test_who_is_beyond_a_junction_is_as_far_from_there_as_was_said_and_judged_by_that() -> None:
+    for where, kind in (("exit", "car"), ("exit-crossing", "pedestrian")):
+        side = {} if where == "exit" else {"side": "right"}
+        said = someone(where, "stand", kind=kind, ego={"route": "left-turn"}, distance="9 m", **side)
+        built = build(from_plain(said))
+        driven_so = drive(built, seed=1, ego="idm")
+        assert isinstance(driven_so, Episode)
+        simulator = load_simulator(resolve_map(built.map), SimulationSettings())
+        found = {one.path: one for one in judge(from_plain(said), driven_so, simulator.route(built.program, 0))}
+        finding = found["others.A.starts.distance"]
+        assert finding.shown, finding.told
+
+
+def test_a_crosswalk_that_is_elsewhere_than_was_said_is_refused_with_where_it_is() -> None:
+    with pytest.raises(NotBuilt, match=r"A\.starts\.distance: 30 m: the crosswalk is 99 to 101 m ahead of the ego"):
+        build(from_plain(someone("crossing", "cross", kind="pedestrian", side="right", distance="30 m")))
+    assert track(driven(someone("crossing", "cross", kind="pedestrian", side="right", distance="100 m")))
+
+
+def test_those_of_a_group_by_whom_an_ego_backs_out_stand_apart() -> None:
+    ego = {"kind": "van", "route": "leave-driveway", "speed": "8 km/h", "does": [{"act": "reverse"}]}
+    for count in (0, 4):
+        said = someone("roadside", "stand", kind="child", ego=ego, side="right", distance="3 m")
+        said["others"][0]["count"] = count
+        there = [one for one in driven(said).tracks if one.actor.startswith("A")]
+        assert len(there) == (count or 3)
+        apart = [np.hypot(a.x[0] - b.x[0], a.y[0] - b.y[0]) for a, b in combinations(there, 2)]
+        assert min(apart) > 1.0

@@ -218,6 +218,19 @@ def test_a_distance_is_from_nose_to_tail_of_who_goes_the_same_way_and_else_betwe
     assert finding.told.endswith("48.0 between the middles")
 
 
+def test_the_distance_of_who_is_beyond_a_junction_is_from_there() -> None:
+    through = replace(ROUTE, junction="junction", event_at=60.0, exit_at=80.0)
+    for where, kind, across in ((Where.EXIT, UserKind.CAR, 0.0), (Where.EXIT_CROSSING, UserKind.PEDESTRIAN, -6.0)):
+        said = one(other(where, Deed(act=Act.STAND), kind=kind, distance=Length.of("5 m")))
+        for along, right in ((85.0, True), (5.0, False)):
+            seen = episode(moving(along, across, (60, 0.0, 0.0), kind=kind.scenic))
+            (finding,) = (f for f in judge(said, seen, through) if f.path.endswith("starts.distance"))
+            assert finding.shown is right
+            assert finding.told.endswith("beyond the junction")
+        (unknown,) = (f for f in judge(said, seen, replace(through, exit_at=None)) if f.path.endswith("distance"))
+        assert unknown.shown is None, "where nobody knows where the junction ends"
+
+
 def test_braking_is_its_mean_and_not_its_peak() -> None:
     track = moving(30.0, 0.0, (20, 8.0, 0.0), (12, 2.0, 0.0), (2, 0.0, 0.0), (60, 0.0, 0.0), speed=8.0)
 

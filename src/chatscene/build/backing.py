@@ -49,14 +49,15 @@ def comes_by(asked: Asked) -> Stand:
     """On foot or on two wheels along the edge of the road, behind who backs onto that."""
     asked.reach(*WAITS, "how far beside the ego's way it is")
     left = asked.side == Side.LEFT
-    level = f"levelOn(way{{i}}, egoRoute, 0) {'-' if left else '+'} "
+    level = f"level{{i}} {'-' if left else '+'} "
     far = asked.way_back("egoRoute.eventAt", "") if _in_time(asked) else "$Y"
     outside = IN_AISLE if between_bays(asked.found) else OUTSIDE
     return Stand(
         meets=Meets.ACROSS,
         way=f"wholeLane(egoRoute).offset({-outside:g})",
         point=f"pointOn(way{{i}}, {level}({far}{asked.more}))",
-        facing=f"directionOn(way{{i}}, levelOn(way{{i}}, egoRoute, 0){'' if left else ', 3.14159'})",
+        facing=f"directionOn(way{{i}}, level{{i}}{'' if left else ', 3.14159'})",
+        lines=("level{i} = levelOn(way{i}, egoRoute, 0)",),
         faces=True,
         left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
         rolls=far != "$Y",

@@ -17,7 +17,7 @@ from chatscene.build.ego import BuiltEgo, ego_of, ordered
 from chatscene.build.finding import find, started
 from chatscene.build.keeping import as_kept, take_kept
 from chatscene.build.lane_order import check_hidden, leaves_row, set_in_order
-from chatscene.build.ledger import Ledger
+from chatscene.build.ledger import Ledger, as_written
 from chatscene.build.naming import name_of
 from chatscene.build.passing import come_after_who_passes, come_by_before_who_crosses, stand_beyond_who_passes
 from chatscene.build.place import Found, along_the_road, wrong_way
@@ -72,6 +72,14 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
         NotBuilt: A fact of it cannot be built, or no map has such a place; the message names the fact.
         MapError: There is no such map.
     """
+    try:
+        return _as_fast_as_it_can(situation, name)
+    except NotBuilt as error:
+        raise NotBuilt(as_written(str(error), situation)) from error
+
+
+def _as_fast_as_it_can(situation: Situation, name: str) -> Built:
+    """The program of a situation, as `build`, whose refusals name places as they are built."""
     if not situation.adversaries:
         raise NotBuilt(NOBODY)
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:

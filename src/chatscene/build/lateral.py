@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Asked, Meets, Stand
 from chatscene.build.deeds import OWN, Steps
-from chatscene.build.place import LANE, NEXT_LANE
+from chatscene.build.place import LANE
 from chatscene.terms.actors import Limits
 from chatscene.terms.amount import Amount
-from chatscene.terms.lateral import aside_of_ego
+from chatscene.terms.lateral import PLACED, PLACED_IN_OURS, aside_of_ego
 from chatscene.terms.situation import LATERALS, Lateral, Other
 from chatscene.terms.vocabulary import Act, Side, Where
 
@@ -20,8 +20,6 @@ if TYPE_CHECKING:
 
 _MOVED = re.compile(r"\.offset\([-\d.]+\)$")
 _ON_FOOT = "pointOn(egoRoute, level{i})"
-_OURS = frozenset((Where.AHEAD, Where.BEHIND, Where.ONCOMING_IN_OUR_LANE, Where.KERB))
-_LANES = _OURS | NEXT_LANE | {Where.ONCOMING}
 _INTO_OURS = frozenset((Act.CUT_IN, Act.MERGE, Act.ENTER, Act.PULL_OUT, Act.LANE_CHANGE))
 _ASIDE = frozenset((Act.DRIFT, Act.SWERVE))
 _LEAST, _MOST = {"overlap": 0.05, "clearance": 0.2}, {"overlap": 0.95, "clearance": 2.0}
@@ -44,12 +42,12 @@ def placed(asked: Asked, stand: Stand) -> tuple[Stand, str]:
     if lateral is not None and lateral.beyond is not None and "$X" in stand.point:
         ends = lateral.beyond.within(0.0, max(_FARTHEST, lateral.beyond.low))
         asked.numbers.measure("X", *ends, "m", "how far beside the lanes it starts", f"others.{one.id}.starts.lateral")
-    if lateral is None or lateral.beyond is not None or one.starts.where not in _LANES:
+    if lateral is None or lateral.beyond is not None or one.starts.where not in PLACED:
         return stand, ""
     side, chosen = _side(lateral, one)
     middle = {Side.LEFT: LANE, Side.RIGHT: -LANE}.get(one.starts.side or Side.LEFT, 0.0)
-    lane = 0.0 if one.starts.where in _OURS or asked.rides else middle
-    ego = LANE if asked.swings_out and one.starts.where in _OURS else 0.0
+    lane = 0.0 if one.starts.where in PLACED_IN_OURS or asked.rides else middle
+    ego = LANE if asked.swings_out and one.starts.where in PLACED_IN_OURS else 0.0
     low, high = _left(lateral, side, asked.numbers.row.limits, asked.situation.ego.body.row.limits.width, ego - lane)
     toward = stand.meets is Meets.TOWARD
     if toward:
@@ -101,7 +99,7 @@ def goes_aside(actor: Actor, k: int) -> tuple[float, float] | None:
         return None
     side, _ = _side(deed.lateral, actor.one)
     start = actor.one.starts
-    lane = 0.0 if start.where in _OURS else -LANE if start.side is Side.RIGHT else LANE
+    lane = 0.0 if start.where in PLACED_IN_OURS else -LANE if start.side is Side.RIGHT else LANE
     ends = _left(deed.lateral, side, actor.limits, actor.ego_limits.width, -lane)
     began = actor.numbers.middle("ASIDE") if "ASIDE" in actor.numbers.ranges else 0.0
     if actor.stand.meets is Meets.TOWARD:

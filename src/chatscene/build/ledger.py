@@ -7,10 +7,26 @@ from dataclasses import dataclass, field
 
 from chatscene.errors import NotBuilt
 from chatscene.situations.facts import said_in, within
+from chatscene.terms.lateral import LATERAL_OF_STARTS
 from chatscene.terms.situation import Situation
 
 LEFT_OUT = re.compile(r"^(?:road\.(?:has\.\d+|setting|speed_limit)|contact\.(?:ego|other|happens|striker)|.*\.manner)$")
 """Facts that a scene may lack and still show the conflict: they are told as left out, not refused."""
+
+
+_ACROSS = re.compile(r"^others\.[\w-]+\.starts\.lateral\.")
+_PLACE = re.compile(r"(others\.([\w-]+)\.starts\.where: )([\w-]+)")
+
+
+def as_written(refusal: str, situation: Situation) -> str:
+    """A refusal that names the place of somebody as it was written, where it was built as another word has it.
+
+    Args:
+        refusal: Why it is not built.
+        situation: As it was written.
+    """
+    written = {one.id: one.starts.where for one in situation.others}
+    return _PLACE.sub(lambda found: found[1] + written.get(found[2], found[3]), refusal)
 
 
 @dataclass(slots=True)
@@ -47,8 +63,15 @@ class Ledger:
         facts = ((path, value) for path, value in said_in(self.told or self.situation) if not self._is_built(path))
         left = {path: f"{path}: {str(value).lower() if isinstance(value, bool) else value}" for path, value in facts}
         if refused := [told for path, told in left.items() if not LEFT_OUT.match(path)]:
-            raise NotBuilt("nothing builds yet: " + "; ".join(refused))
+            raise NotBuilt("nothing builds yet: " + "; ".join(refused) + self._instead(refused))
         return tuple(left.values())
+
+    def _instead(self, refused: list[str]) -> str:
+        """Where it is built what was said of somebody's place across the road; empty where nothing was said of that."""
+        across = {told.split(".")[1] for told in refused if _ACROSS.match(told)}
+        hides = sorted(across & {one.hidden_by for one in self.situation.others if one.hidden_by is not None})
+        unless = f"; not of {', '.join(hides)}, who hides somebody" if hides else ""
+        return f"; {LATERAL_OF_STARTS}{unless}" if across else ""
 
     def _is_built(self, path: str) -> bool:
         return within(path, self.built)

@@ -33,6 +33,7 @@ from chatscene.build.relations import falls_behind, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
+from chatscene.terms.amount import Length
 from chatscene.terms.backing import backs
 from chatscene.terms.route import Beside
 from chatscene.terms.scenario import Site
@@ -338,10 +339,13 @@ def _level_of(asked: Asked) -> str:
         anywhere = AT_JUNCTION if has_crosswalks(asked.found) else (2, 6)
         asked.reach(*(POINTED if pointed else anywhere), "how far behind the junction it is")
         return "egoRoute.exitAt + $Y"
+    rails = asked.found.query.get("site") == Site.RAIL_CROSSING
+    if where is Where.CROSSING and asked.one.starts.distance is not None and not rails:
+        return _at_crosswalk_as_said(asked, asked.one.starts.distance)
     if where is Where.CROSSING and at_junction(asked.situation):
         asked.reach(*(AT_JUNCTION if has_crosswalks(asked.found) else (1, 4)), "how far before the junction it is")
         return "egoRoute.eventAt - $Y"
-    if asked.found.query.get("site") == Site.RAIL_CROSSING and not asked.walks:
+    if rails and not asked.walks:
         asked.reach(*ON_RAILS, "how far beyond the first rail it is")
         return "egoRoute.eventAt + $Y"
     if where is Where.CROSSING or _walks_at_crosswalk(asked):
@@ -349,6 +353,29 @@ def _level_of(asked: Asked) -> str:
         return "egoRoute.eventAt + $Y"
     asked.reach(*_level_beside(asked))
     return "shortOfJunction(egoRoute, $Y)"
+
+
+def _at_crosswalk_as_said(asked: Asked, said: Length) -> str:
+    """Where along the ego's way a crosswalk is of which the distance from the ego was said.
+
+    Raises:
+        NotBuilt: The road has its crosswalk elsewhere.
+    """
+    event = asked.found.route.eventAt
+    if at_junction(asked.situation):
+        near, far = AT_JUNCTION if has_crosswalks(asked.found) else (1.0, 4.0)
+        low, high = event - far, event - near
+    else:
+        near, far = ON_CROSSWALK if is_marked(asked.found) else (-2.0, 2.0)
+        low, high = event + near, event + far
+    if said.high < low or said.low > high:
+        raise NotBuilt(
+            f"others.{asked.one.id}.starts.distance: {said}: the crosswalk is {low:.0f} to {high:.0f} m ahead of the"
+            f" ego there; leave the distance out, or say starts.where: {Where.ROADSIDE}, which may be anywhere"
+        )
+    low, high = max(low, said.low), min(high, said.high)
+    asked.reach(low, high)
+    return "$Y"
 
 
 def _beside_road(asked: Asked) -> Stand:

@@ -8,6 +8,9 @@ from typing import Any
 
 from chatscene.errors import SettingsError, no_such
 from chatscene.situations.form import schema
+from chatscene.terms.lateral import LATERAL_OF_STARTS
+from chatscene.terms.situation import Lateral
+from chatscene.terms.vocabulary import Act
 
 ALL = "Situation"
 
@@ -64,7 +67,14 @@ def _part(name: str) -> str:
     if "properties" not in part:
         return f"{name}: {head}"
     fields = (f"  {field} ({_kind(said)}): {said.get('description', '')}" for field, said in part["properties"].items())
-    return "\n".join((f"{name}: {head}", *fields))
+    return "\n".join((f"{name}: {head}", *fields, *_built_where(name)))
+
+
+def _built_where(name: str) -> Iterator[str]:
+    """Where a noun is built that not every place or act has."""
+    if name == Lateral.__name__:
+        yield f"  {LATERAL_OF_STARTS}"
+        yield f"  a deed may have it whose act is {', '.join(act for act in Act if act.row.placed)}"
 
 
 def _kind(said: Any) -> str:
@@ -91,7 +101,7 @@ def _words(about: str) -> Iterator[str]:
 
 def _act(word: str) -> Iterator[str]:
     from chatscene.build.possible import FROM
-    from chatscene.terms.vocabulary import Act, UserKind, Where
+    from chatscene.terms.vocabulary import UserKind, Where
 
     act = Act(word)
     yield f"  by: {', '.join(kind for kind in UserKind if kind.can(act))}{', ego' * act.row.ego}"

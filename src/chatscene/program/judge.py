@@ -198,7 +198,7 @@ class _Judge:
             yield self.measure.number(
                 f"{at}.starts.distance", start.distance, aside, SLACK_LENGTH, "starts this far:", cut=False
             )
-        elif (distance := self.measure.start(f"{at}.starts.distance", start, seen)) is not None:
+        elif (distance := self.measure.start(f"{at}.starts.distance", start, seen, self.route)) is not None:
             yield distance
         if start.lateral is not None:
             yield from of_lateral(start.lateral, one, f"{at}.starts.lateral", seen)

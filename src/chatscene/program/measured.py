@@ -11,13 +11,14 @@ import numpy as np
 from chatscene.program.amounts import FAR, HALF_LANE, LASTS, LONG, gaining_run, losing_run, over_the_line
 from chatscene.program.deeds import Act
 from chatscene.program.doing import gone_aside, gone_back, room_left, stood
-from chatscene.program.finding import Finding
+from chatscene.program.finding import Finding, not_judged
 from chatscene.program.lateral import LANE
 from chatscene.program.watching import Seen
 from chatscene.terms.amount import Amount
 from chatscene.terms.episode import Array
+from chatscene.terms.route import Route
 from chatscene.terms.situation import EGO, Deed, Start
-from chatscene.terms.vocabulary import NOSE_TO_TAIL, Where
+from chatscene.terms.vocabulary import BEYOND_JUNCTION, NOSE_TO_TAIL, Where
 from chatscene.terms.vocabulary import Act as Said
 
 SLACK = 0.15  # of a number that was said: what a watcher does not see
@@ -59,10 +60,19 @@ class Measure:
         shown = right or (None if cut and self.cut and nearest < low else False)
         return Finding(path=path, shown=shown, told=f"said {said}, it {verb} {nearest:.1f}")
 
-    def start(self, path: str, start: Start, seen: Seen) -> Finding | None:
-        """The distance of a start: from nose to tail of who goes the ego's way, else from middle to middle."""
+    def start(self, path: str, start: Start, seen: Seen, route: Route) -> Finding | None:
+        """The distance of a start: from nose to tail of who goes the ego's way, else from middle to middle.
+
+        Of a place that is named by the junction that it lies beyond, the distance is from there.
+        """
         if start.distance is None or start.where in (Where.ARM, Where.ONCOMING):
             return None  # of whom it is how far it has to the junction or to the ego: what the builder makes of it
+        if start.where in BEYOND_JUNCTION:
+            if route.exit_at is None:
+                return not_judged(path)
+            beyond = seen.at[:1] - route.exit_at
+            found = self.number(path, start.distance, beyond, SLACK_LENGTH, "starts this far:", cut=False)
+            return replace(found, told=f"{found.told} beyond the junction")
         bodies = start.where in NOSE_TO_TAIL
         lead = np.abs(seen.lead[:1]) - (seen.ego.length + seen.track.length) / 2 * bodies
         how = "from nose to tail" if bodies else "between the middles"

@@ -2,6 +2,25 @@
 
 from __future__ import annotations
 
+from chatscene.terms.vocabulary import NOSE_TO_TAIL, Where
+
+PLACED_IN_OURS = frozenset((Where.AHEAD, Where.BEHIND, Where.ONCOMING_IN_OUR_LANE, Where.KERB))
+"""Places in the ego's lane or at its edge, where a start may have an offset, an edge, an overlap or a clearance."""
+PLACED = PLACED_IN_OURS | NOSE_TO_TAIL | {Where.BESIDE, Where.ONCOMING}
+"""All places where a start may have one of these."""
+PLACED_BEYOND = frozenset((Where.ROADSIDE, Where.CROSSING, Where.DRIVEWAY, Where.EXIT_CROSSING))
+"""Places beside the road, where a start may be so far beyond the lanes."""
+
+
+def _named(places: frozenset[Where]) -> str:
+    return ", ".join(one for one in Where if one in places)
+
+
+LATERAL_OF_STARTS = (
+    f"starts.lateral is built by offset, edge, overlap or clearance where starts.where is {_named(PLACED)}; "
+    f"by beyond where it is {_named(PLACED_BEYOND)}"
+)
+"""Where it is built what is said of a start across the road, in words."""
 NARROW = 0.5  # of the ego's width: who is narrower is on a point of it, and overlaps no share
 
 

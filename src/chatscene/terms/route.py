@@ -112,6 +112,7 @@ class Route:
         lane_ids: Scenic's ids of the lanes it uses, in driving order.
         event_at: Arc length [m] where the manoeuvre begins: the junction's entry, the start of the lane change, the
             nose of a ramp, a crosswalk or the start of a bay or, on open road, the middle.
+        exit_at: Arc length [m] where it leaves its junction; None on open road, and where nobody asked the map.
         junction: Scenic's id of the junction on it, or None.
         site: What it was asked to lead along or through, if anything.
     """
@@ -124,6 +125,7 @@ class Route:
     line: Polyline
     lane_ids: tuple[str, ...]
     event_at: float
+    exit_at: float | None = None
     junction: str | None = None
     site: Site | None = None
 

@@ -129,7 +129,8 @@ class Start(_Closed):
     Attributes:
         where: The place, seen from the ego.
         side: Of a place that has one.
-        distance: From the ego, along the road; of who is ahead or behind, the gap between the two.
+        distance: From the ego, along the road; of who is ahead or behind, the gap between the two; of who is beyond a
+            junction (`exit`, `exit-crossing`), from there.
         speed: How fast it then is.
         facing: Which way it faces, where the place leaves that open.
         lateral: Where, if not in the lane's middle.

@@ -308,6 +308,8 @@ class Where(RowWord):
 
 NOSE_TO_TAIL = frozenset((Where.AHEAD, Where.AHEAD_BESIDE, Where.BEHIND, Where.BEHIND_BESIDE))
 """Places of which a distance is the gap between the two bodies; of all others it is between their middles."""
+BEYOND_JUNCTION = frozenset((Where.EXIT, Where.EXIT_CROSSING))
+"""Places that are named by the junction behind which they lie: a distance is from there, and not from the ego."""
 
 
 class Facing(Word):

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any, cast
@@ -63,13 +64,13 @@ class EgoRoute:
     """
 
     def __init__(self, route: Route, network: Any, count: int, before: Polyline | None = None) -> None:
-        self.route = route
+        self.exitAt = _exit_of(route, network)
+        self.route = route if route.junction is None else replace(route, exit_at=self.exitAt)
         self.before = before
         self.count = count
         self.network = network
         self.line = route.line
         self.eventAt = route.event_at
-        self.exitAt = _exit_of(route, network)
         self.maneuver = route.maneuver
         self._allowed: dict[tuple[bool, float], NDArray[np.float64]] = {}
 

@@ -113,7 +113,7 @@ def scene_from_json(message: Message) -> Scene:
 
 def route_to_json(route: Route) -> Message:
     """A route."""
-    names = ("id", "map_name", "maneuver", "place", "control", "lane_ids", "event_at", "junction")
+    names = ("id", "map_name", "maneuver", "place", "control", "lane_ids", "event_at", "exit_at", "junction")
     return {**{name: getattr(route, name) for name in names}, "line": route.line.points.tolist(), "site": route.site}
 
 
@@ -130,6 +130,7 @@ def route_from_json(message: Message) -> Route:
             line=Polyline(_points(message.get("line"))),
             lane_ids=tuple(_matching(lane, _ID) for lane in _list(message, "lane_ids", MAX_LANES)),
             event_at=number(message, "event_at"),
+            exit_at=None if message.get("exit_at") is None else number(message, "exit_at"),
             junction=None if junction is None else _matching(junction, _ID),
             site=None if message.get("site") is None else _choice(Site, message, "site"),
         )

@@ -1,0 +1,64 @@
+"""A refusal names what was written, and where it would be built."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from chatscene.build.build import build
+from chatscene.errors import NotBuilt
+from chatscene.mcp.words import explained
+from chatscene.situations.form import from_plain
+from chatscene.terms.lateral import LATERAL_OF_STARTS, PLACED, PLACED_BEYOND
+from chatscene.terms.vocabulary import Where
+
+
+def someone(where: str, *acts: str, kind: str = "car", ego: dict[str, Any] | None = None, **start: Any) -> Any:
+    does = [{"act": act} for act in acts]
+    one = {"id": "A", "kind": kind, "starts": {"where": where, **start}, "does": does}
+    return {"ego": ego or {}, "others": [one]}
+
+
+@pytest.mark.parametrize("where", ["behind", "ahead"])
+def test_a_place_that_an_ego_takes_otherwise_as_it_backs_is_refused_as_it_was_written(where: str) -> None:
+    backs = {"kind": "van", "route": "reverse", "speed": "8 km/h"}
+    with pytest.raises(NotBuilt, match=rf"others\.A\.starts\.where: {where}\b") as refused:
+        build(from_plain(someone(where, "stand", kind="child", ego=backs, distance="3 m")))
+    assert "oncoming" not in str(refused.value)
+
+
+@pytest.mark.parametrize("where", sorted(PLACED))
+def test_who_is_where_lateral_is_said_to_be_built_is_built_there(where: Where) -> None:
+    side = {"side": "left"} if where.row.sided else {}
+    act = "stand" if where is Where.KERB else "go-along"
+    middle = build(from_plain(someone(where, act, **side))).program.source
+    for lateral in ({"edge": "0.8 m"}, {"overlap": "50 %"}):
+        said = someone(where, act, lateral={"side": "right", **lateral}, **side)
+        assert build(from_plain(said)).program.source != middle
+
+
+@pytest.mark.parametrize("where", sorted(PLACED_BEYOND))
+def test_who_is_beside_the_road_is_as_far_beyond_the_lanes_as_was_said(where: Where) -> None:
+    turns = {"route": "left-turn"} if where is Where.EXIT_CROSSING else {}
+    how = {"kind": "pedestrian", "ego": turns, "side": "right"}
+    usual = build(from_plain(someone(where, "cross", **how))).program.source
+    assert build(from_plain(someone(where, "cross", **how, lateral={"beyond": "2 m"}))).program.source != usual
+
+
+def test_a_place_across_the_road_that_is_not_built_is_refused_with_where_it_is() -> None:
+    said = someone("roadside", "cross", kind="child", side="right", lateral={"edge": "1 m"})
+    with pytest.raises(NotBuilt) as refused:
+        build(from_plain(said))
+    assert str(refused.value) == f"nothing builds yet: others.A.starts.lateral.edge: 1 m; {LATERAL_OF_STARTS}"
+    assert LATERAL_OF_STARTS in explained("Lateral")
+    assert LATERAL_OF_STARTS in explained("others.A.starts.lateral")
+
+
+def test_who_hides_somebody_is_refused_across_the_road_with_that_reason() -> None:
+    said = someone("roadside", "cross", kind="child", side="right")
+    said["others"][0]["hidden_by"] = "B"
+    parked = {"where": "kerb", "side": "right", "lateral": {"overlap": "50 %"}}
+    said["others"].append({"id": "B", "kind": "truck", "role": "hides", "starts": parked, "does": [{"act": "stand"}]})
+    with pytest.raises(NotBuilt, match=r"not of B, who hides somebody$"):
+        build(from_plain(said))
