@@ -6,6 +6,7 @@
     ├ SettingsError            a setting or argument is out of range, or names nothing
     ├ MissingExtra             something needs an optional package that is not installed
     ├ NotBuilt                 a situation says something that nothing here builds, or that no map has
+    │  └ NoSuchPlace           no map has a place with all that was said of it
     ├ NothingFits              the sentence was understood; no triple of snippets serves it
     ├ EditRefused              an edit has words that nobody understands, or contradicts what stays
     ├ MapError                 a map is missing, broken, or lacks the geometry asked for
@@ -157,6 +158,10 @@ class SituationError(ChatSceneError):
 
 class NotBuilt(NothingFits):
     """A situation has a fact that cannot be built; the message names the fact and what it lacks."""
+
+
+class NoSuchPlace(NotBuilt):
+    """No map has a place with all that was said of the road; each fact may be there alone."""
 
 
 class SnippetError(ChatSceneError):

@@ -30,7 +30,7 @@ def test_a_place_that_an_ego_takes_otherwise_as_it_backs_is_refused_as_it_was_wr
 
 @pytest.mark.parametrize("where", sorted(PLACED))
 def test_who_is_where_lateral_is_said_to_be_built_is_built_there(where: Where) -> None:
-    side = {"side": "left"} if where.row.sided else {}
+    side: dict[str, Any] = {"side": "left"} if where.row.sided else {}
     act = "stand" if where is Where.KERB else "go-along"
     middle = build(from_plain(someone(where, act, **side))).program.source
     for lateral in ({"edge": "0.8 m"}, {"overlap": "50 %"}):
@@ -41,7 +41,7 @@ def test_who_is_where_lateral_is_said_to_be_built_is_built_there(where: Where) -
 @pytest.mark.parametrize("where", sorted(PLACED_BEYOND))
 def test_who_is_beside_the_road_is_as_far_beyond_the_lanes_as_was_said(where: Where) -> None:
     turns = {"route": "left-turn"} if where is Where.EXIT_CROSSING else {}
-    how = {"kind": "pedestrian", "ego": turns, "side": "right"}
+    how: dict[str, Any] = {"kind": "pedestrian", "ego": turns, "side": "right"}
     usual = build(from_plain(someone(where, "cross", **how))).program.source
     assert build(from_plain(someone(where, "cross", **how, lateral={"beyond": "2 m"}))).program.source != usual
 
@@ -61,4 +61,25 @@ def test_who_hides_somebody_is_refused_across_the_road_with_that_reason() -> Non
     parked = {"where": "kerb", "side": "right", "lateral": {"overlap": "50 %"}}
     said["others"].append({"id": "B", "kind": "truck", "role": "hides", "starts": parked, "does": [{"act": "stand"}]})
     with pytest.raises(NotBuilt, match=r"not of B, who hides somebody$"):
+        build(from_plain(said))
+
+
+LANES = {"kind": "junction", "control": "signal", "ego_light": "turns-green", "lanes": 4, "ego_lane": 2}
+
+
+def test_a_place_that_no_map_has_is_refused_with_the_one_fact_to_leave_out() -> None:
+    said = someone("arm", "go-straight", side="left") | {"road": LANES}
+    with pytest.raises(NotBuilt) as refused:
+        build(from_plain(said))
+    told = str(refused.value)
+    assert told.count("map 'town' has no place") == 1
+    assert told.endswith("; a place is found without road.lanes: 4")
+    assert len(told) < 600
+    less = LANES | {"lanes": None}
+    assert build(from_plain(said | {"road": {name: value for name, value in less.items() if value is not None}}))
+
+
+def test_where_no_single_fact_lets_a_place_be_found_that_is_said() -> None:
+    said = someone("ahead", "brake") | {"road": {"kind": "roundabout", "lanes": 7, "ego_lane": 6}}
+    with pytest.raises(NotBuilt, match="no fact of the road, left out alone, lets one be found"):
         build(from_plain(said))

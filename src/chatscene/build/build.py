@@ -14,7 +14,7 @@ from chatscene.build.bays import out_of_bay
 from chatscene.build.coming import speeds_to_try, wanted_by
 from chatscene.build.contact import at_a_corner, parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of, ordered
-from chatscene.build.finding import find, started
+from chatscene.build.finding import find, started, without_one_fact
 from chatscene.build.keeping import as_kept, take_kept
 from chatscene.build.lane_order import check_hidden, leaves_row, set_in_order
 from chatscene.build.ledger import Ledger, as_written
@@ -27,7 +27,7 @@ from chatscene.build.relations import check_kept_up, check_passed_by_ego
 from chatscene.build.roadside import beside_road
 from chatscene.build.screening import from_its_lane
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, room_kept, screens
-from chatscene.errors import MapError, NotBuilt
+from chatscene.errors import MapError, NoSuchPlace, NotBuilt
 from chatscene.situations.faults import dotted
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import as_it_backs, backs
@@ -95,6 +95,8 @@ def _as_fast_as_it_can(situation: Situation, name: str) -> Built:
             refused.append(error)
         else:
             return made
+    if isinstance(refused[0], NoSuchPlace) and (helps := without_one_fact(situation, speeds[0])):
+        raise NotBuilt(f"{refused[0]}; {helps}") from refused[0]
     raise refused[0]
 
 

@@ -23,16 +23,17 @@ from chatscene.build.place import (
 )
 from chatscene.build.queries import queries_for
 from chatscene.build.screening import side_hidden
-from chatscene.errors import MapError, NotBuilt
+from chatscene.errors import MapError, NoSuchPlace, NotBuilt
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.sites import APPROACHED, PASSED, PAST
 from chatscene.situations.check import COMES_OVER
+from chatscene.situations.facts import said_in
 from chatscene.terms.backing import backs, turned_about
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.routing import MANEUVERS
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
-from chatscene.terms.situation import Other, Situation
+from chatscene.terms.situation import Other, Road, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, RightOfWay, RoadKind, Role, Side, Where
 from chatscene.world.places import EgoRoute as Route
 from chatscene.world.places import choose_route, lanesBeside, timetable
@@ -62,17 +63,55 @@ def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
     rooms: dict[str, float] = {}
     for more in _lengths(situation, speed, road):
         lacking.clear()  # what is told is what the shortest road lacks
-        for sides in _open_sides(situation):
-            for name, query in queries_for(situation, sides):
-                if found := _answered(situation, speed, name, _longer(query, more), sides, lacking, rooms, road):
-                    _take(ledger, found)
-                    far = min(max(1.0, more), further(speed))
-                    far = found.route.eventAt / BACKED if backs(situation) else far
-                    return replace(found, further=far, sought=road > 0.0)
+        if found := _found(situation, speed, more, road, lacking, rooms):
+            _take(ledger, found)
+            far = min(max(1.0, more), further(speed))
+            far = found.route.eventAt / BACKED if backs(situation) else far
+            return replace(found, further=far, sought=road > 0.0)
     if rooms:
         raise NotBuilt("; ".join(told.format(most) for told, most in rooms.items()))
-    said = "; ".join(dict.fromkeys(lacking))
-    raise NotBuilt(f"no map has such a place: {said}")
+    first, *others = dict.fromkeys(lacking)
+    more_alike = f" ({len(others)} places that are much like it were looked for, too)" if others else ""
+    raise NoSuchPlace(f"no map has such a place: {first}{more_alike}")
+
+
+def _found(
+    situation: Situation, speed: float, more: float, road: float, lacking: list[str], rooms: dict[str, float]
+) -> Found | None:
+    """The first route on so many times the usual road; what each map lacks goes into `lacking` and `rooms`."""
+    for sides in _open_sides(situation):
+        for name, query in queries_for(situation, sides):
+            if found := _answered(situation, speed, name, _longer(query, more), sides, lacking, rooms, road):
+                return found
+    return None
+
+
+def without_one_fact(situation: Situation, speed: float) -> str:
+    """Which facts of the road, each left out alone, would let a place be found, in words; or that none would.
+
+    Args:
+        situation: What was said, for which no map has a place.
+        speed: What the ego drives at [m/s].
+    """
+    said = [(path, str(value)) for path, value in said_in(situation) if path.startswith("road.")]
+    if situation.road.ego_light is not None:  # which there is only where there is a light
+        said = [(path, value) for path, value in said if path != "road.control"]
+    helps = [
+        f"{path}: {value}"
+        for path, value in said
+        if _found(replace(situation, road=_without(situation.road, path)), speed, 1.0, 0.0, [], {})
+    ]
+    if helps:
+        return f"a place is found without {' or without '.join(helps)}"
+    return "no fact of the road, left out alone, lets one be found: leave out more" if len(said) > 1 else ""
+
+
+def _without(road: Road, path: str) -> Road:
+    """What was said of a road but for the fact at a path, such as ``road.lanes`` or ``road.has.0``."""
+    _, field, *number = path.split(".")
+    if number:
+        return replace(road, has=tuple(one for k, one in enumerate(road.has) if k != int(number[0])))
+    return replace(road, **{field: None})
 
 
 BACKED = 42.0  # [m] ahead of which others are about, in the middle, who are nearer to an ego that backs
