@@ -77,10 +77,10 @@ SITUATIONS = {
 }
 HEAD = """# Gallery
 
-**What can I say, and what does it look like?** Forty sentences, each run once: ten scenes on one route,
-driven by `sac`. It sees only vehicles ahead in its lane, so it crashes often; `planner`, the default ego of `run`,
+**What can I say, and what does it look like?** Forty sentences, each run once with the ego `sac`: ten scenes on one
+route. `sac` sees only vehicles ahead in its lane, so it crashes often. `planner`, the default ego of `run`,
 avoids many of these crashes ([egos](egos.md)). Each picture is the first scene of the report: the ego blue, adversaries
-orange, whatever hides or blocks brown, a star at the contact. The hardest crashes come first.
+orange, occluders and blockers brown, a star at the contact. The hardest crashes come first.
 `python benchmarks/gallery.py --out runs/gallery` makes this page (seed 0).
 [Coverage](coverage.md) has longer lists.
 
