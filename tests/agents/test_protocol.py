@@ -199,8 +199,7 @@ def test_lists_and_resources_refuse_as_each_protocol_says(folder: Path, mode: st
     anyio.run(speak)
 
 
-@pytest.mark.parametrize("mode", ["legacy", STATELESS])
-@pytest.mark.parametrize("how", ["stdio", "http"])
+@pytest.mark.parametrize(("mode", "how"), [("legacy", "stdio"), (STATELESS, "http")])
 def test_the_official_client_is_served_told_how_far_it_is_and_can_cancel(
     folder: Path, port: int, how: str, mode: str
 ) -> None:
