@@ -69,6 +69,12 @@ def test_the_page_of_the_laboratory_leads_to_every_log() -> None:
     assert linked == {page.name for page in DOCS.glob("lab/*.md")} - {"logs.md"}
 
 
+def test_no_two_decisions_have_the_same_number() -> None:
+    pages = sorted((DOCS / "decisions").glob("[0-9]*.md"))
+    assert len({page.name[:4] for page in pages}) == len(pages)
+    assert all(page.read_text().startswith(f"# {page.name[:4]}") for page in pages)
+
+
 def test_the_page_of_python_has_every_public_name() -> None:
     page = (DOCS / "reference" / "python.md").read_text()
     named = set(re.findall(r"::: [\w.]+\.(\w+)$", page, re.MULTILINE))
