@@ -61,7 +61,7 @@ def moving(body: str, *, kind: str = "Car", ahead: float = 30, left: float = 0, 
 
 @pytest.fixture
 def drive(simulator: Simulator) -> Callable[..., Episode]:
-    def run(what: ScenicProgram, ego: EgoPolicy | None = None, **options: bool) -> Episode:
+    def run(what: ScenicProgram, ego: EgoPolicy | None = None, **options: Any) -> Episode:
         episode = simulate(simulator, what, scene(), ego or RuleBased(), **options)
         assert isinstance(episode, Episode)
         return episode

@@ -87,7 +87,7 @@ def test_who_drives_in_a_run_where_nobody_is_named_is_first_among_those_who_are_
     told = {name: next(one.help or "" for one in verb.params if isinstance(one, click.Option) and "--ego" in one.opts)
             for name, verb in main.commands.items() if name in ("run", "evaluate")}  # fmt: skip
     assert ", ".join(COMPARED) in told["evaluate"]
-    assert f"driven by `{SURROGATE}`" in (page := (ROOT / "docs" / "gallery.md").read_text())
+    assert f"the ego `{SURROGATE}`" in (page := (ROOT / "docs" / "gallery.md").read_text())
     assert f"`{EGO}`, the default ego of `run`" in page
 
 

@@ -117,7 +117,7 @@ def _opened(simulator: Simulator, source: str, scene: Scene, **options: Any) -> 
     return session
 
 
-def _episode(simulator: Simulator, source: str, scene: Scene, **options: bool) -> Episode:
+def _episode(simulator: Simulator, source: str, scene: Scene, **options: Any) -> Episode:
     episode = simulate(simulator, _program(source), scene, _Driver(), **options)
     assert isinstance(episode, Episode), f"a scene that can be placed was rejected: {episode}"
     return episode

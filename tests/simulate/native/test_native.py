@@ -86,7 +86,7 @@ def native() -> NativeSimulator:
 
 
 def _agrees(
-    native: NativeSimulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy, **how: bool
+    native: NativeSimulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy, **how: Any
 ) -> Episode | None:
     """The episode of both simulators, which must be one, and which the engine must have stepped."""
     mine = simulate(native, program, scene, ego, **how)
