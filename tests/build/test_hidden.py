@@ -119,3 +119,15 @@ def test_who_comes_too_fast_for_one_road_is_looked_for_on_another() -> None:
 def test_who_goes_on_ahead_of_the_ego_does_not_stand_beside_the_road_to_hide_somebody() -> None:
     with pytest.raises(NotBuilt, match="of who stands beside the road and hides A"):
         build(from_plain(said(WALKS, "ahead", "go-along")))
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+@pytest.mark.parametrize("of", ["A", "B"], ids=["of who is hidden", "of who hides"])
+def test_who_is_hidden_from_beside_the_road_and_who_hides_it_are_on_the_side_that_is_said_of_one(
+    side: str, of: str
+) -> None:
+    plain = said(WALKS, "kerb", "stand", kind="bus")
+    sided = {"starts": {"where": "roadside" if of == "A" else "kerb", "side": side}}
+    plain["others"] = [one | sided if one["id"] == of else one for one in plain["others"]]
+    episode, hidden, hides = driven(plain)
+    assert np.sign(to_left(episode, hidden)) == np.sign(to_left(episode, hides)) == (1.0 if side == "left" else -1.0)

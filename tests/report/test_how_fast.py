@@ -98,6 +98,7 @@ def test_a_scene_says_how_fast_both_were_as_it_began_and_how_near_they_came() ->
 
 def test_where_they_never_came_on_a_collision_course_no_time_is_said() -> None:
     assert "they came within 3.4 m." in how_fast([row(time_to_collision=None)])
+    assert "they came within 3.4 m." in how_fast([row(time_to_collision=620.6)])
 
 
 @pytest.mark.parametrize("rows", [[], [{"status": "rejected"}], [{"status": "ran", "ego_speed_before": None}]])

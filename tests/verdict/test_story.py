@@ -45,6 +45,22 @@ def test_who_does_what_when_and_how_fast_is_told_in_order(drive: Path) -> None:
     assert any("nearest" in line for line in lines)
 
 
+def test_who_comes_from_the_next_lane_cuts_in_and_neither_crosses_nor_weaves(tmp_path: Path) -> None:
+    rows = ["time,id,kind,x,y,heading,speed,ego"]
+    for step in range(100):
+        now = step / 10
+        across = 3.5 - 3.5 * min(max((now - 3.0) / 2.0, 0.0), 1.0)
+        slant = -math.atan2(1.75, 12.0) if 3.0 < now < 5.0 else 0.0
+        rows.append(f"{now},car1,car,{10 * now},0,0,10,1")
+        rows.append(f"{now},car2,car,{15 + 12 * now},{across},{slant},12,0")
+    path = tmp_path / "drive.csv"
+    path.write_text("\n".join(rows))
+    acts = [
+        act for act in ("cross", "weave", "cut-in") if any(f"({act})" in one.what for one in chatscene.story(path).told)
+    ]
+    assert acts == ["cut-in"]
+
+
 def test_a_moment_is_a_picture_and_one_after_the_end_is_refused(drive: Path) -> None:
     told = chatscene.story(drive)
     assert told.picture().startswith(PNG)

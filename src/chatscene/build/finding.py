@@ -22,7 +22,7 @@ from chatscene.build.place import (
     room_against,
 )
 from chatscene.build.queries import queries_for
-from chatscene.build.screening import side_hidden
+from chatscene.build.screening import from_its_lane, side_hidden
 from chatscene.errors import MapError, NoSuchPlace, NotBuilt
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
@@ -196,13 +196,25 @@ def _open_sides(situation: Situation) -> Iterator[dict[str, Side]]:
     """Ways to choose the sides that were left open: where two lanes have one side, all are tried on that first."""
     others = situation.others
     open_ones = [one.id for one in others if one.starts.where.row.sided and one.starts.side is None]
-    told = {one.id: side for one in others if (side := side_hidden(situation, one)) is not None}
+    told = dict(_beside_whom(situation))
+    told |= {one.id: side for one in others if (side := side_hidden(situation, one)) is not None}
     told |= {one.id: side for one in others if (side := comes_from(one)) is not None}
     told |= {one.id: Side.LEFT for one in others if from_left(situation, one)}
     told |= {one.id: side for one in others if (side := _out_of_the_way(situation, one)) is not None}
     told = {name: side for name, side in told.items() if name in open_ones}
     for first in (Side.RIGHT, Side.LEFT) if len(open_ones) > len(told) else (Side.RIGHT,):
         yield dict.fromkeys(open_ones, first) | told
+
+
+def _beside_whom(situation: Situation) -> Iterator[tuple[str, Side]]:
+    """The side of who hides somebody from beside the road, and of whom it hides, by that of the other."""
+    for one in situation.others:
+        by = situation[one.hidden_by] if one.hidden_by is not None else None
+        if by is None or from_its_lane(situation, by, one):
+            continue
+        for mine, theirs in ((one, by), (by, one)):
+            if theirs.starts.side is not None:
+                yield mine.id, theirs.starts.side
 
 
 def _out_of_the_way(situation: Situation, one: Other) -> Side | None:

@@ -10,6 +10,7 @@ from typing import Any
 
 from chatscene.measure.severity import CURVES, KMH, By, Found, Outcome, in_kmh, none_told, told
 from chatscene.terms.actors import BY_CLASS, noun_of
+from chatscene.terms.criticality import LONGEST
 
 Row = Mapping[str, Any]
 
@@ -91,7 +92,8 @@ def _nearest(missed: Sequence[Row]) -> str:
 def _within(row: Row) -> str:
     """How near two came that did not touch."""
     left = row["time_to_collision"]
-    return f"{row['distance']:.1f} m" + ("" if left is None else f", and to {left:.1f} s before a collision")
+    near = left is not None and left <= LONGEST
+    return f"{row['distance']:.1f} m" + (f", and to {left:.1f} s before a collision" if near else "")
 
 
 def _hardest(row: Row, count: int) -> str:

@@ -13,11 +13,11 @@ import shapely
 from chatscene.report.span import span
 from chatscene.simulate.boxes import gaps, times_to_collision
 from chatscene.terms.actors import Manner, manner_of, noun_of
+from chatscene.terms.criticality import LONGEST
 from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, SignalTrack, Track, contact_point
 
 MARGIN = 70.0  # [m] of map around a drive
 TOLERANCE = 0.03  # [m] by which a line of the map may be off
-LONGEST = 10.0  # [s], beyond which a time to collision is not shown
 NEVER = -1  # in place of a time to collision where the two never would touch
 AFTER = 4.0  # [s] that a drive beside another goes on after that has ended
 

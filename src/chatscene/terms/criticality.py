@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+LONGEST = 10.0  # [s], beyond which a time to collision says nothing, and is not shown
+
 
 class Severity(StrEnum):
     """Severity classes of ISO 26262-3, from no injuries to fatal ones; decision 0012 says where each begins."""

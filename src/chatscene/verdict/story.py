@@ -36,18 +36,22 @@ MOVEMENTS = (
     Said.TURN_LEFT,
     Said.TURN_RIGHT,
     Said.U_TURN,
-    Said.CROSS,
     Said.PULL_OUT,
-    Said.ENTER,
     Said.OVERTAKE,
     Said.CUT_IN,
     Said.CUT_OUT,
+    Said.CROSS,
+    Said.ENTER,
     Said.LANE_CHANGE,
+    Said.WEAVE,
     Said.SWERVE,
     Said.DRIFT,
 )
-"""Ways across the road; one movement may look like several, of which the first that is seen is told."""
-BESIDE = (Said.REVERSE, Said.TURN_BACK, Said.WEAVE, Said.TAILGATE)
+"""Ways across the road; one movement may look like several, of which the first that is seen is told.
+
+Who comes from the next lane also crosses into the ego's, and its lane change looks like a swing.
+"""
+BESIDE = (Said.REVERSE, Said.TURN_BACK, Said.TAILGATE)
 """What is told beside a movement."""
 PACES = (Said.BRAKE, Said.SET_OFF, Said.ACCELERATE, Said.SLOW_DOWN)
 """What a change of speed may be; the first that is seen in it is told."""
@@ -333,7 +337,7 @@ def _deeds(who: str, may: frozenset[Said], seen: Seen) -> Iterator[Told]:
             yield Told(at=once.began * dt, until=until, who=who, what=f"{act.meaning} ({act}){undone}, at {fast} first")
 
 
-_ONCE_DONE = frozenset((Said.SWERVE, Said.DRIFT, *BESIDE))
+_ONCE_DONE = frozenset((Said.WEAVE, Said.SWERVE, Said.DRIFT, *BESIDE))
 """What is told once it is done: until then it may be anything."""
 
 

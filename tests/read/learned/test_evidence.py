@@ -55,3 +55,19 @@ def test_a_number_and_another_word_of_the_same_field_do_not_say_a_fact() -> None
     assert "fog" in words["around.weather"]
     assert "rain" not in words["around.weather"]
     assert "40" not in words["others.A.kind"]
+
+
+def test_the_words_of_an_amount_that_is_copied_say_nothing_else() -> None:
+    text = "A van brakes ahead of us at 8 km/h."
+    read = prepared(text)
+    deed = {"act": "brake", "speed": "8 km/h"}
+    said = from_plain({"others": [{"id": "A", "kind": "van", "starts": {"where": "ahead"}, "does": [deed]}]})
+    steps = steps_of(Verdict.SITUATION, said)
+    at = next(i for i, step in enumerate(steps) if step.amount is not None)
+    marks = tuple(
+        np.array([0.0, *(2.0 if "km/h" in text[low:high] else -3.0 for low, high in read.where), 0.0], np.float32)
+        for _ in steps[:-1]
+    )
+    told = quoted_of(read, Written(steps, 0.0, ((at, read.amounts[0]),), marks))
+    assert "8 km/h" in told["others.A.does.0.speed"]
+    assert "km/h" not in told["others.A.does.0.act"]

@@ -21,10 +21,11 @@ def quoted_of(read: Read, written: Written) -> Mapping[str, str]:
     """The words of each fact, by its path; among an amount's are those that it was copied from.
 
     A word counts if it is more likely than not one of the fact's; of a fact without such a word the likeliest one does.
-    A number says no fact but a number, and what names another word of the same field, as "rain" of ``weather: fog``,
-    does not say this one.
+    A number says no fact but a number, and the words of an amount that is copied say no other fact; what names another
+    word of the same field, as "rain" of ``weather: fog``, does not say this one.
     """
     copied = {path_of(written.steps, at): found for at, found in written.found}
+    amounts = [(found.low, found.high) for found in copied.values()]
     spans, begins = _spans(read)
     quoted: dict[str, str] = {}
     for at, marks in enumerate(written.marks):
@@ -34,7 +35,13 @@ def quoted_of(read: Read, written: Written) -> Mapping[str, str]:
         if path in quoted:
             continue
         likely = np.maximum.reduceat(marks[1 : len(read.where) + 1], begins) if spans else marks[:0]
-        mine = [i for i, word in enumerate(spans) if not _says_another(written.steps[at].token, word[2])]
+        token = written.steps[at].token
+        mine = [
+            i
+            for i, word in enumerate(spans)
+            if not _says_another(token, word[2])
+            and (token is None or not any(low <= word[0] and word[1] <= high for low, high in amounts))
+        ]
         words = _words(read.text, [(spans[i], float(likely[i])) for i in mine], copied.get(path))
         if words:
             quoted[path] = words
