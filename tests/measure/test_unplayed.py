@@ -40,7 +40,8 @@ def simulator() -> Simulator:
 
 
 def driven(simulator: Simulator, phases: str, near: float = 1.0) -> tuple[ScenicProgram, Episode]:
-    program = ScenicProgram(scenario_id="own", source=SOURCE.format(phases=phases), parameters=(), snippet_ids=())
+    source = SOURCE.format(phases=phases)
+    program = ScenicProgram(scenario_id="own", source=source, parameters=(), snippet_ids=(), own="own.scenic")
     scene = Scene(id="own/0", scenario_id="own", route=0, block=0, seed=0, values={"OPT_NEAR": near})
     episode = simulate(simulator, program, scene, load_ego("planner"))
     assert isinstance(episode, Episode)
@@ -96,9 +97,9 @@ def test_who_drives_on_where_the_followed_line_ends_is_told(simulator: Simulator
     assert unplayed(again, drive) == ("adversary drives on past the end of its line leadWay",)
 
 
-def test_of_a_program_of_snippets_nothing_is_told_here(simulator: Simulator) -> None:
+def test_of_a_program_that_was_made_here_nothing_is_told_here(simulator: Simulator) -> None:
     program, episode = driven(simulator, WAITS)
-    assert unplayed(replace(program, snippet_ids=("a", "b", "c")), episode) == ()
+    assert unplayed(replace(program, own=""), episode) == ()
 
 
 def test_who_only_waits_for_the_next_event_has_not_left_out_what_it_is_doing(simulator: Simulator) -> None:

@@ -19,10 +19,10 @@ def unplayed(program: ScenicProgram, episode: Episode) -> tuple[str, ...]:
     """What did not take place in a drive, in words that are the same for every drive in which it did not.
 
     Args:
-        program: What was driven; of one that is made of snippets, the drive is held against what was said instead.
+        program: What was driven; of one that was made here, the drive is judged by what was said instead.
         episode: The drive.
     """
-    if program.snippet_ids or not episode.reached:
+    if not program.own or not episode.reached:
         return ()
     plans, tracks = written_plans(program.source), {track.actor: track for track in episode.tracks}
     told: list[str] = []
