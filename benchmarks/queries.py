@@ -43,10 +43,9 @@ def main() -> None:
     def ask() -> None:
         lanes.off_road(xy)
         lanes.lane_index(xy)
-        lanes.road_heading(xy)
 
     step = _least(lambda: simulate(simulator, program, scene, ego)) / (len(episode.ego_track.x) - 1)
-    print(f"three questions about a track of 200 points: {_least(ask) / step:.1f} steps")
+    print(f"two questions about a track of 200 points: {_least(ask) / step:.1f} steps")
     for base, queries in BASE_SCENARIO_QUERIES.items():
         for query in queries:
             took = _least(lambda query=query: find_routes(network, "town", query))

@@ -1,4 +1,4 @@
-"""Where on the roads a whole track lies, in one call: off the road, in which lane, against which direction."""
+"""Where on the roads a whole track lies, in one call: off the road, in which lane."""
 
 from __future__ import annotations
 
@@ -8,8 +8,6 @@ from typing import Any
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-
-from chatscene.maps.lane_runs import centre_line
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -34,7 +32,6 @@ class LaneMap:
         self._index = {uid: i for i, uid in enumerate(self.lane_ids)}
         self._areas = shapely.buffer([lane.polygons for lane in lanes], _SEAM)
         self._bounds: Array = shapely.bounds(self._areas)
-        self._lines: list[Array] = [centre_line(lane).points for lane in lanes]
         self._drivable = shapely.buffer(network.drivableRegion.polygons, OFF_ROAD_TOLERANCE)
         shapely.prepare(self._areas)
         shapely.prepare(self._drivable)
@@ -70,23 +67,6 @@ class LaneMap:
                 break
         return found
 
-    def road_heading(self, xy: Array, along: Sequence[str] = ()) -> Array:
-        """The driving direction of the lane each point lies in.
-
-        Args:
-            xy: (T, 2) [m], map frame.
-            along: As for `lane_index`.
-
-        Returns:
-            (T,) [rad, 0 = +x, counter-clockwise]; NaN where there is no lane.
-        """
-        lanes = self.lane_index(xy, along)
-        heading = np.full(len(xy), np.nan)
-        for lane in np.unique(lanes[lanes >= 0]):
-            here = lanes == lane
-            heading[here] = _nearest_heading(self._lines[lane], xy[here])
-        return heading
-
     def _candidates(self, xy: Array, along: Sequence[str]) -> list[int]:
         """Lanes whose bounding box meets that of the points, the preferred ones first."""
         if not len(xy):
@@ -95,13 +75,3 @@ class LaneMap:
         near = np.flatnonzero((self._bounds[:, :2] <= high).all(axis=1) & (self._bounds[:, 2:] >= low).all(axis=1))
         first = [self._index[uid] for uid in along if uid in self._index]
         return [*dict.fromkeys(first), *(int(lane) for lane in near if lane not in first)]
-
-
-def _nearest_heading(line: Array, xy: Array) -> Array:
-    """(K,) direction [rad] of the segment of `line` (N, 2) nearest to each of the points `xy` (K, 2)."""
-    start, step = line[:-1], np.diff(line, axis=0)
-    offset = xy[:, None, :] - start[None, :, :]
-    share = np.clip((offset * step).sum(-1) / (step * step).sum(-1), 0.0, 1.0)
-    nearest = np.argmin(((offset - share[..., None] * step) ** 2).sum(-1), axis=1)
-    direction = step[nearest]
-    return np.arctan2(direction[:, 1], direction[:, 0])

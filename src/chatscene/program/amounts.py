@@ -176,5 +176,3 @@ LONG: Mapping[Said, tuple[Values, str]] = {
 """The same of how long."""
 LASTS = frozenset((Said.GO_ALONG, Said.FOLLOW, Said.TAILGATE, Said.KEEP_LEVEL))
 """What is done until something else begins, so that it is seen only how long it was done at least."""
-AT_A_STAND = frozenset((Said.STOP, Said.STAND, Said.HESITATE))
-"""Of which the time is how long it stands."""

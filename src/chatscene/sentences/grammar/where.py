@@ -172,9 +172,6 @@ ON_FOOT_ONCOMING = listed(
     coming towards {ego} on foot | walking towards {ego} at the side of the lane | approaching {ego} on foot
     coming the other way along the kerb"""
 )
-WRONG_WAY_POST = listed(
-    """coming towards {ego} | coming at {ego} head-on | approaching {ego} head-on | heading straight at {ego}"""
-)
 
 OCCLUDERS: dict[Occluder, tuple[str, ...]] = {
     Occluder.BUS_STOP: listed(
