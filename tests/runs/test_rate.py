@@ -71,7 +71,7 @@ def test_drives_that_nobody_knows_the_draw_of_are_not_counted(tmp_path: Path) ->
 
 def test_a_text_becomes_a_run_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("chatscene.api.FIRST_LOOK", 2)
+    monkeypatch.setattr("chatscene.commands.rate.FIRST_LOOK", 2)
     done = CliRunner().invoke(
         main, ["rate", "the car ahead brakes hard", "--scenes", "0", "--ego", "idm"], catch_exceptions=False
     )

@@ -11,6 +11,8 @@ import click
 from chatscene.commands.library import DRIVEN_AGAIN, JSON, WORKERS, DrivenAgain, progress, say
 from chatscene.settings import EGO
 
+FIRST_LOOK = 20  # scenes of a run that is made only to have its situation rated
+
 
 @click.command()
 @click.argument("what", metavar="DIR|TEXT")
@@ -59,7 +61,7 @@ def rate(
         api.run(
             what,
             folder,
-            scenes=api.FIRST_LOOK,
+            scenes=FIRST_LOOK,
             sampler="random",
             jobs=jobs,
             executor=executor,

@@ -1,0 +1,151 @@
+"""Look at scenes: driven again, explained, told in words, asked about in SQL."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from chatscene.api.arguments import Name, Names, again, judging, path_of
+from chatscene.api.results import Run
+
+if TYPE_CHECKING:
+    from chatscene.runs.replay import Replayed
+    from chatscene.runs.tables import Table
+    from chatscene.runs.why import Why
+    from chatscene.verdict.story import Story
+
+
+def replay(
+    folder: Name,
+    scene_id: str | None = None,
+    *,
+    ego: Names = (),
+    generator: Names = (),
+    simulator: Names = (),
+    library: Names = (),
+    watch: bool = False,
+    record: bool = False,
+) -> Replayed:
+    """Simulate a scene of a run again from its stored values, and compare every number of every track.
+
+    Args:
+        folder: Run folder.
+        scene_id: Id of the scene; None for the first that the report shows.
+        ego: Ego of the run again, if it may run code of its own.
+        generator: Generator of the run again, if it is none of ours.
+        simulator: Simulator of the run again, if it is none of ours.
+        library: Folder of snippets of the run again, if it has one.
+        watch: Whether the window of a CARLA server looks down on the ego.
+        record: Whether a CARLA server's recorder writes a file below ``recordings`` in the folder.
+
+    Raises:
+        RunError: The run has no such scene, or it was never driven; or it names what must be repeated.
+        SettingsError: The simulator has no window or no recorder.
+    """
+    from chatscene.runs.replay import replay as replay_scene
+
+    repeated = again(ego=ego, generator=generator, simulator=simulator, library=library)
+    return replay_scene(path_of(folder), scene_id or Run(folder).best.id, repeated=repeated, watch=watch, record=record)
+
+
+def why(
+    folder: Name,
+    scene_id: str | None = None,
+    *,
+    ego: Names = (),
+    generator: Names = (),
+    simulator: Names = (),
+    library: Names = (),
+) -> Why:
+    """Say why a scene of a run crashed, by driving it otherwise: who struck whom, what it took, how the ego avoids it.
+
+    Args:
+        folder: Run folder.
+        scene_id: Id of the scene; None for the first that the report shows.
+        ego: Ego of the run again, if it may run code of its own.
+        generator: Generator of the run again, if it is none of ours.
+        simulator: Simulator of the run again, if it is none of ours.
+        library: Folder of snippets of the run again, if it has one.
+
+    Raises:
+        RunError: The run has no such scene, or it did not crash, or does not any more; or it names what must be
+            repeated.
+    """
+    from chatscene.runs.why import why as why_crashed
+
+    repeated = again(ego=ego, generator=generator, simulator=simulator, library=library)
+    return why_crashed(path_of(folder), scene_id or Run(folder).best.id, repeated=repeated)
+
+
+def story(
+    what: Name | Run,
+    *,
+    scene: str | None = None,
+    seed: int | None = None,
+    ego: Name | None = None,
+    map: Name | None = None,  # noqa: A002 - the word of the command line
+    trust: bool = False,
+    ego_id: str | None = None,
+    param: Mapping[str, object] | None = None,
+    variant: int | None = None,
+    within: Name | None = None,
+) -> Story:
+    """What happened in a drive of a program, a run or a recording, in words, with times and speeds.
+
+    The answer prints as lines; its `picture` is a moment from above.
+
+    Args:
+        what: As `verify`: of a program the first drive is told.
+        scene: Which scene of a run; None for the first that it keeps.
+        seed: What the values of a program's drive are drawn by.
+        ego: Who drives a program; None for its own ego, or the usual one where it has none.
+        map: The map of a program that names none.
+        trust: Whether a program may use all of Scenic and Python, in this process.
+        ego_id: Whose track of a recording is the ego's; None for the one that is marked.
+        param: As `verify`.
+        variant: Which set of parameter values of a file of such sets, from 1; None for the first.
+        within: The folder in which map and catalogs lie that a program names, if they may lie nowhere else.
+
+    Raises:
+        ChatSceneError: It cannot be read or driven, or has no such scene.
+    """
+    from chatscene.verdict.story import story as told
+
+    settings = judging(
+        trust=trust,
+        map_name=map,
+        ego=ego,
+        within=within,
+        seed=seed,
+        ego_id=ego_id,
+        scene_id=scene,
+        given=param,
+        variant=variant,
+    )
+    return told(what.folder if isinstance(what, Run) else path_of(what), settings)
+
+
+def sql(query: str, folder: Name = "runs") -> Table:
+    """The answer to a query over all runs below a folder: an Arrow table. Needs the extra ``sql``.
+
+    Args:
+        query: A SELECT in DuckDB's SQL over the tables runs, facts, scenes, parameters and events; nothing else can be
+            read, and nothing written.
+        folder: A run folder, or one with run folders somewhere below.
+
+    Raises:
+        MissingExtra: The extra is not installed.
+        QueryError: It is no SQL, names what there is not, or would do more than read these tables.
+        RunError: There is no run in the folder.
+
+    Warns:
+        RuntimeWarning: For each folder that is left out, with the reason: it is damaged, or not done.
+    """
+    from chatscene.report.index import index
+    from chatscene.report.sql import ask
+
+    found = index(path_of(folder))
+    for one in found.left_out:
+        warnings.warn(str(one), RuntimeWarning, stacklevel=2)
+    return ask(query, found)

@@ -1,0 +1,224 @@
+"""Measure: whether a scene shows what was said, how often it ends in a crash, how egos fare."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from chatscene import runs
+from chatscene.api.arguments import Name, Names, again, folder_for, judging, names_of, path_of, read_by
+from chatscene.api.results import Run, folders_of
+from chatscene.errors import SettingsError
+from chatscene.runs.executor import Workers
+from chatscene.runs.progress import Progress, silent
+from chatscene.settings import EXECUTOR, RetrievalSettings
+from chatscene.terms.situation import Situation
+
+if TYPE_CHECKING:
+    from chatscene.runs.rate import Rate
+    from chatscene.studies.evaluation import Evaluated
+    from chatscene.verdict.verdict import Verdict
+
+
+def verify(
+    what: Name | Run,
+    said: str | Path | Situation | None = None,
+    *,
+    draws: int | None = None,
+    seed: int | None = None,
+    least: float | None = None,
+    ego: Name | None = None,
+    map: Name | None = None,  # noqa: A002 - the word of the command line
+    trust: bool = False,
+    ego_id: str | None = None,
+    scene: str | None = None,
+    param: Mapping[str, object] | None = None,
+    variant: int | None = None,
+    budget: float | None = None,
+    within: Name | None = None,
+    page: Name | None = None,
+    library: Name | None = None,
+    embedder: str | None = None,
+    language_model: str | None = None,
+    reader: str | None = None,
+    reading: int | None = None,
+    set: Mapping[str, object] | None = None,  # noqa: A002 - the word of the command line
+) -> Verdict:
+    """Whether a program, a run or a recording shows what was said, fact by fact, from its tracks.
+
+    Args:
+        what: A Scenic program (``.scenic``) or a file of OpenSCENARIO (``.xosc``), which run in the sandbox; a run; a
+            table of tracks (``.csv``); or a trace of ASAM OSI (``.mcap``).
+        said: A sentence, a situation, or the file of a situation or of a report; None for what a run was made of.
+        draws: How many drives of a program are judged, or scenes of a run.
+        seed: What their values are drawn by.
+        least: The share of the drives that must show a fact, of those that came to it.
+        ego: Who drives a program; None for its own ego, or the usual one where it has none.
+        map: The map of a program that names none.
+        trust: Whether a program may use all of Scenic and Python, in this process.
+        ego_id: Whose track of a recording is the ego's; None for the one that is marked.
+        scene: Which scene of a run; None for those that it keeps.
+        param: Parameters that a program reads and does not state, or values of those that a file of OpenSCENARIO
+            declares, by name.
+        variant: Which set of parameter values of a file of such sets, from 1; None spreads the drives over them.
+        budget: Processor time [s] for scenes that cannot be placed, over all drives; then no more are tried.
+        within: The folder in which map and catalogs lie that a program names, if they may lie nowhere else.
+        page: Where a page with the moment of each fact is written; None for none.
+        library: As `explain`, where it is refused: snippets have no facts to be judged by.
+        embedder: As `explain`.
+        language_model: As `explain`.
+        reader: As `explain`.
+        reading: As `explain`.
+        set: Facts beside what was said, by their paths; beside a text also by their names.
+
+    Raises:
+        NothingFits: Nothing, or nothing for sure, is read in the text.
+        ChatSceneError: It cannot be read or driven.
+    """
+    from chatscene.verdict.page import write_page
+    from chatscene.verdict.said import asked
+    from chatscene.verdict.sources import watching
+    from chatscene.verdict.verify import weighed
+
+    settings = judging(
+        trust=trust,
+        map_name=map,
+        ego=ego,
+        within=within,
+        draws=draws,
+        seed=seed,
+        least=least,
+        ego_id=ego_id,
+        scene_id=scene,
+        given=param,
+        variant=variant,
+        budget=budget,
+    )
+    path = what.folder if isinstance(what, Run) else path_of(what)
+    chosen = read_by(RetrievalSettings(), library, embedder, language_model, reader, reading)
+    wanted = asked(_made_of(path) if said is None else said, chosen, set)
+    found = watching(path, settings)
+    verdict = weighed(found, str(path), wanted, settings)
+    if page is not None:
+        write_page(path_of(page), verdict, found.drawing)
+    return verdict
+
+
+def _made_of(folder: Path) -> Situation:
+    """The situation that a run was made of.
+
+    Raises:
+        SettingsError: It is no run, or one that was made of none.
+    """
+    from chatscene.situations.file import read_text
+    from chatscene.verdict.sources import check_there
+
+    check_there(folder)
+    if not folder.is_dir():
+        raise SettingsError(f"say what {folder} is to show: a sentence, a situation or a report")
+    record = runs.read_record(runs.open_run(folder, runs.RunRecord))
+    if record.situation is None:
+        raise SettingsError(f"{folder} was made of no situation; say what it is to show")
+    return read_text(record.situation.text)
+
+
+def rate(
+    folder: Name,
+    *,
+    scenes: int = 200,
+    seed: int = 0,
+    exposure: Name | None = None,
+    jobs: int = 1,
+    executor: str = EXECUTOR,
+    progress: Progress = silent,
+    ego: Names = (),
+    generator: Names = (),
+    simulator: Names = (),
+    library: Names = (),
+) -> Rate:
+    """Say how often the situation of a run ends in a crash, and in an avoidable one, if it comes about.
+
+    Args:
+        folder: Run folder; its ego drives.
+        scenes: How many scenes to draw for this.
+        seed: Of these.
+        exposure: TOML file that says how often values occur on the road; without it every value of a parameter's range
+            is taken to occur alike.
+        jobs: How many work at a time; any number gives the same.
+        executor: As `run`.
+        progress: Told what is done.
+        ego: Ego of the run again, if it may run code of its own.
+        generator: Generator of the run again, if it is none of ours.
+        simulator: Simulator of the run again, if it is none of ours.
+        library: Folder of snippets of the run again, if it has one.
+
+    Raises:
+        RunError: There is no run, it has no program, or it names what must be repeated.
+        SettingsError: The exposure cannot be read, or is of other parameters or units.
+    """
+    from chatscene.runs.rate import rate as rate_of
+    from chatscene.search.exposure import read_exposure
+
+    repeated = again(ego=ego, generator=generator, simulator=simulator, library=library)
+    densities = () if exposure is None else read_exposure(path_of(exposure))
+    return rate_of(
+        path_of(folder),
+        scenes=scenes,
+        seed=seed,
+        densities=densities,
+        workers=Workers(jobs, executor),
+        progress=progress,
+        repeated=repeated,
+    )
+
+
+def evaluate(
+    scenes: Run | Name | Sequence[Run | Name],
+    folder: Name | None = None,
+    *,
+    ego: Names = (),
+    all: bool = False,  # noqa: A002 - the word of the command line
+    simulator: str | None = None,
+    physics: str | None = None,
+    speed: float | None = None,
+    jobs: int = 1,
+    executor: str = EXECUTOR,
+    generator: Names = (),
+    library: Names = (),
+    progress: Progress = silent,
+) -> Evaluated:
+    """Measure egos on the kept scenes of runs; gives the paper's tables with intervals.
+
+    Args:
+        scenes: Runs, or folders with runs somewhere below.
+        folder: Folder of the evaluation, new or empty, or one to go on in.
+        ego: Egos by name, file or ``package.module:factory``; `planner`, `idm` and `sac` if none is given.
+        all: Whether every scene that ran is driven, not only the kept ones.
+        simulator: What they are driven in; that of the runs if None.
+        physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``; that of the runs if None.
+        speed: What egos drive at [km/h] in scenes of which it was not said; None for what the runs have.
+        jobs: As `run`.
+        executor: As `run`.
+        generator: Generators of the runs again, if they are none of ours.
+        library: Folders of snippets of the runs again, if they have any.
+        progress: Told what is done.
+
+    Raises:
+        RunError: A run is not finished, they lie on different maps, or one names what must be repeated.
+        EgoError: An ego cannot be loaded.
+    """
+    from chatscene.studies import evaluation
+
+    return evaluation.evaluate(
+        folders_of(scenes),
+        folder_for(folder),
+        egos=names_of(ego) or evaluation.COMPARED,
+        every_scene=all,
+        simulator=simulator or "",
+        physics=physics or "",
+        speed=speed,
+        workers=Workers(jobs, executor),
+        progress=progress,
+        repeated=again(generator=generator, library=library),
+    )
