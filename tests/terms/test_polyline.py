@@ -116,6 +116,14 @@ def test_many_points_lie_where_each_of_them_does(line: Polyline, points: list[tu
     assert line.along(x, y).tolist() == [line.project(*point)[0] for point in points]
 
 
+@few
+@given(roads(), st.lists(st.floats(-0.2, 1.2), min_size=1, max_size=9))
+def test_many_arc_lengths_lie_where_each_of_them_does(line: Polyline, shares: list[float]) -> None:
+    arcs = [share * line.length for share in shares] + list(line.columns[2])
+    assert line.points_at(np.array(arcs)).tolist() == [list(line.point_at(arc)) for arc in arcs]
+    assert line.headings_at(np.array(arcs)).tolist() == [line.heading_at(arc) for arc in arcs]
+
+
 def test_left_of_the_line_is_positive() -> None:
     assert corner.project(5, 2)[:2] == (5.0, 2.0)
     assert corner.project(12, 5)[:2] == (15.0, -2.0)

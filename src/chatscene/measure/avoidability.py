@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import PEDALS, EgoPolicy, begin, pedals_of
 from chatscene.measure.instead import drive_instead
+from chatscene.simulate.native.lines import follow
 from chatscene.simulate.simulator import Simulator
 from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.actors import LIMITS, Limits, has_lamps
@@ -185,7 +186,7 @@ def _predicted(episode: Episode, other: Track, route: Polyline) -> NDArray[np.bo
     """(T,) Whether, at each step, the ego along its route and the other straight on will touch within `HORIZON`."""
     ego = episode.ego_track
     ahead = np.arange(0.0, HORIZON + 1e-9, episode.dt)
-    along = route.along(ego.x, ego.y)
+    along, _ = follow(route, ego.x, ego.y, whole=True)
     arc = np.concatenate(([0.0], np.cumsum(np.hypot(*np.diff(route.points, axis=0).T))))
     stops = along[:, None] + np.maximum(ego.speed, 0.0)[:, None] * ahead
     beyond = np.maximum(stops - arc[-1], 0.0)

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.simulate.boxes import NOTHING, Boxes, Pair, least_gap, post_encroachment, times_to_collision
+from chatscene.simulate.boxes import NOTHING, Boxes, Pair, least_gap, pair_of, post_encroachment, times_to_collision
 from chatscene.simulate.contact import side_touched
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.criticality import Criticality, Fault, Severity
@@ -134,6 +135,7 @@ def _following(ego: Track, other: Track) -> tuple[float, float]:
     return float(headways(ego, other).min()), float(braking.max(initial=0.0))
 
 
+@lru_cache(maxsize=4)
 def _ahead(ego: Track, other: Track) -> tuple[Array, NDArray[np.bool_], Array]:
     """(T,) each: the gap to another [m], whether it is ahead, and how fast the ego closes in on it [m/s].
 
@@ -141,7 +143,7 @@ def _ahead(ego: Track, other: Track) -> tuple[Array, NDArray[np.bool_], Array]:
     other is nearest.
     """
     a, b = Boxes.of(ego), Boxes.of(other)
-    along, across = Pair.of(a, b).offset[:2]
+    along, across = pair_of(ego, other).offset[:2]
     c, s = a.cos * b.cos + a.sin * b.sin, np.abs(a.cos * b.sin - a.sin * b.cos)
     gap = along - a.half_length - b.half_length * np.abs(c) - b.half_width * s
     beside = np.abs(across) - a.half_width - b.half_length * s - b.half_width * np.abs(c)

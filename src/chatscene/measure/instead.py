@@ -9,7 +9,7 @@ from typing import Protocol
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy, failed, observation_of
 from chatscene.errors import SimulationError
-from chatscene.simulate.simulator import DrivesItself, Session, Simulator
+from chatscene.simulate.simulator import Session, Simulator, drives_itself
 from chatscene.terms.braking import STANDING, STANDSTILL, Braking
 from chatscene.terms.episode import Ending
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -81,9 +81,9 @@ def drive_instead(
     opened(drive)
     standing = 0
     try:
-        if braking is not None and isinstance(drive, DrivesItself) and drive.brake(ego, braking):
+        if braking is not None and drives_itself(drive) and drive.brake(ego, braking):
             return _ended(drive)
-        if driver.begins and isinstance(drive, DrivesItself) and drive.drive(ego, until=driver.begins):
+        if driver.begins and drives_itself(drive) and drive.drive(ego, until=driver.begins):
             driver.skip()
         while drive.ending is None and not drive.rejection and standing * dt < STANDSTILL:
             try:

@@ -8,6 +8,8 @@ the wheel is right to 2 m after 4 s up to 50 km/h, whatever it asks, and at any 
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from chatscene.terms.actors import AIR_DRAG, BY_CLASS, LIMITS
@@ -25,10 +27,8 @@ def friction_demand(episode: Episode) -> float | None:
 
     Up to the step before the first contact. Above 1 it is more than tyres hold. None where nobody on wheels moved.
     """
-    friction, until = _friction(episode), _until(episode)
-    taken = [_taken(track, episode.dt, until) for track in episode.tracks if _on_wheels(track)]
-    most = [float(np.hypot(along, across).max()) for along, across, _ in taken if along.size]
-    return max(most) / (friction * GRAVITY) if most else None
+    most = [float(np.hypot(along, across).max()) for along, across, _ in _taken(episode) if along.size]
+    return max(most) / (_friction(episode) * GRAVITY) if most else None
 
 
 def beyond_tyres(episode: Episode) -> tuple[str, ...]:
@@ -36,9 +36,7 @@ def beyond_tyres(episode: Episode) -> tuple[str, ...]:
     told: list[str] = []
     if (friction_demand(episode) or 0.0) > GRIPPIEST:
         told.append(f"somebody brakes, speeds up or turns harder than tyres hold, {COMPARE}")
-    until = _until(episode)
-    taken = [_taken(track, episode.dt, until) for track in episode.tracks if _on_wheels(track)]
-    if any(((np.abs(across) > ACROSS) & (speed > FAST)).any() for _, across, speed in taken):
+    if any(((np.abs(across) > ACROSS) & (speed > FAST)).any() for _, across, speed in _taken(episode)):
         told.append(f"somebody turns with more than {ACROSS:g} m/s² at more than 50 km/h, where tyres lag, {COMPARE}")
     return tuple(told)
 
@@ -56,7 +54,14 @@ def _on_wheels(track: Track) -> bool:
     return track.kind in BY_CLASS and LIMITS[track.kind].wheelbase > 0.0
 
 
-def _taken(track: Track, dt: float, until: int | None) -> tuple[Array, Array, Array]:
+@lru_cache(maxsize=1)
+def _taken(episode: Episode) -> list[tuple[Array, Array, Array]]:
+    """What tyres did in a drive, as `_taken_by` has it, of everybody on wheels."""
+    until = _until(episode)
+    return [_taken_by(track, episode.dt, until) for track in episode.tracks if _on_wheels(track)]
+
+
+def _taken_by(track: Track, dt: float, until: int | None) -> tuple[Array, Array, Array]:
     """What tyres did along and across [m/s²] over each step, and the speed [m/s] in it."""
     limits, speed, heading = LIMITS[track.kind], np.abs(track.speed[:until]), track.heading[:until]
     change, mean = np.diff(speed) / dt, 0.5 * (speed[1:] + speed[:-1])

@@ -211,7 +211,7 @@ def _is_ahead(s: Seen, once: Act) -> bool:
 
 def _from_way(s: Seen) -> Array:
     """(T,) [rad], heading against the ego's way where somebody is, without jumps."""
-    way = np.array([s.line.heading_at(at) for at in s.at.clip(0.0, s.line.length).tolist()])
+    way = s.line.headings_at(s.at.clip(0.0, s.line.length))
     return np.unwrap(s.track.heading - way)
 
 

@@ -19,6 +19,7 @@ from chatscene.program.deeds import LOSING, MOVING, STANDING
 from chatscene.program.finding import Finding
 from chatscene.program.meaning import TOGETHER
 from chatscene.simulate.boxes import Boxes, Pair, gaps, times_to_collision
+from chatscene.simulate.native.lines import follow
 from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
@@ -109,14 +110,12 @@ def _not_steered(ego: Track, line: Polyline) -> Track | None:
 
     Who steers round another reacts, as who brakes does.
     """
-    projected = [line.project(float(x), float(y)) for x, y in zip(ego.x, ego.y, strict=True)]
-    aside = np.abs([off for _, off, _ in projected])
+    along, offset = follow(line, ego.x, ego.y, whole=True)
+    aside = np.abs(offset)
     if aside[0] > ASIDE or aside.max() <= ASIDE:
         return None
-    along = [float(there) for there, _, _ in projected]
-    points = np.array([line.point_at(there) for there in along])
-    heading = np.unwrap([line.heading_at(there) for there in along])
-    return replace(ego, x=points[:, 0], y=points[:, 1], heading=heading)
+    x, y = line.points_at(along).T
+    return replace(ego, x=x, y=y, heading=np.unwrap(line.headings_at(along)))
 
 
 def _must_meet(
@@ -267,8 +266,7 @@ def _way(ego: Track, line: Polyline) -> Way:
     x, y, heading = ego.x[moved], ego.y[moved], ego.heading[moved]
     there, aside, _ = line.project(float(ego.x[-1]), float(ego.y[-1]))
     rest = np.arange(there + 2.0, line.length, 2.0) if abs(aside) < 3.0 else np.empty(0)
-    points = np.array([line.point_at(float(s)) for s in rest]).reshape(-1, 2)
-    turned = np.array([line.heading_at(float(s)) for s in rest])
+    points, turned = line.points_at(rest), line.headings_at(rest)
     back, behind = np.arange(-BACK, 0.0, 1.0), float(heading[0])
     x = np.concatenate((x[0] + back * math.cos(behind), x, points[:, 0]))
     y = np.concatenate((y[0] + back * math.sin(behind), y, points[:, 1]))

@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from chatscene.simulate.native.lines import follow
 from chatscene.terms.conclusions import LANE_CHANGES
 from chatscene.terms.episode import Array, Episode, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
@@ -64,7 +65,7 @@ class Seen:
     @cached_property
     def lead(self) -> Array:
         """(T,) [m], how far along the route it is ahead of the ego."""
-        return self.at - _on_line(self.line, self.ego)[0]
+        return self.at - follow(self.line, self.ego.x, self.ego.y)[0]
 
 
 def watch(episode: Episode, route: Route, track: Track, until: int | None = None, *, of: Track | None = None) -> Seen:
@@ -79,14 +80,13 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
     """
     ego, track = _until(of or episode.ego_track, until), _until(track, until)
     along, across = in_frame(track, ego.x[0], ego.y[0], ego.heading[0])
-    at, offset = _on_line(route.line, track)
+    at, offset = follow(route.line, track.x, track.y)
     behind, _ = in_frame(track, *route.line.point_at(0.0), route.start_heading)
     at = np.where(at > 0.0, at, np.minimum(behind, 0.0))
     bearing = (track.heading - ego.heading[0] + math.pi) % (2 * math.pi) - math.pi
     facing = bearing
     if route.junction is None:
-        there = np.array([route.line.heading_at(s) for s in at.tolist()])
-        facing = (track.heading - there + math.pi) % (2 * math.pi) - math.pi
+        facing = (track.heading - route.line.headings_at(at) + math.pi) % (2 * math.pi) - math.pi
     _, drift = in_frame(track, track.x[0], track.y[0], track.heading[0])
     if includes(Place.CURVE, route.place) and abs(math.sin(facing[0])) < math.sin(ALONG):  # its line bends as well
         drift = (offset - offset[0]) * math.copysign(1.0, math.cos(facing[0]))
@@ -147,15 +147,6 @@ def _until(track: Track, step: int | None) -> Track:
         return track
     x, y, heading, speed = (row[: step + 1] for row in (track.x, track.y, track.heading, track.speed))
     return replace(track, x=x, y=y, heading=heading, speed=speed)
-
-
-def _on_line(line: Polyline, track: Track) -> tuple[Array, Array]:
-    """(T,) arc length and (T,) signed lateral offset [m] of an actor on a line."""
-    found = np.empty((2, len(track.x)))
-    near: int | None = None
-    for i, (x, y) in enumerate(zip(track.x.tolist(), track.y.tolist(), strict=True)):
-        found[0, i], found[1, i], near = line.project(x, y, near)
-    return found[0], found[1]
 
 
 def in_frame(track: Track, x: float, y: float, heading: float) -> tuple[Array, Array]:

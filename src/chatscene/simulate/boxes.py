@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,9 @@ from chatscene.terms.episode import Array, Track
 
 Steps = NDArray[np.intp]
 
+ROUNDING = 1e-6  # [m], more than rounding makes of a distance
 NOTHING = 1e-9  # [m] or [m/s], what rounding makes of nothing
+KEPT = 16  # of the tracks and pairs that were asked for last, what was found: each measure of a drive asks anew
 FINENESS = 4  # into how many parts a step is cut to time who leaves and who comes
 
 
@@ -28,6 +31,7 @@ class Boxes:
     half_width: float
 
     @staticmethod
+    @lru_cache(maxsize=KEPT)
     def of(track: Track, parts: int = 1) -> Boxes:
         """At every step, and at as many moments between two steps as make `parts` of it."""
         x, y, heading = track.x, track.y, track.heading
@@ -99,15 +103,28 @@ class Pair:
         return np.where(still, always, np.minimum(first, last)), np.where(still, np.inf, np.maximum(first, last))
 
 
+@lru_cache(maxsize=KEPT)
+def pair_of(a: Track, b: Track) -> Pair:
+    """How two bodies lie to each other at every step."""
+    return Pair.of(Boxes.of(a), Boxes.of(b))
+
+
+def _fixed(array: Array) -> Array:
+    """An array that is given out more than once."""
+    array.setflags(write=False)
+    return array
+
+
+@lru_cache(maxsize=KEPT)
 def times_to_collision(ego: Track, other: Track) -> Array:
     """(T,) Time [s] until the boxes touch if both keep velocity and heading; inf where they never would."""
     a, b = Boxes.of(ego), Boxes.of(other)
-    enter, leave = Pair.of(a, b).overlap(
+    enter, leave = pair_of(ego, other).overlap(
         other.speed * b.cos - ego.speed * a.cos, other.speed * b.sin - ego.speed * a.sin
     )
     begin, end = enter.max(axis=0), leave.min(axis=0)
     meets = (begin <= end) & (end >= 0.0)
-    return np.where(meets, np.maximum(begin, 0.0), np.inf)
+    return _fixed(np.where(meets, np.maximum(begin, 0.0), np.inf))
 
 
 def post_encroachment(ego: Track, other: Track) -> float:
@@ -138,21 +155,31 @@ def post_encroachment(ego: Track, other: Track) -> float:
     return max(float(closest[meets].min(initial=least)), 0.0)
 
 
+def _at_all_near(a: Boxes, b: Boxes, reach: float) -> Steps:
+    """The moments of the first at which it is so near [m] to the rectangle that the centres of the second span."""
+    within_x = (a.x >= b.x.min() - reach) & (a.x <= b.x.max() + reach)
+    return np.flatnonzero(within_x & (a.y >= b.y.min() - reach) & (a.y <= b.y.max() + reach))
+
+
 def overlaps(a: Boxes, b: Boxes) -> tuple[Steps, Steps]:
     """All pairs of moments of which the first's box at the one overlaps the second's at the other."""
-    reach = math.hypot(a.half_length, a.half_width) + math.hypot(b.half_length, b.half_width)
-    near = np.flatnonzero(np.abs(np.subtract.outer(a.x + 1j * a.y, b.x + 1j * b.y)) <= reach)
-    i, j = np.divmod(near, len(b.x))
+    reach = math.hypot(a.half_length, a.half_width) + math.hypot(b.half_length, b.half_width) + ROUNDING
+    ones, others = _at_all_near(a, b, reach), _at_all_near(b, a, reach)
+    dx, dy = np.subtract.outer(a.x[ones], b.x[others]), np.subtract.outer(a.y[ones], b.y[others])
+    near = np.flatnonzero(dx * dx + dy * dy <= reach * reach)
+    i, j = np.divmod(near, max(len(others), 1))
+    i, j = ones[i], others[j]
     touching = Pair.of(a.at(i), b.at(j)).touching
     return i[touching], j[touching]
 
 
+@lru_cache(maxsize=KEPT)
 def gaps(ego: Track, other: Track) -> Array:
     """(T,) Gap [m] between the boxes; 0 where they overlap."""
     a, b = Boxes.of(ego), Boxes.of(other)
     # Between two convex shapes that are apart, a corner of one of them is nearest.
     apart = np.minimum(_corner_gaps(a, b), _corner_gaps(b, a))
-    return np.where(Pair.of(a, b).touching, 0.0, apart)
+    return _fixed(np.where(pair_of(ego, other).touching, 0.0, apart))
 
 
 def least_gap(ego: Track, other: Track) -> float:

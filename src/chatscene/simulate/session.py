@@ -455,7 +455,8 @@ class SteppedSession:
     def _states(self, steps: int) -> list[NDArray[np.float64]]:
         """The state of each body that moves at each step, (4, steps); of one that came later, as it stood at first."""
         if not any(self._since):
-            return list(np.array(self._rows).reshape(steps, len(self._moving), 4).transpose(1, 2, 0))
+            columns = np.array(self._rows).reshape(steps, len(self._moving), 4).transpose(1, 2, 0)
+            return list(np.ascontiguousarray(columns))
         states = np.empty((len(self._moving), 4, steps))
         rows = iter(self._rows)
         for step in range(steps):

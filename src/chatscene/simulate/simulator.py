@@ -6,8 +6,9 @@ from collections.abc import Callable, Generator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
-from typing import Any, Protocol, runtime_checkable
+from typing import Any, Protocol, TypeGuard, runtime_checkable
 
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import (
@@ -96,6 +97,17 @@ class DrivesItself(Protocol):
             False if this one is not known here; nothing was done then.
         """
         ...
+
+
+@cache
+def _drives_itself(kind: type[Session]) -> bool:
+    """Whether sessions of a class do; to find out takes longer than many a drive."""
+    return issubclass(kind, DrivesItself)
+
+
+def drives_itself(session: Session) -> TypeGuard[DrivesItself]:
+    """Whether a session lets some egos drive to the end by itself."""
+    return _drives_itself(type(session))
 
 
 class Simulator(Protocol):
@@ -237,7 +249,7 @@ def drive(session: Session, ego: EgoPolicy) -> None:
         begin(ego)
     except (Exception, SystemExit) as error:
         raise failed(ego, error, "before a drive") from error
-    if isinstance(session, DrivesItself) and session.drive(ego):
+    if drives_itself(session) and session.drive(ego):
         return
     act, step = ego.act, session.step
     while session.ending is None and not session.rejection:

@@ -29,7 +29,7 @@ class Polyline:
         SettingsError: Fewer than two distinct points.
     """
 
-    __slots__ = ("_hx", "_hy", "_s", "_segments", "_x", "_y", "length", "points")
+    __slots__ = ("_hx", "_hy", "_made", "_s", "_segments", "_x", "_y", "length", "points")
 
     def __init__(self, points: Iterable[Iterable[float]]) -> None:
         listed: Any = points.tolist() if isinstance(points, np.ndarray) else points  # plain floats are the quicker ones
@@ -47,6 +47,7 @@ class Polyline:
         self._hx = [(b - a) / step for a, b, step in zip(x, x[1:], steps, strict=False)]
         self._hy = [(b - a) / step for a, b, step in zip(y, y[1:], steps, strict=False)]
         self.length: float = self._s[-1]
+        self._made: tuple[NDArray[np.float64], ...] | None = None
         x0, y0 = self.points[:-1].T
         dx, dy = self.points[1:, 0] - x0, self.points[1:, 1] - y0
         self._segments = x0, y0, dx, dy, dx * dx + dy * dy
@@ -90,6 +91,29 @@ class Polyline:
         """Direction [rad, 0 = +x, counter-clockwise] at arc length `s` [m]."""
         i = self.segment_at(s)
         return math.atan2(self._hy[i], self._hx[i])
+
+    def segments_at(self, s: NDArray[np.float64]) -> NDArray[np.intp]:
+        """What `segment_at` says of each of many arc lengths [m]."""
+        return np.maximum(np.searchsorted(self._arrays[2][:-1], s, side="right") - 1, 0)
+
+    def points_at(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
+        """(N, 2): what `point_at` says of each of many arc lengths [m]."""
+        x, y, arc, hx, hy, _ = self._arrays
+        i = self.segments_at(s)
+        d = s - arc[i]
+        return np.stack((x[i] + d * hx[i], y[i] + d * hy[i]), axis=-1)
+
+    def headings_at(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What `heading_at` says of each of many arc lengths [m]."""
+        return self._arrays[5][self.segments_at(s)]
+
+    @property
+    def _arrays(self) -> tuple[NDArray[np.float64], ...]:
+        """The columns, and the direction [rad] of each segment, as arrays; made when they are first asked for."""
+        if self._made is None:
+            headings = map(math.atan2, self._hy, self._hx)
+            self._made = (*map(np.array, self.columns), np.array(list(headings)))
+        return self._made
 
     def project(self, x: float, y: float, near: int | None = None) -> tuple[float, float, int]:
         """Where a point lies relative to the line.

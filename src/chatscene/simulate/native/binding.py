@@ -16,6 +16,7 @@ from chatscene.ego.policy import PEDALS
 from chatscene.errors import ChatSceneError
 from chatscene.simulate.native import engine
 from chatscene.simulate.native.code import Compiler, NotCovered, Surrounding
+from chatscene.simulate.native.lines import line_of
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.session import ARRIVAL, SteppedSession
 from chatscene.terms.actors import Limits
@@ -184,7 +185,7 @@ class _Binder:
         return _pointer(array)
 
     def _line(self, line: Polyline) -> engine.Line:
-        found, columns = _line_of(line)
+        found, columns = line_of(line)
         self._kept += columns
         return found
 
@@ -311,13 +312,6 @@ def _until(array: NDArray[np.float64], step: int) -> NDArray[np.float64]:
     copied = np.zeros(array.shape)
     copied[: step + 1] = array[: step + 1]
     return copied
-
-
-@lru_cache(maxsize=256)
-def _line_of(line: Polyline) -> tuple[engine.Line, list[NDArray[np.float64]]]:
-    """A line in the engine's terms, and what that points at."""
-    columns = [np.array(column) for column in line.columns]
-    return engine.Line(len(line), *map(_pointer, columns)), columns
 
 
 @lru_cache(maxsize=64)

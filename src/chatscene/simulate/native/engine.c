@@ -322,6 +322,15 @@ static void project(const Line *line, double x, double y, int32_t *from, double 
     *offset = across;
 }
 
+/* Where points lie on a line; each is looked for from where the one before it was, or on the whole line. */
+void follow(const Line *line, int64_t count, int32_t whole, const double *x, const double *y, double *arc, double *offset) {
+    int32_t near = -1;
+    for (int64_t i = 0; i < count; i++) {
+        if (whole) near = -1;
+        project(line, x[i], y[i], &near, &arc[i], &offset[i]);
+    }
+}
+
 static int64_t segment_at(const Line *line, double s) {
     int64_t low = 0, high = line->points - 2;
     while (low < high) {

@@ -15,10 +15,13 @@ import stat
 import tempfile
 import warnings
 from collections.abc import Callable, Sequence
-from ctypes import POINTER, Structure, c_double, c_float, c_int32, c_int64, c_uint64
+from ctypes import POINTER, Structure, c_double, c_float, c_int32, c_int64, c_uint64, c_void_p
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from chatscene.files.caches import cache_folder, keep, only_mine
 from chatscene.simulate.native.building import NoEngine, compile_engine, source_digest
@@ -30,6 +33,7 @@ ARGUMENTS, LOCALS, SEEN, MOST_BODIES, STACK, STEPS = 6, 8, 83, 32, 64, 20  # as 
 END = 2**63 - 1  # a step that no scene comes to
 
 _Doubles = POINTER(c_double)
+Array = NDArray[np.float64]
 
 
 class Line(Structure):
@@ -266,6 +270,8 @@ class Engine:
         library.run_worlds.argtypes = (POINTER(POINTER(World)), c_int64, POINTER(Policy))
         library.ask.restype = None
         library.ask.argtypes = (POINTER(Policy), _Doubles, _Doubles, _Doubles)
+        library.follow.restype = None
+        library.follow.argtypes = (POINTER(Line), c_int64, c_int32, *[c_void_p] * 4)
         self._library = library
         for i, structure in enumerate((Line, Body, Instruction, Phase, Agent, World, Layer, Policy, Foot)):
             if library.size_of(i) != ctypes.sizeof(structure):
@@ -298,6 +304,14 @@ class Engine:
         numbers = (c_double * len(seen))(*seen)
         self._library.ask(ctypes.byref(policy), numbers, ctypes.byref(acceleration), ctypes.byref(steering))
         return acceleration.value, steering.value
+
+    def follow(self, line: Line, x: Array, y: Array, *, whole: bool) -> tuple[Array, Array]:
+        """(T,) arc length [m] and (T,) signed lateral offset [m] of points on a line; see `native.lines.follow`."""
+        x, y = np.ascontiguousarray(x), np.ascontiguousarray(y)
+        arc, offset = np.empty(len(x)), np.empty(len(x))
+        columns = (column.ctypes.data for column in (x, y, arc, offset))
+        self._library.follow(ctypes.byref(line), len(x), whole, *columns)
+        return arc, offset
 
     def _differences(self) -> dict[str, int]:
         """On how many of `CHECKED` numbers each function differs from Python's."""
