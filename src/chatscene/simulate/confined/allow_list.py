@@ -15,9 +15,17 @@ from typing import Any
 
 from chatscene.simulate.confined.asked_map import map_of
 from chatscene.simulate.confined.plain_text import REPORTED, TRUST, Refusal, check_text
-from chatscene.simulate.confined.rules import FORBIDDEN, OTHERS, RULES, TEXTS, Reading, is_parameter
+from chatscene.simulate.confined.rules import (
+    FORBIDDEN,
+    OTHERS,
+    RULES,
+    TEXTS,
+    Reading,
+    is_parameter,
+    module_of,
+)
 from chatscene.simulate.confined.syntax import not_scenic
-from chatscene.simulate.confined.words import INSTEAD, KINDS, Dialect, dialect_of
+from chatscene.simulate.confined.words import INSTEAD, KINDS, MODULES, dialect_of
 from chatscene.terms.pointing import pointed
 from chatscene.terms.scene import OWN_MODEL
 from chatscene.world.models import STANDS_IN
@@ -26,7 +34,9 @@ MAX_NODES = 8_000
 MAX_DEPTH = 60  # of the syntax tree
 SHOWN = 3  # refusals in a message
 
-_ONLY_AT_TOP = frozenset(("Model", "Param", "BehaviorDef", "MonitorDef", "ScenarioDef", "FunctionDef"))
+_ONLY_AT_TOP = frozenset(
+    ("Model", "Param", "BehaviorDef", "MonitorDef", "ScenarioDef", "FunctionDef", "Import", "ImportFrom")
+)
 _DEFINING = frozenset(("BehaviorDef", "MonitorDef", "ScenarioDef", "FunctionDef"))
 
 
@@ -52,11 +62,12 @@ def check_foreign(source: str, *, given: Collection[str] = (), whole: bool = Tru
         given=frozenset(given) | _defined(tree),
         own=_own(tree),
         dialect=dialect,
+        modules=_modules(tree),
         lines=source.split("\n"),
         declared=_declared(tree) if whole else None,
     )
     _check_model(tree, reading, whole=whole)
-    for parts, (node, depth) in enumerate(_walk(tree, reading.dialect, map_of(tree)[1]), 1):
+    for parts, (node, depth) in enumerate(_walk(tree, reading, map_of(tree)[1]), 1):
         placed: Any = next((one for one in ast.walk(node) if hasattr(one, "lineno")), None)
         if placed is not None:
             reading.line, reading.column = placed.lineno, placed.col_offset + 1
@@ -105,9 +116,20 @@ def _defined(tree: Any) -> frozenset[str]:
             names.add(node.arg)
         elif type(node).__name__ in _DEFINING:
             names.add(node.name)  # type: ignore[attr-defined]
-        elif isinstance(node, ast.Import | ast.ImportFrom):  # refused itself, which is enough
+        elif isinstance(node, ast.Import | ast.ImportFrom):  # held against the list itself, which is enough
             names.update(one.asname or one.name.partition(".")[0] for one in node.names)
     return frozenset(names)
+
+
+def _modules(tree: Any) -> dict[str, str]:
+    """The names by which a program calls modules that it may import, and which module each is."""
+    return {
+        one.asname or one.name: one.name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Import)
+        for one in node.names
+        if one.name in MODULES
+    }
 
 
 def _own(tree: Any) -> frozenset[str]:
@@ -171,6 +193,8 @@ def _check_model(tree: Any, reading: Reading, *, whole: bool) -> None:
         reading.refuse("the beginning", why, faulty=True)
     if not whole and models:
         reading.refuse("model", "a part of a program has no model statement of its own")
+    if not whole and any(isinstance(node, ast.Import | ast.ImportFrom) for node in tree.body):
+        reading.refuse("import", "a part of a program imports nothing; the world model has sin, cos and hypot")
 
 
 def _check_node(node: Any, depth: int, reading: Reading) -> None:
@@ -188,7 +212,7 @@ def _check_node(node: Any, depth: int, reading: Reading) -> None:
             reading.refuse(words, "it holds text that nobody has looked at")
 
 
-def _walk(tree: Any, dialect: Dialect, skipped: frozenset[Any]) -> Iterator[tuple[Any, int]]:
+def _walk(tree: Any, reading: Reading, skipped: frozenset[Any]) -> Iterator[tuple[Any, int]]:
     """Every node and how deep it lies; without what is skipped, and below what does nothing, is read or is refused.
 
     Does not recurse, since a program may be deeper than Python's stack.
@@ -199,7 +223,9 @@ def _walk(tree: Any, dialect: Dialect, skipped: frozenset[Any]) -> Iterator[tupl
         if node in skipped:
             continue
         yield node, depth
-        if _is_docstring(node) or is_parameter(node) or type(node) not in dialect.syntax:
+        if _is_docstring(node) or is_parameter(node) or type(node) not in reading.dialect.syntax:
+            continue
+        if module_of(node, reading.modules) is not None:
             continue
         left += [(child, depth + 1) for child in reversed(list(ast.iter_child_nodes(node)))]
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from chatscene.simulate.confined.plain_text import Refusal
-from chatscene.simulate.confined.words import PARAMETERS, Dialect, outside
+from chatscene.simulate.confined.words import MODULES, NO_MODULE, PARAMETERS, Dialect, outside
 from chatscene.terms.pointing import meant, nearest
 from chatscene.terms.scene import OWN_MODEL
 from chatscene.world.models import STANDS_IN
@@ -43,6 +43,7 @@ class Reading:
         given: Names that it or its partners define.
         own: Names that mean the program's own wherever it reads them.
         dialect: What it may use.
+        modules: The names by which it calls modules, and which module each is.
         line: Where the reader is.
         lines: Its text.
         column: Where in the line, from 1.
@@ -56,6 +57,7 @@ class Reading:
     given: frozenset[str]
     own: frozenset[str]
     dialect: Dialect
+    modules: Mapping[str, str] = field(default_factory=dict[str, str])
     lines: Sequence[str] = ()
     declared: frozenset[str] | None = None
     line: int = 0
@@ -98,10 +100,17 @@ class Reading:
             faulty=True,
         )
 
-    def bind(self, name: str) -> None:
-        """Refuse to define a name that is odd, or that means something already."""
+    def bind(self, name: str, *, module: bool = False) -> None:
+        """Refuse to define a name that is odd, or that means something already.
+
+        Args:
+            name: The name.
+            module: Whether it is to be that of a module.
+        """
         if not _NAME.match(name):
             self.refuse(f"the name {shown(name)}", ODD_NAME, word=name)
+        elif name in self.modules and not module:
+            self.refuse(f"the name {name}", "it is the name of a module in this program", word=name)
         elif name in self.dialect.kept:
             why = "a program may not put something else in the place of what is given"
             self.refuse(f"the name {name}", why, word=name)
@@ -124,6 +133,8 @@ def _name(node: ast.Name, reading: Reading) -> None:
         reading.bind(node.id)
     elif node.id == "globalParameters":
         reading.refuse(node.id, "parameters are read one by one, as in globalParameters.OPT_SPEED", word=node.id)
+    elif node.id in reading.modules:
+        reading.refuse(f"the module {node.id}", "its functions are used one by one, as in math.sqrt(x)", word=node.id)
     else:
         reading.known(node.id)
 
@@ -178,6 +189,9 @@ def _attribute(node: ast.Attribute, reading: Reading) -> None:
         reading.refuse(f".{shown(node.attr)} =", why, word=f".{node.attr}")
     elif is_parameter(node):
         _read_parameter(node.attr, reading)
+    elif (module := module_of(node, reading.modules)) is not None:
+        if node.attr not in MODULES[module]:
+            _not_of(module, node.attr, reading)
     elif node.attr not in (known := reading.dialect.attributes | reading.dialect.methods):
         near = nearest(node.attr, known)
         if near:
@@ -198,6 +212,17 @@ def _read_parameter(name: str, reading: Reading) -> None:
         reading.refuse(f"globalParameters.{name}", why, word=name, faulty=True)
 
 
+def _not_of(module: str, name: str, reading: Reading) -> None:
+    near = nearest(name, MODULES[module])
+    why = f"the list of what may be used of {module} has it not{f'; did you mean {near}?' if near else ''}"
+    reading.refuse(f"{module}.{shown(name)}", why, word=name, faulty=bool(near))
+
+
+def module_of(node: Any, modules: Mapping[str, str]) -> str | None:
+    """The module of which something is used by its name, as in ``math.sqrt``; None of all else."""
+    return modules.get(node.value.id) if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) else None
+
+
 def is_parameter(node: Any) -> bool:
     """Whether it reads one parameter, as in ``globalParameters.OPT_SPEED``."""
     return isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "globalParameters"
@@ -210,11 +235,11 @@ def _subscript(node: ast.Subscript, reading: Reading) -> None:
 
 def _call(node: ast.Call, reading: Reading) -> None:
     called = node.func
-    if isinstance(called, ast.Attribute):
+    if isinstance(called, ast.Attribute) and module_of(called, reading.modules) is None:
         read = called.attr in reading.dialect.attributes or is_parameter(called)
         if read and called.attr not in reading.dialect.methods:
             reading.refuse(f".{shown(called.attr)}()", "it may be read, not called", word=f".{called.attr}")
-    elif not isinstance(called, ast.Name):
+    elif not isinstance(called, ast.Name | ast.Attribute):
         reading.refuse("a call of something without a name", "only named functions, behaviors and actions are called")
     if any(keyword.arg is None or not _NAME.match(keyword.arg) for keyword in node.keywords):
         reading.refuse("** or an odd name in a call", "a call lists its arguments")
@@ -241,6 +266,37 @@ def _operation(node: ast.BinOp | ast.AugAssign, reading: Reading) -> None:
 def _compare(node: ast.Compare, reading: Reading) -> None:
     if isinstance(node.ops[0], ast.In) and (kind := _without_new(node.left, reading)):
         reading.refuse(f"{kind} without new", scenic_2(kind), word=kind, faulty=True)
+
+
+# Imports
+
+
+def _import(node: ast.Import, reading: Reading) -> None:
+    for one in node.names:
+        if one.name not in MODULES:
+            _no_module("import", one.name, reading)
+        elif one.asname is not None:
+            reading.bind(one.asname, module=True)
+
+
+def _import_from(node: ast.ImportFrom, reading: Reading) -> None:
+    module = "." * node.level + (node.module or "")
+    if module not in MODULES:
+        _no_module("from", module, reading)
+        return
+    for one in node.names:
+        bound = one.asname or one.name
+        if one.name == "*":
+            reading.refuse(f"from {module} import *", f"name what is taken, as in from {module} import sqrt", word="*")
+        elif one.name not in MODULES[module]:
+            _not_of(module, one.name, reading)
+        elif bound != one.name or bound not in reading.dialect.names:  # as `sin`, which Scenic has by that name, too
+            reading.bind(bound)
+
+
+def _no_module(how: str, name: str, reading: Reading) -> None:
+    why = NO_MODULE.get(name.partition(".")[0], f"of Python's modules a program may import {', '.join(MODULES)} alone")
+    reading.refuse(f"{how} {shown(name)}", why, word=name)
 
 
 # Loops and interrupts
@@ -401,6 +457,8 @@ RULES: dict[str, Callable[[Any, Reading], None]] = {
     "Attribute": _attribute,
     "Subscript": _subscript,
     "Call": _call,
+    "Import": _import,
+    "ImportFrom": _import_from,
     "Assign": _assign,
     "Expr": _expression,
     "BinOp": _operation,
@@ -446,6 +504,9 @@ TEXTS = frozenset(
         ("Constant", "value"),
         ("Attribute", "attr"),
         ("keyword", "arg"),
+        ("alias", "name"),
+        ("alias", "asname"),
+        ("ImportFrom", "module"),
         ("Model", "name"),
         ("parameter", "identifier"),
         ("New", "className"),

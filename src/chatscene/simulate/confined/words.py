@@ -31,9 +31,10 @@ _PYTHON_SYNTAX: tuple[type[ast.AST], ...] = (
     ast.List, ast.Slice, ast.Starred,
     ast.arguments, ast.arg, ast.IfExp, ast.BoolOp, ast.And, ast.Or, ast.UnaryOp, ast.USub, ast.UAdd,
     ast.Not, ast.BinOp, ast.Add, ast.Sub, ast.Mult, ast.Div, ast.FloorDiv, ast.Mod, ast.Pow, ast.Compare, ast.Eq,
-    ast.NotEq, ast.Lt, ast.LtE, ast.Gt, ast.GtE,
+    ast.NotEq, ast.Lt, ast.LtE, ast.Gt, ast.GtE, ast.Import, ast.ImportFrom, ast.alias,
 )  # fmt: skip
-# Of Python: arithmetic, conditions, loops. No functions, classes, comprehensions, imports or exceptions.
+# Of Python: arithmetic, conditions, loops, imports of what only computes. No functions, classes, comprehensions or
+# exceptions.
 
 # Of Scenic: placing things, behaviors, requirements, when to end. No simulators, recorders, nested scenarios.
 _SCENIC_SYNTAX = """
@@ -162,6 +163,25 @@ KINDS = {
 )
 """By kind of node: what a user calls it; the names of the parser mean nothing to him."""
 
+MODULES = {
+    "math": _set(
+        """
+        acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh degrees dist e erf erfc exp exp2 expm1 fabs
+        floor fmod frexp fsum gamma gcd hypot inf isclose isfinite isinf isnan ldexp lgamma log log10 log1p log2 modf
+        nan nextafter pi pow radians remainder sin sinh sqrt tan tanh tau trunc ulp
+        """
+    )
+}
+"""Modules that may be imported, and what may be taken of each: functions of numbers that keep nothing, reach nothing
+and always give the same, and constants. `factorial`, `comb`, `perm`, `prod`, `lcm` and `isqrt` are left out: they make
+or take whole numbers of any length."""
+
+NO_MODULE = {
+    "random": "numbers are drawn with Range, Uniform or Normal, by the seed of the scene",
+    "numpy": "it reads and writes files; use math, and lists",
+}
+"""What to say of modules that are often asked for and may not be imported."""
+
 PYTHON_NAMES = _set("abs bool float int len max min range round sum")
 """Of Python's own functions."""
 
@@ -200,7 +220,7 @@ PARAMETERS = {
 
 
 # What programs of the driving domain need besides. Functions and lambdas compute; no classes of Python's own, no
-# decorators, no imports, no exceptions.
+# decorators, no exceptions.
 _DRIVING_PYTHON: tuple[type[ast.AST], ...] = (
     ast.Lambda, ast.ListComp, ast.GeneratorExp, ast.comprehension, ast.In, ast.NotIn, ast.Is, ast.IsNot, ast.Dict,
     ast.Set, ast.Assert, ast.FunctionDef, ast.Return, ast.JoinedStr, ast.FormattedValue,
