@@ -372,6 +372,15 @@ def test_drives_are_spread_over_the_variants_and_which_are_judged_is_told(beside
         chatscene.verify(path, SLOWS_DOWN, param={"near": 12})
 
 
+def test_a_variant_that_cannot_be_imported_or_driven_is_told_and_the_others_are_judged(beside: Path) -> None:
+    verdict = chatscene.verify(variants(beside, sets("near", "20", "far", "30")), SLOWS_DOWN, draws=3)
+    assert [one.variant for one in verdict.draws] == [1, 1, 3]
+    assert re.match(r"NOT judged: variant 2 of .*values\.xosc, near = far: .* 'far' is no number", verdict.notes[0])
+    assert verdict.status == chatscene.verify(beside / "values.xosc", SLOWS_DOWN, draws=1, variant=1).status
+    with pytest.raises(ScenarioError, match=r"variant 1 of .*near = far"):
+        chatscene.verify(variants(beside, sets("near", "far", "away")), SLOWS_DOWN, draws=3)
+
+
 def test_a_few_of_many_variants_are_spread_over_all(beside: Path) -> None:
     done = import_scenario(variants(beside, STEPS.format(0.1)), at_most=3)
     assert (done.variants, done.count) == ((1, 68, 135), 201)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -23,7 +24,7 @@ def theirs(beside: Path) -> Path:
     (beside / "deep" / "b.xosc").write_text(scenario(map_name="../town.xodr"))
     (beside / "cars.xosc").write_text('<OpenSCENARIO><Catalog name="cars"/></OpenSCENARIO>')
     (beside / "gone.xosc").write_text(scenario(map_name="gone.xodr"))
-    both = '<DistributionSet><Element value="20"/><Element value="30"/></DistributionSet>'
+    both = '<DistributionSet><Element value="20"/><Element value="far"/><Element value="30"/></DistributionSet>'
     (beside / "values.xosc").write_text(
         '<OpenSCENARIO><ParameterValueDistribution><ScenarioFile filepath="a.xosc"/><Deterministic>'
         f'<DeterministicSingleParameterDistribution parameterName="near">{both}'
@@ -44,10 +45,10 @@ def test_a_folder_of_scenarios_becomes_a_folder_of_programs_and_each_file_has_a_
     assert "a catalog" in rows[1]
     assert "REFUSED: " in rows[3]
     assert "does not lie there" in rows[3]
-    assert "values-1.scenic and 1 more on map" in rows[4]
+    assert re.search(r"-1.scenic and 1 more, WITHOUT 1 variant: line \d+: .*'far' is no number.* on map", rows[4])
     assert rows[-1] == f"5 files: 3 became 4 programs in {out}, 1 were refused, 1 are catalogs"
     assert [str(one.relative_to(out)) for one in foreign_files(out)] == [
-        "a.scenic", "deep/b.scenic", "values-1.scenic", "values-2.scenic",
+        "a.scenic", "deep/b.scenic", "values-1.scenic", "values-3.scenic",
     ]  # fmt: skip
     assert all(read_foreign(one).program.source for one in foreign_files(out))
 
@@ -56,7 +57,8 @@ def test_the_rows_of_a_folder_are_json_too_and_nothing_is_overwritten(theirs: Pa
     arguments = ["import", str(theirs), "--out", str(theirs / "mine"), "--json"]
     rows = json.loads(CliRunner().invoke(main, arguments, catch_exceptions=False).output)
     assert [row["became"] for row in rows] == ["programs", "catalog", "programs", "refused", "programs"]
-    assert rows[4]["programs"] == ["values-1.scenic", "values-2.scenic"]
+    assert rows[4]["programs"] == ["values-1.scenic", "values-3.scenic"]
+    assert [one.startswith("variant 2 of ") for one in rows[4]["without"]] == [True]
     with pytest.raises(SettingsError, match="is no empty folder"):
         import_folder(theirs, theirs / "mine")
 

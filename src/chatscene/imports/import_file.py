@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from chatscene.errors import ForeignCodeRefused, ScenarioError, SettingsError
+from chatscene.errors import ForeignCodeRefused, MapError, ScenarioError, SettingsError
 from chatscene.files.atomic import write_whole
 from chatscene.imports.openscenario import Imported, ScenarioFile
 from chatscene.imports.stranger_xml import read_xml
@@ -32,6 +32,7 @@ class ImportedScenario:
         maps: The map of each of them.
         variants: The number of the variant of each of them; none where the file is one scenario.
         count: How many variants the file has.
+        refused: Why variants that were asked for became no program, one message each.
     """
 
     program: Path
@@ -41,6 +42,7 @@ class ImportedScenario:
     maps: tuple[Path, ...]
     variants: tuple[int, ...] = ()
     count: int = 0
+    refused: tuple[str, ...] = ()
 
     @property
     def command(self) -> str:
@@ -63,6 +65,7 @@ def import_scenario(
     at_most: int | None = None,
     given: Mapping[str, object] | None = None,
     within: Path | None = None,
+    partly: bool = False,
 ) -> ImportedScenario:
     """Write a scenario as a Scenic program; nothing of it is run.
 
@@ -77,9 +80,12 @@ def import_scenario(
         at_most: So many variants at most, spread over all of them; None for all, up to a hundred.
         given: Values of parameters in place of those in the file, by name: numbers, truth values or texts.
         within: The folder in which catalogs, scenario and map lie, if they may lie nowhere else.
+        partly: Whether variants that cannot be said are left out, and told (`ImportedScenario.refused`); else one of
+            them refuses all.
 
     Raises:
-        ScenarioError: It cannot be read, or says what cannot be said here; the message names each element and its line.
+        ScenarioError: It cannot be read, or says what cannot be said here, as does each of its variants; the message
+            names each element and its line.
         MapError: The map is not there, or is broken.
         SettingsError: A program is there already, cannot be written, or there is no such variant; nothing is written
             then.
@@ -106,18 +112,19 @@ def import_scenario(
         _free(one)
     scenario = ScenarioFile(found.scenario, map_name, ego=ego, within=within)
     scenario.check_declared(told)
-    made: dict[Path, _Program] = {}
-    for number, values in chosen.items():
-        try:
-            said = scenario.said({**told, **values}, found.spans)
-            made[where[number]] = _program(said, path, where[number])
-        except ScenarioError as error:
-            raise ScenarioError(f"variant {number} of {path}, {_said(values)}: {error}") from error
+    made, refused = _programs(
+        chosen, where, lambda values: scenario.said({**told, **values}, found.spans), path, partly
+    )
     every = f"{found.count} variants of {found.scenario.name}"
     if len(chosen) == 1:
         ((number, values),) = chosen.items()
         every = f"variant {number} of {found.count} of {found.scenario.name}: {_said(values)}"
-    return replace(_written(made, every, *found.notes), variants=tuple(chosen), count=found.count)
+    return replace(
+        _written(made, every, *found.notes),
+        variants=tuple(number for number in chosen if number not in refused),
+        count=found.count,
+        refused=tuple(refused.values()),
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,6 +161,31 @@ def _chosen(found: Variants, variant: int | None, at_most: int | None, path: Pat
     if not 1 <= variant <= found.count:
         raise SettingsError(f"{path} has variants 1 to {found.count}, and no {variant}")
     return {variant: found.number(variant)}
+
+
+def _programs(
+    chosen: Mapping[int, Mapping[str, str]],
+    where: Mapping[int, Path],
+    said: Callable[[Mapping[str, str]], Imported],
+    path: Path,
+    partly: bool,
+) -> tuple[dict[Path, _Program], dict[int, str]]:
+    """The programs of variants, and why others are none.
+
+    Raises:
+        ScenarioError: One cannot be said; where they may be left out, none can.
+        MapError: Its map is not there, or is broken.
+    """
+    made, refused = dict[Path, _Program](), dict[int, str]()
+    for number, values in chosen.items():
+        try:
+            made[where[number]] = _program(said(values), path, where[number])
+        except (ScenarioError, MapError) as error:
+            refused[number] = f"variant {number} of {path}, {_said(values)}: {error}"
+            if not partly or len(refused) == len(chosen):
+                kind = ScenarioError if isinstance(error, ScenarioError) else MapError
+                raise kind(next(iter(refused.values()))) from error
+    return made, refused
 
 
 def _said(values: Mapping[str, str]) -> str:

@@ -23,6 +23,7 @@ class ImportedFile:
         maps: The map of each, as ``--map`` takes it.
         notes: What was taken otherwise than it is written, or left to others.
         refused: Why it became none, all reasons with their lines; empty where it became one.
+        without: Why variants of it became none, where others did.
         catalog: Whether it is a catalog, which others refer to.
     """
 
@@ -31,6 +32,7 @@ class ImportedFile:
     maps: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     refused: str = ""
+    without: tuple[str, ...] = ()
     catalog: bool = False
 
     def as_dict(self) -> dict[str, Any]:
@@ -42,6 +44,7 @@ class ImportedFile:
             "maps": list(self.maps),
             "notes": list(self.notes),
             "refused": self.refused or None,
+            "without": list(self.without),
         }
 
     def __str__(self) -> str:
@@ -49,13 +52,19 @@ class ImportedFile:
         if self.catalog:
             return f"{self.file}: a catalog, read with the files that name it"
         if self.refused:
-            first, *more = self.refused.splitlines()
-            reasons = [line.strip() for line in more]
-            told = f"{reasons[0]}{f' and {len(reasons) - 1} more' * (len(reasons) > 1)}" if reasons else first
-            return f"{self.file}: REFUSED: {told}"
+            return f"{self.file}: REFUSED: {_first(self.refused)}"
         many = f" and {len(self.programs) - 1} more" * (len(self.programs) > 1)
+        if self.without:
+            many += f", WITHOUT {len(self.without)} variant{'s' * (len(self.without) != 1)}: {_first(self.without[0])}"
         noted = f", {len(self.notes)} note{'s' * (len(self.notes) != 1)}" * bool(self.notes)
         return f"{self.file}: {self.programs[0]}{many} on map {self.maps[0]}{noted}"
+
+
+def _first(refused: str) -> str:
+    """The first reason of a refusal, and how many there are besides."""
+    first, *more = refused.splitlines()
+    reasons = [line.strip() for line in more]
+    return f"{reasons[0]}{f' and {len(reasons) - 1} more' * (len(reasons) > 1)}" if reasons else first
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,7 +123,7 @@ def _row(
     try:
         if read_xml(path).find("Catalog") is not None:
             return ImportedFile(file=named, catalog=True)
-        done = import_scenario(path, out=program, map_name=map_name, ego=ego, within=within)
+        done = import_scenario(path, out=program, map_name=map_name, ego=ego, within=within, partly=True)
     except (ScenarioError, MapError, SettingsError) as error:
         return ImportedFile(file=named, refused=str(error))
     return ImportedFile(
@@ -122,4 +131,5 @@ def _row(
         programs=tuple(one.relative_to(out) for one in done.programs),
         maps=tuple(map(name_of, done.maps)),
         notes=done.notes,
+        without=done.refused,
     )

@@ -7,7 +7,7 @@ import re
 import shlex
 from pathlib import Path
 
-from chatscene.errors import ScenarioError
+from chatscene.errors import MapError, ScenarioError
 from chatscene.imports.catalogs import ABSOLUTE, lies_within, relative
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.stranger_xml import Element
@@ -27,6 +27,7 @@ class Maps:
     def __init__(self, root: Element, path: Path, map_name: str | None) -> None:
         self._logic, self._path, self._asked = root.find("RoadNetwork", "LogicFile"), path, map_name
         self._found: dict[str | None, Path] = {}
+        self._broken: dict[str | None, MapError | ScenarioError] = {}
 
     def of(self, given: Given) -> Path:
         """The map, where parameters have these values.
@@ -36,9 +37,15 @@ class Maps:
             MapError: The map is broken.
         """
         named = self._named(given) if self._asked is None else None
+        if named in self._broken:
+            raise self._broken[named]
         if named not in self._found:
-            found = resolve_map(self._asked or "") if named is None else _map_at(named, self._path, given)
-            load_network(found)  # whatever is the matter with the map, is no fault of a place in the file
+            try:
+                found = resolve_map(self._asked or "") if named is None else _map_at(named, self._path, given)
+                load_network(found)  # whatever is the matter with the map, is no fault of a place in the file
+            except (MapError, ScenarioError) as error:
+                self._broken[named] = error
+                raise
             self._found[named] = found
         found = self._found[named]
         if self._logic and named is not None and found == carla_town(found.stem):

@@ -12,7 +12,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from chatscene.ego.policy import fitted, load_ego
-from chatscene.errors import MapError
+from chatscene.errors import ChatSceneError, MapError, ProgramError, StuckBehavior
 from chatscene.maps.network import PACKAGED, TOWN, resolve_map
 from chatscene.measure.avoidability import avoidable
 from chatscene.measure.unplayed import unplayed
@@ -54,8 +54,10 @@ def watch_program(path: Path, settings: VerifySettings) -> Watching:
 def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
     """Drives of a file of OpenSCENARIO, as the program that it is imported as; of a file of variants as those.
 
+    A variant that cannot be imported or driven is told, and the others are judged.
+
     Raises:
-        ScenarioError: It cannot be read, or says what cannot be said here.
+        ScenarioError: It cannot be read, or says what cannot be said here, as does each of its variants.
         SettingsError: It has no such variant, or declares no such parameter.
     """
     from chatscene.imports.import_file import import_scenario
@@ -70,6 +72,7 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
             at_most=settings.draws,
             given=settings.given,
             within=within,
+            partly=True,
         )
         parts = list[_Part]()
         shares = _shares(settings.draws, len(made.programs))
@@ -79,7 +82,12 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
             own = read_foreign(program, searched_with=False)
             # Resolved, since it is read in a process that works elsewhere.
             parts.append(_Part(replace(own, map_path=lies.resolve()), numbers, variant))
-    notes = (f"{settings.ego or EGO} drives the ego", *made.notes, *_variants(parts, made.count, settings.variant))
+    notes = (
+        *map(_not_judged, made.refused),
+        f"{settings.ego or EGO} drives the ego",
+        *made.notes,
+        *_variants(parts, made.count, settings.variant),
+    )
     return _watched(parts, "OpenSCENARIO file", settings, notes)
 
 
@@ -90,6 +98,10 @@ class _Part:
     own: ForeignProgram
     drives: range
     variant: int = 0
+
+    def scene(self, drive: int) -> str:
+        """The name of the scene of a drive."""
+        return f"{self.own.program.scenario_id}/route-00/draw-{drive:03d}"
 
 
 def _shares(drives: int, programs: int) -> list[range]:
@@ -108,24 +120,27 @@ def _variants(parts: Sequence[_Part], count: int, chosen: int) -> Iterator[str]:
         yield f"judged, with how many drives, of {count} variants: {told}{others}"
 
 
+def _not_judged(refused: str) -> str:
+    """Why a variant is not judged, in one line."""
+    return f"NOT judged: {' '.join(line.strip() for line in refused.splitlines())}"
+
+
 def _watched(parts: Sequence[_Part], kind: str, settings: VerifySettings, notes: Sequence[str]) -> Watching:
-    """Drives of programs, each on the first of its maps that has what it asks for."""
-    trying, ran, more = _Trying(settings), dict[str, Path](), list[str]()
+    """Drives of programs, each on the first of its maps that has what it asks for.
+
+    Of several, one that has none or does not run is told; where all are such, the error is that of the first.
+    """
+    trying, ran, more, lost = _Trying(settings), dict[str, Path](), list[str](), list[ChatSceneError]()
     for part in parts:
         maps, told = _maps(part.own, settings)
         more += told
-        for number, map_path in enumerate(maps, 1):
-            simulator = _simulator(map_path, settings)
-            with closing(simulator) if isinstance(simulator, ConfinedSimulator) else nullcontext():
-                try:
-                    if not part.own.program.drawn:
-                        simulator.route(part.own.program, 0)
-                except MapError:
-                    if number == len(maps):
-                        raise
-                    continue
-                ran |= dict.fromkeys(trying.drive(part, simulator), map_path)
-                break
+        try:
+            _drive(part, maps, trying, settings, ran)
+        except (MapError, ProgramError, StuckBehavior) as error:
+            lost.append(error)
+            if len(lost) == len(parts):
+                raise lost[0] from None
+            more.append(_not_judged(f"variant {part.variant}: {error}"))
     where = [f"on map {stem}" for stem in dict.fromkeys(one.stem for one in ran.values())]
     return Watching(
         kind=kind,
@@ -134,6 +149,29 @@ def _watched(parts: Sequence[_Part], kind: str, settings: VerifySettings, notes:
         notes=tuple(dict.fromkeys((*notes, *more, *where, *trying.notes()))),
         drawing=partial(_drawing, ran),
     )
+
+
+def _drive(part: _Part, maps: Sequence[Path], trying: _Trying, settings: VerifySettings, ran: dict[str, Path]) -> None:
+    """Make the drives of a program, on the first map that has what it asks for, and note the map by their names.
+
+    Raises:
+        MapError: No map has it.
+        ProgramError: It does not compile, or its own code fails.
+        StuckBehavior: It does not come to its end.
+    """
+    for number, map_path in enumerate(maps, 1):
+        simulator = _simulator(map_path, settings)
+        with closing(simulator) if isinstance(simulator, ConfinedSimulator) else nullcontext():
+            try:
+                if not part.own.program.drawn:
+                    simulator.route(part.own.program, 0)
+            except MapError:
+                if number == len(maps):
+                    raise
+                continue
+            ran |= {part.scene(drive): map_path for drive in part.drives}
+            trying.drive(part, simulator)
+            return
 
 
 def _maps(own: ForeignProgram, settings: VerifySettings) -> tuple[list[Path], tuple[str, ...]]:
@@ -162,15 +200,14 @@ class _Trying:
         self.drives, self.rejected = list[Watched](), list[str]()
         self._spent, self._tried, self._draws = 0.0, 0, 0
 
-    def drive(self, part: _Part, simulator: Simulator) -> list[str]:
-        """Make the drives of a program, and name its scenes."""
-        program, scenes = part.own.program, list[str]()
+    def drive(self, part: _Part, simulator: Simulator) -> None:
+        """Make the drives of a program."""
+        program = part.own.program
         ego = fitted(self._ego, program)
         for number in part.drives:
-            name = f"{program.scenario_id}/route-00/draw-{number:03d}"
-            scenes.append(name)
+            name = part.scene(number)
             if self._over():
-                continue
+                return
             self._tried += 1
             seed = scene_seed(self._settings.seed, name)
             values = draw(program.parameters, seed=seed)
@@ -192,7 +229,6 @@ class _Trying:
                     variant=part.variant,
                 )
             )
-        return scenes
 
     def notes(self) -> Iterator[str]:
         """How many draws met no requirement, and whether it was stopped."""
