@@ -8,6 +8,7 @@ import runpy
 import subprocess
 import sys
 import tomllib
+from fnmatch import fnmatch
 from functools import partial
 from typing import Any
 
@@ -28,6 +29,13 @@ IMPORTED = re.compile(r"^\s*(?:from|import|model)\s+chatscene\.(\w+)", re.MULTIL
 )
 def test_the_world_model_imports_what_lies_below_it(path: Any) -> None:
     assert set(IMPORTED.findall(path.read_text(encoding="utf-8"))) <= UNDER_THE_WORLD
+
+
+def test_pytest_passes_over_no_folder_with_tests(pytestconfig: pytest.Config) -> None:
+    tests = ROOT / "tests"
+    folders = {part for path in tests.rglob("test_*.py") for part in path.relative_to(tests).parts[:-1]}
+    passed_over = pytestconfig.getini("norecursedirs")
+    assert not [folder for folder in folders if any(fnmatch(folder, pattern) for pattern in passed_over)]
 
 
 def test_snippets_import_nothing() -> None:

@@ -11,7 +11,7 @@ from chatscene.build.gaps import LOSES
 from chatscene.build.naming import name_of
 from chatscene.build.place import NEXT_LANE
 from chatscene.terms.situation import Other
-from chatscene.terms.vocabulary import Act, Part, Side, Striker, Where
+from chatscene.terms.vocabulary import Act, Facing, Part, Side, Striker, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -114,6 +114,6 @@ def sign_of_side(actor: Actor, k: int) -> str:
         return str(-sign if toward else sign)
     if toward:
         return "1"
-    if actor.stand.meets is Meets.ALONG:
-        return "-1" if actor.one.starts.side is Side.LEFT else "1"
-    return "(-1 if offsetFrom(egoRoute, self) > 0 else 1)"
+    start = actor.one.starts  # by its side there, not by where it is then: once over the middle it would turn round
+    against = actor.stand.meets is Meets.KERB and start.facing is Facing.AGAINST
+    return "-1" if (start.side is Side.LEFT) is not against else "1"

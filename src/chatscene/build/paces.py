@@ -240,7 +240,8 @@ def _said_speed(actor: Actor, k: int, steps: Steps, body: Body) -> tuple[str, tu
             low, high = body.wish_for(low), body.wish_for(high)
             numbers.narrow(own, low, high)
         return own, (low, high)
-    if deed.manner in PACES and deed.act in SIDEWAYS:
+    aside = deed.act in SIDEWAYS or (deed.act is Act.ENTER and actor.stand.meets is Meets.ALONG)
+    if deed.manner in PACES and aside:
         return own, None  # it goes aside at the speed that it has
     if deed.manner in PACES and deed.speed is None and bound and steps.pace is Pace.KEEPS:
         actor.ledger.take(f"{at}.manner")
