@@ -62,7 +62,7 @@ def _python() -> str:
 
 
 def _packages() -> str:
-    names = ("chatscene", "scenic", "numpy", "pyarrow", "onnxruntime")
+    names = ("chatscene", "scenic", "numpy", "pyarrow", "onnxruntime", "faiss-cpu")
     return ", ".join(f"{name} {importlib.metadata.version(name)}" for name in names)
 
 

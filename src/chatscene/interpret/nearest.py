@@ -11,6 +11,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.interpret.vector_index import VectorIndex, build_cached
 from chatscene.interpret.wording_index import WordingIndex
 from chatscene.library.load import Library
 from chatscene.models.encoders.embedding import Embedder, Vectors, encode_cached
@@ -43,12 +44,20 @@ def nearest(
 
 def cosines(text: str, snippets: tuple[Snippet, ...], embedder: Embedder) -> NDArray[np.float64]:
     """(N,) the cosine of a text and the description of each snippet."""
-    return (_descriptions(snippets, embedder) @ embedder.encode([text])[0]).astype(np.float64)
+    return _descriptions(snippets, embedder).cosines(embedder.encode([text])).astype(np.float64)
+
+
+@lru_cache(maxsize=4)
+def _wordings(snippets: tuple[Snippet, ...], embedder: Embedder) -> tuple[Vectors, NDArray[np.intp]]:
+    """(R, D) all that snippets are described by, and (R,) whose each row is."""
+    texts = [(s.description, *s.rephrasings) for s in snippets]
+    owners = np.repeat(np.arange(len(texts)), [len(each) for each in texts])
+    return encode_cached(embedder, [text for each in texts for text in each]), owners
 
 
 @lru_cache(maxsize=16)
-def _descriptions(snippets: tuple[Snippet, ...], embedder: Embedder) -> Vectors:
-    return encode_cached(embedder, [s.description for s in snippets])
+def _descriptions(snippets: tuple[Snippet, ...], embedder: Embedder) -> VectorIndex:
+    return build_cached(encode_cached(embedder, [s.description for s in snippets]))
 
 
 @lru_cache(maxsize=16)
