@@ -119,7 +119,7 @@ def situations(seed: int) -> Iterator[tuple[str, Situation]]:
 
 def _read(sentence: str) -> Situation | None:
     try:
-        return read_in(sentence, RetrievalSettings())[1].situation
+        return read_in(sentence, RetrievalSettings()).situation
     except NothingFits:
         return None
 

@@ -40,6 +40,7 @@ from chatscene.errors import ChatSceneError, SettingsError
 from chatscene.maps.network import PACKAGED, resolve_map
 from chatscene.program.sample import draw, scene_seed
 from chatscene.settings import EGO, SimulationSettings, VerifySettings
+from chatscene.simulate.confined.plain_text import TRUST
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.situations.file import read_file
 from chatscene.terms.scene import Rejected, Scene
@@ -90,7 +91,7 @@ def judged(task: Task, answer: Path | None, settings: VerifySettings) -> Row:
     """What an answer comes to; None is none."""
     row = Row(id=task.id, split=task.split, by=task.by, outcome=Outcome.MISSING, key=key_of(task, answer, settings))
     if answer is None:
-        return row
+        return replace(row, why=(f"there is no {task.id}{', '.join(PROGRAMS)}, {' or '.join(SITUATIONS)}",))
     asked = Asked(situation=task.facts)
     try:
         if answer.suffix.lower() in SITUATIONS:
@@ -265,8 +266,8 @@ def in_words(counts: dict[str, dict[str, Any]]) -> Iterator[str]:
 
 
 def _line(error: Exception, folder: Path) -> str:
-    """An error in a line that does not say where the answers lie."""
-    said = str(error)
+    """An error in a line that does not say where the answers lie; that one may trust it is no advice here."""
+    said = str(error).removesuffix(TRUST).rstrip()
     for at in (folder, folder.resolve()):
         said = said.replace(f"{at}/", "")
     return " ".join(said.split())[:300]
@@ -276,6 +277,12 @@ def _line(error: Exception, folder: Path) -> str:
 @click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path))
 @click.option("--tasks", "path", type=click.Path(exists=True, dir_okay=False, path_type=Path), default=TASKS)
 @click.option("--split", "splits", multiple=True, help="Only tasks of this source; may be given several times.")
+@click.option(
+    "--texts",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    help="Only tasks of this file, which tasks.py printed: those whose text your system saw.",
+)
+@click.option("--task", "names", multiple=True, help="Only the task of this id; may be given several times.")
 @click.option("--limit", type=click.IntRange(1), help="Only that many tasks of each source, the first.")
 @click.option("--draws", default=DRAWS, show_default=True, help="Drives of each answer.")
 @click.option("--seed", default=0, show_default=True)
@@ -283,10 +290,13 @@ def _line(error: Exception, folder: Path) -> str:
 @click.option("--out", type=click.Path(dir_okay=False, path_type=Path), help="The rows; else FOLDER/../NAME.rows.jsonl")
 @click.option("--json", "as_json", is_flag=True, help="The table as JSON.")
 @click.option("--why", is_flag=True, help="A line for each that is not right.")
+@click.option("--at-least", type=click.FloatRange(0, 1), help="Leave with status 1 if the score is below.")
 def main(
     folder: Path,
     path: Path,
     splits: tuple[str, ...],
+    texts: Path | None,
+    names: tuple[str, ...],
     limit: int | None,
     draws: int,
     seed: int,
@@ -294,13 +304,22 @@ def main(
     out: Path | None,
     as_json: bool,
     why: bool,
+    at_least: float | None,
 ) -> None:
     """Score the answers in FOLDER."""
-    asked = [task for task in tasks(path) if not splits or task.split in splits]
+    every = tasks(path)
+    if unknown := set(names) - {task.id for task in every}:
+        raise click.UsageError(f"there is no task {min(unknown)}; tasks.py prints the ids")
+    asked = [task for task in every if (not splits or task.split in splits) and (not names or task.id in names)]
+    if texts is not None:
+        seen = {json.loads(line)["id"] for line in texts.read_text(encoding="utf-8").splitlines()}
+        asked = [task for task in asked if task.id in seen]
     if limit is not None:
         asked = first_of_each(asked, limit)
     if not asked:
         raise click.UsageError("there is no such task; leave out --split, or see tasks.py for the splits")
+    if strangers := sorted(answers(folder).keys() - {task.id for task in every}):
+        click.echo(f"{len(strangers)} files answer no task: their names are no ids, such as {strangers[0]}", err=True)
     within = folder.resolve()
     settings = VerifySettings(draws=draws, seed=seed, within=str(within))
     rows = scored(
@@ -316,6 +335,8 @@ def main(
     for row in rows if why else ():
         if row.outcome is not Outcome.RIGHT:
             click.echo(f"{row.outcome} {row.id}: {'; '.join(row.why)}", err=as_json)
+    if at_least is not None and counts["all"]["score"] < at_least:
+        raise SystemExit(1)
 
 
 def first_of_each(asked: Iterable[Task], limit: int) -> list[Task]:

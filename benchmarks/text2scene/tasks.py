@@ -3,9 +3,11 @@
     python benchmarks/text2scene/tasks.py > texts.jsonl
     python benchmarks/text2scene/tasks.py --clones FOLDER > texts.jsonl
 
-prints the id and the text of each task, for the system that is to be measured. A text lies in a file of this
-repository, or in a public repository at a commit: these are read from clones in FOLDER, named as on GitHub without the
-owner. Texts whose clone is missing are left out, and how many is told.
+    python benchmarks/text2scene/tasks.py --each FOLDER
+
+prints the id and the text of each task, for the system that is to be measured, or writes a file of each. A text
+lies in a file of this repository, or in a public repository at a commit: these are read from clones in FOLDER, named
+as on GitHub without the owner. Texts whose clone is missing are left out, and how many is told.
 """
 
 from __future__ import annotations
@@ -113,7 +115,7 @@ def _shown(clones: Path | None, repository: str, commit: str, path: str) -> str:
     """
     name = repository.rpartition("/")[2]
     if clones is None or not (clones / name).exists():
-        raise NoTextError(f"{path} is in a clone of https://github.com/{repository}; give --clones, a folder with it")
+        raise NoTextError(f"in a clone of https://github.com/{repository}; give --clones, a folder with it")
     asked = ["git", "-C", str(clones / name), "show", f"{commit}:{path}"]
     made = subprocess.run(asked, capture_output=True, text=True, encoding="utf-8", check=False)
     if made.returncode != 0:
@@ -133,12 +135,20 @@ def texts(clones: Path | None, missing: Counter[str]) -> Iterator[tuple[Task, st
 @click.command()
 @click.option("--clones", type=click.Path(exists=True, file_okay=False, path_type=Path))
 @click.option("--split", "splits", multiple=True, help="Only those of this source; may be given several times.")
-def main(clones: Path | None, splits: tuple[str, ...]) -> None:
+@click.option("--each", type=click.Path(file_okay=False, path_type=Path), help="A folder for a file of each task.")
+def main(clones: Path | None, splits: tuple[str, ...], each: Path | None) -> None:
     """Print the id and the text of each task."""
     missing = Counter[str]()
+    if each is not None:
+        each.mkdir(parents=True, exist_ok=True)
     for task, text in texts(clones, missing):
-        if not splits or task.split in splits:
-            click.echo(json.dumps({"id": task.id, "split": task.split, "text": text}, ensure_ascii=False))
+        if splits and task.split not in splits:
+            continue
+        line = json.dumps({"id": task.id, "split": task.split, "text": text}, ensure_ascii=False)
+        if each is None:
+            click.echo(line)
+        else:
+            (each / f"{task.id}.json").write_text(f"{line}\n", encoding="utf-8")
     for why, number in missing.items():
         click.echo(f"{number} left out: {why}", err=True)
 

@@ -175,3 +175,35 @@ def score(bench: dict[str, Any], answers: Path, listed: Path) -> Result:
     made = CliRunner().invoke(bench["score"].main, asked, catch_exceptions=False)
     assert made.exit_code == 0, made.output
     return made
+
+
+def test_the_answers_that_the_card_shows_are_right(bench: dict[str, Any], tmp_path: Path) -> None:
+    card = (HERE / "README.md").read_text(encoding="utf-8")
+    for kind, at in (("scenic", "```scenic\n"), ("yaml", "```yaml\n")):
+        folder = tmp_path / kind
+        folder.mkdir()
+        (folder / f"kept-second-101.{kind}").write_text(card.split(at)[1].split("```")[0], encoding="utf-8")
+        asked = [str(folder), "--task", "kept-second-101", "--draws", "1", "--jobs", "1", "--at-least", "1"]
+
+        assert CliRunner().invoke(bench["score"].main, asked).exit_code == 0
+
+
+def test_a_harness_gets_a_file_of_each_task_and_a_status_of_one(bench: dict[str, Any], tmp_path: Path) -> None:
+    made = CliRunner().invoke(bench["tasks"].main, ["--split", "kept", "--split", "paf", "--each", str(tmp_path / "t")])
+    answers = tmp_path / "answers"
+    answers.mkdir()
+    (answers / "kept_004.yaml").write_text("version: 1\n", encoding="utf-8")
+    one, *others = sorted((tmp_path / "t").iterdir())
+
+    assert "left out: in a clone of https://github.com/una-auxme/paf" in made.stderr
+    assert len(others) + 1 == sum(row["split"] == "kept" for row in rows())
+    assert json.loads(one.read_text(encoding="utf-8")).keys() == {"id", "split", "text"}
+    texts = tmp_path / "texts.jsonl"
+    texts.write_text(one.read_text(encoding="utf-8"), encoding="utf-8")
+    scored = CliRunner().invoke(
+        bench["score"].main, [str(answers), "--texts", str(texts), "--at-least", "0.5", "--why", "--jobs", "1"]
+    )
+    assert scored.exit_code == 1
+    assert "| all | 1 | 0 | 0 | 0 | 0 | 1 | 0.0% |" in scored.stdout
+    assert f"missing {one.stem}: there is no {one.stem}.scenic" in scored.stdout
+    assert "1 files answer no task: their names are no ids, such as kept_004" in scored.stderr
