@@ -17,9 +17,7 @@ import pytest
 
 import chatscene
 from chatscene import api
-from chatscene.commands import main as cli
-from chatscene.commands.finetune import finetune
-from chatscene.commands.proposal import describe
+from chatscene.commands.main import main
 from chatscene.errors import ChatSceneError, NothingFits, RunError, SettingsError
 from chatscene.report.viewer import write_report
 from chatscene.studies.evaluation import Evaluated
@@ -82,19 +80,22 @@ def test_the_package_says_that_it_is_typed() -> None:
     assert (Path(chatscene.__file__).parent / "py.typed").is_file()
 
 
-COMMANDS: dict[str, tuple[click.Command, dict[str, str]]] = {
-    # The words that differ: where the command prints or names a folder, a function takes a place or gives a noun.
-    "run": (cli.run, {"out": "folder", "map_name": "map"}),
-    "explain": (cli.explain, {}),
-    "describe": (describe, {"count": "n"}),
-    "resume": (cli.resume, {}),
-    "replay": (cli.replay, {}),
-    "evaluate": (cli.evaluate, {"out": "folder", "egos": "ego", "every_scene": "all"}),
-    "export": (cli.export, {}),
-    "import_scenario": (cli.import_scenario, {"map_name": "map"}),
-    "finetune": (finetune, {"out": "folder", "sources": "scenes"}),
-    "train": (cli.train, {"out": "folder", "map_name": "map", "round_": "round"}),
+# The words that differ: where the command prints or names a folder, a function takes a place or gives a noun.
+WORDS: dict[str, dict[str, str]] = {
+    "run": {"out": "folder", "map_name": "map"},
+    "explain": {},
+    "describe": {"count": "n"},
+    "resume": {},
+    "replay": {},
+    "why": {},
+    "verify": {},
+    "evaluate": {"out": "folder"},
+    "export": {},
+    "import_scenario": {"map_name": "map"},
+    "finetune": {"out": "folder", "sources": "scenes"},
+    "train": {"out": "folder", "map_name": "map", "round_": "round"},
 }
+COMMANDS = {verb: (main.commands[verb.removesuffix("_scenario")], words) for verb, words in WORDS.items()}
 
 
 @pytest.mark.parametrize("verb", COMMANDS)

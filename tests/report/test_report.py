@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageChops, ImageColor
 
 from chatscene import runs
-from chatscene.commands import main as cli
+from chatscene.commands.main import main
 from chatscene.ego.observation import IN_WORDS, OBSERVATIONS
 from chatscene.ego.policy import EGOS, in_words, load_ego, observation_of, senses_of
 from chatscene.errors import RunError
@@ -371,7 +371,7 @@ def _caught(words: Sequence[str], monkeypatch: pytest.MonkeyPatch) -> dict[str, 
 
     monkeypatch.setattr(runs, "asked_run", ask)
     with suppress(SystemExit):
-        cli.main.main(words, standalone_mode=False)
+        main.main(words, standalone_mode=False)
     return caught
 
 
@@ -393,7 +393,8 @@ def _other(option: click.Option) -> list[str]:
 
 
 NOT_OF_THE_SCENES = {"out", "jobs", "executor", "as_json", "program", "report", "trust", "as_written", "param"}
-OPTIONS_OF_RUN = [p for p in cli.run.params if isinstance(p, click.Option) and p.name not in NOT_OF_THE_SCENES]
+RUN = main.commands["run"]
+OPTIONS_OF_RUN = [p for p in RUN.params if isinstance(p, click.Option) and p.name not in NOT_OF_THE_SCENES]
 
 
 @pytest.mark.parametrize("option", OPTIONS_OF_RUN, ids=lambda option: option.name)

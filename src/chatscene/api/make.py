@@ -114,7 +114,7 @@ def run(
         program is not None,
         told=isinstance(text, Situation),
         driven=trust or as_written or bool(param),
-        changed=edit is not None or bool(set),
+        changed=bool(edit) or bool(set),
         reading=reading or 0,
     )
     settings = settings or Settings(simulation=SimulationSettings(simulator=SIMULATOR))

@@ -8,7 +8,8 @@ from typing import Unpack
 
 import click
 
-from chatscene.commands.library import JSON, MAP_WITH_SITE, READING, WORKERS, Reading, console, progress, say
+from chatscene.commands.options import JSON, MAP_WITH_SITE, READING, SEED, WORKERS, Reading
+from chatscene.commands.output import console, progress, say
 
 
 @click.command()
@@ -34,7 +35,7 @@ from chatscene.commands.library import JSON, MAP_WITH_SITE, READING, WORKERS, Re
     help="By name, file or package.module:factory; repeat. Runs have the first.  [default: sac, idm]",
 )
 @MAP_WITH_SITE
-@click.option("--seed", default=0, show_default=True, help="Seed of everything random.")
+@SEED
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.metadata
+import json
 import platform
 import sys
 import tempfile
@@ -11,6 +12,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+import click
+
+from chatscene.commands.options import JSON, MAP
+from chatscene.commands.output import say
 from chatscene.errors import ChatSceneError, SandboxError
 from chatscene.settings import SearchSettings, Settings
 
@@ -28,6 +33,36 @@ class Check:
     what: str
     ok: bool
     found: str
+
+
+@click.command()
+@click.option("--simulator", default="", help="Check this simulator against the default one, such as carla:HOST:PORT.")
+@MAP
+@JSON
+def doctor(simulator: str, map_name: str, as_json: bool) -> None:
+    """Check this installation: versions, encoder, library, map, one simulated scene. Or check a simulator.
+
+    A simulator is asked what it is, drives one scene twice, and drives ten that are compared with the default's.
+
+    \b
+    chatscene doctor
+    chatscene doctor --simulator carla --map Town04.xodr
+    """
+    if simulator:
+        from chatscene.commands.simulator_check import examine_simulator
+
+        trying = examine_simulator(simulator, map_name)
+    else:
+        trying = iter(examine())
+    checks: list[Check] = []
+    for check in trying:
+        checks.append(check)
+        if not as_json:
+            say(f"{'ok  ' if check.ok else 'FAIL'}  {check.what:<28} {check.found}")
+    if as_json:
+        say(json.dumps([{"what": c.what, "ok": c.ok, "found": c.found} for c in checks], indent=1))
+    if not all(check.ok for check in checks):
+        sys.exit(1)
 
 
 def examine() -> tuple[Check, ...]:

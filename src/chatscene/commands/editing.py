@@ -6,37 +6,19 @@ import json
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Unpack
+from typing import TYPE_CHECKING, Any, Unpack
 
 import click
 
-from chatscene.commands.library import (
-    AGAIN,
-    JSON,
-    MAP_WITH_SITE,
-    READING,
-    WORKERS,
-    Again,
-    Reading,
-    console,
-    progress,
-    say,
-)
+from chatscene.commands.options import AGAIN, EGO_OPTION, JSON, MAP_WITH_SITE, READING, SEED, WORKERS, Reading
+from chatscene.commands.output import progress, say
+from chatscene.commands.situations import say_understood
 from chatscene.errors import ChatSceneError, NothingFits
-from chatscene.settings import EGO
 
 if TYPE_CHECKING:
     from chatscene.api import Run
     from chatscene.report.stated import Changed
     from chatscene.talk import Shown, Undone
-
-EDITS = click.option(
-    "--edit",
-    multiple=True,
-    default=(),
-    metavar="EDIT",
-    help="Apply an edit to TEXT, such as 'at night'. Repeatable; applied in order.",
-)
 
 
 @click.command()
@@ -62,7 +44,7 @@ def edit(
     jobs: int,
     executor: str,
     as_json: bool,
-    **again: Unpack[Again],
+    **again: Any,
 ) -> None:
     """Change what EDIT names in the situation of RUN, show the difference, and run it with the same settings.
 
@@ -78,10 +60,7 @@ def edit(
 
     if undo == (text is not None):
         raise click.UsageError("say what to change, as an EDIT, or --undo")
-    run = api.Run(
-        folder,
-        **again,
-    )
+    run = api.Run(folder, **again)
     if text is None:
         say(json.dumps({"folder": str(run.edited_from.folder)}) if as_json else str(run.edited_from.folder))
         return
@@ -97,9 +76,9 @@ def edit(
 
 @click.command()
 @MAP_WITH_SITE
-@click.option("--ego", default=EGO, show_default=True, help="An ego by name, file or package.module:factory.")
+@EGO_OPTION
 @click.option("--scenes", default=50, show_default=True, help="Simulations per run.")
-@click.option("--seed", default=0, show_default=True, help="Seed of everything random.")
+@SEED
 @READING
 def chat(map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpack[Reading]) -> None:
     """Talk about a situation: the first line says it, each further line changes it.
@@ -129,17 +108,12 @@ def chat(map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpa
 
 def _tell(heard: Shown | Changed | Undone | Run) -> None:
     """Say what came of a line."""
-    from chatscene.report.stated import Stated
-    from chatscene.report.terminal import print_understanding
     from chatscene.talk import Shown, Undone
 
     match heard:
         case Shown():
             say(f"now: {heard.understood.told}")
-            if isinstance(heard.understood, Stated):
-                say(str(heard.understood))
-            else:
-                print_understanding(console(), heard.understood, show_program=False)
+            say_understood(heard.understood, program=False)
         case Undone():
             say(f"undone: {heard.edit}")
         case _:

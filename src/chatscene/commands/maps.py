@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chatscene.commands.library import JSON, console, say
+from chatscene.commands.options import JSON
+from chatscene.commands.output import console, say
 from chatscene.errors import MapError, SettingsError
 
 if TYPE_CHECKING:

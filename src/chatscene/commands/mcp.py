@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from chatscene.commands.library import say
+from chatscene.commands.output import say
 
 
 @click.command()

@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 import click
 
-from chatscene.commands.library import COMPONENT, JSON, READING, Reading, progress, say
+from chatscene.commands.library import COMPONENT
+from chatscene.commands.options import JSON, READING, Reading
+from chatscene.commands.output import progress, say
 from chatscene.settings import OFFLINE
 
 if TYPE_CHECKING:

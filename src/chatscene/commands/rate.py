@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Unpack
+from typing import Any
 
 import click
 
-from chatscene.commands.library import DRIVEN_AGAIN, JSON, WORKERS, DrivenAgain, progress, say
+from chatscene.commands.options import DRIVEN_AGAIN, JSON, WORKERS
+from chatscene.commands.output import progress, say
 from chatscene.settings import EGO
 
 FIRST_LOOK = 20  # scenes of a run that is made only to have its situation rated
@@ -41,7 +42,7 @@ def rate(
     jobs: int,
     executor: str,
     as_json: bool,
-    **again: Unpack[DrivenAgain],
+    **again: Any,
 ) -> None:
     """Say how often the situation of a run ends in a crash, and in an avoidable one, if it comes about.
 

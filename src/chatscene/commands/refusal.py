@@ -8,7 +8,7 @@ import sys
 from collections.abc import Generator
 from contextlib import contextmanager
 
-from chatscene.commands.library import say
+from chatscene.commands.output import say
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 from chatscene.report.refused import refusal, suggested
 

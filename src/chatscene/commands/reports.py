@@ -4,28 +4,21 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import click
 
-from chatscene.commands.library import Chosen, console, progress, say
+from chatscene.commands.output import progress, say
 from chatscene.commands.refusal import REFUSED, refuse, refusing
-from chatscene.commands.situations import say_stated
+from chatscene.commands.situations import say_understood
 from chatscene.errors import MeansSomethingElse, NothingFits
 from chatscene.report.refused import refusal
 from chatscene.terms.conflict import Conflict
 
-REPORT = click.option(
-    "--report",
-    type=click.Path(path_type=Path),
-    default=None,
-    metavar="FILE",
-    help="A report of any length, in place of TEXT: a narrative, or several.",
-)
 
-
-def found_in(report: Path, reading: Chosen, as_json: bool) -> tuple[Conflict, ...]:
+def found_in(report: Path, reading: Mapping[str, Any], as_json: bool) -> tuple[Conflict, ...]:
     """The conflicts of a report, and a word on what it is read as; ends with status 3 if there is none."""
     from chatscene import api
 
@@ -49,18 +42,16 @@ def in_words(found: tuple[Conflict, ...]) -> list[str]:
     return [*lines, *(f"  left out: {passage}" for passage in first.left_out)]
 
 
-def explain_report(report: Path, reading: Chosen, *, edit: tuple[str, ...], program: bool, as_json: bool) -> None:
+def explain_report(report: Path, reading: Mapping[str, Any], *, program: bool, as_json: bool) -> None:
     """Show how each conflict of a report is understood; ends with status 3 if one is refused."""
     from chatscene import api
-    from chatscene.report.stated import Stated
-    from chatscene.report.terminal import print_understanding
 
     found = found_in(report, reading, as_json)
     told: list[dict[str, Any]] = []
     refused = False
     for one in found:
         try:
-            understood = api.explain(one, edit=edit, **reading)
+            understood = api.explain(one, **reading)
         except (NothingFits, MeansSomethingElse) as error:
             refused = True
             if as_json:
@@ -72,10 +63,7 @@ def explain_report(report: Path, reading: Chosen, *, edit: tuple[str, ...], prog
         told.append(understood.as_dict())
         if not as_json:
             say(f"\n{one.number}  {one.text}\n")
-            if isinstance(understood, Stated):
-                say_stated(understood, program=program)
-            else:
-                print_understanding(console(), understood, show_program=program)
+            say_understood(understood, program=program)
     if as_json:
         say(json.dumps({"report": found[0].report, "left_out": found[0].left_out, "conflicts": told}, indent=1))
     if refused:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from chatscene.commands.library import JSON, PHYSICS_OPTION, WORKERS, progress, say
+from chatscene.commands.options import AVOIDABLE, JSON, NEW_FOLDER, PHYSICS_OPTION, SEED, WORKERS
+from chatscene.commands.output import progress, say
 
 if TYPE_CHECKING:
     from chatscene.studies.reproduce import Reproduced
@@ -24,28 +25,16 @@ ALL = "all"
     show_default=True,
     help="'small': minutes; 'paper': as many simulations per method as in the paper; 'reference': each method's own.",
 )
-@click.option("--avoidable", is_flag=True, help="Keep only crashes that a careful driver would have avoided.")
+@AVOIDABLE
 @PHYSICS_OPTION
 @click.option("--preset", default="released", show_default=True, help="Gradient steps of table 3: released, or paper.")
 @click.option("--choice", default="paper", show_default=True, help="Checkpoints of table 3: paper, or held-out.")
-@click.option("--seed", default=0, show_default=True)
-@click.option(
-    "--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="A new folder, or one to continue."
-)
+@SEED
+@NEW_FOLDER
 @WORKERS
 @JSON
 def reproduce(
-    tables: tuple[str, ...],
-    budget: str,
-    avoidable: bool,
-    physics: str,
-    preset: str,
-    choice: str,
-    seed: int,
-    out: Path,
-    jobs: int,
-    executor: str,
-    as_json: bool,
+    tables: tuple[str, ...], avoidable: bool, out: Path, jobs: int, executor: str, as_json: bool, **options: Any
 ) -> None:
     """Make the paper's tables, TABLE... being table1 to table5 or all, with its own numbers below ours.
 
@@ -63,14 +52,10 @@ def reproduce(
     done = make(
         out,
         TABLES if tables == (ALL,) else tables,
-        budget=budget,
         avoidable_only=avoidable,
-        physics=physics,
-        preset=preset,
-        choice=choice,
-        seed=seed,
         workers=Workers(jobs, executor),
         progress=progress(),
+        **options,
     )
     say_reproduced(done, as_json)
 

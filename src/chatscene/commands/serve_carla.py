@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chatscene.commands.library import say
+from chatscene.commands.output import say
 from chatscene.settings import PHYSICS, SimulationSettings
 
 if TYPE_CHECKING:

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chatscene.commands.library import say
+from chatscene.commands.output import console, say
 from chatscene.files.bounded import is_there
 
 if TYPE_CHECKING:
     from chatscene.report.stated import Stated
+    from chatscene.report.understood import Understood
     from chatscene.terms.situation import Situation
 
 SUFFIXES = (".yaml", ".yml", ".json")
@@ -31,11 +32,17 @@ def situation_file(text: str) -> Situation | None:
     return api.read_situation(text)
 
 
-def say_stated(built: Stated, *, program: bool) -> None:
-    """Say what becomes of a situation, and its program if that is asked for."""
-    say(str(built))
+def say_understood(understood: Stated | Understood, *, program: bool) -> None:
+    """Say what becomes of a text, and its program if that is asked for."""
+    from chatscene.report.stated import Stated
+    from chatscene.report.terminal import print_understanding
+
+    if not isinstance(understood, Stated):
+        print_understanding(console(), understood, show_program=program)
+        return
+    say(str(understood))
     if program:
-        say(built.built.program.source)
+        say(understood.built.program.source)
 
 
 @click.command()

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from chatscene.commands.library import say
+from chatscene.commands.output import say
 from chatscene.errors import SettingsError
 from chatscene.files.atomic import write_whole
 

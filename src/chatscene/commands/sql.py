@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chatscene.commands.library import JSON, console, say
+from chatscene.commands.options import JSON
+from chatscene.commands.output import console, say
 
 if TYPE_CHECKING:
     from chatscene.report.index import Index

@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
-from typing import Unpack
+from typing import Any
 
 import click
 
-from chatscene.commands.library import CHOOSING, JSON, PARAM, READING, VARIANT, Chosen, say
+from chatscene.commands.options import CHOOSING, JSON, JUDGED, READING
+from chatscene.commands.output import say
 from chatscene.commands.refusal import complain, refusing
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 from chatscene.settings import VerifySettings
@@ -32,12 +33,7 @@ _USUAL = VerifySettings()
     type=click.FloatRange(0.0, 1.0),
     help="The share of the drives that must show a fact, of those that came to it.",
 )
-@click.option("--ego", default="", help="Who drives a program.  [default: its own ego; planner where it has none]")
-@click.option("--map", "map_name", default="", help="The map of a program that names none: a packaged one, or a file.")
-@click.option("--trust", is_flag=True, help="Run the program with all of Python, outside the sandbox.")
-@click.option("--ego-id", default="", metavar="ID", help="Whose track of a recording is the ego's, if none is marked.")
-@PARAM
-@VARIANT
+@JUDGED
 @click.option(
     "--budget",
     default=_USUAL.budget,
@@ -45,31 +41,14 @@ _USUAL = VerifySettings()
     metavar="SECONDS",
     help="Processor time for scenes that cannot be placed, over all drives; then no more are tried.",
 )
-@click.option("--scene", "scene_id", default="", metavar="ID", help="A scene of a run.  [default: those it keeps]")
+@click.option("--scene", default=None, metavar="ID", help="A scene of a run.  [default: those it keeps]")
 @click.option(
     "--page", type=click.Path(path_type=Path), default=None, help="Write a page with the moment of each fact."
 )
 @READING
 @CHOOSING
 @JSON
-def verify(
-    what: Path,
-    said: str | None,
-    draws: int,
-    seed: int,
-    least: float,
-    ego: str,
-    map_name: str,
-    trust: bool,
-    ego_id: str,
-    param: dict[str, object],
-    variant: int,
-    budget: float,
-    scene_id: str,
-    page: Path | None,
-    as_json: bool,
-    **reading: Unpack[Chosen],
-) -> None:
+def verify(what: Path, said: str | None, as_json: bool, **options: Any) -> None:
     """Say whether WHAT shows what was SAID, fact by fact, from its tracks.
 
     WHAT is a Scenic program (.scenic), a file of OpenSCENARIO (.xosc), a run's folder, a table of tracks (.csv), or
@@ -87,25 +66,9 @@ def verify(
     """
     from chatscene import api
 
-    with refusing(said or "", reading["embedder"], as_json):
+    with refusing(said or "", options["embedder"], as_json):
         try:
-            verdict = api.verify(
-                what,
-                said,
-                draws=draws,
-                seed=seed,
-                least=least,
-                ego=ego or None,
-                map=map_name or None,
-                trust=trust,
-                ego_id=ego_id or None,
-                scene=scene_id or None,
-                param=param or None,
-                variant=variant or None,
-                budget=budget,
-                page=page,
-                **reading,
-            )
+            verdict = api.verify(what, said, **options)
         except (NothingFits, MeansSomethingElse):
             raise
         except ChatSceneError as error:

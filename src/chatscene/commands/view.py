@@ -9,18 +9,18 @@ from typing import Unpack
 
 import click
 
-from chatscene.commands.library import MAP_WITH_SITE, READING, Reading, say
+from chatscene.commands.options import EGO_OPTION, MAP_WITH_SITE, READING, SEED, Reading
+from chatscene.commands.output import say
 from chatscene.errors import RunError
-from chatscene.settings import EGO
 
 
 @click.command()
 @click.argument("folder", metavar="[DIR]", default=Path("runs"), type=click.Path(path_type=Path, file_okay=False))
 @click.option("--port", default=0, type=click.IntRange(0, 65535), help="Port on loopback.  [default: a free one]")
 @MAP_WITH_SITE
-@click.option("--ego", default=EGO, show_default=True, help="An ego by name, file or package.module:factory.")
+@EGO_OPTION
 @click.option("--scenes", default=50, show_default=True, type=click.IntRange(min=1), help="Simulations per run.")
-@click.option("--seed", default=0, show_default=True, help="Seed of everything random.")
+@SEED
 @READING
 def view(
     folder: Path, port: int, map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpack[Reading]

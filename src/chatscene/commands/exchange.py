@@ -1,0 +1,98 @@
+"""The command line, continued: scenes out to other tools, and scenarios in from them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import click
+
+from chatscene.commands.options import JSON, param_option, usable_map
+from chatscene.commands.output import say
+
+
+@click.command()
+@click.argument("folder", metavar="RUN", type=click.Path(path_type=Path))
+@click.argument("scenes", metavar="[SCENE]...", nargs=-1)
+@click.option("--to", required=True, help="The format, as below, or package.module:factory.")
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    required=True,
+    help="A new folder, or an empty one.",
+)
+@JSON
+def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: bool) -> None:
+    """Write each SCENE of RUN as a file that other tools read; without SCENE, the scenes that the run keeps.
+
+    openscenario: OpenSCENARIO XML 1.2, everybody on a timed trajectory as driven, and the OpenDRIVE map beside it.
+    openscenario-logical: what the plans say, in events, with parameters and their ranges; or a refusal that says why.
+    opendrive: the map, and what its lights showed. commonroad: a planning problem among what was driven.
+    osi: a trace of ground truth of ASAM OSI, in MCAP; needs the extra 'osi'. csv: the tracks.
+    scenic: the program with the scene's values in it, and the map.
+
+    \b
+    chatscene export runs/cyclist --to openscenario --out exported/cyclist
+    chatscene export runs/cyclist cyclist-1f2e/route-00/scene-017 --to csv --out exported/tracks
+    """
+    from chatscene import api
+
+    done = api.export(folder, scenes, to=to, out=out)
+    say(json.dumps({"folder": str(done.folder), "files": done.files}) if as_json else str(done))
+
+
+@click.command("import")
+@click.argument("file", metavar="FILE.xosc", type=click.Path(path_type=Path))
+@click.option("--out", type=click.Path(path_type=Path), help="The .scenic file; default: beside FILE, with its name.")
+@click.option(
+    "--map",
+    "map_name",
+    metavar="MAP",
+    callback=usable_map,
+    help="A packaged map or an .xodr file; default: the one FILE names.",
+)
+@click.option("--ego", metavar="NAME", help="The ego in FILE; default: who is called ego, else the first vehicle.")
+@click.option("--variant", type=click.IntRange(min=1), metavar="N", help="Only set N of a file of parameter values.")
+@param_option("Set a parameter that FILE declares.")
+@JSON
+def import_scenario(
+    file: Path,
+    out: Path | None,
+    map_name: str | None,
+    ego: str | None,
+    variant: int | None,
+    param: dict[str, object],
+    as_json: bool,
+) -> None:
+    """Write the OpenSCENARIO XML in FILE as a Scenic program, which `run --program` takes; nothing of it is run.
+
+    FILE is a scenario, or sets of parameter values for one: then there is a program for each set. Catalogs and the map
+    are those that FILE names by paths from its own folder. What cannot be said here is refused by its element and line.
+
+    \b
+    chatscene import cut-in.xosc
+    chatscene import cut-in.xosc --map Town04.xodr --ego Car1 --out mine.scenic
+    chatscene import variations.xosc --variant 3
+    chatscene import theirs --out mine
+
+    Of a folder each .xosc file in it is written below --out, and a table says what each became, or why it did not.
+    """
+    from chatscene import api
+    from chatscene.imports.import_folder import import_folder
+
+    if file.is_dir():
+        if out is None or variant is not None or param:
+            raise click.UsageError("of a folder, give --out, a new folder, and neither --variant nor --param")
+        folder = import_folder(file, out, map_name=map_name, ego=ego)
+        say(json.dumps([one.as_dict() for one in folder.files]) if as_json else str(folder))
+        return
+    done = api.import_scenario(file, out=out, map=map_name, ego=ego, variant=variant, param=param)
+    told = {
+        "program": str(done.program),
+        "programs": [str(one) for one in done.programs],
+        "map": str(done.map_path),
+        "maps": [str(one) for one in done.maps],
+        "notes": done.notes,
+        "command": done.command,
+    }
+    say(json.dumps(told) if as_json else str(done))

@@ -1,0 +1,88 @@
+"""The command line, continued: scenes of a run simulated again, why they crashed, and whether folders are whole."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+import click
+
+from chatscene.commands.options import DRIVEN_AGAIN, JSON
+from chatscene.commands.output import say
+
+
+@click.command()
+@click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
+@click.argument("scene_id", required=False)
+@DRIVEN_AGAIN
+@click.option("--watch", is_flag=True, help="Keep a CARLA server's spectator above the ego.")
+@click.option("--record", is_flag=True, help="Let a CARLA server's recorder write a file to DIR/recordings.")
+@JSON
+def replay(folder: Path, scene_id: str | None, as_json: bool, **options: Any) -> None:
+    """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
+
+    Without SCENE_ID it is the first that the report shows. In a CARLA server, which does not repeat itself to the bit,
+    they have to be the same within half a metre.
+
+    \b
+    chatscene replay runs/cyclist cyclist-1f2e/route-00/scene-017
+    chatscene replay runs/brakes brakes-8c1f/route-00/scene-004 --simulator carla --watch --record
+    """
+    from chatscene import api
+
+    outcome = api.replay(folder, scene_id, **options)
+    say(json.dumps(outcome.as_dict()) if as_json else outcome.in_words())
+    if not outcome.identical:
+        sys.exit(1)
+
+
+@click.command()
+@click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
+@click.argument("scene_id", required=False)
+@DRIVEN_AGAIN
+@JSON
+def why(folder: Path, scene_id: str | None, as_json: bool, **again: Any) -> None:
+    """Say why a scene of a run crashed: who struck whom, what it took, and how the ego avoids it.
+
+    Without SCENE_ID it is the first scene that the report shows.
+
+    The scene is driven again and again: without things, with parameters set back to those of the nearest scene without
+    a crash, with an ego that brakes earlier or goes slower. Takes seconds.
+
+    \b
+    chatscene why runs/cyclist
+    chatscene why runs/cyclist cyclist-1f2e/route-00/scene-017
+    """
+    from chatscene import api
+
+    found = api.why(folder, scene_id, **again)
+    say(json.dumps(found.as_dict()) if as_json else found.in_words())
+
+
+@click.command()
+@click.argument("folders", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@JSON
+def check(folders: tuple[Path, ...], as_json: bool) -> None:
+    """Say which files of the folders DIR... are damaged or missing, and which were added since.
+
+    DIR is what run, evaluate, benchmark, reproduce, finetune or train left; the folders in it are checked as well.
+
+    Every file of a finished folder is compared with the digest that run.json keeps of it, and run.json with its own.
+    Exit status 0: all that was written is there and unchanged; 1: it is not, or nobody can tell.
+
+    \b
+    chatscene check runs/cyclist
+    chatscene check runs/* --json
+    """
+    from chatscene import runs
+
+    found = [runs.check(folder) for folder in folders]
+    if as_json:
+        say(json.dumps([condition.as_dict() for condition in found], indent=1))
+    else:
+        for condition in found:
+            say(condition.in_words())
+    if not all(condition.whole for condition in found):
+        sys.exit(1)

@@ -1,0 +1,241 @@
+"""The command line, continued: a text, a report, a situation or a program is explained, run, and gone on with."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from chatscene.commands.learn import say_finetuned, say_trained
+from chatscene.commands.measure import say_benchmarked, say_evaluated
+from chatscene.commands.options import (
+    AGAIN,
+    AVOIDABLE,
+    CHOOSING,
+    EDITS,
+    EGO_OPTION,
+    EXECUTOR_OPTION,
+    JSON,
+    MAP_WITH_SITE,
+    PHYSICS_OPTION,
+    READING,
+    REPORT,
+    SEED,
+    SIMULATOR_OPTION,
+    SPEED,
+    TRUST,
+    param_option,
+    sampler_option,
+)
+from chatscene.commands.output import progress, say
+from chatscene.commands.refusal import going_on, refusing
+from chatscene.commands.reports import explain_report, found_in
+from chatscene.commands.reproduce import say_reproduced
+from chatscene.commands.situations import say_understood, situation_file
+from chatscene.settings import SearchSettings
+from chatscene.terms.conflict import Conflict
+
+if TYPE_CHECKING:
+    from chatscene.api import Run
+    from chatscene.terms.situation import Situation
+
+
+@click.command()
+@click.argument("text", required=False)
+@click.option(
+    "--program",
+    type=click.Path(path_type=Path, exists=True),
+    default=None,
+    help="Your own .scenic program, or a folder of them, instead of TEXT.",
+)
+@REPORT
+@TRUST
+@click.option("--as-written", is_flag=True, help="Let the program's own ego drive.")
+@param_option("Set a parameter that the program uses and does not define, such as town=Town05.")
+@EDITS
+@MAP_WITH_SITE
+@EGO_OPTION
+@click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
+@click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
+@SEED
+@AVOIDABLE
+@SPEED
+@sampler_option(SearchSettings().sampler)
+@SIMULATOR_OPTION
+@PHYSICS_OPTION
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path, file_okay=False),
+    default=None,
+    help="Run folder; default: a new one under runs/.",
+)
+@click.option(
+    "--jobs",
+    default=None,
+    type=click.IntRange(min=1),
+    help="Number of worker processes. Default: chosen automatically.",
+)
+@EXECUTOR_OPTION
+@READING
+@CHOOSING
+@JSON
+def run(
+    text: str | None,
+    program: Path | None,
+    report: Path | None,
+    map_name: str | None,
+    out: Path | None,
+    jobs: int | None,
+    as_json: bool,
+    **options: Any,
+) -> None:
+    """Understand TEXT, search for crash scenes, keep the ones worth testing on, and write a report.
+
+    TEXT is a sentence, or the .yaml or .json file of a situation.
+
+    \b
+    chatscene run "a child runs out from behind a parked van on the right"
+    chatscene run "an oncoming car turns left across our path" --routes 10 --out runs/left
+    chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
+    chatscene run "a van cuts in" --set side=left --set ego.speed="40 km/h"
+    chatscene run "the car ahead brakes hard" --speed 90
+    chatscene run --report claim.txt --out runs/claim
+    chatscene run situation.yaml --set others.A.kind=truck
+    chatscene run --program mine.scenic --routes 4
+    chatscene run --program theirs.scenic --map Town05.xodr --as-written
+    """
+    from chatscene import api, runs
+    from chatscene.simulate.simulator import has_one_world
+
+    if sum(one is not None for one in (text, report, program)) != 1:
+        raise click.UsageError("say what to run: a TEXT, --report FILE or --program FILE")
+    asked: list[tuple[str, str | Conflict | Situation, Path | None]] = [(text or "", text or "", None)]
+    stated = situation_file(text) if text is not None else None
+    if stated is not None and text is not None:
+        asked = [(stated.about or Path(text).stem, stated, None)]
+    if report is not None:
+        asked = [(f"conflict-{one.number}", one, None) for one in found_in(report, options, as_json)]
+    elif program is not None:
+        asked = [(name, "", file) for name, file in _programs(program).items()]
+    several = len(asked) > 1 or (program is not None and program.is_dir())
+    at_a_time = jobs or (1 if has_one_world(options["simulator"]) else _jobs(options["scenes"], options["routes"]))
+    gone: list[int] = []
+    for name, said, own in asked:
+        title = name if stated is not None else str(said)
+        folder = (out / name if several else out) if out else None
+        with going_on(title, options["embedder"], as_json, gone if several else None):
+            done = api.run(
+                said,
+                folder or runs.free_folder(Path("runs"), title or name),
+                program=own,
+                map=map_name,
+                jobs=at_a_time,
+                progress=progress(),
+                **options,
+            )
+            say_done(done, as_json)
+    if gone:
+        sys.exit(min(gone))
+
+
+@click.command()
+@click.argument("text", required=False)
+@REPORT
+@click.option("--program", "show_program", is_flag=True, help="Print the Scenic program as well.")
+@EDITS
+@READING
+@CHOOSING
+@JSON
+def explain(text: str | None, report: Path | None, show_program: bool, as_json: bool, **options: Any) -> None:
+    """Show how TEXT is understood: the situation in words, the words of each fact, the facts. Runs nothing.
+
+    What was not read, assumed or left out stands first. --program prints the program that is built.
+
+    TEXT is a sentence, or the .yaml or .json file of a situation.
+
+    \b
+    chatscene explain "a motorbike cuts us off from the right"
+    chatscene explain "a dragon lands on the bonnet"        # refused, exit status 3
+    chatscene explain --report claim.txt
+    """
+    from chatscene import api
+
+    if (text is None) == (report is None):
+        raise click.UsageError("say what to explain: a TEXT or --report FILE")
+    if text is None or report is not None:
+        explain_report(report or Path(), options, program=show_program, as_json=as_json)
+        return
+    stated = situation_file(text)
+    with refusing(text if stated is None else "", options["embedder"], as_json):
+        if stated is not None:
+            understood = api.explain(stated, edit=options["edit"], set=options["set"])
+        else:
+            understood = api.explain(text, **options)
+    if as_json:
+        say(json.dumps(understood.as_dict(), indent=1))
+    else:
+        say_understood(understood, program=show_program)
+
+
+@click.command()
+@click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
+@click.option("--jobs", default=1, type=click.IntRange(min=1), help="Number of worker processes.  [default: 1]")
+@EXECUTOR_OPTION
+@AGAIN
+@JSON
+def resume(folder: Path, as_json: bool, **options: Any) -> None:
+    """Continue the work in DIR after it was killed or failed; the result is that of an uninterrupted one.
+
+    DIR is what run, evaluate, benchmark, reproduce, finetune or train left.
+
+    \b
+    chatscene resume runs/cyclist
+    chatscene resume runs/benchmark --jobs 2
+    chatscene resume runs/my-stack --ego mypackage.stack:make_ego
+    """
+    from chatscene import api, runs
+
+    record = runs.read_record(runs.Workspace(folder), runs.Record)
+    text = record.text if isinstance(record, runs.RunRecord) else ""
+    with refusing(text, record.code_named().get("embedder", ""), as_json):
+        done = api.resume(folder, progress=progress(), **options)
+    say_any: dict[runs.Kind, Callable[[Any, bool], None]] = {
+        runs.Kind.RUN: say_done,
+        runs.Kind.EVALUATION: say_evaluated,
+        runs.Kind.BENCHMARK: say_benchmarked,
+        runs.Kind.REPRODUCTION: say_reproduced,
+        runs.Kind.FINETUNING: say_finetuned,
+        runs.Kind.TRAINING: say_trained,
+    }
+    say_any[record.kind](done, as_json)
+
+
+def _programs(program: Path) -> dict[str, Path]:
+    """The files of a program or of a folder of them, by a name for the run's folder."""
+    from chatscene.search.generators.foreign import foreign_files
+
+    return {
+        "-".join(file.relative_to(program).with_suffix("").parts) if program.is_dir() else file.stem: file
+        for file in foreign_files(program)
+    }
+
+
+def _jobs(scenes: int, routes: int) -> int:
+    """As many processes as pay: starting one costs about as much as 250 scenes."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return max(1, min(cores, routes, scenes * routes // 250))
+
+
+def say_done(run: Run, as_json: bool) -> None:
+    """Say what a run came to."""
+    if as_json:
+        summary = run.summary
+        told = {"folder": str(run.folder), "seconds": summary.seconds, "told_first": run.told_first}
+        say(json.dumps({**told, **summary.counts}))
+    else:
+        say(str(run))

@@ -1,0 +1,180 @@
+"""The command line, continued: how egos fare, on kept scenes, on the paper's, and on ordinary drives."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from chatscene.commands.options import (
+    AVOIDABLE,
+    GENERATOR_AGAIN,
+    JSON,
+    LIBRARY_AGAIN,
+    MAP,
+    NEW_FOLDER,
+    PHYSICS_OPTION,
+    PHYSICS_THERE,
+    SEED,
+    SIMULATOR_OPTION,
+    SIMULATOR_THERE,
+    SPEED,
+    WORKERS,
+    road_speed,
+    sampler_option,
+)
+from chatscene.commands.output import progress, say
+from chatscene.settings import PAPER, SimulationSettings
+
+if TYPE_CHECKING:
+    from chatscene.studies.benchmark import Benchmarked
+    from chatscene.studies.evaluation import Evaluated
+
+
+@click.command()
+@click.argument("scenes", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option(
+    "--ego", multiple=True, help="By name, file or package.module:factory; repeat.  [default: planner, idm, sac]"
+)
+@SPEED
+@click.option("--all", is_flag=True, help="Every scene that ran, not only the kept ones.")
+@SIMULATOR_THERE
+@PHYSICS_THERE
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Default: under runs/.")
+@WORKERS
+@GENERATOR_AGAIN
+@LIBRARY_AGAIN
+@JSON
+def evaluate(scenes: tuple[Path, ...], out: Path | None, as_json: bool, **options: Any) -> None:
+    """Measure egos on the kept scenes of the runs in DIR..., and print a row per ego; the paper's tables go to files.
+
+    \b
+    chatscene evaluate runs/cyclist --ego sac --ego idm
+    chatscene evaluate runs/* --ego my-policy.onnx --ego mypackage.stack:make_ego --out runs/my-stack
+    """
+    from chatscene import api, runs
+
+    folder = out or runs.free_folder(Path("runs"), "evaluation")
+    say_evaluated(api.evaluate(scenes, folder, progress=progress(), **options), as_json)
+
+
+@click.command()
+@click.option("--generator", default="chatscene", show_default=True, help="Generator of the scenes.")
+@click.option(
+    "--budget",
+    default="small",
+    show_default=True,
+    help="'paper': 20,000 simulations; 'small': minutes; 'reference': each generator's own number of tries.",
+)
+@click.option("--ego", "egos", multiple=True, help="Ego to measure. Repeatable.  [default: sac, ppo, td3]")
+@click.option("--surrogate", default="sac", show_default=True, help="The ego that scenes are searched against.")
+@MAP
+@AVOIDABLE
+@sampler_option(PAPER.sampler)
+@SIMULATOR_OPTION
+@PHYSICS_OPTION
+@SEED
+@NEW_FOLDER
+@WORKERS
+@JSON
+def benchmark(
+    egos: tuple[str, ...], avoidable: bool, out: Path, jobs: int, executor: str, as_json: bool, **options: Any
+) -> None:
+    """Search all eight base scenarios and measure egos on the scenes that are kept; the paper's main experiment.
+
+    \b
+    chatscene benchmark --budget small --out runs/benchmark
+    chatscene benchmark --budget paper --jobs 2 --out runs/paper
+    chatscene benchmark --generator advsim --budget paper --jobs 2 --out runs/advsim
+    """
+    from chatscene.runs.executor import Workers
+    from chatscene.studies import benchmark as benchmarks
+    from chatscene.studies import evaluation
+
+    outcome = benchmarks.benchmark(
+        out,
+        egos=egos or evaluation.EGOS,
+        avoidable_only=avoidable,
+        workers=Workers(jobs, executor),
+        progress=progress(),
+        **options,
+    )
+    say_benchmarked(outcome, as_json)
+
+
+@click.command()
+@click.option("--ego", "egos", multiple=True, required=True, help="By name, file or package.module:factory; repeat.")
+@MAP
+@SIMULATOR_OPTION
+@PHYSICS_OPTION
+@click.option("--scenes", default=5, show_default=True, help="Draws of traffic per course.")
+@click.option("--seed", default=20_000, show_default=True, help="Seed of the traffic.")
+@road_speed(
+    "Speed of the egos, and of everybody in proportion, within the limits of the roads: km/h, or 'road' for "
+    "these alone.  [default: egos are told nothing]"
+)
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and GIFs.")
+@WORKERS
+def drive(
+    egos: tuple[str, ...],
+    simulator: str,
+    physics: str,
+    speed: float | None,
+    out: Path | None,
+    jobs: int,
+    executor: str,
+    **options: Any,
+) -> None:
+    """Let egos drive the ordinary routes of a map: do they get there, do they crash, how fast are they?
+
+    \b
+    chatscene drive --ego sac --ego idm
+    chatscene drive --ego idm --ego planner --speed road --map region
+    chatscene drive --ego my-policy.zip --out runs/my-policy
+    """
+    from chatscene.maps.limits import KMH
+    from chatscene.report.tables import as_text
+    from chatscene.runs.executor import Workers
+    from chatscene.studies import driving
+
+    table = driving.drive(
+        egos,
+        folder=out,
+        simulation=SimulationSettings(simulator=simulator, physics=physics),
+        speed=None if speed is None else KMH * speed,
+        workers=Workers(jobs, executor),
+        progress=progress(),
+        **options,
+    )
+    say(as_text(table))
+
+
+def say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
+    """Say what an evaluation came to; ends with status 1 if an ego failed."""
+    from chatscene import runs
+    from chatscene.report.evaluation import fared_in, fared_in_words
+
+    fared = fared_in(runs.open_run(evaluated.folder, runs.EvaluationRecord))
+    if as_json:
+        told = {"folder": str(evaluated.folder), "page": str(evaluated.page), "egos": fared}
+        say(json.dumps(told | {"seconds": evaluated.seconds, "failures": evaluated.failures}))
+    else:
+        say(fared_in_words(fared))
+        say(f"the paper's tables, as text, Markdown, CSV and LaTeX: {evaluated.folder / 'tables'}")
+        if evaluated.stepped:
+            say(evaluated.stepped)
+        say(f"egos side by side: {evaluated.page}")
+    for reason in evaluated.failures.values():
+        say(f"EgoError: {reason}; the other egos' results stand", err=True)
+    if evaluated.failures:
+        sys.exit(1)
+
+
+def say_benchmarked(benchmarked: Benchmarked, as_json: bool) -> None:
+    """Say what a benchmark came to, and which of its sentences were refused."""
+    for text, reason in benchmarked.refused.items():
+        say(f"refused: {text!r}: {reason}", err=True)
+    say_evaluated(benchmarked.evaluated, as_json)

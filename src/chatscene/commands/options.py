@@ -1,0 +1,272 @@
+"""Options that several commands take, each said once; they are named as the keywords of the Python functions."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from functools import reduce
+from pathlib import Path
+from typing import Any, TypedDict
+
+import click
+from click.core import ParameterSource
+
+from chatscene.settings import EGO, EXECUTOR, MOST_READINGS, PHYSICS, READERS, SIMULATOR, SimulationSettings
+
+Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
+
+
+def together(*options: Decorator) -> Decorator:
+    """Several options as one decorator, listed in this order."""
+    return lambda command: reduce(lambda done, option: option(done), reversed(options), command)
+
+
+JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON for a script instead of text.")
+SEED = click.option("--seed", default=0, show_default=True, help="Seed of everything random.")
+NEW_FOLDER = click.option(
+    "--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="A new folder, or one to continue."
+)
+
+# Where and in what scenes run.
+
+
+def usable_map(ctx: click.Context, option: click.Parameter, name: str | None) -> str | None:
+    """The map that the user names, held to what every map is before anything is made or begun for it.
+
+    Raises:
+        MapError: It is none, or cannot be used.
+    """
+    if name is not None and ctx.get_parameter_source(option.name or "") is ParameterSource.COMMANDLINE:
+        from chatscene.maps.network import check_opendrive, resolve_map
+
+        check_opendrive(resolve_map(name))
+    return name
+
+
+MAP = click.option(
+    "--map",
+    "map_name",
+    default="town",
+    show_default=True,
+    callback=usable_map,
+    help="The packaged 'town', 'outskirts' or 'region', or an .xodr file.",
+)
+MAP_WITH_SITE = click.option(
+    "--map",
+    "map_name",
+    default=None,
+    callback=usable_map,
+    help="The packaged 'town', 'outskirts' or 'region', or an .xodr file.  "
+    "[default: town; outskirts for motorways and the like]",
+)
+SIMULATOR_OPTION = click.option(
+    "--simulator",
+    default=SIMULATOR,
+    show_default=True,
+    help="Simulator: native (C, same numbers as embedded, which takes over where needed), embedded, "
+    "confined (in the sandbox), carla[:HOST[:PORT]] (a CARLA server), or package.module:factory.",
+)
+SIMULATOR_THERE = click.option("--simulator", default=None, help="Simulator.  [default: that of the runs]")
+PHYSICS_OPTION = click.option(
+    "--physics",
+    type=click.Choice(PHYSICS),
+    default=SimulationSettings().physics,
+    show_default=True,
+    help="How vehicles answer to pedals and wheel: kinematic, or lagged (delays and a friction circle).",
+)
+PHYSICS_THERE = click.option(
+    "--physics", type=click.Choice(PHYSICS), default=None, help="Physics of the drives.  [default: that of the runs]"
+)
+EXECUTOR_OPTION = click.option(
+    "--executor",
+    default=EXECUTOR,
+    show_default=True,
+    help="Where parts run: processes of this machine, or ray:HOST:PORT, a cluster. Results are the same.",
+)
+WORKERS = together(
+    click.option(
+        "--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Number of parts that run at a time."
+    ),
+    EXECUTOR_OPTION,
+)
+
+# Who drives, how fast, and what is searched for.
+
+EGO_OPTION = click.option(
+    "--ego", default=EGO, show_default=True, help="An ego by name, file or package.module:factory."
+)
+SPEED = click.option(
+    "--speed",
+    type=click.FloatRange(1.0, 300.0),
+    default=None,
+    metavar="KMH",
+    help="Speed of the ego [km/h] where the text says none.  [default: the speed of the road]",
+)
+AVOIDABLE = click.option(
+    "--avoidable", is_flag=True, help="Keep only crashes that a careful driver would have avoided."
+)
+ROAD = "road"
+
+
+def _road_speed(context: click.Context, parameter: click.Parameter, value: str | None) -> float | None:
+    """A speed [km/h], as it is typed; as fast as any road allows where it is that of the road."""
+    from chatscene.maps.limits import KMH, MOTORWAY
+
+    if value is None or value == ROAD:
+        return None if value is None else round(MOTORWAY / KMH, 6)
+    return click.FloatRange(1.0, 300.0)(value, parameter, context)
+
+
+def road_speed(said: str) -> Decorator:
+    """The option that says how fast egos drive on ordinary roads [km/h].
+
+    Args:
+        said: Its help: whose speed, and what holds without it.
+    """
+    return click.option("--speed", default=None, callback=_road_speed, metavar="KMH|road", help=said)
+
+
+def sampler_option(default: str) -> Decorator:
+    """The option that says where a search looks next."""
+    return click.option(
+        "--sampler",
+        default=default,
+        show_default=True,
+        help="How to search: paper, random, grid, policy-gradient, cross-entropy, tpe, cma-es, "
+        "quality-diversity, or package.module:factory.",
+    )
+
+
+# What is said, and how it is read.
+
+
+def _facts(_context: click.Context, _option: click.Parameter, said: tuple[str, ...]) -> dict[str, str]:
+    """Facts by name, as they are said."""
+    facts: dict[str, str] = {}
+    for one in said:
+        name, equals, value = one.partition("=")
+        if not equals or name in facts:
+            raise click.BadParameter(f"{one!r}; say each fact once, as FACT=VALUE, such as side=left")
+        facts[name.strip()] = value.strip()
+    return facts
+
+
+class Reading(TypedDict):
+    """The options that say how sentences are read; the names are those of `chatscene.settings.RetrievalSettings`."""
+
+    library: str
+    embedder: str
+    language_model: str
+
+
+READING = together(
+    click.option(
+        "--library", default="", metavar="DIR", help="Folder of your own snippets. TEXT is then served by snippets."
+    ),
+    click.option("--embedder", default="minilm", show_default=True, help="Text encoder."),
+    click.option("--language-model", default="offline", show_default=True, help="openai:MODEL, gguf:FILE, or offline."),
+)
+READER = click.option(
+    "--reader",
+    type=click.Choice(READERS),
+    default=READERS[0],
+    show_default=True,
+    help="How TEXT is read: facts, of which a situation is made; or paper, by wording alone, with snippets and without "
+    "refusals.",
+)
+CHOOSING = together(
+    READER,
+    click.option(
+        "--reading",
+        type=click.IntRange(0, MOST_READINGS),
+        default=0,
+        help="Use reading N of those that a refusal offers.",
+    ),
+    click.option(
+        "--set",
+        multiple=True,
+        default=(),
+        metavar="FACT=VALUE",
+        callback=_facts,
+        help="Force a fact, by name (side=left) or by path (others.A.starts.side=left). Repeatable.",
+    ),
+)
+EDITS = click.option(
+    "--edit",
+    multiple=True,
+    default=(),
+    metavar="EDIT",
+    help="Apply an edit to TEXT, such as 'at night'. Repeatable; applied in order.",
+)
+REPORT = click.option(
+    "--report",
+    type=click.Path(path_type=Path),
+    default=None,
+    metavar="FILE",
+    help="A report of any length, in place of TEXT: a narrative, or several.",
+)
+
+# Programs and recordings of others.
+
+
+def parameters(context: click.Context, option: click.Parameter, said: tuple[str, ...]) -> dict[str, object]:
+    """Parameters of a program by name; what is no JSON is a text."""
+    told: dict[str, object] = {}
+    for name, value in _facts(context, option, said).items():
+        try:
+            told[name] = json.loads(value)
+        except ValueError:
+            told[name] = value
+    return told
+
+
+def param_option(told: str) -> Decorator:
+    """The option that gives a program parameters.
+
+    Args:
+        told: What they are, for its help.
+    """
+    return click.option(
+        "--param",
+        multiple=True,
+        default=(),
+        metavar="NAME=VALUE",
+        callback=parameters,
+        help=f"{told} VALUE is JSON, or else text. Repeatable.",
+    )
+
+
+TRUST = click.option("--trust", is_flag=True, help="Run the program with all of Python, outside the sandbox.")
+JUDGED = together(
+    click.option(
+        "--ego", default=None, help="Who drives a program.  [default: its own ego; planner where it has none]"
+    ),
+    click.option("--map", default=None, help="The map of a program that names none: a packaged one, or a file."),
+    TRUST,
+    click.option(
+        "--ego-id", default=None, metavar="ID", help="Whose track of a recording is the ego's, if none is marked."
+    ),
+    param_option("Set a parameter that a program uses and does not define, or that an .xosc file declares."),
+    click.option(
+        "--variant",
+        default=None,
+        type=click.IntRange(min=1),
+        metavar="N",
+        help="Set N of an .xosc file of parameter values.  [default: drives spread over all sets]",
+    ),
+)
+
+# What the user says again of what a run names beyond what is packaged (`chatscene.runs.trust.Repeated`).
+
+_AGAIN = "that the run uses, to confirm that you trust it."
+LIBRARY_AGAIN = click.option("--library", multiple=True, metavar="DIR", help=f"The snippet folder {_AGAIN}")
+GENERATOR_AGAIN = click.option("--generator", multiple=True, help=f"The generator {_AGAIN}")
+SAMPLER_AGAIN = click.option("--sampler", multiple=True, help=f"The sampler {_AGAIN}")
+SIMULATOR_AGAIN = click.option("--simulator", multiple=True, help=f"The simulator {_AGAIN}")
+EMBEDDER_AGAIN = click.option("--embedder", multiple=True, help=f"The embedder {_AGAIN}")
+MODEL_AGAIN = click.option("--language-model", multiple=True, help=f"The language model {_AGAIN}")
+EGO_AGAIN = click.option(
+    "--ego", multiple=True, help="The ego that the run uses, to confirm that you trust its code. Repeatable."
+)
+AGAIN = together(EGO_AGAIN, GENERATOR_AGAIN, SAMPLER_AGAIN, SIMULATOR_AGAIN, LIBRARY_AGAIN, EMBEDDER_AGAIN, MODEL_AGAIN)
+DRIVEN_AGAIN = together(EGO_AGAIN, GENERATOR_AGAIN, SIMULATOR_AGAIN, LIBRARY_AGAIN)
