@@ -218,3 +218,29 @@ def test_junctions_that_lie_at_one_another_are_driven_through(tmp_path: Path) ->
     while way[-1].maneuvers:
         way.append(way[-1].maneuvers[0].endLane)
     assert [one.road.id for one in way] == [1, 11, 21, 2]
+
+
+def crossed(link: str) -> tuple[str, ...]:
+    """A road through a junction, whose connecting road's lane names no lane beyond."""
+    joined = '<laneLink from="-1" to="-1"/>'
+    return (
+        road("1", lane(-1), link=to("successor", "junction", "10")),
+        road("2", lane(-1), x=220, link=to("predecessor", "junction", "10")),
+        road("11", lane(-1), x=200, length=20, junction="10", link=to("predecessor", "road", "1", "end") + link),
+        '<junction id="10" name=""><connection id="0" incomingRoad="1" connectingRoad="11" contactPoint="start">'
+        f"{joined}</connection></junction>",
+    )
+
+
+def test_lanes_of_a_connecting_road_that_name_none_beyond_lead_on_by_their_numbers_and_that_is_told(
+    tmp_path: Path,
+) -> None:
+    path = written(tmp_path, *crossed(to("successor", "road", "2", "start")))
+    loaded = load_network(path)
+    assert lane_of(loaded, 1).maneuvers[0].endLane is lane_of(loaded, 2)
+    assert any("road '11': lane '-1' names no successor in road '2'" in told for told in check_map(path))
+
+
+def test_a_junction_out_of_which_nothing_leads_is_refused_by_its_number(tmp_path: Path) -> None:
+    with pytest.raises(MapError, match="junction 10: no lane leads into it and out of it again"):
+        load_network(written(tmp_path, *crossed("")))

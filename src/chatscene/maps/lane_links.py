@@ -24,10 +24,10 @@ def unlink(root: Xml.Element, *, again: bool) -> list[str]:
     Args:
         root: The map, which is changed.
         again: Whether lanes that lead away from a junction are taken for none that come into it, whatever its
-            connections say.
+            connections say, and lanes of connecting roads that say nothing lead on to those with their numbers.
 
     Returns:
-        What was left out and is wrong in the file.
+        What is wrong in the file, left out or added.
     """
     try:
         return list(_Links(root, again=again).mended())
@@ -181,6 +181,7 @@ class _Links:
             other, contact = beyond
             link.set("contactPoint", contact)
             lanes = _lanes(other, 0 if contact == "start" else -1)
+            yield from self._lead_on(road, end, _section(road, number), other, contact)
             for lane in _section(road, number).iter("lane"):
                 yield from _drop(lane, end, lanes, f"road {_name(road)!r}", f"road {_name(other)!r}")
         sections = road.findall("lanes/laneSection")
@@ -190,6 +191,28 @@ class _Links:
                 yield from _drop(lane, "successor", there, _at(road, one), f"the section at s={after.get('s')}")
             for lane in after.iter("lane"):
                 yield from _drop(lane, "predecessor", here, _at(road, after), f"the section at s={one.get('s')}")
+
+    def _lead_on(
+        self, road: Xml.Element, end: str, section: Xml.Element, other: Xml.Element, contact: str
+    ) -> Iterator[str]:
+        """Tell lanes of a connecting road none of which says where it leads; let them lead on to those of their number.
+
+        That is done in a map only that cannot be read otherwise.
+        """
+        driven = [lane for lane in section.iter("lane") if lane.get("type") in DRIVEN]
+        if road.get("junction", "-1") == "-1" or any(lane.find(f"link/{end}") is not None for lane in driven):
+            return
+        lanes = _lanes(other, 0 if contact == "start" else -1)
+        turned = contact == ("end" if end == "successor" else "start")  # then numbers grow the other way
+        for lane in driven:
+            number = int(lane.get("id", "0"))
+            beyond = str(-number if turned else number)
+            if not number or lanes.get(beyond) not in DRIVEN:
+                continue
+            if self.again:
+                links = lane.find("link")
+                Xml.SubElement(Xml.SubElement(lane, "link") if links is None else links, end, {"id": beyond})
+            yield f"road {_name(road)!r}: lane {lane.get('id')!r} names no {end} in road {_name(other)!r}"
 
     def _no_lanes_beyond(self, road: Xml.Element, end: str, number: int) -> None:
         """Of an end of a road beyond which nothing is, no lane leads on."""

@@ -21,6 +21,10 @@ _NUMBERS = {
     "spiral": ("curvStart", "curvEnd"),
 }
 
+_ORDER = "cyclicOrder"
+"""The parser's function that puts the lanes about a junction in order, and needs one that comes in and one that leads
+out."""
+
 _RANGES = ("normalized", "arcLength")
 
 
@@ -37,6 +41,8 @@ def why_unread(root: Xml.Element, error: Exception) -> str:
     for junction in root.iter("junction"):
         if (fault := next(_of_junction(junction), None)) is not None:
             return f"junction {name_of(junction)!r} {fault}"
+    if any(frame.f_code.co_name == _ORDER for frame, _ in walk_tb(error.__traceback__)):
+        return f"{_where(error)}no lane leads into it and out of it again; link the lanes of its connecting roads"
     said = "" if isinstance(error, LookupError) else str(error).partition("\n")[0]  # a key is the parser's own
     return f"{_where(error)}{said or 'what is drawn there does not fit together'}"
 
