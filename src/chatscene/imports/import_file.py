@@ -219,7 +219,8 @@ def _program(read: Imported, path: Path, out: Path) -> _Program:
     try:
         foreign_program(out.stem, text)
     except ForeignCodeRefused as error:
-        raise ScenarioError(f"{path} is more than a program of a user's may be: {error}; cut it down") from error
+        why = str(error).partition("\n")[0]  # what follows is for whoever wrote the program
+        raise ScenarioError(f"{path} is more than a program of a user's may be: {why}; cut it down") from error
     return _Program(text, read.map_path, read.notes)
 
 

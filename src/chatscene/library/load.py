@@ -188,7 +188,7 @@ def names_of(source: str, known: Collection[str]) -> CodeNames:
     return CodeNames(
         requires=tuple(sorted(read - bound - provides - set(known))),
         provides=tuple(sorted(provides)),
-        parameters=_opt_parameters(tree),
+        parameters=parameters_in(tree),
     )
 
 
@@ -200,7 +200,7 @@ def _defined(node: ast.AST) -> Iterator[str]:
         yield from (t.id for target in node.targets for t in ast.walk(target) if isinstance(t, ast.Name))
 
 
-def _opt_parameters(tree: ast.AST) -> dict[str, tuple[float, float]]:
+def parameters_in(tree: ast.AST) -> dict[str, tuple[float, float]]:
     """Parameters whose value is a literal range; Scenic parses ``param`` into its own node."""
     found: dict[str, tuple[float, float]] = {}
     for node in ast.walk(tree):

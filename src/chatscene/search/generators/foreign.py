@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.errors import ForeignCodeRefused, SettingsError
-from chatscene.library.load import names_of
+from chatscene.library.load import parameters_in
 from chatscene.search.generators.parameters import stated, unstated
 from chatscene.simulate.confined.allow_list import check_foreign, model_of, parse_foreign, refused
 from chatscene.simulate.confined.asked_map import map_of
@@ -199,11 +199,7 @@ def _made(
         behavior = _adversary_behavior(called, tree, as_written, searched_with)
         if behavior != ADVERSARY_BEHAVIOR:
             source = re.sub(rf"\b{behavior}\b", ADVERSARY_BEHAVIOR, source)
-    ranges = (
-        names_of(source, ()).parameters
-        if model == OWN_MODEL
-        else {one.name: (one.low, one.high) for one in searched(tree)}
-    )
+    ranges = parameters_in(tree) if model == OWN_MODEL else {one.name: (one.low, one.high) for one in searched(tree)}
     program = ScenicProgram(
         scenario_id=_slug(name),
         source=source,
