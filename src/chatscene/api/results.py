@@ -277,7 +277,8 @@ class DrivenScene:
     @property
     def tracks(self) -> Table:
         """A row per actor and step, with the columns of the files in ``episodes/``: an Arrow table."""
-        from chatscene.runs.tables import EPISODES, read_table
+        from chatscene.runs.tables import read_table
+        from chatscene.runs.tracks import EPISODES
 
         place = self.row["scenario_id"], runs.route_index(self.row["route_id"]), self.row["block"]
         return read_table(self._workspace.episodes(*place), EPISODES, scene_id=self.id)

@@ -44,6 +44,7 @@ if TYPE_CHECKING:
         write_block,
     )
     from chatscene.runs.checking import Condition, check
+    from chatscene.runs.drawing import read_drawing, write_drawing
     from chatscene.runs.exclusive import alone
     from chatscene.runs.explanation import explain, read_choice, read_explanation, write_choice
     from chatscene.runs.record import (
@@ -84,7 +85,6 @@ if TYPE_CHECKING:
         free_folder,
         note,
         open_run,
-        read_drawing,
         read_programs,
         read_record,
         require_done,
@@ -92,7 +92,6 @@ if TYPE_CHECKING:
         standing,
         take_up,
         update,
-        write_drawing,
         write_explanation,
         write_program,
     )
@@ -176,6 +175,7 @@ _NAMES = {
         "read_counts read_ranges read_scenes read_signals resume write_block"
     ),
     "checking": "Condition check",
+    "drawing": "read_drawing write_drawing",
     "exclusive": "alone",
     "explanation": "explain read_choice read_explanation write_choice",
     "record": (
@@ -185,9 +185,8 @@ _NAMES = {
     ),
     "tables": "criticality_of measurements_of metrics_of route_id route_index scene_of speeds_of",
     "workspace": (
-        "Workspace changed_versions create free_folder note open_run read_drawing read_programs "
-        "read_record require_done run_folders standing take_up update write_drawing "
-        "write_explanation write_program"
+        "Workspace changed_versions create free_folder note open_run read_programs read_record "
+        "require_done run_folders standing take_up update write_explanation write_program"
     ),
 }
 """Names by the module that defines them, loaded when one is first used: who reads a sentence needs none of them."""

@@ -19,26 +19,14 @@ from pydantic import ValidationError
 from chatscene.errors import RunError
 from chatscene.runs.atomic import json_of, read_bytes, sweep, writing
 from chatscene.runs.digests import CHANGED, DRAWN, KEPT, MISSING, digest_of, digests, is_sealed, write_sealed
-from chatscene.runs.record import (
-    EventRow,
-    MapRecord,
-    Part,
-    RangeRow,
-    Record,
-    SceneRow,
-    SignalRow,
-    Status,
-    first_problem,
-)
+from chatscene.runs.record import MapRecord, Record, Status, first_problem
+from chatscene.runs.rows import EventRow, Part, RangeRow, SceneRow, SignalRow
 from chatscene.runs.tables import (
-    EPISODES,
     EVENTS,
     RANGES,
     SCENES,
     SIGNALS,
     Table,
-    episode_of,
-    episodes_table,
     events_table,
     ranges_table,
     read_table,
@@ -46,9 +34,9 @@ from chatscene.runs.tables import (
     route_index,
     scenes_table,
     signals_table,
-    tracks_of,
     write_table,
 )
+from chatscene.runs.tracks import EPISODES, episode_of, episodes_table, tracks_of
 from chatscene.runs.workspace import Workspace, read_record, update
 from chatscene.terms.criticality import Fault
 from chatscene.terms.episode import Ending, Episode, EventKind, Role, Track

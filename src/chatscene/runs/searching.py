@@ -18,6 +18,7 @@ from chatscene.maps.network import load_network
 from chatscene.program.check import PROBED
 from chatscene.runs.asked import scenario_of
 from chatscene.runs.blocks import finish, write_block
+from chatscene.runs.drawing import write_drawing
 from chatscene.runs.executor import Workers
 from chatscene.runs.explanation import write_choice
 from chatscene.runs.parallel import spread
@@ -26,7 +27,7 @@ from chatscene.runs.rebuild import map_of
 from chatscene.runs.record import RunRecord, Status, settings_of
 from chatscene.runs.selection import selected
 from chatscene.runs.tables import route_id
-from chatscene.runs.workspace import Workspace, update, write_drawing
+from chatscene.runs.workspace import Workspace, update
 from chatscene.search.climb import climb, simulator_of
 from chatscene.search.explore import Block, outcomes
 from chatscene.search.generator import Generator, Written, load_generator

@@ -9,17 +9,16 @@ from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from itertools import zip_longest
 from pathlib import Path
-from typing import Annotated, Any, TypeVar, overload
+from typing import Any, TypeVar, overload
 from urllib.parse import quote, unquote
 
-from pydantic import BaseModel, Field, ValidationError
+from pydantic import ValidationError
 
 from chatscene.errors import RunError
 from chatscene.runs.atomic import (
     is_leftover,
     json_of,
     read_bytes,
-    read_json,
     sweep,
     write_bytes,
     write_json,
@@ -38,30 +37,6 @@ from chatscene.runs.record import (
     first_problem,
     upgraded,
 )
-
-FARTHEST = 1e6  # [m] from the map's origin: no road is longer, and what draws must end
-_Metres = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
-_Points = Annotated[list[tuple[_Metres, _Metres]], Field(min_length=2)]
-_Areas = list[Annotated[list[_Points], Field(min_length=1)]]
-
-
-class _Line(BaseModel):
-    kind: str = ""
-    points: _Points
-
-
-class _Drawing(BaseModel):
-    """What `chatscene.maps.drawing.map_drawing` gives, and the routes by name."""
-
-    roads: _Areas = []
-    junctions: _Areas = []
-    shoulders: _Areas = []
-    sidewalks: _Areas = []
-    crosswalks: _Areas = []
-    lane_boundaries: list[_Line] = []
-    stop_lines: list[_Line] = []
-    routes: dict[str, _Points] = {}
-
 
 RECORD = "run.json"
 _OF_A_REFUSED_RUN = ("explanation.json", "report.html", RECORD)
@@ -476,28 +451,6 @@ def inside(folder: Path) -> list[str]:
         if not any(path.is_relative_to(name) for name in names):
             names.append(path.as_posix())
     return names
-
-
-def write_drawing(run: Workspace, drawing: Mapping[str, Any]) -> None:
-    """Keep the drawing of the map as `map.json`; `docs/run-folder.md` has its shape. Metres, map frame."""
-    write_json(run.file("map.json"), drawing)
-
-
-def read_drawing(run: Workspace) -> dict[str, Any]:
-    """The drawing of the map; empty if there is none.
-
-    Raises:
-        RunError: It is none.
-    """
-    path = run.file("map.json")
-    content = read_json(path) if path.is_file() else {}
-    try:
-        _Drawing.model_validate(content)
-    except ValidationError as error:
-        raise RunError(
-            f"{path} is no drawing of a map: {first_problem(error)}; it was changed or damaged after it was written"
-        ) from error
-    return content
 
 
 def _versions() -> dict[str, str]:
