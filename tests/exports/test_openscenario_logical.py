@@ -17,7 +17,8 @@ from chatscene.ego.policy import load_ego
 from chatscene.errors import RunError
 from chatscene.exports.exporter import KeptScene
 from chatscene.exports.openscenario_logical import OpenScenarioLogical, scenario
-from chatscene.exports.plain_plan import Plain, Site, Unsayable, plainly
+from chatscene.exports.plain_numbers import Site, Unsayable
+from chatscene.exports.plain_plan import Plain, plainly
 from chatscene.exports.retold import retold
 from chatscene.imports.import_file import import_scenario
 from chatscene.imports.openscenario import read_openscenario

@@ -21,7 +21,8 @@ from scenic.core.object_types import Object
 
 from chatscene.errors import RunError, SnippetError
 from chatscene.exports.exporter import KeptScene
-from chatscene.exports.plain_plan import Plain, Site, Unsayable, plainly
+from chatscene.exports.plain_numbers import Site, Unsayable
+from chatscene.exports.plain_plan import Plain, plainly
 from chatscene.maps.network import load_network
 from chatscene.program.without import placings
 from chatscene.simulate.native.code import Compiler, NotCovered, Surrounding
