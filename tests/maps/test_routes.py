@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 from chatscene.errors import MapError
+from chatscene.maps.crossings import conflicting_paths
 from chatscene.maps.junctions import junction_control
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.network import load_network, resolve_map
-from chatscene.maps.routes import BASE_SCENARIO_QUERIES, conflicting_paths, find_routes
+from chatscene.maps.routes import BASE_SCENARIO_QUERIES, find_routes
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place
 from places import SHARED

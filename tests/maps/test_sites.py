@@ -12,12 +12,13 @@ import pytest
 import shapely
 
 from chatscene.errors import MapError
+from chatscene.maps.crossings import conflicting_paths
 from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.layout import JunctionKind as Kind
 from chatscene.maps.layout import motorway_groups, ramp_ways, roundabouts, weaving_sections
 from chatscene.maps.network import load_network, map_with, resolve_map
-from chatscene.maps.routes import conflicting_paths, find_routes
+from chatscene.maps.routes import find_routes
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from places import SHARED

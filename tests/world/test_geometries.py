@@ -15,8 +15,8 @@ import pytest
 from chatscene.errors import MapError
 from chatscene.library.compatibility import compatibility, ways_of
 from chatscene.library.load import load_library
+from chatscene.maps.crossings import conflicting_paths
 from chatscene.maps.network import load_network, map_with, resolve_map
-from chatscene.maps.routes import conflicting_paths
 from chatscene.program.meaning import maneuver_of
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Component, Maneuver, Place, Site, includes

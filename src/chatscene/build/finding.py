@@ -25,7 +25,8 @@ from chatscene.build.queries import queries_for
 from chatscene.build.screening import from_its_lane, side_hidden
 from chatscene.errors import MapError, NoSuchPlace, NotBuilt
 from chatscene.maps.network import load_network, resolve_map
-from chatscene.maps.routes import APPROACHES, BLOCKER_AT, CHANGE_AT, OPEN_ROAD
+from chatscene.maps.open_road import BLOCKER_AT, CHANGE_AT, OPEN_ROAD
+from chatscene.maps.routes import APPROACHES
 from chatscene.maps.sites import APPROACHED, PASSED, PAST
 from chatscene.situations.check import COMES_OVER
 from chatscene.situations.facts import said_in

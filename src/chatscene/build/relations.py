@@ -15,7 +15,7 @@ from chatscene.build.contact import is_held_up, strikes_from_behind
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.timing import HELD, Body
 from chatscene.errors import NotBuilt
-from chatscene.maps.routes import PASSING, SWING
+from chatscene.maps.open_road import PASSING, SWING
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Speed
 from chatscene.terms.pace import NOMINAL

@@ -15,46 +15,29 @@ from itertools import count as counter
 from itertools import islice
 from typing import Any
 
-import numpy as np
 import shapely
 
 from chatscene.errors import MapError
-from chatscene.maps.crossings import ALL_LEGS, TURNS, CrossingPath, conflicting_paths
+from chatscene.maps.crossings import ALL_LEGS, TURNS, conflicting_paths
 from chatscene.maps.equipment import is_equipped
 from chatscene.maps.junctions import junction_control
-from chatscene.maps.lane_changes import neighbour, shifted, wide_at
-from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
+from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, arms, junction_kinds
 from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.maps.network import map_with
-from chatscene.maps.off_lane import LEFT_BACKWARDS, TIGHTEST, begun, ended, has_kerb, turned_back
+from chatscene.maps.off_lane import TIGHTEST
+from chatscene.maps.open_road import CURVED_ROAD, SHORT_ROAD, on_road, turned, windows
 from chatscene.maps.settings import is_two_way, lies_in
-from chatscene.maps.sites import AT_JUNCTIONS, PASSED, along, routes_at, windows_past
+from chatscene.maps.sites import AT_JUNCTIONS, routes_at
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Beside, Equipment, Route, RouteQuery
-from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, Site, includes
-
-__all__ = ["BASE_SCENARIO_QUERIES", "CrossingPath", "conflicting_paths", "find_routes", "from_line", "lacking"]
+from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, includes
 
 APPROACHES = (42.0, 36.0, 48.0, 30.0)  # [m] from the start to the junction's entry; the first where possible
 EXIT = 45.0  # [m] driven after the junction
 TO_LINE = 4.0  # [m] from the middle of a car that waits at a junction to its entry: the nose is half a car nearer
-OPEN_ROAD, SHORT_ROAD = 100.0, 85.0  # [m] of a route without a junction; the shorter where nothing longer fits
-MOTORWAYS = (250.0, 150.0)  # [m] the same on a motorway
-MOTORWAY_CHANGE = 60.0  # [m] for a change of lanes there
-# [m] into the lane, where a route without a junction may start; closer in bends, which are short
-FIRST_ONSET, ONSET_STEP, BEND_STEP, FINE_STEP = 10.0, 35.0, 15.0, 2.0
-CHANGE_AT, CHANGE_OVER = 30.0, 25.0  # [m], where a lane change begins and how long it takes
-# [m], a bypass: the blocker, swinging out and in, passing beside
-BLOCKER_AT, SWING, PASSING = 50.0, 22.0, 10.0
-FROM_BEHIND = 70.0  # [m] of road behind where a route comes into its lane from beside it, for traffic there
-BEHIND_BACK, BEYOND_BACK = 130.0, 20.0  # [m] of road behind, and beyond, where one that is driven backwards begins
 
-_LATERAL = 1.2  # [m] a straight road may move aside: where a lane shifts by more, the ego seems to change lanes
 _SEAM = 0.1  # [m]
-_STRAIGHT_ROAD = math.radians(5)
-_CURVED_ROAD = math.radians(30)
-_BENT_FROM_THE_START = 1 / 16  # of the turn in the first eighth of the way: whoever is met early is met in the bend
 _LEAST_TURNED = math.radians(45)
 _MOST_TURNED = math.radians(150)  # more is a ramp that winds
 
@@ -309,15 +292,10 @@ def from_line(network: Any, route: Route, to_line: float = TO_LINE) -> tuple[Rou
 
 def _goes(line: Polyline, maneuver: Maneuver) -> bool:
     """Whether a whole route turns as its manoeuvre says; on a winding approach it may not."""
-    turned = _turned(line, 0.0, line.length)
+    left = turned(line, 0.0, line.length)
     if maneuver is Maneuver.STRAIGHT:
-        return abs(turned) < _CURVED_ROAD
-    return _LEAST_TURNED < (turned if maneuver is Maneuver.LEFT_TURN else -turned) < _MOST_TURNED
-
-
-def _turned(line: Polyline, start: float, end: float) -> float:
-    """Difference of heading [rad, positive = left] between two arc lengths [m]."""
-    return math.remainder(line.heading_at(end) - line.heading_at(start), 2 * math.pi)
+        return abs(left) < CURVED_ROAD
+    return _LEAST_TURNED < (left if maneuver is Maneuver.LEFT_TURN else -left) < _MOST_TURNED
 
 
 # Open road
@@ -326,10 +304,10 @@ def _turned(line: Polyline, start: float, end: float) -> float:
 def _along_roads(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[_Candidate]:
     wanted = query.place or Place.ROAD
     for run in dict.fromkeys(lane_runs(network).values()):
-        window = next(islice(_windows(network, run, wanted, query), variant, None), None)
+        window = next(islice(windows(network, run, wanted, query), variant, None), None)
         if window is None or not _offers(network, run.lane_at(window[0]), query):
             continue
-        found = _on_road(network, run, *window, query)
+        found = on_road(network, run, *window, query)
         if found is not None:
             line, lanes, event_at = found
             route = Route(
@@ -343,122 +321,6 @@ def _along_roads(network: Any, map_name: str, query: RouteQuery, variant: int) -
                 event_at=event_at,
             )
             yield _Candidate(variant, str(run.lanes[0].road.uid), route)
-
-
-def _windows(
-    network: Any, run: LaneRun, wanted: Place, query: RouteQuery
-) -> Iterator[tuple[float, float, float | None]]:
-    """Where a route may start and end on a run [m], and what it leads past lies.
-
-    Only if no long one fits, short ones are looked for closely; but none that is shorter than was asked for.
-    """
-    site = query.site
-    if site is not None and site in PASSED:
-        for start, end, past in windows_past(network, run, site, query.approach):
-            if (shape := _shape(run.line, start, end)) is not None and includes(wanted, shape):
-                yield start, end, past
-        return
-    if site is not None and not along(network, run, site):
-        return
-    long, short = _lengths(query)
-    apart = BEND_STEP if includes(Place.CURVE, wanted) else ONSET_STEP
-    found = False
-    for length, first, step in ((long, FIRST_ONSET, apart), (short, FINE_STEP, FINE_STEP)):
-        if found:
-            return
-        for onset in np.arange(first, run.line.length - length - FINE_STEP, step).tolist():
-            shape = _shape(run.line, onset, onset + length)
-            if shape is not None and includes(wanted, shape) and wide_at(run, onset) and wide_at(run, onset + length):
-                found = True
-                yield onset, onset + length, None
-
-
-def _lengths(query: RouteQuery) -> tuple[float, float]:
-    """How much of a run a route takes [m], and how much it may take where nothing longer fits."""
-    long, short = MOTORWAYS if query.site is Site.MOTORWAY else (OPEN_ROAD, SHORT_ROAD)
-    if query.approach is not None:
-        long = short = max(query.approach + _beyond(query.maneuver, query.approach), SHORT_ROAD)
-    if query.begins in LEFT_BACKWARDS:
-        return BEHIND_BACK + BEYOND_BACK, FROM_BEHIND + BEYOND_BACK
-    return (long, short) if query.begins is None else (long + FROM_BEHIND, short + FROM_BEHIND)
-
-
-def _beyond(maneuver: Maneuver, approach: float) -> float:
-    """How much road [m] lies beyond where a manoeuvre on open road begins: as much as before it, or in proportion."""
-    if maneuver is Maneuver.STRAIGHT:
-        return approach
-    usual = BLOCKER_AT if maneuver is Maneuver.BYPASS else CHANGE_AT
-    return (OPEN_ROAD - usual) * max(1.0, approach / usual)
-
-
-def _shape(line: Polyline, start: float, end: float) -> Place | None:
-    """ROAD for a straight part of a line, a bend's side for one that bends from its start, None for what is neither."""
-    turns = [_turned(line, start, s) for s in np.linspace(start, end, 9).tolist()]
-    if max(map(abs, turns)) < _STRAIGHT_ROAD:
-        # An even bend by `turned` over a length moves a line aside by half their product; what is left is a shift.
-        shift = _aside(line, start, end) - 0.5 * _turned(line, start, end) * (end - start)
-        return Place.ROAD if abs(shift) < _LATERAL else None
-    if abs(turns[-1]) <= _CURVED_ROAD or turns[1] / turns[-1] < _BENT_FROM_THE_START:
-        return None
-    return Place.LEFT_CURVE if turns[-1] > 0 else Place.RIGHT_CURVE
-
-
-def _aside(line: Polyline, start: float, end: float) -> float:
-    """How far [m] a line has moved to the left of its first direction between two arc lengths."""
-    (x0, y0), (x1, y1) = line.point_at(start), line.point_at(end)
-    heading = line.heading_at(start)
-    return (y1 - y0) * math.cos(heading) - (x1 - x0) * math.sin(heading)
-
-
-def _on_road(
-    network: Any, run: LaneRun, onset: float, end: float, past: float | None, query: RouteQuery
-) -> tuple[Polyline, tuple[str, ...], float] | None:
-    """Line, lanes and event of a route that starts in a run of lanes and does the query's manoeuvre."""
-    own = run.line.between(onset, end)
-    if query.begins is not None or query.ends is not None:
-        return _beside_lane(network, run, onset, end, query)
-    if query.maneuver is Maneuver.STRAIGHT:
-        return own, run.ids_between(onset, end), own.length / 2 if past is None else past - onset
-    bypass = query.maneuver is Maneuver.BYPASS
-    into = query.maneuver is Maneuver.LANE_CHANGE_LEFT and query.opposite_lane is True  # the lane of oncoming traffic
-    against = into or (bypass and query.opposite_lane is not False)
-    usual = BLOCKER_AT if bypass else CHANGE_AT
-    event = query.approach or usual
-    more = max(1.0, event / usual)  # as fast as an ego is that needs so much road
-    swing, passing = SWING * more, PASSING * more
-    leaves, returns = (event - passing - swing, event + passing) if bypass else (event, None)
-    side = -1 if query.maneuver is Maneuver.LANE_CHANGE_RIGHT else 1
-    used = np.linspace(onset + leaves, onset + returns + swing if returns else end, 5).tolist()
-    beside = [neighbour(run, s, side) for s in used]
-    if any(lane is None or opposes(run.lane_at(s), lane) != against for s, lane in zip(used, beside, strict=True)):
-        return None
-    if against and len(run.lane_at(onset).group.lanes) > 1:
-        return None  # with a second lane of its own a driver need not use the opposite one
-    shift = side * abs(centre_line(beside[0]).project(*own.point_at(leaves))[1])
-    over = swing if bypass else max(MOTORWAY_CHANGE * (query.site is Site.MOTORWAY), CHANGE_OVER * more)
-    lanes = (*run.ids_between(onset, used[0] + over), *dict.fromkeys(lane.uid for lane in beside))
-    return shifted(own, shift, leaves, returns, over), lanes, event
-
-
-def _beside_lane(
-    network: Any, run: LaneRun, onset: float, end: float, query: RouteQuery
-) -> tuple[Polyline, tuple[str, ...], float] | None:
-    """The same of a route that begins or ends beside its lane."""
-    own, event = run.line.between(onset, end), query.approach or OPEN_ROAD / 2
-    if query.ends is Beside.BACK:
-        found = turned_back(network, run, onset, onset + event)
-        if found is None:
-            return None
-        line, lane = found
-        return line, (*run.ids_between(onset, onset + event), lane.uid), event
-    if not (has_kerb(run, onset) and has_kerb(run, onset + event)):
-        return None
-    if query.ends is not None:
-        return ended(own, query.ends, event), run.ids_between(onset, onset + event), event
-    starts = end - BEYOND_BACK if query.begins in LEFT_BACKWARDS else onset + FROM_BEHIND
-    aisle = Equipment.BAYS in query.has
-    line, event = begun(run.line.between(starts, end), query.begins or Beside.KERB, aisle=aisle)
-    return line, run.ids_between(starts, end), event
 
 
 def _offers(network: Any, lane: Any, query: RouteQuery) -> bool:

@@ -19,7 +19,8 @@ from chatscene.maps.layout import (
     weaving_sections,
 )
 from chatscene.maps.network import load_network, put_right
-from chatscene.maps.routes import APPROACHES, BASE_SCENARIO_QUERIES, SHORT_ROAD, find_routes, lacking
+from chatscene.maps.open_road import SHORT_ROAD
+from chatscene.maps.routes import APPROACHES, BASE_SCENARIO_QUERIES, find_routes, lacking
 from chatscene.maps.scenic_parser import outside
 from chatscene.terms.route import RouteQuery
 

@@ -21,13 +21,13 @@ from scenic.core.distributions import RejectionException, distributionFunction
 from scenic.core.vectors import Vector
 
 from chatscene.errors import MapError
-from chatscene.maps.crossings import passing_path
+from chatscene.maps.crossings import CrossingPath, conflicting_paths, passing_path
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.limits import limits_along
 from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.maps.onward import route_through
 from chatscene.maps.ring_ways import line_beside, ring_ways
-from chatscene.maps.routes import TO_LINE, CrossingPath, conflicting_paths, find_routes, from_line
+from chatscene.maps.routes import TO_LINE, find_routes, from_line
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.pace import NOMINAL, Pace
 from chatscene.terms.polyline import Polyline
