@@ -1,13 +1,15 @@
 """Whether the simulator `native` gives the embedded one's numbers: every number of every drive, and how fast.
 
     python benchmarks/native_gate.py [--programs 240] [--scenes 3] [--seed 0] [--ego rule-based] [--speed 0]
-        [--beside 0] [--budget 480] [--in-turn]
+        [--beside 0] [--budget 480] [--in-turn] [--situations FILE]
 
 Each program is a behavior of the library with a geometry and a spawn that are drawn among those it can be joined with,
 every behavior in turn; `--beside` says of how many in a hundred another road user acts beside the adversary. Each is
 driven in scenes drawn from its ranges, on a route of its geometry that is drawn too, by every ego; with `--in-turn`,
-each scene by one of the egos in turn. Both episodes must
-agree in every number of every track, every event, signal, offset, flag and the ending. What took the embedded path in
+each scene by one of the egos in turn. `--situations FILE` takes programs that are built of the situations of a file
+(`tests/build/written.yaml`) instead. The first scene of a program is placed by Scenic, the others by what was learned
+of it where that can be, which is counted. Both episodes must agree in every number of every track, every event, signal,
+offset, flag and the ending. What took the embedded path in
 `native` is not compared, and is counted by reason. At the end, the processor time of both in this process, from the
 opened scene to its end, of the drives that were compared.
 """
@@ -18,10 +20,14 @@ import time
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from pathlib import Path
+from types import SimpleNamespace
 
 import click
 import numpy as np
+import yaml
 
+from chatscene.build.build import build
 from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of, wanting
 from chatscene.errors import ChatSceneError, MapError
 from chatscene.library.beside import placed_again
@@ -34,6 +40,7 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.native.binding import ORDER
 from chatscene.simulate.native.simulator import NativeSession, NativeSimulator
 from chatscene.simulate.simulator import Session, Simulator, drive, load_simulator
+from chatscene.situations.form import from_plain
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import Scenario, Slots, SubDescriptions
@@ -61,6 +68,7 @@ class Tally:
     agent_steps: int = 0
     reference: float = 0.0
     native: float = 0.0
+    learned: int = 0
     reasons: Counter[str] = field(default_factory=Counter)
     endings: Counter[str] = field(default_factory=Counter)
     primitives: Counter[str] = field(default_factory=Counter)
@@ -93,14 +101,24 @@ def programs(count: int, beside: int, rng: np.random.Generator) -> Iterator[Scen
                 continue  # a part that does not fit who is beside
 
 
+def built(path: Path) -> Iterator[ScenicProgram]:
+    """Programs of the situations of a file."""
+    for number, one in enumerate(yaml.safe_load(path.read_text(encoding="utf-8"))):
+        one.pop("name", None)
+        try:
+            yield build(from_plain(one), name=f"gate-{number}").program
+        except ChatSceneError as error:
+            print(f"situation {number} is not built: {error}")
+
+
 def scenes(program: ScenicProgram, simulator: Simulator, count: int, seed: int) -> Iterator[Scene]:
-    """Scenes drawn from a program's ranges, on routes that are drawn."""
-    routes = simulator.routes(program)
+    """Scenes drawn from a program's ranges, on a route that is drawn."""
+    route = scene_seed(seed, program.scenario_id) % simulator.routes(program)
     for i in range(count):
         name = f"{program.scenario_id}/{i}"
         own = scene_seed(seed, name)
         values = draw(program.parameters, seed=own)
-        yield Scene(id=name, scenario_id=program.scenario_id, route=own % routes, block=0, seed=own, values=values)
+        yield Scene(id=name, scenario_id=program.scenario_id, route=route, block=0, seed=own, values=values)
 
 
 def driven(
@@ -136,6 +154,7 @@ def compare(
     (session, mine, spent), (_, other, reference) = ours, theirs
     assert isinstance(session, NativeSession)
     tally.compared += 1
+    tally.learned += isinstance(session._reference.simulation.scene, SimpleNamespace)
     tally.programs.add(program.digest)
     world = session._bound.world
     for agent in world.agent[: world.agents]:  # of a loop, its phases count as begun in one round at most
@@ -154,7 +173,8 @@ def compare(
 def show(name: str, tally: Tally) -> None:
     print(
         f"\n{name}: {tally.tried} drives tried, {tally.rejected} rejected by both alike, {tally.compared} compared "
-        f"of {len(tally.programs)} programs, {tally.identical} identical; endings {dict(tally.endings)}"
+        f"of {len(tally.programs)} programs, {tally.identical} identical, {tally.learned} of them placed "
+        f"without Scenic; endings {dict(tally.endings)}"
     )
     print("  phases begun:", ", ".join(f"{primitive} {times}" for primitive, times in tally.primitives.most_common()))
     for reason, times in tally.reasons.most_common():
@@ -177,9 +197,18 @@ def show(name: str, tally: Tally) -> None:
 @click.option("--speed", default=0.0, help="What is wanted of each ego [km/h]; 0 leaves each at its own.")
 @click.option("--beside", default=0, help="Of how many programs in a hundred somebody else acts too.")
 @click.option("--in-turn", is_flag=True, help="Each scene by one of the egos, in turn, and not by all.")
+@click.option("--situations", type=click.Path(path_type=Path), help="A file of situations, instead of the library.")
 @click.option("--budget", default=480.0, help="Processor seconds after which no further program is begun.")
 def main(
-    count: int, each: int, seed: int, egos: tuple[str, ...], speed: float, beside: int, in_turn: bool, budget: float
+    count: int,
+    each: int,
+    seed: int,
+    egos: tuple[str, ...],
+    speed: float,
+    beside: int,
+    in_turn: bool,
+    situations: Path | None,
+    budget: float,
 ) -> None:
     """Compare the two simulators, and say how many drives were identical."""
     settings = SimulationSettings()
@@ -190,7 +219,7 @@ def main(
     tallies: dict[str, Tally] = defaultdict(Tally)
     failed: Counter[str] = Counter()
     tried, driven_scenes, why = 0, 0, ""
-    for program in programs(count, beside, np.random.default_rng(seed)):
+    for program in built(situations) if situations else programs(count, beside, np.random.default_rng(seed)):
         if time.process_time() > budget:
             break
         tried += 1

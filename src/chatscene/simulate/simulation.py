@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
+from collections.abc import Mapping
 from typing import Any, Self
 
 import scenic.core.dynamics as scenic_dynamics
@@ -100,13 +101,12 @@ class LivePose:
         return 0.0
 
 
-def _live(obj: Any) -> Any:
-    """A stand-in for a Scenic object while it moves: same class and attributes, live pose.
+def live_of(cls: Any, values: Mapping[str, Any]) -> Any:
+    """A stand-in for a Scenic object of a class while it moves: same attributes, live pose.
 
     It is all that Scenic's own copy of the object would be, which takes longer than to sample it: every property,
     angles as plain numbers, nothing that was computed from the pose, no object that it was sampled from.
     """
-    cls = type(obj)
     live = cls.__dict__.get("_live_class")
     if live is None:
         # The two entries tell Scenic that the class needs no further work on its properties.
@@ -116,7 +116,7 @@ def _live(obj: Any) -> Any:
     proxy = object.__new__(live)
     setDynamicProxyFor(proxy, proxy)  # first of all, since every look-up goes through it
     attributes = proxy.__dict__
-    attributes.update((name, value) for name, value in obj.__dict__.items() if not name.startswith(_CACHED))
+    attributes.update((name, value) for name, value in values.items() if not name.startswith(_CACHED))
     attributes.update((name, float(attributes[name])) for name in _ANGLES)
     attributes["_sampleParent"] = None
     setDynamicProxyFor(proxy, proxy)
@@ -169,13 +169,16 @@ class PhysicsSimulation(DrivingSimulation):
 
     def setup(self) -> None:
         """Create every object of the scene, the ego first."""
+        self._clear()
+        super().setup()
+
+    def _clear(self) -> None:
         self.bodies = []
         self.surroundings = surroundings_of(self.scene.params)
         self.lights = None
         self.axes = {}
         self._pilots: dict[Any, Pilot] = {}
         self._proxies: list[tuple[Any, int]] = []
-        super().setup()
 
     def set_pilot(self, agent: Any, pilot: Pilot | None) -> None:
         """Have somebody be driven by a pilot from now on, or not any more."""
@@ -193,12 +196,16 @@ class PhysicsSimulation(DrivingSimulation):
 
     def createObjectInSimulator(self, obj: Any) -> None:  # noqa: N802 - Scenic's name
         """Give an object its body and its live pose."""
-        proxy = _live(obj)
+        proxy = live_of(type(obj), obj.__dict__)
         setDynamicProxyFor(obj, proxy)
-        original = proxy.__dict__
+        self._embody(obj, proxy.__dict__)
+        self._proxies.append((proxy, len(proxy.__dict__)))
+
+    def _embody(self, obj: Any, original: dict[str, Any]) -> None:
+        """Give an object with these attributes its body."""
         position, backs = original["position"], bool(original.get("backwards", False))
         heading, speed = original["heading"] + QUARTER, _speed_at_start(obj, original)
-        proxy.body = self._physics.add(
+        original["body"] = self._physics.add(
             Placement(
                 kind=kind_of(obj),
                 x=position.x,
@@ -214,8 +221,7 @@ class PhysicsSimulation(DrivingSimulation):
                 backs=backs,
             )
         )
-        self.bodies.append(proxy.body)
-        self._proxies.append((proxy, len(original)))
+        self.bodies.append(original["body"])
 
     def step(self) -> None:
         """Ask the pilots, then move every body by one step."""
@@ -267,6 +273,8 @@ class SteppedLoop(Simulation):
         done: What of the program ended the scenario, or None while it goes on.
         how: Which kind of thing that was, as Scenic tells them apart.
         watched: Whether the program itself says anything of states: conditions, monitors, what it records.
+        drawn: The names of modules that depend on parameters, by the identity of the module, where they are not put
+            into it.
     """
 
     REJECTIONS = (RejectionException, RejectSimulationException, GuardViolation, CannotPlace)
@@ -277,6 +285,7 @@ class SteppedLoop(Simulation):
     done: str | None
     how: TerminationType | None
     watched: bool
+    drawn: dict[int, dict[str, Any]]
 
     def __init__(self, scene: Any, dt: float) -> None:  # Scenic's own would run it to its end
         self.screen = None
@@ -296,6 +305,7 @@ class SteppedLoop(Simulation):
         self._checkDivergence = False
         self.done = None
         self.how = None
+        self.drawn = {}
 
     def __enter__(self) -> Self:
         # Our steps have no time limit of their own (a watchdog guards whole episodes), and signal handlers are dear.
@@ -439,6 +449,14 @@ class SteppedSimulation(SteppedLoop, PhysicsSimulation):
     def __init__(self, scene: Any, physics: Physics, dt: float) -> None:
         super().__init__(scene, dt)
         self._physics = physics
+
+    def begin(self, things: list[Any]) -> None:
+        """Put things into the scene that have their live stand-ins already, and of which none acts."""
+        self._clear()
+        self.watched = False
+        self.objects = things
+        for one in things:
+            self._embody(one, one.__dict__)
 
     def recordCurrentState(self) -> None:  # noqa: N802 - Scenic's name
         """Evaluate what the program records; tracks are kept by the session."""

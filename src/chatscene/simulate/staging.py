@@ -21,6 +21,8 @@ from scenic.core.sample_checking import SampleChecker
 from chatscene.errors import MapError, ProgramError
 from chatscene.maps.network import load_network
 from chatscene.simulate.heading_for import route_of_ego
+from chatscene.simulate.placing import NoFunction, Placement
+from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.world.compilation import compile_program
@@ -73,6 +75,7 @@ class Stage:
     def __init__(self, map_path: Path) -> None:
         self._map_path = map_path
         self._compiled: OrderedDict[tuple[str, int], Any] = OrderedDict()
+        self._placements: dict[tuple[str, int], Placement | None] = {}  # None: Scenic has to place each scene
         self._placed: OrderedDict[tuple[object, ...], tuple[Any | Rejected, int]] = OrderedDict()
         self.draws = 1
 
@@ -103,9 +106,28 @@ class Stage:
             }
             self._compiled[key] = scenario
             while len(self._compiled) > COMPILED:
-                self._compiled.popitem(last=False)
+                self._placements.pop(self._compiled.popitem(last=False)[0], None)
         self._compiled.move_to_end(key)
         return self._compiled[key]
+
+    def learn(self, program: ScenicProgram, route: int, placed: SteppedSimulation) -> None:
+        """Take in a scene that was placed, as it began; the next may be placed by `placement`."""
+        key = program.digest, route
+        if key in self._compiled and key not in self._placements:
+            try:
+                self._placements[key] = Placement(self._compiled[key], placed)
+            except NoFunction:
+                self._placements[key] = None
+
+    def placement(self, program: ScenicProgram, scene: Scene) -> Placement | None:
+        """Where things stand, for the values of such a scene; None where `place` has to say it."""
+        key = program.digest, scene.route
+        found = self._placements.get(key)
+        if found is None or program.drawn or program.as_written or found.parameters != set(scene.values):
+            return None
+        self.draws = 1
+        self._compiled.move_to_end(key)
+        return found
 
     def place(self, program: ScenicProgram, scene: Scene) -> Any | Rejected:
         """Scenic's scene with the values of ours, or why there is none.
@@ -179,18 +201,21 @@ class _Drawn(dict[str, Any]):
 
     Args:
         module: All its names, none of which is set while a scene runs.
+
+    Attributes:
+        module: As above.
     """
 
     def __init__(self, module: dict[str, Any]) -> None:
         super().__init__((name, value) for name, value in module.items() if needsSampling(value))
-        self._module = module
+        self.module = module
 
     def clear(self) -> None:
         """Nothing is taken out: all that is there is put in again."""
 
     def update(self, *drawn: Any, **named: Any) -> None:
         """Put them into the module."""
-        self._module.update(*drawn, **named)
+        self.module.update(*drawn, **named)
 
 
 def _seed(seed: int, part: int) -> None:

@@ -6,7 +6,9 @@ from collections import OrderedDict
 from pathlib import Path
 from typing import Any
 
-from chatscene.errors import ChatSceneError, MapError, ProgramError
+from scenic.core.distributions import RejectionException
+
+from chatscene.errors import ChatSceneError, MapError, ProgramError, StuckBehavior
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.network import load_network, map_digest
 from chatscene.settings import SimulationSettings
@@ -14,7 +16,7 @@ from chatscene.simulate.physics import CannotPlace, Physics, PhysicsOf
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulation import SteppedSimulation
-from chatscene.simulate.staging import Stage
+from chatscene.simulate.staging import NO_PLACE, Stage
 from chatscene.terms.pointing import fault
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -87,7 +89,6 @@ class SteppedSimulator:
         through_collisions: bool = False,
     ) -> SteppedSession | Rejected:
         """Start a session."""
-        label = f"{program.called}, scene {scene.id!r},"
         free_process()
         try:
             placed = self._stage.place(program, scene)
@@ -102,21 +103,9 @@ class SteppedSimulator:
             raise
         except Exception as error:  # the program's own code, which may raise anything
             why = fault(error, program.filename, program.source)
-            raise ProgramError(f"{label} fails while it is set up: {why}") from error
-        route: Route = placed.egoObject.route.route
+            raise ProgramError(f"{_label(program, scene)} fails while it is set up: {why}") from error
         try:
-            session = SteppedSession(
-                simulation,
-                route,
-                self.surroundings(route),
-                self._settings,
-                observation,
-                pedals,
-                through_collisions,
-                label,
-                program,
-                self._stage.draws,
-            )
+            session = self._session(simulation, program, scene, observation, pedals, through_collisions)
         except BaseException:
             simulation.__exit__()
             raise
@@ -125,6 +114,57 @@ class SteppedSimulator:
             return Rejected(scene=scene, reason=session.rejection)
         take_process(session.close)
         return session
+
+    def _session(
+        self,
+        simulation: SteppedSimulation,
+        program: ScenicProgram,
+        scene: Scene,
+        observation: str,
+        pedals: str,
+        through: bool,
+    ) -> SteppedSession:
+        route: Route = simulation.scene.egoObject.route.route
+        return SteppedSession(
+            simulation,
+            route,
+            self.surroundings(route),
+            self._settings,
+            observation,
+            pedals,
+            through,
+            _label(program, scene),
+            program,
+            self._stage.draws,
+        )
+
+    def learn(self, program: ScenicProgram, scene: Scene, opened: SteppedSession) -> None:
+        """Take in how one scene was placed, and is closed: the next need not be placed by Scenic, if that can be."""
+        self._stage.learn(program, scene.route, opened.simulation)
+
+    def place(
+        self, program: ScenicProgram, scene: Scene, *, observation: str, pedals: str, through_collisions: bool
+    ) -> SteppedSession | Rejected | None:
+        """A scene at its beginning, with nobody who acts, for an engine; None where `open` has to place it.
+
+        It is placed as `open` does, by what was taken in of one before (`learn`), and is not to be closed.
+        """
+        placement = self._stage.placement(program, scene)
+        if placement is None:
+            return None
+        free_process()
+        try:
+            simulation = placement.scene(scene.values, scene.seed, self.physics_for(scene, None), self._settings.dt)
+            session = self._session(simulation, program, scene, observation, pedals, through_collisions)
+        except RejectionException:
+            return Rejected(scene=scene, reason=NO_PLACE)
+        except CannotPlace as error:
+            return Rejected(scene=scene, reason=str(error))
+        except (StuckBehavior, MemoryError):
+            raise
+        except Exception:  # noqa: BLE001 - whatever it is, `open` comes to it too, and says it as it does
+            return None
+        return Rejected(scene=scene, reason=session.rejection) if session.rejection else session
 
     def physics_for(self, scene: Scene, placed: Any) -> Physics:  # noqa: ARG002 - for those that need them
         """The physics of a scene, which Scenic has placed."""
@@ -140,3 +180,8 @@ class SteppedSimulator:
             while len(self._surroundings) > KEPT:
                 self._surroundings.popitem(last=False)
         return self._surroundings[route.id]
+
+
+def _label(program: ScenicProgram, scene: Scene) -> str:
+    """What messages call a scene."""
+    return f"{program.called}, scene {scene.id!r},"

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ctypes
+from collections import ChainMap
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -238,7 +240,7 @@ class _Binder:
         agent.list = self._array(engine.Phase, phases)
         return agent
 
-    def _plan(self, behavior: Any) -> tuple[Plan, dict[str, Any]]:
+    def _plan(self, behavior: Any) -> tuple[Plan, Mapping[str, Any]]:
         """What somebody does, and the names that it speaks of."""
         name, given = type(behavior).__name__, behavior._args  # pyright: ignore[reportPrivateUsage] - Scenic has no other
         if name in self._plans and not given and not behavior._kwargs:
@@ -246,7 +248,8 @@ class _Binder:
             if isinstance(plan, str):
                 raise NotCovered("a behavior that is no plan")
             # The program's own names, with what the scene drew.
-            return plan.plan, type(behavior).makeGenerator.__globals__
+            names = type(behavior).makeGenerator.__globals__
+            return plan.plan, ChainMap(self._session.simulation.drawn.get(id(names), {}), names)
         if name not in PRIMITIVES or behavior._kwargs:
             raise NotCovered("a behavior that is no plan")
         takes = PRIMITIVES[name].takes[: len(given)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import OrderedDict
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 
@@ -18,7 +18,8 @@ from chatscene.simulate.native.code import NotCovered
 from chatscene.simulate.native.engine import END, Engine, NoEngine, load_engine
 from chatscene.simulate.native.policies import foot_of, policy_of
 from chatscene.simulate.session import SteppedSession
-from chatscene.simulate.simulator import Session, Simulator, load_simulator
+from chatscene.simulate.simulator import Session, load_simulator
+from chatscene.simulate.stepped import SteppedSimulator
 from chatscene.terms.braking import Braking
 from chatscene.terms.episode import Ending, Episode, Stepped
 from chatscene.terms.route import Route
@@ -27,6 +28,14 @@ from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 NAME, REFERENCE = "native", "embedded"
 ENDINGS = {1: Ending.COLLISION, 2: Ending.ARRIVED, 3: Ending.TIMEOUT, 4: Ending.OVER}  # as engine.c numbers them
 SIDES = ("front", "rear", "left", "right")
+
+
+class _Senses(TypedDict):
+    """What the ego sees and how hard it brakes, and whether its drive goes on after a collision."""
+
+    observation: str
+    pedals: str
+    through_collisions: bool
 
 
 class NativeSession:
@@ -155,7 +164,9 @@ class NativeSimulator:
     keeps = 1
 
     def __init__(self, map_path: Path, settings: SimulationSettings) -> None:
-        self._embedded: Simulator = load_simulator(map_path, replace(settings, simulator=REFERENCE))
+        embedded = load_simulator(map_path, replace(settings, simulator=REFERENCE))
+        assert isinstance(embedded, SteppedSimulator)
+        self._embedded = embedded
         self.identity = replace(self._embedded.identity, name=NAME, confinable=False)
         self.missing = ""
         self._engine: Engine | None = None
@@ -191,12 +202,18 @@ class NativeSimulator:
         if key in self._placed:
             self._placed.move_to_end(key)
             return self._session(*self._placed[key], pedals)
-        opened = self._embedded.open(
-            program, scene, observation=observation, pedals=pedals, through_collisions=through_collisions
-        )
+        senses: _Senses = {"observation": observation, "pedals": pedals, "through_collisions": through_collisions}
+        placed = self._embedded.place(program, scene, **senses) if self._engine is not None else None
+        if isinstance(placed, Rejected):
+            return placed
+        if placed is not None:
+            try:
+                return self._keep(key, placed, self._bound(placed, program), pedals)
+            except NotCovered:
+                pass  # which the embedded simulator says below
+        opened = self._embedded.open(program, scene, **senses)
         if isinstance(opened, Rejected):
             return opened
-        assert isinstance(opened, SteppedSession)
         try:
             bound = self._bound(opened, program)
         except NotCovered as reason:
@@ -206,6 +223,10 @@ class NativeSimulator:
             opened.close()
             raise
         opened.close()
+        self._embedded.learn(program, scene, opened)
+        return self._keep(key, opened, bound, pedals)
+
+    def _keep(self, key: tuple[object, ...], opened: SteppedSession, bound: Bound, pedals: str) -> NativeSession:
         self._placed[key] = opened, bound
         while len(self._placed) > self.keeps:
             self._placed.popitem(last=False)
