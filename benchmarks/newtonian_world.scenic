@@ -2,7 +2,8 @@
 
 from scenic.simulators.newtonian.driving_model import *
 
-from chatscene.world.places import choose_route as _choose_route, directionOn, pointOn
+from chatscene.world.ego_route import choose_route as _choose_route
+from chatscene.world.places import directionOn, pointOn
 
 param route = 0
 

@@ -13,7 +13,8 @@ from chatscene.errors import NotBuilt
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.off_lane import CURB_RADIUS, DRIVEWAY, KERB
 from chatscene.situations.form import from_plain
-from chatscene.world.places import choose_route, ownLane
+from chatscene.world.ego_route import choose_route
+from chatscene.world.places import ownLane
 
 EDGES: dict[str, tuple[dict[str, Any], float, float]] = {
     "leave-parking": ({"begins": "kerb"}, KERB, 0.0),

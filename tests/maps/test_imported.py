@@ -18,7 +18,8 @@ from chatscene.maps.routes import BASE_SCENARIO_QUERIES, find_routes
 from chatscene.maps.survey import check_map, describe_map
 from chatscene.terms.route import RouteQuery
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Site
-from chatscene.world.places import EgoRoute, lanesBeside
+from chatscene.world.ego_route import EgoRoute
+from chatscene.world.places import lanesBeside
 from places import SHARED
 
 MADE = Path(__file__).with_name("osm")

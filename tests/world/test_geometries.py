@@ -21,7 +21,8 @@ from chatscene.program.meaning import maneuver_of
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Component, Maneuver, Place, Site, includes
 from chatscene.terms.snippet import Snippet
-from chatscene.world.places import besideRoad, neighbourPath, routes_for, trafficFrom, wayOf
+from chatscene.world.ego_route import routes_for
+from chatscene.world.places import besideRoad, neighbourPath, trafficFrom, wayOf
 
 GEOMETRIES = load_library().of(Component.GEOMETRY)
 TRAFFIC = {"trafficFromLeft": "left", "trafficFromRight": "right", "oncomingTraffic": "oncoming"}
@@ -140,6 +141,6 @@ def test_the_lane_at_the_kerb_has_no_other_to_its_right(geometry: Snippet) -> No
 
 
 def _ego(route: Route) -> Any:
-    from chatscene.world.places import EgoRoute
+    from chatscene.world.ego_route import EgoRoute
 
     return EgoRoute(route, _network(route.site), 1)

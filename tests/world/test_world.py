@@ -14,16 +14,8 @@ from chatscene.simulate.embedded.dynamics import VehicleBody
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.polyline import Polyline
 from chatscene.world.control import CURVE_ACCELERATION, Tracker, curve_speeds, pedals
-from chatscene.world.places import (
-    choose_route,
-    laneLine,
-    neighbourPath,
-    ownLane,
-    ownWay,
-    shortOfJunction,
-    trafficFrom,
-    wayOf,
-)
+from chatscene.world.ego_route import choose_route
+from chatscene.world.places import laneLine, neighbourPath, ownLane, ownWay, shortOfJunction, trafficFrom, wayOf
 from chatscene.world.signals import MODES, signal_states
 
 DT = 0.1

@@ -14,7 +14,7 @@ from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL, usual_speed
 from chatscene.terms.profile import Timetable
 from chatscene.terms.situation import Situation
-from chatscene.world.places import EgoRoute as Route
+from chatscene.world.ego_route import EgoRoute as Route
 from chatscene.world.places import timetable
 
 _STEP = 0.1  # [s], in which a drive on an empty road is computed

@@ -36,8 +36,9 @@ from chatscene.terms.routing import MANEUVERS
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Road, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, RightOfWay, RoadKind, Role, Side, Where
-from chatscene.world.places import EgoRoute as Route
-from chatscene.world.places import choose_route, lanesBeside, timetable
+from chatscene.world.ego_route import EgoRoute as Route
+from chatscene.world.ego_route import choose_route
+from chatscene.world.places import lanesBeside, timetable
 
 
 def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:

@@ -13,7 +13,7 @@ from chatscene.build.place import LANE, NEXT_LANE, lane_beside
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.vocabulary import Act, Side, Where
-from chatscene.world.places import EgoRoute as Route
+from chatscene.world.ego_route import EgoRoute as Route
 from chatscene.world.places import ownLane
 
 _SIGN = {Side.LEFT: 1, Side.RIGHT: -1}

@@ -15,7 +15,7 @@ from chatscene.terms.routing import BEGINS, ENDS
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Facing, Feature, RightOfWay, RoadKind, Side, Where
-from chatscene.world.places import EgoRoute as Route
+from chatscene.world.ego_route import EgoRoute as Route
 from chatscene.world.places import lanes_beside, neighbourPath, ownLane
 
 ONWARD = 100.0  # [m] past the end of a lane, in which somebody goes straight on

@@ -26,7 +26,7 @@ from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.world.compilation import compile_program
-from chatscene.world.places import EgoRoute
+from chatscene.world.ego_route import EgoRoute
 
 NO_PLACE = "a place that the program asks for, such as the edge of the road, is not there"
 COMPILED = 16  # programs kept per process; a compiled one holds a few MB
