@@ -6,11 +6,23 @@ The phrases are those of `chatscene.situations.phrases`; this puts them in order
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import chain
 from typing import TypeVar
 
+from chatscene.situations.naming import (
+    called_of,
+    form_of,
+    hider,
+    in_order,
+    name_of,
+    named_by,
+    numeral,
+    ordinal,
+    spoken_of,
+    target_of,
+)
 from chatscene.situations.phrases import (
     ACTS,
     AHEAD,
@@ -24,7 +36,6 @@ from chatscene.situations.phrases import (
     LATERAL_PHRASES,
     LIGHTS,
     MANNERS,
-    NUMBERS,
     PARTS,
     PLACES,
     ROADS,
@@ -48,7 +59,6 @@ from chatscene.terms.vocabulary import Manner, Striker
 
 W = TypeVar("W")
 TITLE = 200
-_ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 _BOUNDS = re.compile(r"at (?P<which>most|least) (?P<amount>.*)")
 _THAN = re.compile(r" (?P<more>more|less) than the ego$")
 _FASTER = {"more": "faster", "less": "slower"}
@@ -118,16 +128,16 @@ class _Telling:
 
     @classmethod
     def of(cls, situation: Situation, voice: Voice) -> _Telling:
-        order, circular = _ordered(situation.others, _spoken_of)
+        order, circular = in_order(situation.others, spoken_of)
         if circular:
-            order, _ = _ordered(situation.others, _hider)
-        called = [_called(one) for one in order]
+            order, _ = in_order(situation.others, hider)
+        called = [called_of(one) for one in order]
         rank = {
             one.id: called[:i].count(name) if called.count(name) > 1 else None
             for i, (one, name) in enumerate(zip(order, called, strict=True))
         }
         names = {
-            one.id: _name(one, name, rank[one.id]) if voice is Voice.PLAIN else _target(one)
+            one.id: name_of(one, name, rank[one.id]) if voice is Voice.PLAIN else target_of(one)
             for one, name in zip(order, called, strict=True)
         }
         return cls(situation=situation, voice=voice, order=order, apart=circular, names=names, rank=rank)
@@ -149,7 +159,7 @@ class _Telling:
     def sentences(self) -> Iterator[Words]:
         """Each sentence, in order."""
         own = tuple(self._deeds(EGO, self._me.does))
-        waits = any(name != EGO for deed in self.situation.ego.does for name in _named_by(deed))
+        waits = any(name != EGO for deed in self.situation.ego.does for name in named_by(deed))
         told = (
             (self._vehicle(), self._ego()),
             self._road(),
@@ -211,11 +221,11 @@ class _Telling:
     def _lanes(self, road: Road) -> Words:
         lanes = lane = Words()
         if road.lanes is not None:
-            many = f"{_number(road.lanes)} lane{'s' * (road.lanes != 1)}"
+            many = f"{numeral(road.lanes)} lane{'s' * (road.lanes != 1)}"
             lanes = Words(f"there {'is' if road.lanes == 1 else 'are'} ") + Words(many).tells("road.lanes")
             lanes += f" in {self._me.own} direction"
         if road.ego_lane is not None:
-            which = "outermost lane" if road.ego_lane == 1 else f"{_ordinal(road.ego_lane - 1)} lane from the outside"
+            which = "outermost lane" if road.ego_lane == 1 else f"{ordinal(road.ego_lane - 1)} lane from the outside"
             lane = self._filled(f"{self._me.does} {_IS} in the ", self._my_form) + Words(which).tells("road.ego_lane")
         return sentence(joined(filter(None, (lanes, lane)), last=", and "))
 
@@ -230,7 +240,7 @@ class _Telling:
             yield from self._deeds(one.id, self._subject(one))
 
     def _introduced(self, one: Other) -> Iterator[Words]:
-        at, form, starts = f"others.{one.id}", _form(one), one.starts
+        at, form, starts = f"others.{one.id}", form_of(one), one.starts
         slots = {
             "side": _word(f"{at}.starts.side", starts.side, SIDES),
             "distance": self._amount(starts.distance, f"{at}.starts.distance"),
@@ -261,13 +271,13 @@ class _Telling:
         if one.count == 1:
             kind = Words(bare).tells(f"{at}.kind")
         else:
-            many = "several" if one.count == SEVERAL else _number(one.count)
+            many = "several" if one.count == SEVERAL else numeral(one.count)
             kind = Words(many).tells(f"{at}.count") + " " + Words(noun.many).tells(f"{at}.kind")
         if self.voice is Voice.PROTOCOL:
-            return Words(f"{_target(one)}, {article} " if one.count == 1 else f"{_target(one)}, ") + kind + ","
+            return Words(f"{target_of(one)}, {article} " if one.count == 1 else f"{target_of(one)}, ") + kind + ","
         if one.count == 1:
-            return Words(f"a {_ordinal(rank)} " if rank else f"{article} ") + kind
-        return Words(f"a {_ordinal(rank)} group of ") + kind if rank else kind
+            return Words(f"a {ordinal(rank)} " if rank else f"{article} ") + kind
+        return Words(f"a {ordinal(rank)} group of ") + kind if rank else kind
 
     def _subject(self, one: Other) -> str:
         """Somebody who was named in the sentence before."""
@@ -278,11 +288,11 @@ class _Telling:
         if one.hidden_by is None and not KINDS[one.kind].somebody:
             return "it"
         only_yet = not self.rank[one.id]  # others who are called so are told of later
-        return f"the {_called(one)}" if only_yet else self.names[one.id]
+        return f"the {called_of(one)}" if only_yet else self.names[one.id]
 
     def _at_first(self, one: Other) -> Words:
         """The speed at which somebody starts."""
-        drives = self._filled(KINDS[one.kind].goes, _form(one))
+        drives = self._filled(KINDS[one.kind].goes, form_of(one))
         return drives + " " + self._pace(one.starts.speed, f"others.{one.id}.starts.speed")
 
     # What is done
@@ -364,7 +374,7 @@ class _Telling:
         slots = {"goes": self._goes(whose, verb), "whom": self._whom(whose, deed)}
         does = self._filled(ACTS[deed.act].does, verb, slots)
         alike = [one for one in deeds if one.act is deed.act]
-        which = f" for the {_ordinal(next(i for i, one in enumerate(alike) if one is deed))} time"
+        which = f" for the {ordinal(next(i for i, one in enumerate(alike) if one is deed))} time"
         being = f"{self._filled(_IS, form).text} " if lasting else ""
         return f"{subject} {being}{does.text}{which if len(alike) > 1 else ''}"
 
@@ -384,7 +394,7 @@ class _Telling:
         return self._filled(self._my_way if who == EGO else KINDS[self.situation[who].kind].goes, form)
 
     def _form_of(self, who: str) -> Form:
-        return self._my_form if who == EGO else _form(self.situation[who])
+        return self._my_form if who == EGO else form_of(self.situation[who])
 
     # How it ends, and what is about
 
@@ -424,7 +434,7 @@ class _Telling:
         if contact.whom is not None:
             return Words(self.names[contact.whom]).tells("contact.whom"), self._form_of(contact.whom)
         for one in self.situation.adversaries[:1]:
-            return Words(self.names[one.id]), _form(one)
+            return Words(self.names[one.id]), form_of(one)
         return Words("somebody"), Form.ONE
 
     def _around(self) -> Words:
@@ -477,61 +487,3 @@ def _in_a_manner(does: Words, manner: Manner | None, path: str) -> Words:
         return does
     before, after = (Words(part).tells(*[path] * bool(part)) for part in MANNERS[manner].split("{does}"))
     return before + does + after
-
-
-def _ordered(others: tuple[Other, ...], needs: Callable[[Other], frozenset[str]]) -> tuple[tuple[Other, ...], bool]:
-    """Some so that whom each needs stands before it, else as they stood; and whether some need each other."""
-    left, made, circular = list(others), list[Other](), False
-    while left:
-        waiting = {one.id for one in left}
-        free = next((one for one in left if not needs(one) & waiting - {one.id}), None)
-        circular = circular or free is None
-        made.append(free or left[0])
-        left.remove(made[-1])
-    return tuple(made), circular
-
-
-def _spoken_of(one: Other) -> frozenset[str]:
-    """The ids of those whom one speaks of."""
-    return _hider(one).union(*(_named_by(deed) for deed in one.does))
-
-
-def _hider(one: Other) -> frozenset[str]:
-    return frozenset(filter(None, (one.hidden_by,)))
-
-
-def _named_by(deed: Deed) -> frozenset[str]:
-    when = deed.when or When()
-    deeds = (reference.partition(".")[0] for reference in (when.after, when.during) if reference)
-    return frozenset(filter(None, (deed.whom, when.of, *deeds)))
-
-
-def _called(one: Other) -> str:
-    """What somebody is called, if nobody else is called so."""
-    noun = KINDS[one.kind]
-    if one.count == 1:
-        return noun.one.partition(" ")[2]
-    return noun.many if one.count == SEVERAL else f"{_number(one.count)} {noun.many}"
-
-
-def _name(one: Other, called: str, rank: int | None) -> str:
-    """What somebody is called who was named, and is the only one called so, or one of them."""
-    if rank is None:
-        return f"the {called}"
-    return f"the {_ordinal(rank)} {'' if one.count == 1 else 'group of '}{called}"
-
-
-def _target(one: Other) -> str:
-    return f"target{'s' * (one.count != 1)} {one.id}"
-
-
-def _form(one: Other) -> Form:
-    return Form.ONE if one.count == 1 else Form.SEVERAL
-
-
-def _number(number: int) -> str:
-    return NUMBERS[number] if number < len(NUMBERS) else str(number)
-
-
-def _ordinal(rank: int) -> str:
-    return _ORDINALS[rank] if rank < len(_ORDINALS) else f"number {rank + 1}"
