@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -37,7 +38,7 @@ from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Road, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, RightOfWay, RoadKind, Role, Side, Where
 from chatscene.world.ego_route import EgoRoute as Route
-from chatscene.world.ego_route import choose_route
+from chatscene.world.ego_route import choose_route, has_route
 from chatscene.world.places import lanesBeside, timetable
 
 
@@ -63,7 +64,10 @@ def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
             )
     lacking: list[str] = []
     rooms: dict[str, float] = {}
-    for more in _lengths(situation, speed, road):
+    longest, *shorter = _lengths(situation, speed, road)
+    for more in (longest, *shorter):
+        if more is not longest and more is not shorter[-1] and not rooms and not _is_somewhere(situation, shorter[-1]):
+            continue  # where even the shortest road is nowhere, those between are not either
         lacking.clear()  # what is told is what the shortest road lacks
         if found := _found(situation, speed, more, road, lacking, rooms):
             _take(ledger, found)
@@ -81,11 +85,21 @@ def _found(
     situation: Situation, speed: float, more: float, road: float, lacking: list[str], rooms: dict[str, float]
 ) -> Found | None:
     """The first route on so many times the usual road; what each map lacks goes into `lacking` and `rooms`."""
+    load = cache(_map)
     for sides in _open_sides(situation):
         for name, query in queries_for(situation, sides):
-            if found := _answered(situation, speed, name, _longer(query, more), sides, lacking, rooms, road):
+            if found := _answered(
+                situation, speed, name, load(name), _longer(query, more), sides, lacking, rooms, road
+            ):
                 return found
     return None
+
+
+def _is_somewhere(situation: Situation, more: float) -> bool:
+    """Whether any map has any of the roads that are asked for, so many times as long as usual."""
+    load = cache(_map)
+    asked = ((name, query) for sides in _open_sides(situation) for name, query in queries_for(situation, sides))
+    return any(has_route(*load(name), **_longer(query, more)) for name, query in asked)
 
 
 def without_one_fact(situation: Situation, speed: float) -> str:
@@ -242,6 +256,7 @@ def _answered(
     situation: Situation,
     speed: float,
     name: str,
+    there: tuple[Any, str],
     query: dict[str, Any],
     sides: dict[str, Side],
     lacking: list[str],
@@ -254,14 +269,14 @@ def _answered(
         situation: What was said.
         speed: What the ego drives at [m/s].
         name: The map's name or file.
+        there: Its network and its path.
         query: What it is asked for.
         sides: Those that were chosen.
         lacking: Takes what the map lacks, in words.
         rooms: Takes what is the most that a place has room for, by what is told of it, where more was said.
         road: How much road [m] the ego drives along while all is done; 0 where that is not known yet.
     """
-    path = str(resolve_map(name))
-    network = load_network(path)
+    network, path = there
     try:
         route = choose_route(network, path, 0, **query)
     except MapError as error:
@@ -284,6 +299,12 @@ def _answered(
         rooms[told] = max(most, rooms.get(told, 0.0))
         return None
     return found
+
+
+def _map(name: str) -> tuple[Any, str]:
+    """The network of a map, and its file."""
+    path = str(resolve_map(name))
+    return load_network(path), path
 
 
 def _take(ledger: Ledger, found: Found) -> None:

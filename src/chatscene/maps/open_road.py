@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from chatscene.maps.kept import kept
 from chatscene.maps.lane_changes import neighbour, shifted, wide_at
 from chatscene.maps.lane_runs import LaneRun, centre_line
 from chatscene.maps.neighbours import opposes
@@ -39,6 +41,9 @@ def turned(line: Polyline, start: float, end: float) -> float:
     return math.remainder(line.heading_at(end) - line.heading_at(start), 2 * math.pi)
 
 
+_Sought = tuple[LaneRun, Place, float, float, float]
+
+
 def windows(
     network: Any, run: LaneRun, wanted: Place, query: RouteQuery
 ) -> Iterator[tuple[float, float, float | None]]:
@@ -54,17 +59,23 @@ def windows(
         return
     if site is not None and not along(network, run, site):
         return
-    long, short = _lengths(query)
     apart = BEND_STEP if includes(Place.CURVE, wanted) else ONSET_STEP
-    found = False
-    for length, first, step in ((long, FIRST_ONSET, apart), (short, FINE_STEP, FINE_STEP)):
-        if found:
+    long, short = _lengths(query)
+    fitting = kept(network, "_fitting", lambda _: dict[_Sought, tuple[float, ...]]())
+    for sought in ((run, wanted, long, FIRST_ONSET, apart), (run, wanted, short, FINE_STEP, FINE_STEP)):
+        if sought not in fitting:
+            fitting[sought] = tuple(_onsets(*sought))
+        if onsets := fitting[sought]:
+            yield from ((onset, onset + sought[2], None) for onset in onsets)
             return
-        for onset in np.arange(first, run.line.length - length - FINE_STEP, step).tolist():
-            shape = _shape(run.line, onset, onset + length)
-            if shape is not None and includes(wanted, shape) and wide_at(run, onset) and wide_at(run, onset + length):
-                found = True
-                yield onset, onset + length, None
+
+
+def _onsets(run: LaneRun, wanted: Place, length: float, first: float, step: float) -> Iterator[float]:
+    """From where on [m] so much of a run [m] is as wanted, and wide enough at both ends."""
+    onsets = np.arange(first, run.line.length - length - FINE_STEP, step)
+    for onset, shape in zip(onsets.tolist(), _shapes(run.line, onsets, onsets + length), strict=True):
+        if shape is not None and includes(wanted, shape) and wide_at(run, onset) and wide_at(run, onset + length):
+            yield onset
 
 
 def _lengths(query: RouteQuery) -> tuple[float, float]:
@@ -87,14 +98,24 @@ def _beyond(maneuver: Maneuver, approach: float) -> float:
 
 def _shape(line: Polyline, start: float, end: float) -> Place | None:
     """ROAD for a straight part of a line, a bend's side for one that bends from its start, None for what is neither."""
-    turns = [turned(line, start, s) for s in np.linspace(start, end, 9).tolist()]
-    if max(map(abs, turns)) < _STRAIGHT_ROAD:
-        # An even bend by `turned` over a length moves a line aside by half their product; what is left is a shift.
-        shift = _aside(line, start, end) - 0.5 * turned(line, start, end) * (end - start)
-        return Place.ROAD if abs(shift) < _LATERAL else None
-    if abs(turns[-1]) <= CURVED_ROAD or turns[1] / turns[-1] < _BENT_FROM_THE_START:
-        return None
-    return Place.LEFT_CURVE if turns[-1] > 0 else Place.RIGHT_CURVE
+    return next(_shapes(line, np.array([start]), np.array([end])))
+
+
+def _shapes(line: Polyline, starts: NDArray[np.float64], ends: NDArray[np.float64]) -> Iterator[Place | None]:
+    """The same, of each of many parts of a line."""
+    headings = line.headings_at(np.linspace(starts, ends, 9, axis=-1))
+    turns = headings - headings[:, :1]
+    turns -= 2 * math.pi * np.rint(turns / (2 * math.pi))
+    straight = np.abs(turns).max(axis=-1, initial=0.0) < _STRAIGHT_ROAD
+    curved = np.abs(turns[:, -1]) > CURVED_ROAD
+    bends = np.divide(turns[:, 1], turns[:, -1], out=np.zeros(len(starts)), where=curved) >= _BENT_FROM_THE_START
+    for start, end, turned, is_straight, is_bend in zip(starts, ends, turns[:, -1], straight, bends, strict=True):
+        if is_straight:
+            # An even bend by `turned` over a length moves a line aside by half their product; what is left is a shift.
+            shift = _aside(line, float(start), float(end)) - 0.5 * float(turned) * float(end - start)
+            yield Place.ROAD if abs(shift) < _LATERAL else None
+        else:
+            yield (Place.LEFT_CURVE if turned > 0 else Place.RIGHT_CURVE) if is_bend else None
 
 
 def _aside(line: Polyline, start: float, end: float) -> float:

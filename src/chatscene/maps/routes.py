@@ -21,6 +21,7 @@ from chatscene.errors import MapError
 from chatscene.maps.crossings import ALL_LEGS, TURNS, conflicting_paths
 from chatscene.maps.equipment import is_equipped
 from chatscene.maps.junctions import junction_control
+from chatscene.maps.kept import kept
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, arms, junction_kinds
 from chatscene.maps.neighbours import opposes, section_beside
@@ -190,10 +191,27 @@ def _in_words(query: RouteQuery) -> list[str]:
 
 
 def _at_site(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[_Candidate]:
+    way = RouteQuery(  # what the way itself depends on
+        maneuver=query.maneuver,
+        site=query.site,
+        approach=query.approach,
+        lanes_same_way=query.lanes_same_way,
+        lane_beside=query.lane_beside,
+    )
+    known = kept(network, "_at_sites", lambda _: dict[tuple[str, RouteQuery, int], tuple[_Candidate, ...]]())
+    if (map_name, way, variant) not in known:
+        known[map_name, way, variant] = tuple(_ways_at_site(network, map_name, way, variant))
+    yield from (one for one in known[map_name, way, variant] if _offers(network, _first_lane(network, one), query))
+
+
+def _ways_at_site(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[_Candidate]:
     for group, route in routes_at(network, map_name, query, variant):
-        on_road = shapely.contains_xy(_drivable(network), route.line.points).all()
-        if on_road and _offers(network, network.elements[route.lane_ids[0]], query):
+        if shapely.contains_xy(_drivable(network), route.line.points).all():
             yield _Candidate(variant, group, route)
+
+
+def _first_lane(network: Any, found: _Candidate) -> Any:
+    return network.elements[found.route.lane_ids[0]]
 
 
 @lru_cache(maxsize=8)

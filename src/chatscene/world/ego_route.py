@@ -156,6 +156,14 @@ def _routes(network: Any, map_name: str, query: RouteQuery) -> tuple[Route, ...]
         return str(error)
 
 
+def has_route(network: Any, map_path: str, **query: Any) -> bool:
+    """Whether a map has such a geometry, asked for as `routes_for` is."""
+    try:
+        return bool(routes_for(network, map_path, **query))
+    except MapError:
+        return False
+
+
 def choose_route(
     network: Any, map_path: str, index: int, *, at_line: bool = False, to_line: float = TO_LINE, **query: Any
 ) -> EgoRoute:
