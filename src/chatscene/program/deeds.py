@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.program.watching import Seen, in_frame
+from chatscene.program.watching import Seen, in_frame, percentile
 from chatscene.simulate.roadside import crossing_step
 from chatscene.terms.actors import BY_CLASS, AdversaryKind, RoadUser
 from chatscene.terms.acts import Action
@@ -167,14 +167,14 @@ def _accelerates(s: Seen) -> Iterator[Act]:
 
 def _slow(s: Seen) -> Iterator[Act]:
     limit, moving = _row(s).slow, _speed(s) > 0.2
-    if moving.any() and float(np.percentile(_speed(s)[moving], 25)) < limit:
+    if moving.any() and percentile(_speed(s)[moving], 25) < limit:
         yield from _once(moving & (_speed(s) < limit))
     yield from _slowing(s)
 
 
 def _fast(s: Seen) -> Iterator[Act]:
     limit = _row(s).fast
-    if float(np.percentile(_speed(s), 90)) >= limit:
+    if percentile(_speed(s), 90) >= limit:
         yield from _once(_speed(s) >= limit)
     yield from _gaining(s)
 

@@ -18,7 +18,7 @@ from chatscene.program.contacts import is_with
 from chatscene.program.deeds import LOSING, MOVING, STANDING
 from chatscene.program.finding import Finding
 from chatscene.program.meaning import TOGETHER
-from chatscene.simulate.boxes import Boxes, Pair, gaps, times_to_collision
+from chatscene.simulate.boxes import ROUNDING, Boxes, Pair, gaps, times_to_collision
 from chatscene.simulate.native.lines import follow
 from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.polyline import Polyline
@@ -209,10 +209,11 @@ def _meeting(ego: Track, way: Way, other: Track, dt: float, since: int) -> Meeti
     if not there.size:
         return Meeting()
     ways = _goes_on(ego, way, dt, len(other.x) - len(ego.x) + lags + 1)
-    boxes = Boxes.of(other).at(there)
+    boxes, square = Boxes.of(other).at(there), (far + ROUNDING) ** 2
     for lag in sorted(range(-lags, lags + 1), key=abs):
         steps = (there + lag).clip(0)
-        near = (np.hypot(ways[0][:, steps] - boxes.x, ways[1][:, steps] - boxes.y) < far) & (there + lag >= 0)
+        dx, dy = ways[0][:, steps] - boxes.x, ways[1][:, steps] - boxes.y
+        near = (dx * dx + dy * dy < square) & (there + lag >= 0)
         if not near.any():
             continue
         rows, columns = np.nonzero(near)
@@ -230,8 +231,8 @@ def _within(way: Way, other: Track, since: int, far: float) -> Flags:
     """(T - since,) Whether somebody is so near [m] to the ego's way, of which a point in a metre is enough."""
     along, x, y, _ = way
     points = np.unique(np.searchsorted(along, np.arange(along[0], along[-1], 1.0)).clip(max=len(x) - 1))
-    apart = np.hypot(np.subtract.outer(other.x[since:], x[points]), np.subtract.outer(other.y[since:], y[points]))
-    return np.asarray((apart < far + 1.0).any(axis=1))
+    dx, dy = np.subtract.outer(other.x[since:], x[points]), np.subtract.outer(other.y[since:], y[points])
+    return np.asarray((dx * dx + dy * dy < (far + 1.0) ** 2).any(axis=1))
 
 
 def _goes_on(ego: Track, way: Way, dt: float, more: int) -> tuple[Array, Array, Array]:

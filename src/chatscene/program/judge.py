@@ -40,7 +40,7 @@ from chatscene.program.said import ASIDE, due, gently, to_side, untold, waits_fo
 from chatscene.program.starting import STARTS, faces
 from chatscene.program.unasked import of_somebody, unasked
 from chatscene.program.waits import Waiting
-from chatscene.program.watching import Seen, watch
+from chatscene.program.watching import Seen, percentile, watch
 from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.backing import as_it_backs, backs, drive_as_it_backs, turned_about
@@ -98,7 +98,7 @@ class _Judge:
     waits: list[tuple[str, Deed, Act, Seen]] = field(default_factory=list[tuple[str, Deed, Act, Seen]])
 
     def __post_init__(self) -> None:
-        wanted = float(np.percentile(self.episode.ego_track.speed, 90))  # as nothing held it
+        wanted = percentile(self.episode.ego_track.speed, 90)  # as nothing held it
         self.waiting = Waiting(self.situation, self.episode, self.route, self.contact)
         self.measure = Measure(ego_speed=wanted, cut=self.contact is not None)
 

@@ -167,9 +167,10 @@ class RouteSurroundings:
     def _lane_invasions(self, ego: Track) -> list[Event]:
         """A change of lane outside junctions, or onto no lane at all."""
         lane = self._lane_map.lane_index(np.column_stack((ego.x, ego.y)), self._route.lane_ids)
-        inside = np.asarray(shapely.contains_xy(self._junctions, ego.x, ego.y))
-        changed = (lane[1:] != lane[:-1]) & ~inside[1:] & ~inside[:-1] & (lane[:-1] >= 0)
-        return [Event(kind=EventKind.LANE_INVASION, step=int(i) + 1) for i in np.flatnonzero(changed)]
+        changed = np.flatnonzero((lane[1:] != lane[:-1]) & (lane[:-1] >= 0))
+        inside = [shapely.contains_xy(self._junctions, ego.x[at], ego.y[at]) for at in (changed, changed + 1)]
+        left = changed[~np.logical_or(*inside)].tolist()
+        return [Event(kind=EventKind.LANE_INVASION, step=step + 1) for step in left]
 
     def _stop_signs(self, ego: Track) -> list[Event]:
         events: list[Event] = []

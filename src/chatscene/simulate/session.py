@@ -133,9 +133,9 @@ class SteppedSession:
         self._moving: list[Body] = []
         self._vehicles: list[Body] = []
         self.others: list[tuple[Body, bool, float]] = []
-        self._rows: list[float] = []
+        self._rows: Any = []  # of numbers, one after the other; an array where another engine stepped it
         self._since: list[int] = []
-        self._offsets: list[float] = []
+        self._offsets: Any = []
         self._contacts: list[Event] = []
         self._touching: set[int] = set()
         self.swept = SWEPT if program.wanted_speed is None else 0.0
@@ -222,8 +222,8 @@ class SteppedSession:
     def take_over(
         self,
         *,
-        rows: list[float],
-        offsets: list[float],
+        rows: NDArray[np.float64],
+        offsets: NDArray[np.float64],
         contacts: list[tuple[int, int, str, float, float]],
         step: int,
         along: float,
@@ -233,8 +233,8 @@ class SteppedSession:
         """Put down what another engine stepped from its beginning on, in place of own steps.
 
         Args:
-            rows: The state of each body that moves at each step: x, y, heading, speed.
-            offsets: Lateral offset of the ego from its route at each step [m, positive = left].
+            rows: (steps + 1, bodies that move, 4): the state of each at each step: x, y, heading, speed.
+            offsets: (steps + 1,) lateral offset of the ego from its route at each step [m, positive = left].
             contacts: When the ego began to touch whom, on which of its sides, how fast they met [m/s], and how long
                 before the step, as a share of it.
             step: How many steps were made.

@@ -45,9 +45,10 @@ class QualityDiversity:
         points, shares = cube.points([one for one, _ in kept]), [share for _, share in kept]
         rng = np.random.default_rng(seed)
 
-        taken = list(cube.points(seen))
+        taken = cube.points(seen)
 
         def draw(_: int) -> dict[str, float]:
+            nonlocal taken
             if rng.random() < ANYWHERE:
                 new = rng.random((CANDIDATES, len(cube.free)))
             else:
@@ -55,8 +56,8 @@ class QualityDiversity:
                 toward = points[rng.integers(len(points), size=CANDIDATES)] - one
                 around = rng.normal(scale=AROUND, size=one.shape)
                 new = np.clip(one + around + rng.normal(scale=ALONG, size=(CANDIDATES, 1)) * toward, 0.0, 1.0)
-            apart = np.linalg.norm(new[:, None] - np.array(taken), axis=2).min(axis=1)
-            taken.append(new[apart.argmax()])
+            apart = np.linalg.norm(new[:, None] - taken, axis=2).min(axis=1)
+            taken = np.concatenate((taken, new[apart.argmax()][None]))
             return cube.values(taken[-1])
 
         return Proposal(ranges=cube.declared, draw=draw)

@@ -131,8 +131,8 @@ class NativeSession:
         bound, world = self._bound, self._bound.world
         states = world.step + 1
         self._reference.take_over(
-            rows=bound.rows[:states].ravel().tolist(),
-            offsets=bound.offsets[:states].tolist(),
+            rows=bound.rows[:states],
+            offsets=bound.offsets[:states],
             contacts=[(c.step, c.other, SIDES[c.side], c.speed, c.earlier) for c in world.contact[: world.contacts]],
             step=world.step,
             along=world.along,
