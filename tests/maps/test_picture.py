@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from chatscene.maps.picture import HEIGHT, OVERSAMPLE, WIDEST, WIDTH, Camera
+from chatscene.maps.picture import HEIGHT, OVERSAMPLE, TILE, WIDEST, WIDTH, Camera, draw_frame, draw_ground, reduced
 from chatscene.terms.episode import Ending, Episode, Role, Track
 
 STEPS = 70
@@ -23,13 +23,16 @@ def going(role: Role, x: float, y: float, speed_x: float, speed_y: float = 0.0) 
     )  # fmt: skip
 
 
-def seen(*tracks: Track) -> NDArray[Any]:
-    """Where the ego is in the picture at each step that is shown [px]."""
-    drive = Episode(
+def driven(*tracks: Track) -> Episode:
+    return Episode(
         scene_id="s", ego="e", dt=0.1, tracks=tracks, events=(), signals=(), route_completion=0.5,
         ending=Ending.TIMEOUT, distance_to_route=np.zeros(STEPS), off_road=np.zeros(STEPS, dtype=np.bool_),
     )  # fmt: skip
-    camera, ego = Camera.on(drive, SHOWN, WIDEST), tracks[0]
+
+
+def seen(*tracks: Track) -> NDArray[Any]:
+    """Where the ego is in the picture at each step that is shown [px]."""
+    camera, ego = Camera.on(driven(*tracks), SHOWN, WIDEST), tracks[0]
     return np.array(camera.points([(ego.x[step], ego.y[step]) for step in SHOWN])) / OVERSAMPLE
 
 
@@ -48,3 +51,14 @@ def test_of_an_ego_that_goes_too_far_itself_the_end_is_seen() -> None:
     way = seen(going(Role.EGO, 0.0, 0.0, 40.0), going(Role.ADVERSARY, 20.0, 0.0, 8.0))
     assert not inside(way)
     assert inside(way[-1:])
+
+
+def test_of_many_frames_each_is_as_it_would_be_drawn_by_itself() -> None:
+    assert (WIDTH % TILE, HEIGHT % TILE) == (0, 0)
+    episode = driven(going(Role.EGO, 0.0, 0.0, 8.0), going(Role.ADVERSARY, 60.0, 3.3, -6.0, 0.5))
+    camera = Camera.on(episode, SHOWN, WIDEST)
+    road = [[-50.0, -7.1], [90.0, -5.3], [90.0, 6.2], [-50.0, 5.7]]
+    ground = draw_ground(camera, {"roads": [[road]], "lane_boundaries": [{"kind": "dashed", "points": road[1:3]}]})
+    for step in range(0, STEPS, 7):
+        alone = draw_frame(camera, ground, episode, step)
+        assert draw_frame(camera, ground, episode, step, reduced(ground)).tobytes() == alone.tobytes()

@@ -641,9 +641,9 @@ def _steps_shown(episode: Episode, monkeypatch: pytest.MonkeyPatch) -> list[int]
     """The steps of a drive that are drawn in a GIF of twenty frames."""
     shown: list[int] = []
 
-    def noting(camera: Any, ground: Any, driven: Any, step: int) -> Any:
+    def noting(camera: Any, ground: Any, driven: Any, step: int, small: Any) -> Any:
         shown.append(step)
-        return picture.draw_frame(camera, ground, driven, step)
+        return picture.draw_frame(camera, ground, driven, step, small)
 
     monkeypatch.setattr(animation, "draw_frame", noting)
     animation.animate(episode, drawing(), frames=20)

@@ -5,17 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Any
 
 import numpy as np
-from PIL import Image, ImageDraw
+from PIL import Image, ImageChops, ImageDraw
 
 from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.episode import Array, Episode, Role, Track, contact_point
 
 WIDTH, HEIGHT = 640, 360  # [px]
 OVERSAMPLE = 2  # drawn larger and scaled down, for smooth edges
+TILE = 40  # [px], by which frames are compared with the ground; divides both sides
 SIDE, WIDEST = 6.0, 120.0  # [m] smallest margin around the actors, largest width of what is shown
 SLIT = 1.0  # [m²]; a hole in the road that is smaller is none
 NEAR = 80.0  # [m] width of what is shown around one actor
@@ -138,7 +139,9 @@ def _dashes(line: Points, dash: float = 3.0, gap: float = 4.5) -> list[list[tupl
     ]
 
 
-def draw_frame(camera: Camera, ground: Image.Image, episode: Episode, step: int) -> Image.Image:
+def draw_frame(
+    camera: Camera, ground: Image.Image, episode: Episode, step: int, small: Image.Image | None = None
+) -> Image.Image:
     """One step of an episode, `WIDTH` by `HEIGHT` [px].
 
     Args:
@@ -146,6 +149,7 @@ def draw_frame(camera: Camera, ground: Image.Image, episode: Episode, step: int)
         ground: The map, seen from there.
         episode: Who is on it.
         step: Which moment.
+        small: The map alone as `reduced` has it, for one of many frames: what is as there is not scaled anew.
     """
     picture = ground.copy()
     brush = ImageDraw.Draw(picture)
@@ -166,7 +170,23 @@ def draw_frame(camera: Camera, ground: Image.Image, episode: Episode, step: int)
         fill=INK,
         font_size=14 * OVERSAMPLE,
     )
-    return picture.resize((WIDTH, HEIGHT), Image.Resampling.BOX)
+    return reduced(picture) if small is None else _reduced_on(picture, ground, small)
+
+
+def reduced(picture: Image.Image) -> Image.Image:
+    """A large picture, or a part of one, as a small one."""
+    return picture.resize((picture.width // OVERSAMPLE, picture.height // OVERSAMPLE), Image.Resampling.BOX)
+
+
+def _reduced_on(picture: Image.Image, ground: Image.Image, small: Image.Image) -> Image.Image:
+    """`reduced` of a large picture that is the ground but for some tiles: each small pixel is that of four large."""
+    frame, differs = small.copy(), ImageChops.difference(picture, ground)
+    side = TILE * OVERSAMPLE
+    for left, top in product(range(0, picture.width, side), range(0, picture.height, side)):
+        tile = left, top, left + side, top + side
+        if differs.crop(tile).getbbox() is not None:
+            frame.paste(reduced(picture.crop(tile)), (left // OVERSAMPLE, top // OVERSAMPLE))
+    return frame
 
 
 def _draw_crash(camera: Camera, brush: ImageDraw.ImageDraw, episode: Episode, step: int) -> None:

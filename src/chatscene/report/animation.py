@@ -11,7 +11,7 @@ from urllib.parse import quote
 from PIL import Image
 
 from chatscene.errors import RunError
-from chatscene.maps.picture import HEIGHT, WIDEST, WIDTH, Camera, draw_frame, draw_ground
+from chatscene.maps.picture import HEIGHT, WIDEST, WIDTH, Camera, draw_frame, draw_ground, reduced
 from chatscene.report.caption import above, below, between
 from chatscene.report.span import AFTER, span
 from chatscene.report.viewer import ranked
@@ -94,7 +94,8 @@ def animate(
     shown = list(range(last, part.first - 1, -stride))[:frames][::-1]
     camera = Camera.on(episode, shown, widest)
     ground = draw_ground(camera, drawing)
-    drawn = [draw_frame(camera, ground, episode, step) for step in shown]
+    small = reduced(ground)
+    drawn = [draw_frame(camera, ground, episode, step, small) for step in shown]
     if said:
         top, bottom = above(said), below(episode, camera, ego)
         drawn = [between(top, frame, bottom) for frame in drawn]

@@ -198,6 +198,11 @@ def read_table(path: Path, columns: Any, **filters: str) -> Table:
     return table
 
 
+def rows_with(table: Table, column: str, value: str) -> Table:
+    """The rows of a table in which a column has a value."""
+    return table.filter(pc.field(column) == value)
+
+
 def _check_size(path: Path) -> None:
     """Refuse a table that would not fit into memory, before it is unpacked."""
     told = pq.read_metadata(path)
