@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Self
 
-from chatscene.situations.phrases import (
-    KINDS,
-    NUMBERS,
-)
+from chatscene.situations.phrases import KINDS, NUMBERS, Voice
 from chatscene.situations.wording import Form
-from chatscene.terms.situation import SEVERAL, Deed, Other, When
+from chatscene.terms.situation import SEVERAL, Deed, Other, Situation, When
 
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 
@@ -76,3 +75,41 @@ def numeral(number: int) -> str:
 def ordinal(rank: int) -> str:
     """A rank, counted from 0, in words."""
     return _ORDINALS[rank] if rank < len(_ORDINALS) else f"number {rank + 1}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Named:
+    """A situation whose road users have their names and their order.
+
+    Attributes:
+        situation: What is told.
+        voice: Who tells it.
+        order: The others in the order in which they are told: whom somebody speaks of stands before.
+        apart: Whether all are put in their places before anybody does anything, since they speak of each other.
+        names: What each is called, once it was named.
+        rank: Which of those of the same name each is, from 0; None of the only one.
+    """
+
+    situation: Situation
+    voice: Voice
+    order: tuple[Other, ...]
+    apart: bool
+    names: Mapping[str, str]
+    rank: Mapping[str, int | None]
+
+    @classmethod
+    def of(cls, situation: Situation, voice: Voice) -> Self:
+        """What all are called, by who tells it."""
+        order, circular = in_order(situation.others, spoken_of)
+        if circular:
+            order, _ = in_order(situation.others, hider)
+        called = [called_of(one) for one in order]
+        rank = {
+            one.id: called[:i].count(name) if called.count(name) > 1 else None
+            for i, (one, name) in enumerate(zip(order, called, strict=True))
+        }
+        names = {
+            one.id: name_of(one, name, rank[one.id]) if voice is Voice.PLAIN else target_of(one)
+            for one, name in zip(order, called, strict=True)
+        }
+        return cls(situation=situation, voice=voice, order=order, apart=circular, names=names, rank=rank)

@@ -7,22 +7,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from itertools import chain
 from typing import TypeVar
 
-from chatscene.situations.naming import (
-    called_of,
-    form_of,
-    hider,
-    in_order,
-    name_of,
-    named_by,
-    numeral,
-    ordinal,
-    spoken_of,
-    target_of,
-)
+from chatscene.situations.naming import Named, called_of, form_of, named_by, numeral, ordinal, target_of
 from chatscene.situations.phrases import (
     ACTS,
     AHEAD,
@@ -106,41 +94,8 @@ def _whole(situation: Situation, voice: Voice) -> Words:
     return whole.with_first(_FIRST_SV, r"\g<the> subject vehicle\g<own> (SV\g<own>)")
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Telling:
-    """How one situation is told.
-
-    Attributes:
-        situation: What is told.
-        voice: Who tells it.
-        order: The others in the order in which they are told: whom somebody speaks of stands before.
-        apart: Whether all are put in their places before anybody does anything, since they speak of each other.
-        names: What each is called, once it was named.
-        rank: Which of those of the same name each is, from 0; None of the only one.
-    """
-
-    situation: Situation
-    voice: Voice
-    order: tuple[Other, ...]
-    apart: bool
-    names: Mapping[str, str]
-    rank: Mapping[str, int | None]
-
-    @classmethod
-    def of(cls, situation: Situation, voice: Voice) -> _Telling:
-        order, circular = in_order(situation.others, spoken_of)
-        if circular:
-            order, _ = in_order(situation.others, hider)
-        called = [called_of(one) for one in order]
-        rank = {
-            one.id: called[:i].count(name) if called.count(name) > 1 else None
-            for i, (one, name) in enumerate(zip(order, called, strict=True))
-        }
-        names = {
-            one.id: name_of(one, name, rank[one.id]) if voice is Voice.PLAIN else target_of(one)
-            for one, name in zip(order, called, strict=True)
-        }
-        return cls(situation=situation, voice=voice, order=order, apart=circular, names=names, rank=rank)
+class _Telling(Named):
+    """How one situation is told."""
 
     @property
     def _me(self) -> Me:
