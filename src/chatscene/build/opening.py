@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -12,18 +11,19 @@ from chatscene.build.alongside import goes_on_beside, until_it_comes
 from chatscene.build.arriving import back_by_deeds
 from chatscene.build.aside import avoids, must_avoid
 from chatscene.build.asked import STOPS, Meets, stands_first, stops_ahead
-from chatscene.build.chain import in_terms_of, meeting_of
+from chatscene.build.chain import in_terms_of
 from chatscene.build.contact import touches
 from chatscene.build.deeds import GO, MOVE
-from chatscene.build.gaps import GOES_ON, LOSES, passes_where_it_goes_over
+from chatscene.build.gaps import GOES_ON, LOSES
 from chatscene.build.naming import name_of
-from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
-from chatscene.build.place import LANE, NEXT_LANE, at_junction, room_against
+from chatscene.build.paces import Pace, keeps_distance, slowest_with_ego
+from chatscene.build.place import LANE, at_junction, room_against
 from chatscene.build.reacting import ego_slows, goes_until_ego_slows, reacts
 from chatscene.build.relations import AGAINST, ALONG
 from chatscene.build.sideways import CLEARS, over_at_speed
 from chatscene.build.timing import Course, Meeting, course
 from chatscene.build.towards import done_to
+from chatscene.build.under_way import BRAKE, INSIDE, UnderWay
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import MEETING
@@ -33,51 +33,25 @@ from chatscene.terms.situation import EGO, Other
 from chatscene.terms.vocabulary import Act, Facing, Role, Where
 
 if TYPE_CHECKING:
-    from chatscene.build.phases import Phases
+    pass
 
 EGO_FIRST = 1.0  # [s] before somebody that the ego is by at most where it still meets it
 BEHIND_IT = 3.0  # [m] behind whom it stops somebody stands
 LASTS = 3.0  # [s] in which the last of what somebody does is seen
 SPARE = 30.0  # [m] of road behind who comes against the ego, for those behind it
 _ANYWHERE = (None, Site.MOTORWAY, Site.RURAL)
-SOONER = 0.8  # [s] than the ego somebody comes over from a stand that is not to be struck
 LETS_BY = 2.5  # [s] before somebody comes by that another brakes to let it by
-_COMES_OVER = frozenset((Act.LANE_CHANGE, Act.CUT_IN, Act.MERGE, Act.PULL_OUT, Act.ENTER))
 NEAREST = 4.0  # [m] before a junction: who is nearer is in it
 DRIVES = 1.0  # [s]: who drives so long before it brakes is seen to come driving
-BEGUN = 0.8  # [s]: what is done so long before the ego is there is seen to begin
 STANDS = 0.6  # [s]: who stands so long before it sets off is seen to stand
 GIVES_WAY = 1.0  # [m/s]: an ego that goes no faster yields
-LATEST = 12.0  # [s] that somebody goes with the ego before it does anything
 KEEPS_UP = 2.0  # [m/s] that somebody goes at least who goes with an ego that is faster
-INSIDE = 3.0  # [m] before where the ways meet: who does something there does it in the ego's sight
-IS_OPEN = 1.5  # [s] before the ego is there that somebody begins to open a door
 SHORT = 25.0  # [m] before the end of a road, or before a junction: nobody is placed farther
-_BRAKE = re.compile(r"BrakeOnPath\([^,]+, ([$\w.]+)\)")
 
 
 @dataclass(slots=True)
-class Opening:
-    """The beginning of the phases of a road user.
-
-    Attributes:
-        phases: Of whom.
-        first: The number of the first deed that is not to stand from the beginning.
-        bodies: The phases of that deed and of all that follow.
-        near: How far [m] it goes before it comes into the ego's lane by a deed.
-    """
-
-    phases: Phases
-    first: int
-    bodies: list[list[str]]
-    near: float
-
-    @property
-    def ahead(self) -> Course:
-        """Where it is when its last deed begins, since the first did: computed anew, as ranges change meanwhile."""
-        actor = self.phases.actor
-        drives = actor.stand.meets in (Meets.ALONG, Meets.TOWARD) and not self.phases.stands()
-        return self.phases.begins(self.bodies, Course(speed=actor.numbers.middle("SPEED") if drives else 0.0))
+class Opening(UnderWay):
+    """The beginning of the phases of a road user: what it does until its first deed is due."""
 
     def texts(self) -> Iterator[str]:
         """What is done until the first deed is due."""
@@ -192,27 +166,6 @@ class Opening:
             yield f"{self._go()} until gap(self, ego) < {self._far('(self.pose[3] + ego.pose[3]) * $LEAD_TIME')}"
         yield from self._comes_close()
 
-    def _comes_close(self) -> Iterator[str]:
-        """The phase in which it comes so close through a junction that it does the first deed in time."""
-        actor, deed, steps = self.phases.actor, self.phases.actor.deeds[self.first], self.phases.steps[self.first]
-        if actor.stand.meets is not Meets.THROUGH or steps.lasting or deed.act is Act.SET_OFF:
-            return
-        brakes = _BRAKE.match(self.bodies[0][0])
-        room = INSIDE + (self._from_line() or 0.0)
-        if not brakes:
-            under_way = Course(speed=self._wish())
-            room += self.phases.begins(self.bodies, under_way).metres
-        stops = f"brakingDistance(self){f' / {brakes[1]}' if brakes else ''}"
-        yield f"{self._go()} until {actor.stand.left} < {stops} + {room:.3g}"
-
-    def _from_line(self) -> float | None:
-        """How far [m] it has from before a junction to where the ways meet, if it stops there and then goes on."""
-        actor, found = self.phases.actor, self.phases.actor.stand.found
-        stops = bool(self.bodies[0]) and _BRAKE.match(self.bodies[0][0]) is not None
-        if found is None or not stops or (len(self.bodies) == 1 and actor.deeds[self.first].act is not Act.YIELD):
-            return None
-        return found.meets_at - found.entry + 0.5 * actor.limits.length
-
     def _roll_up(self) -> None:
         """Let who stops before a junction, and then goes on, come driving from so far that it does that in time."""
         actor, from_line = self.phases.actor, self._from_line()
@@ -220,7 +173,7 @@ class Opening:
         said = one.starts.distance is not None or one.hidden_by is not None or actor.deeds[self.first].when is not None
         if from_line is None or said or stands_first(one) or actor.first is not None or ego.late is None:
             return
-        brake = _BRAKE.match(self.bodies[0][0])
+        brake = BRAKE.match(self.bodies[0][0])
         assert brake is not None
         room, hard = INSIDE + from_line, 2.0 * actor.limits.brake
         texts = [text for body in self.bodies for text in body]
@@ -331,20 +284,6 @@ class Opening:
             low, high = low + gains, high + gains
         actor.numbers.measure("Y", low, high, unit, meaning)
 
-    def _go(self) -> str:
-        return GO.replace("$SPEED", f"${self._speed()}")
-
-    def _speed(self) -> str:
-        """The parameter of the speed at which it comes to where it meets the ego."""
-        paces = self.phases.paces
-        comes = [k for k, steps in enumerate(self.phases.steps) if steps.comes_in and k > self.first]
-        if self.near > 0.0 and comes:
-            return paces.after[comes[0]].name or "SPEED"
-        keeps = self.phases.steps[self.first].pace is Pace.KEEPS
-        gains = self.phases.steps[self.first].pace is Pace.GAINS and paces.before[self.first].high <= CRAWLS
-        speed = (paces.after if keeps or gains else paces.before)[self.first]
-        return speed.name or "SPEED"
-
     def _goes_along(self) -> bool:
         """Whether it is on the road, or faces along it: nothing is timed then by where its way and the ego's meet."""
         one = self.phases.actor.one
@@ -453,68 +392,3 @@ class Opening:
         held = stand.meets is Meets.THROUGH or waits_for_it or (controlled and not self.phases.actor.ego.stands)
         held = held or self.phases.actor.ego.held > 0.0
         return "" if held else f" or ego.pose[3] < {GIVES_WAY:g}"
-
-    def _takes(self) -> float:
-        """How long [s] it takes about to where it meets the ego, at its speed."""
-        heads = self.phases.actor.stand.meets in (Meets.THROUGH, Meets.TOWARD, Meets.ACROSS)
-        return self._to_meet() / self._wish() if heads else 0.0
-
-    def _wish(self) -> float:
-        return self.phases.actor.numbers.middle(self._speed())
-
-    def _wait(self) -> float:
-        """How much longer [s] it takes: by gaining speed, and by all that it does before its last deed.
-
-        Who is not met does it before the ego meets another, who may end the scene.
-        """
-        actor = self.phases.actor
-        return self._alone() + (0.0 if actor.soon is None else max(0.0, actor.met - actor.soon))
-
-    def _until_met(self) -> float:
-        """How long [s] it takes from when its first deed is due to where it meets the ego, or to its last deed."""
-        phases, meeting = self.phases, meeting_of(self.phases.actor)
-        close = course(self._comes_close(), phases.actor.numbers, phases.body, Course(), meeting)
-        bodies = [text for body in self.bodies for text in body]
-        met = course([*bodies, self._go()], phases.actor.numbers, phases.body, close, meeting).met
-        begins = phases.begins(self.bodies, close, meeting).seconds
-        over = met > 0.0 and met < begins + BEGUN and phases.actor.stand.meets is Meets.ACROSS
-        if over and len(self.bodies) > 1 and not phases.steps[-1].comes_in:
-            begins += BEGUN  # what it does on its way over
-        return max(met, begins)
-
-    def _alone(self) -> float:
-        """The same, of who is met."""
-        actor, stand = self.phases.actor, self.phases.actor.stand
-        if stand.meets in (Meets.THROUGH, Meets.ACROSS) and stand.left != "0":
-            return self._until_met() - self._takes()
-        more = self.ahead.seconds
-        match stand.meets:
-            case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
-                lost = max(0.0, self.phases.body.covers(self._to_meet(), self._wish()) - self._takes())
-                comes = 0.0 if any(one.comes_in for one in self.phases.steps) else self._takes() + lost
-                late = more - self.near / self._wish() - comes
-                return lost + (late if self.near > 0.0 else max(0.0, late))
-            case Meets.KERB if actor.deeds[-1].act is Act.OPEN_DOOR:
-                return IS_OPEN
-            case Meets.KERB:  # it is in the lane once it has gone its own length and the width of a lane
-                return self.phases.body.covers(actor.limits.length + LANE, self._wish()) + more
-            case Meets.ALONG if stands_first(actor.one) and not stand.behind:
-                return self._from_a_stand() + more
-            case _:  # of a slow ego, which is long in coming, long before it is there
-                soon = max(0.0, actor.ego.time_at(actor.found.route.eventAt) - LATEST)
-                before = 2.0 if at_junction(actor.ledger.situation) else 1.0
-                if passes_where_it_goes_over(actor):
-                    before = -(actor.ego.late or 0.0)
-                return before + more + soon
-
-    def _from_a_stand(self) -> float:
-        """How long [s] before the ego somebody sets off that stood in its lane, or comes over into that."""
-        actor = self.phases.actor
-        if actor.one.starts.where not in NEXT_LANE or actor.deeds[self.first].act not in _COMES_OVER:
-            return 3.6
-        over = self.phases.body.covers(0.5 * actor.limits.length + LANE, self._wish())
-        return over + (0.0 if touches(actor.ledger.situation, actor.one) else SOONER)
-
-    def _to_meet(self) -> float:
-        """How far [m] it has about to where it meets the ego."""
-        return meeting_of(self.phases.actor).metres
