@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from chatscene.build.alongside import set_pace
-from chatscene.build.asked import FROM_A_STAND, SOME, Asked, Meets, Stand, between, bolts, goes_slowly, stands_first
+from chatscene.build.asked import FROM_A_STAND, SOME, Asked, Meets, Stand, bolts, goes_slowly, stands_first
 from chatscene.build.coming import Coming
 from chatscene.build.cutting_in import slows_for_it
 from chatscene.build.deeds import OWN
@@ -15,14 +15,11 @@ from chatscene.build.facing import said_anyway
 from chatscene.build.flank import set_level
 from chatscene.build.gaps import set_room
 from chatscene.build.heeding import heeds
-from chatscene.build.hiding import place_hiding
 from chatscene.build.lateral import placed
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
-from chatscene.build.over_lanes import is_lane, lane_line
 from chatscene.build.paces import AT_ONE_SPEED, SIDEWAYS, check_held
-from chatscene.build.parts import parts_of
 from chatscene.build.phases import Phases
 from chatscene.build.place import (
     AT_CROSSWALKS,
@@ -30,25 +27,20 @@ from chatscene.build.place import (
     NEXT_LANE,
     Found,
     at_roundabout,
-    between_lanes,
-    filters,
     has_crosswalks,
     is_marked,
-    lane_beside,
 )
 from chatscene.build.relations import speed_beside
-from chatscene.build.screening import Screen, from_its_lane, screen_of, stands_at
 from chatscene.build.sideways import COMES_OVER
 from chatscene.build.starts import start_of
 from chatscene.build.timing import Body
-from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, PROPS, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.rolling import rolls
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other
-from chatscene.terms.vocabulary import Act, Breach, Role, Side, UserKind, Where
-from chatscene.world.places import lanes_beside, ownLane
+from chatscene.terms.vocabulary import Act, Breach, Role, Where
+from chatscene.world.places import ownLane
 
 HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast
 FASTER = (1.2, 1.5)  # of the speed of the traffic: who is fast in it
@@ -58,7 +50,6 @@ _DRIVES = re.compile(r"(?:DrivePath|FollowTraffic)\([^,]+, ([^,()]+)")
 _GOES = re.compile(r"^DrivePath\(([^,]+), ([^,()]+)\)( |$)")
 _GOES_ON_IN_OURS = re.compile(rf"^DrivePath\(({re.escape(OWN)}), ([^,()]+)\)($| for )")
 _CLOSE_BEHIND = re.compile(r"(PaceOnPath\([^,]+, )ego, -\(")
-_KEEPS_PLACE = re.compile(r"(PaceOnPath\([^,]+, ego, )([^,]+)")
 
 
 @dataclass(slots=True)
@@ -281,6 +272,10 @@ class Actor:
                 self._texts = tuple(_CLOSE_BEHIND.sub(ahead, text) for text in self._texts)
         return tuple(self.filled(text) for text in self._texts)
 
+    def does_instead(self, phases: tuple[str, ...]) -> None:
+        """Let it do something else than follows from its deeds: who hides somebody from a lane of its own."""
+        self._texts = phases
+
     @property
     def careful(self) -> bool:
         """Whether it keeps its distance to whoever is before it: who is not met, and who goes behind others."""
@@ -349,134 +344,6 @@ class Actor:
         can = first.numbers.range_of("SPEED")[1] <= self.limits.top_speed
         return self.stand.rolls and can and not passed and not self.numbers.is_said("SPEED")
 
-    def _named(self, body: str) -> Iterator[str]:
-        """The lines of other ways that the text of what it does speaks of."""
-        one = name_of(self.one.id)
-        if f"beside{one}" in body:
-            yield f"beside{one} = {self._beside()}"
-        if f"next{one}" in body:
-            yield f"next{one} = {self._next()}"
-        if f"ours{one}" in body:
-            yield f"ours{one} = against(ownLane(egoRoute))"
-        if f"home{one}" in body:
-            yield f'home{one} = neighbourPath(egoRoute, "left")'
-
-    def code(self, hidden: Actor | None) -> list[str]:
-        """Its part of the program; of who hides somebody, beside whom it hides."""
-        one = name_of(self.one.id)
-        screen = self._screen(hidden)
-        phases = self.phases()
-        named = self._lines(hidden, screen)
-        body = "\n".join(phases)
-        if hidden is not None and screen is None and f"way{one}" in body:
-            stands = f"who stands beside the road and hides {hidden.one.id}"
-            raise NotBuilt(f"nothing builds yet: {self.path}.does, of {stands}")
-        if any(f"own{one}" in text for text in (body, *named)):
-            named.insert(0, f"own{one} = ownWay(egoRoute)")
-        named += self._named(body)
-        if phases:
-            named += [f"behavior Does{one}():", *(f"    do {text}" for text in phases)]
-        rows = [self._in_row(phases, n) for n in range(self.count)]
-        for n, texts in enumerate(rows):
-            if texts != phases:
-                named += [f"behavior Does{one}_{n}():", *(f"    do {text}" for text in texts)]
-        cls = (
-            "VendingMachine"
-            if self.one.role is Role.HIDES and self.one.kind is UserKind.OBJECT
-            else self.one.kind.scenic
-        )
-        lines = list(named)
-        for n in range(self.count):
-            place, facing = self._placed(hidden, screen, n)
-            said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
-            said += f", with label '{self.one.id}'" + self.role()
-            does = f"Does{one}" if rows[n] == phases else f"Does{one}_{n}"
-            said += self.moving(phases, screened=screen is not None)
-            lines.append(said + (f", with behavior {does}()" if phases else ""))
-        lines += parts_of(self)
-        if self.one.starts.speed is not None and self.one.starts.speed.high <= 0.0:
-            self.ledger.take(f"{self.path}.starts.speed")  # it stands
-        self.ledger.take(*self.numbers.built())
-        return [f"## {self.one.id}: {self.said()}", *lines]
-
-    def _screen(self, hidden: Actor | None) -> Screen | None:
-        """How it hides somebody from a lane of its own; None if it hides nobody so."""
-        if hidden is None or not from_its_lane(self.ledger.situation, self.one, hidden.one):
-            return None
-        screen = screen_of(self, hidden)
-        self._texts = screen.phases
-        return screen
-
-    def _lines(self, hidden: Actor | None, screen: Screen | None) -> list[str]:
-        """What is named before, as a program says it."""
-        if screen is None and hidden is not None:
-            return []
-        texts = (screen.way,) if screen is not None else (self.stand.way, *self.stand.lines)
-        way, *lines = (self.filled(text) for text in texts)
-        return [f"way{name_of(self.one.id)} = {way}", *lines]
-
-    def _placed(self, hidden: Actor | None, screen: Screen | None, n: int) -> tuple[str, str]:
-        """Where the n-th of it stands, and which way it faces."""
-        if screen is not None:
-            return stands_at(self, screen, n)
-        return place_hiding(self, hidden, n) if hidden is not None else self._place(n)
-
-    def _in_row(self, phases: tuple[str, ...], n: int) -> tuple[str, ...]:
-        """The phases of the n-th of it, which keeps its place in the row."""
-        if not n or self.stand.meets is not Meets.ALONG:
-            return phases
-        more = f" {self._away} {n * self._apart:g}"
-        return tuple(_KEEPS_PLACE.sub(rf"\1\2{more}", text) for text in phases)
-
-    @property
-    def _apart(self) -> float:
-        """How far [m] the middles of two in its row are apart."""
-        if self.stand.meets in (Meets.ALONG, Meets.TOWARD):
-            return (self.limits.length or 1.5) + between(self.one, self.ego_speed)
-        return (self.limits.length or 1.5) + 2.5
-
-    @property
-    def _away(self) -> str:
-        """The sign of who is farther from the ego along its way; behind it, of who is beside it and behind others."""
-        if self.one.starts.where is Where.BESIDE and self._is_behind_others:
-            return "-"
-        return "+" if self.stand.meets is Meets.ALONG and not self.stand.behind else "-"
-
-    @property
-    def _is_behind_others(self) -> bool:
-        """Whether somebody else is farther on in the lane beside the ego, in which it is."""
-        starts = (one.starts for one in self.ledger.situation.others if one.id != self.one.id)
-        sides = (self.one.starts.side, None)
-        return any(start.where is Where.AHEAD_BESIDE and start.side in sides for start in starts)
-
-    def _beside(self) -> str:
-        """The line beside the ego's lane: that of a lane of its direction if there is one; else where others come."""
-        said = self.named.get("side")
-        sides = lanes_beside(self.found.route)
-        others = [one.starts for one in self.ledger.situation.others if one.id != self.one.id]
-        taken = {str(start.side) for start in others if start.where in NEXT_LANE}
-        for side in (said,) if said else (str(Side.LEFT), str(Side.RIGHT)):
-            if sides.get(side) is False and side in taken and filters(self.one):
-                return f"{lane_beside(side)}.offset({between_lanes(side):g})"
-            if sides.get(side) is False and (side not in taken or said or len(sides) == 1):
-                return lane_beside(side)
-        side = said or str(Side.LEFT)
-        if side not in sides:
-            raise NotBuilt(f"no map has such a place: {self.path} has no lane to the {side} of ours")
-        return f"extended({OWN}, 60).offset({'' if side == Side.LEFT else '-'}{LANE})"
-
-    def _next(self) -> str:
-        """The line of a lane of the ego's direction that is not next to the ego's.
-
-        Raises:
-            NotBuilt: There is none.
-        """
-        lane = int(self.named["lane"])
-        if not is_lane(self.found.route, lane):
-            side = Side.LEFT if lane > 0 else Side.RIGHT
-            raise NotBuilt(f"no map has such a place: {self.path} has no second lane to the {side} of ours")
-        return lane_line(lane)
-
     def moving(self, phases: Sequence[str], *, screened: bool = False) -> str:
         """Its speed at first: who goes the ego's way is under way as the ego is."""
         if phases and (self.stand.rolls or (_DRIVES.match(phases[0]) and screened)):
@@ -496,20 +363,3 @@ class Actor:
         """What it is there for, as a program says it."""
         role = {Role.ADVERSARY: "adversary", Role.SUPPORTING: "background", Role.HIDES: "occluder"}[self.one.role]
         return f", with role '{role}'"
-
-    def _place(self, n: int) -> tuple[str, str]:
-        """Where the n-th of it stands, and which way it faces."""
-        stand, one = self.stand, name_of(self.one.id)
-        if stand.point:
-            aside = f" + {1.3 * ((n + 1) // 2) * (-1 if n % 2 else 1):g}" if n else ""
-            point, facing = (text.replace("level{i}", f"level{{i}}{aside}") for text in (stand.point, stand.facing))
-            return self.filled(point), self.filled(facing)
-        at = self.filled(stand.at) + (f" {self._away} {n * self._apart:g}" if n else "")
-        turn = f", {stand.turn:g}" if stand.turn else ""
-        return f"pointOn(way{one}, {at})", f"directionOn(way{one}, {at}{turn})"
-
-    def said(self) -> str:
-        """What it is and does, for a comment."""
-        side = f" {self.one.starts.side}" if self.one.starts.side else ""
-        does = ", then ".join(deed.act for deed in self.deeds) or "nothing said"
-        return f"{self.one.kind} {self.one.starts.where}{side}: {does}"

@@ -27,6 +27,7 @@ from chatscene.build.relations import check_kept_up, check_passed_by_ego
 from chatscene.build.roadside import beside_road
 from chatscene.build.screening import from_its_lane
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, room_kept, screens
+from chatscene.build.written import Written
 from chatscene.errors import MapError, NoSuchPlace, NotBuilt
 from chatscene.situations.faults import dotted
 from chatscene.terms.actors import Manner as Moves
@@ -184,7 +185,7 @@ def _cast_there(
     come_after_who_passes([actor for actor, _ in everybody])
     come_by_before_who_crosses([actor for actor, _ in everybody])
     stand_beyond_who_passes([actor for actor, _ in everybody])
-    lines = [line for actor, hidden in everybody for line in (*actor.code(hidden), "")]
+    lines = [line for actor, hidden in everybody for line in (*Written(actor, hidden).code(), "")]
     body = "\n".join((*lines, *beside_road(ledger, [actor for actor, _ in everybody])))
     check_hidden([actor for actor, _ in everybody])
     return ledger, ego, everybody, body

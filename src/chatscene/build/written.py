@@ -1,0 +1,186 @@
+"""Somebody's part of a program: the lines that it names, what it does, where it stands."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from chatscene.build.actor import Actor
+from chatscene.build.asked import Meets, between
+from chatscene.build.deeds import OWN
+from chatscene.build.hiding import place_hiding
+from chatscene.build.naming import name_of
+from chatscene.build.over_lanes import is_lane, lane_line
+from chatscene.build.parts import parts_of
+from chatscene.build.place import (
+    LANE,
+    NEXT_LANE,
+    between_lanes,
+    filters,
+    lane_beside,
+)
+from chatscene.build.screening import Screen, from_its_lane, screen_of, stands_at
+from chatscene.errors import NotBuilt
+from chatscene.terms.vocabulary import Role, Side, UserKind, Where
+from chatscene.world.places import lanes_beside
+
+_KEEPS_PLACE = re.compile(r"(PaceOnPath\([^,]+, ego, )([^,]+)")
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """A road user in the text of a program.
+
+    Attributes:
+        actor: Who.
+        hidden: Whom it hides, beside whom it then stands; None if it hides nobody.
+    """
+
+    actor: Actor
+    hidden: Actor | None
+
+    def code(self) -> list[str]:
+        """Its lines; of who hides somebody, beside whom it hides."""
+        one = name_of(self.actor.one.id)
+        screen = self._screen()
+        phases = self.actor.phases()
+        named = self._lines(screen)
+        body = "\n".join(phases)
+        if self.hidden is not None and screen is None and f"way{one}" in body:
+            stands = f"who stands beside the road and hides {self.hidden.one.id}"
+            raise NotBuilt(f"nothing builds yet: {self.actor.path}.does, of {stands}")
+        if any(f"own{one}" in text for text in (body, *named)):
+            named.insert(0, f"own{one} = ownWay(egoRoute)")
+        named += self._named(body)
+        if phases:
+            named += [f"behavior Does{one}():", *(f"    do {text}" for text in phases)]
+        rows = [self._in_row(phases, n) for n in range(self.actor.count)]
+        for n, texts in enumerate(rows):
+            if texts != phases:
+                named += [f"behavior Does{one}_{n}():", *(f"    do {text}" for text in texts)]
+        cls = (
+            "VendingMachine"
+            if self.actor.one.role is Role.HIDES and self.actor.one.kind is UserKind.OBJECT
+            else self.actor.one.kind.scenic
+        )
+        lines = list(named)
+        for n in range(self.actor.count):
+            place, facing = self._placed(screen, n)
+            said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
+            said += f", with label '{self.actor.one.id}'" + self.actor.role()
+            does = f"Does{one}" if rows[n] == phases else f"Does{one}_{n}"
+            said += self.actor.moving(phases, screened=screen is not None)
+            lines.append(said + (f", with behavior {does}()" if phases else ""))
+        lines += parts_of(self.actor)
+        if self.actor.one.starts.speed is not None and self.actor.one.starts.speed.high <= 0.0:
+            self.actor.ledger.take(f"{self.actor.path}.starts.speed")  # it stands
+        self.actor.ledger.take(*self.actor.numbers.built())
+        return [f"## {self.actor.one.id}: {self._said()}", *lines]
+
+    def _named(self, body: str) -> Iterator[str]:
+        """The lines of other ways that the text of what it does speaks of."""
+        one = name_of(self.actor.one.id)
+        if f"beside{one}" in body:
+            yield f"beside{one} = {self._beside()}"
+        if f"next{one}" in body:
+            yield f"next{one} = {self._next()}"
+        if f"ours{one}" in body:
+            yield f"ours{one} = against(ownLane(egoRoute))"
+        if f"home{one}" in body:
+            yield f'home{one} = neighbourPath(egoRoute, "left")'
+
+    def _screen(self) -> Screen | None:
+        """How it hides somebody from a lane of its own; None if it hides nobody so."""
+        if self.hidden is None or not from_its_lane(self.actor.ledger.situation, self.actor.one, self.hidden.one):
+            return None
+        screen = screen_of(self.actor, self.hidden)
+        self.actor.does_instead(screen.phases)
+        return screen
+
+    def _lines(self, screen: Screen | None) -> list[str]:
+        """What is named before, as a program says it."""
+        if screen is None and self.hidden is not None:
+            return []
+        texts = (screen.way,) if screen is not None else (self.actor.stand.way, *self.actor.stand.lines)
+        way, *lines = (self.actor.filled(text) for text in texts)
+        return [f"way{name_of(self.actor.one.id)} = {way}", *lines]
+
+    def _placed(self, screen: Screen | None, n: int) -> tuple[str, str]:
+        """Where the n-th of it stands, and which way it faces."""
+        if screen is not None:
+            return stands_at(self.actor, screen, n)
+        return place_hiding(self.actor, self.hidden, n) if self.hidden is not None else self._place(n)
+
+    def _in_row(self, phases: tuple[str, ...], n: int) -> tuple[str, ...]:
+        """The phases of the n-th of it, which keeps its place in the row."""
+        if not n or self.actor.stand.meets is not Meets.ALONG:
+            return phases
+        more = f" {self._away} {n * self._apart:g}"
+        return tuple(_KEEPS_PLACE.sub(rf"\1\2{more}", text) for text in phases)
+
+    @property
+    def _apart(self) -> float:
+        """How far [m] the middles of two in its row are apart."""
+        if self.actor.stand.meets in (Meets.ALONG, Meets.TOWARD):
+            return (self.actor.limits.length or 1.5) + between(self.actor.one, self.actor.ego_speed)
+        return (self.actor.limits.length or 1.5) + 2.5
+
+    @property
+    def _away(self) -> str:
+        """The sign of who is farther from the ego along its way; behind it, of who is beside it and behind others."""
+        if self.actor.one.starts.where is Where.BESIDE and self._is_behind_others:
+            return "-"
+        return "+" if self.actor.stand.meets is Meets.ALONG and not self.actor.stand.behind else "-"
+
+    @property
+    def _is_behind_others(self) -> bool:
+        """Whether somebody else is farther on in the lane beside the ego, in which it is."""
+        starts = (one.starts for one in self.actor.ledger.situation.others if one.id != self.actor.one.id)
+        sides = (self.actor.one.starts.side, None)
+        return any(start.where is Where.AHEAD_BESIDE and start.side in sides for start in starts)
+
+    def _beside(self) -> str:
+        """The line beside the ego's lane: that of a lane of its direction if there is one; else where others come."""
+        said = self.actor.named.get("side")
+        sides = lanes_beside(self.actor.found.route)
+        others = [one.starts for one in self.actor.ledger.situation.others if one.id != self.actor.one.id]
+        taken = {str(start.side) for start in others if start.where in NEXT_LANE}
+        for side in (said,) if said else (str(Side.LEFT), str(Side.RIGHT)):
+            if sides.get(side) is False and side in taken and filters(self.actor.one):
+                return f"{lane_beside(side)}.offset({between_lanes(side):g})"
+            if sides.get(side) is False and (side not in taken or said or len(sides) == 1):
+                return lane_beside(side)
+        side = said or str(Side.LEFT)
+        if side not in sides:
+            raise NotBuilt(f"no map has such a place: {self.actor.path} has no lane to the {side} of ours")
+        return f"extended({OWN}, 60).offset({'' if side == Side.LEFT else '-'}{LANE})"
+
+    def _next(self) -> str:
+        """The line of a lane of the ego's direction that is not next to the ego's.
+
+        Raises:
+            NotBuilt: There is none.
+        """
+        lane = int(self.actor.named["lane"])
+        if not is_lane(self.actor.found.route, lane):
+            side = Side.LEFT if lane > 0 else Side.RIGHT
+            raise NotBuilt(f"no map has such a place: {self.actor.path} has no second lane to the {side} of ours")
+        return lane_line(lane)
+
+    def _place(self, n: int) -> tuple[str, str]:
+        """Where the n-th of it stands, and which way it faces."""
+        stand, one = self.actor.stand, name_of(self.actor.one.id)
+        if stand.point:
+            aside = f" + {1.3 * ((n + 1) // 2) * (-1 if n % 2 else 1):g}" if n else ""
+            point, facing = (text.replace("level{i}", f"level{{i}}{aside}") for text in (stand.point, stand.facing))
+            return self.actor.filled(point), self.actor.filled(facing)
+        at = self.actor.filled(stand.at) + (f" {self._away} {n * self._apart:g}" if n else "")
+        turn = f", {stand.turn:g}" if stand.turn else ""
+        return f"pointOn(way{one}, {at})", f"directionOn(way{one}, {at}{turn})"
+
+    def _said(self) -> str:
+        """What it is and does, for a comment."""
+        side = f" {self.actor.one.starts.side}" if self.actor.one.starts.side else ""
+        does = ", then ".join(deed.act for deed in self.actor.deeds) or "nothing said"
+        return f"{self.actor.one.kind} {self.actor.one.starts.where}{side}: {does}"
