@@ -17,6 +17,7 @@ from chatscene.terms.situation import Situation
 
 if TYPE_CHECKING:
     from chatscene.runs.rate import Rate
+    from chatscene.studies.collection import Compared
     from chatscene.studies.evaluation import Evaluated
     from chatscene.verdict.verdict import Verdict
 
@@ -187,11 +188,13 @@ def evaluate(
     generator: Names = (),
     library: Names = (),
     progress: Progress = silent,
-) -> Evaluated:
+) -> Evaluated | Compared:
     """Measure egos on the kept scenes of runs; gives the paper's tables with intervals.
 
+    Of a folder that was imported (`chatscene import FOLDER --out DIR`), each ego drives every program on its own map.
+
     Args:
-        scenes: Runs, or folders with runs somewhere below.
+        scenes: Runs, or folders with runs somewhere below; or one folder that was imported.
         folder: Folder of the evaluation, new or empty, or one to go on in.
         ego: Egos by name, file or ``package.module:factory``; `planner`, `idm` and `sac` if none is given.
         all: Whether every scene that ran is driven, not only the kept ones.
@@ -207,11 +210,26 @@ def evaluate(
     Raises:
         RunError: A run is not finished, they lie on different maps, or one names what must be repeated.
         EgoError: An ego cannot be loaded.
+        SettingsError: What is asked is asked of runs alone, and the folder was imported.
     """
+    from chatscene.imports.collection import is_collection
     from chatscene.studies import evaluation
 
+    sources = folders_of(scenes)
+    if any(map(is_collection, sources)):
+        from chatscene.studies.collection import Driving, evaluate_collection
+
+        if len(sources) > 1 or all or simulator or names_of(generator) or names_of(library):
+            raise SettingsError(
+                "an imported folder is evaluated by itself, in the sandbox: name no other folder, and no --all, "
+                "--simulator, --generator or --library"
+            )
+        driving = Driving(egos=names_of(ego) or evaluation.COMPARED, physics=physics or "", speed=speed)
+        return evaluate_collection(
+            sources[0], folder_for(folder), driving, workers=Workers(jobs, executor), progress=progress
+        )
     return evaluation.evaluate(
-        folders_of(scenes),
+        sources,
         folder_for(folder),
         egos=names_of(ego) or evaluation.COMPARED,
         every_scene=all,

@@ -17,9 +17,9 @@ from chatscene.commands.output import console, progress, say
     "--catalogue",
     "catalogues",
     multiple=True,
-    metavar="NAME|FILE",
-    help="nhtsa, ncap, r157, iso34502, leaderboard, challenge, or a .toml file of your own; repeat.  "
-    "[default: all of these]",
+    metavar="NAME|FILE|DIR",
+    help="nhtsa, ncap, r157, iso34502, leaderboard, challenge, a .toml file of your own, or a folder that `import` "
+    "made; repeat.  [default: all of the named ones]",
 )
 @click.option("--drive", is_flag=True, help="Draw scenes of each entry and let egos drive them.")
 @click.option(
@@ -69,6 +69,7 @@ def coverage(
     \b
     chatscene coverage
     chatscene coverage --catalogue nhtsa --catalogue mine.toml --drive --jobs 2 --out runs/coverage
+    chatscene coverage --catalogue imported --drive
     chatscene coverage --catalogue ncap --fill --jobs 2 --out runs/ncap
     """
     from chatscene.report.terminal import print_coverage

@@ -30,7 +30,10 @@ from chatscene.commands.output import progress, say
 from chatscene.settings import PAPER, SimulationSettings
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from chatscene.studies.benchmark import Benchmarked
+    from chatscene.studies.collection import Compared
     from chatscene.studies.evaluation import Evaluated
 
 
@@ -51,14 +54,22 @@ if TYPE_CHECKING:
 def evaluate(scenes: tuple[Path, ...], out: Path | None, as_json: bool, **options: Any) -> None:
     """Measure egos on the kept scenes of the runs in DIR..., and print a row per ego; the paper's tables go to files.
 
+    DIR may be a folder that `chatscene import FOLDER --out DIR` made: each ego drives each of its programs.
+
     \b
     chatscene evaluate runs/cyclist --ego sac --ego idm
+    chatscene evaluate imported --ego planner --ego idm
     chatscene evaluate runs/* --ego my-policy.onnx --ego mypackage.stack:make_ego --out runs/my-stack
     """
     from chatscene import api, runs
+    from chatscene.studies.collection import Compared
 
     folder = out or runs.free_folder(Path("runs"), "evaluation")
-    say_evaluated(api.evaluate(scenes, folder, progress=progress(), **options), as_json)
+    done = api.evaluate(scenes, folder, progress=progress(), **options)
+    if isinstance(done, Compared):
+        _say_compared(done, as_json)
+    else:
+        say_evaluated(done, as_json)
 
 
 @click.command()
@@ -167,9 +178,31 @@ def say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
         if evaluated.stepped:
             say(evaluated.stepped)
         say(f"egos side by side: {evaluated.page}")
-    for reason in evaluated.failures.values():
+    _say_failures(evaluated.failures)
+
+
+def _say_compared(compared: Compared, as_json: bool) -> None:
+    """Say how egos fared in imported programs; ends with status 1 if one was not driven, or an ego failed."""
+    from chatscene.report.evaluation import fared_in_words
+
+    if as_json:
+        told = {"folder": str(compared.folder), "page": str(compared.page), "egos": compared.fared}
+        say(json.dumps(told | {"seconds": compared.seconds, "failures": compared.failures, "lost": compared.lost}))
+    else:
+        say(fared_in_words(compared.fared))
+        for program, reason in compared.lost.items():
+            say(f"not driven: {program}: {reason}", err=True)
+        say(f"each drive: {compared.folder / 'evaluation.json'}")
+        say(f"egos side by side: {compared.page}")
+    _say_failures(compared.failures)
+    if compared.lost:
+        sys.exit(1)
+
+
+def _say_failures(failures: Mapping[str, str]) -> None:
+    for reason in failures.values():
         say(f"EgoError: {reason}; the other egos' results stand", err=True)
-    if evaluated.failures:
+    if failures:
         sys.exit(1)
 
 

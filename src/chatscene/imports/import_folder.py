@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.errors import MapError, ScenarioError, SettingsError
+from chatscene.imports.collection import MOST_ABOUT, FileRecord, map_named, write_record
 from chatscene.imports.import_file import import_scenario
 from chatscene.imports.stranger_xml import read_xml
 from chatscene.maps.network import name_of
@@ -19,8 +20,9 @@ class ImportedFile:
 
     Attributes:
         file: Its path from the folder.
+        about: What it says of itself.
         programs: What was written of it, by paths from the folder of programs; none where it was refused.
-        maps: The map of each, as ``--map`` takes it.
+        maps: The map of each.
         notes: What was taken otherwise than it is written, or left to others.
         refused: Why it became none, all reasons with their lines; empty where it became one.
         without: Why variants of it became none, where others did.
@@ -28,8 +30,9 @@ class ImportedFile:
     """
 
     file: Path
+    about: str = ""
     programs: tuple[Path, ...] = ()
-    maps: tuple[str, ...] = ()
+    maps: tuple[Path, ...] = ()
     notes: tuple[str, ...] = ()
     refused: str = ""
     without: tuple[str, ...] = ()
@@ -41,7 +44,7 @@ class ImportedFile:
             "file": str(self.file),
             "became": "catalog" if self.catalog else "refused" if self.refused else "programs",
             "programs": [str(one) for one in self.programs],
-            "maps": list(self.maps),
+            "maps": list(map(name_of, self.maps)),
             "notes": list(self.notes),
             "refused": self.refused or None,
             "without": list(self.without),
@@ -57,7 +60,7 @@ class ImportedFile:
         if self.without:
             many += f", WITHOUT {len(self.without)} variant{'s' * (len(self.without) != 1)}: {_first(self.without[0])}"
         noted = f", {len(self.notes)} note{'s' * (len(self.notes) != 1)}" * bool(self.notes)
-        return f"{self.file}: {self.programs[0]}{many} on map {self.maps[0]}{noted}"
+        return f"{self.file}: {self.programs[0]}{many} on map {name_of(self.maps[0])}{noted}"
 
 
 def _first(refused: str) -> str:
@@ -93,7 +96,7 @@ class ImportedFolder:
 def import_folder(
     folder: Path, out: Path, *, map_name: str | None = None, ego: str | None = None, within: Path | None = None
 ) -> ImportedFolder:
-    """Write each scenario below a folder as a Scenic program below another; nothing of them is run.
+    """Write each scenario below a folder as a Scenic program below another, and a record; nothing of them is run.
 
     Args:
         folder: Where ``.xosc`` files are, in it and in the folders in it.
@@ -103,7 +106,8 @@ def import_folder(
         within: The folder in which catalogs and maps lie, if they may lie nowhere else.
 
     Raises:
-        SettingsError: There is no such file, or the folder of programs has something in it, or cannot be written.
+        SettingsError: There is no such file, or the folder of programs has something in it.
+        RunError: The record cannot be written.
     """
     files = sorted(one for one in folder.rglob("*") if one.suffix.lower() == ".xosc" and one.is_file())
     if not files:
@@ -114,22 +118,38 @@ def import_folder(
     for path in files:
         named = path.relative_to(folder)
         rows.append(_row(path, named, (out / named).with_suffix(".scenic"), out, map_name, ego, within))
+    write_record(out, [_recorded(one, out) for one in rows], [path for one in rows for path in one.maps])
     return ImportedFolder(out=out, files=tuple(rows))
+
+
+def _recorded(row: ImportedFile, out: Path) -> FileRecord:
+    return FileRecord(
+        file=row.file.as_posix(),
+        about=row.about,
+        programs=[one.as_posix() for one in row.programs],
+        maps=[map_named(out, one) for one in row.maps],
+        refused=row.refused,
+    )
 
 
 def _row(
     path: Path, named: Path, program: Path, out: Path, map_name: str | None, ego: str | None, within: Path | None
 ) -> ImportedFile:
+    about = ""
     try:
-        if read_xml(path).find("Catalog") is not None:
+        root = read_xml(path)
+        header = root.find("FileHeader")
+        about = " ".join((header.attributes.get("description", "") if header else "").split())[:MOST_ABOUT]
+        if root.find("Catalog") is not None:
             return ImportedFile(file=named, catalog=True)
         done = import_scenario(path, out=program, map_name=map_name, ego=ego, within=within, partly=True)
     except (ScenarioError, MapError, SettingsError) as error:
-        return ImportedFile(file=named, refused=str(error))
+        return ImportedFile(file=named, about=about, refused=str(error))
     return ImportedFile(
         file=named,
+        about=about,
         programs=tuple(one.relative_to(out) for one in done.programs),
-        maps=tuple(map(name_of, done.maps)),
+        maps=done.maps,
         notes=done.notes,
         without=done.refused,
     )

@@ -110,7 +110,16 @@ def _line(one: Row) -> tuple[str, ...]:
 def _each_fared(record: EvaluationRecord, driven: Sequence[Row]) -> list[dict[str, Any]]:
     kept_for = {source.scenario_id: source.kept_for for source in record.sources}
     own = [[row for row in driven if row["block"] == number] for number in range(len(record.egos))]
-    return [_fared(record, ego, rows, kept_for) for ego, rows in zip(record.egos, own, strict=True) if rows]
+    return [
+        fared_of(
+            ego,
+            in_words(record.senses.get(ego, {})),
+            rows,
+            by_selection=sum(kept_for[row["scenario_id"]] == ego for row in rows),
+        )
+        for ego, rows in zip(record.egos, own, strict=True)
+        if rows
+    ]
 
 
 def _situation(run: Workspace, number: int, source: SourceRecord) -> dict[str, Any]:
@@ -125,22 +134,28 @@ def _situation(run: Workspace, number: int, source: SourceRecord) -> dict[str, A
     return {"number": number, "scenario_id": source.scenario_id, "text": text, "link": link, "ego": source.kept_for}
 
 
-def _fared(record: EvaluationRecord, ego: str, rows: Sequence[Row], kept_for: Mapping[str, str]) -> dict[str, Any]:
-    """How an ego fared in all its drives."""
+def fared_of(ego: str, senses: str, rows: Sequence[Row], *, by_selection: int = 0) -> dict[str, Any]:
+    """How an ego fared in all its drives.
+
+    Args:
+        ego: Its name.
+        senses: What it sees, in words.
+        rows: Its drives, as `scenes.parquet` has them.
+        by_selection: How many of the scenes were kept for what it did in them.
+    """
     crashes = [row for row in rows if row["collision"]]
     impacts = [row["impact_speed"] for row in crashes]
     kinds = {row["crash_type"] for row in crashes}
-    chosen = sum(kept_for[row["scenario_id"]] == ego for row in rows)
     low, high = wilson(len(crashes), len(rows))
     return {
         "ego": ego,
-        "senses": in_words(record.senses.get(ego, {})),
+        "senses": senses,
         "drives": len(rows),
         "collided": len(crashes),
         "rate": 100 * len(crashes) / len(rows),
         "low": 100 * low,
         "high": 100 * high,
-        "by_selection": chosen,
+        "by_selection": by_selection,
         "avoidable": sum(row["avoidable"] is True for row in crashes),
         "struck": sum(Fault(row["fault"]).by_ego for row in crashes),
         "kinds": None if None in kinds else len(kinds),  # folders did not always keep them

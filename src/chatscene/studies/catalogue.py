@@ -25,17 +25,23 @@ _LIKE_THIS = 'such as:\n\n[[entry]]\nname = "lead vehicle stopped"\nsentence = "
 
 
 def load_catalogue(name: str) -> Catalogue:
-    """A packaged catalogue by its name, or a user's own by its file.
+    """A packaged catalogue by its name, a user's own by its file, or that of a folder that was imported.
 
     Raises:
         SettingsError: There is none, or its file is not a catalogue; the message says what to change.
+        RunError: It is a folder that was not imported, or was changed.
     """
     if name in PACKAGED:
         text = files("chatscene.studies").joinpath("catalogues", f"{name}.toml").read_text(encoding="utf-8")
         return _parsed(f"{name}.toml", text)
     path = Path(name)
+    if path.is_dir() and path.suffix != ".toml":
+        from chatscene.studies.imported_entries import catalogue_of
+
+        return catalogue_of(path)
     if path.suffix != ".toml":
-        raise SettingsError(f"{no_such('catalogue', name, PACKAGED)}, or a file of your own that ends in .toml")
+        others = "a file of your own that ends in .toml, or a folder that was imported"
+        raise SettingsError(f"{no_such('catalogue', name, PACKAGED)}, {others}")
     try:
         check_file(path)
         return _parsed(name, path.read_text(encoding="utf-8"))

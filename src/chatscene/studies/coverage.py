@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import hashlib
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -48,6 +49,8 @@ from chatscene.search.generator import load_generator
 from chatscene.settings import Settings
 from chatscene.simulate.simulator import Simulator, check_jobs, routes_of
 from chatscene.studies.catalogue import slug
+from chatscene.studies.collection import Driver, Driving
+from chatscene.studies.imported_entries import asked_of, covered
 from chatscene.terms.coverage import Answer, Catalogue, Covered, Entry, Fared, Searched, Tally
 from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import Scenario, grouped
@@ -126,8 +129,10 @@ class _Desk:
         self._asked = asked
         self._simulators: dict[Path, Simulator] = {}
         self._egos: dict[str, EgoPolicy] = {}
+        self._driver: Driver | None = None
         if asked.scenes:
             self._egos = {name: load_ego(name) for name in asked.egos}
+            self._driver = Driver(Driving(egos=tuple(asked.egos), scenes=asked.scenes, seed=asked.settings.search.seed))
 
     def __call__(self, task: Task) -> tuple[int, Covered]:
         number, catalogue, entry = task
@@ -135,6 +140,8 @@ class _Desk:
 
     def _covered(self, catalogue: str, entry: Entry) -> Covered:
         row = Covered(catalogue=catalogue, entry=entry, answer=Answer.OUT_OF_REACH, reasons=(entry.reason,), slots={})
+        if entry.program:
+            return self._imported(row)
         if not entry.sentence:
             return row
         try:
@@ -152,6 +159,14 @@ class _Desk:
             raise  # which say nothing of the program
         except (MapError, ProgramError, SnippetError, SimulationError) as error:
             return replace(row, answer=Answer.FAILED, reasons=(f"{type(error).__name__}: {error}",), **_NO_CHOICE)
+        return row
+
+    def _imported(self, row: Covered) -> Covered:
+        """The row of a program that was imported, with its run."""
+        row = covered(row, self._driver, self._asked.egos)
+        if row.answer is Answer.SERVED and self._asked.folder:
+            asked = partial(asked_of, row.entry, self._asked.settings, self._asked.egos[0])
+            row = self._run_of(row, asked, self._asked.folder)
         return row
 
     def _driven(self, row: Covered, understood: Understood | Stated) -> Covered:
@@ -190,19 +205,24 @@ class _Desk:
 
     def _searched(self, row: Covered, understood: Understood | Stated, folder: Path) -> Covered:
         """The row with its run, which is made or gone on with if that is asked for."""
+        situation = understood.record if isinstance(understood, Stated) else None
+        asked = partial(
+            runs.asked_run,
+            row.entry.sentence,
+            situation=situation,
+            generator=understood.generator,
+            settings=self._asked.settings,
+            map_name=understood.built.map if isinstance(understood, Stated) else self._asked.map_name,
+            ego=self._asked.egos[0],
+        )
+        return self._run_of(row, asked, folder)
+
+    def _run_of(self, row: Covered, asked: Callable[[], runs.RunRecord], folder: Path) -> Covered:
+        """The row with the run in its folder, which is made or gone on with if that is asked for."""
         name = folder_of(row)
         run = runs.Workspace(folder / name)
         if self._asked.fill:
-            situation = understood.record if isinstance(understood, Stated) else None
-            built_on = understood.built.map if isinstance(understood, Stated) else self._asked.map_name
-            record = runs.asked_run(
-                row.entry.sentence,
-                situation=situation,
-                generator=understood.generator,
-                settings=self._asked.settings,
-                map_name=built_on,
-                ego=self._asked.egos[0],
-            )
+            record = asked()
             if _is_finished(run):
                 runs.take_up(run.path, record)  # or it is another's
             else:
@@ -235,9 +255,10 @@ def _is_finished(run: runs.Workspace) -> bool:
 
 
 def folder_of(row: Covered) -> str:
-    """Where the run of an entry is; another sentence has another one."""
-    said = hashlib.blake2b(row.entry.sentence.encode(), digest_size=3).hexdigest()
-    return f"runs/{row.catalogue}/{slug(row.entry.name)}-{said}"
+    """Where the run of an entry is; another sentence, or another program, has another one."""
+    entry = row.entry
+    said = hashlib.blake2b((entry.name if entry.program else entry.sentence).encode(), digest_size=3).hexdigest()
+    return f"runs/{row.catalogue}/{slug(entry.name)}-{said}"
 
 
 def _in_words(scenario: Scenario) -> dict[str, str]:

@@ -11,17 +11,21 @@ SHOWN = 0.9  # of the drives of an entry that is told as shown
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Entry:
-    """A situation of a catalogue: it has either a sentence or a reason why it has none.
+    """A situation of a catalogue: it has either a sentence or a program, or a reason why it has none.
 
     Attributes:
         name: As the catalogue calls it.
-        sentence: What happens, in plain words; empty where it is out of reach.
+        sentence: What happens, in plain words; empty where it is out of reach. Of a program what is said of it.
         reason: Why no sentence about an ego and other road users can say it; empty where one does.
+        program: The file of a program that was imported; empty of what is said in a sentence.
+        map_name: The map of that program.
     """
 
     name: str
     sentence: str = ""
     reason: str = ""
+    program: str = ""
+    map_name: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -13,6 +13,7 @@ from typing import Any
 
 from chatscene.ego.policy import fitted, load_ego
 from chatscene.errors import ChatSceneError, MapError, ProgramError, StuckBehavior
+from chatscene.imports.collection import map_beside
 from chatscene.maps.network import PACKAGED, TOWN, resolve_map
 from chatscene.measure.avoidability import avoidable
 from chatscene.measure.unplayed import unplayed
@@ -44,6 +45,8 @@ def watch_program(path: Path, settings: VerifySettings) -> Watching:
     )
     if settings.within:
         own.check_map(Path(settings.within))
+    elif not settings.map_name and own.map_path is None:
+        settings = replace(settings, map_name=map_beside(path) or "")
     if own.program.as_written and own.program.model == OWN_MODEL and not drives_itself(own.program.source):
         own = replace(own, program=replace(own.program, as_written=False))
     driver = "its own ego drives" if own.program.as_written else f"{settings.ego or EGO} drives the ego"

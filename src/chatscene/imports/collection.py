@@ -1,0 +1,161 @@
+"""What an import of a folder leaves in it: a record of what each file became, by which its programs find their maps."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from chatscene.errors import MapError, RunError
+from chatscene.maps.carla_towns import is_town
+from chatscene.maps.network import PACKAGED, name_of, resolve_map
+from chatscene.runs.atomic import read_json, write_json
+from chatscene.runs.digests import digest_of
+
+RECORD = "imported.json"
+MOST_ABOUT = 300  # characters of what a file says of itself
+
+
+class _Frozen(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="ignore")
+
+
+class FileRecord(_Frozen):
+    """What a file became.
+
+    Attributes:
+        file: Its path from the folder that was imported.
+        about: What it says of itself.
+        programs: The programs that it became, by paths from the folder of the record.
+        maps: The map of each: a packaged one or a town by its name, any other by its path from that folder.
+        refused: Why it became none; empty where it became one, or is a catalog.
+    """
+
+    file: str
+    about: Annotated[str, Field(max_length=MOST_ABOUT)] = ""
+    programs: list[str] = []
+    maps: list[str] = []
+    refused: str = ""
+
+
+class _Record(_Frozen):
+    schema_version: int = 1
+    files: list[FileRecord]
+    map_digests: dict[str, str] = {}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CollectedProgram:
+    """A program of a collection.
+
+    Attributes:
+        name: Its path from the folder.
+        path: Its file.
+        map_path: The map that it lies on.
+        file: The path of the file that it was made of.
+        about: What that file says of itself.
+    """
+
+    name: str
+    path: Path
+    map_path: Path
+    file: str
+    about: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Collection:
+    """A folder of programs that were imported.
+
+    Attributes:
+        folder: Where they are.
+        programs: In order of the files that they were made of.
+        refused: Why other files became none, by their paths.
+    """
+
+    folder: Path
+    programs: tuple[CollectedProgram, ...]
+    refused: dict[str, str]
+
+
+def write_record(folder: Path, files: Sequence[FileRecord], maps: Sequence[Path]) -> None:
+    """Leave the record in the folder of the programs.
+
+    Args:
+        folder: The folder.
+        files: What each file became.
+        maps: Their maps.
+
+    Raises:
+        RunError: It cannot be written.
+    """
+    digests = {map_named(folder, path): digest_of(path) for path in sorted(set(maps))}
+    write_json(folder / RECORD, _Record(files=list(files), map_digests=digests).model_dump())
+
+
+def map_named(folder: Path, path: Path) -> str:
+    """What a record in a folder calls a map."""
+    name = name_of(path)
+    return name if name in PACKAGED or is_town(name) else os.path.relpath(path.resolve(), folder.resolve())
+
+
+def is_collection(folder: Path) -> bool:
+    """Whether the import of a folder left its record there."""
+    return (folder / RECORD).is_file()
+
+
+def read_collection(folder: Path) -> Collection:
+    """The programs of a folder that an import left.
+
+    Raises:
+        RunError: There is no such record, it was changed, or a program or a map is not what it was.
+    """
+    where = folder / RECORD
+    try:
+        record = _Record.model_validate(read_json(where))
+    except ValidationError as error:
+        raise RunError(
+            f"{where} is no record of an import: {error.errors()[0]['msg']}; import the folder anew"
+        ) from error
+    maps = {name: _map_at(folder, name, record) for one in record.files for name in one.maps}
+    found = list[CollectedProgram]()
+    for one in record.files:
+        for name, map_name in zip(one.programs, one.maps, strict=False):
+            path = folder / name
+            if not path.resolve().is_relative_to(folder.resolve()) or not path.is_file():
+                raise RunError(f"{where} names the program {name!r}, which is not in {folder}; import the folder anew")
+            found.append(
+                CollectedProgram(name=name, path=path, map_path=maps[map_name], file=one.file, about=one.about)
+            )
+    refused = {one.file: one.refused for one in record.files if one.refused}
+    return Collection(folder=folder, programs=tuple(found), refused=refused)
+
+
+def map_beside(program: Path) -> str | None:
+    """The map of a program that lies in a folder that was imported, as ``--map`` takes it; None for any other.
+
+    Raises:
+        RunError: The folder was changed.
+    """
+    path = program.resolve()
+    folder = next((one for one in path.parents if is_collection(one)), None)
+    if folder is None:
+        return None
+    return next((name_of(one.map_path) for one in read_collection(folder).programs if one.path == path), None)
+
+
+def _map_at(folder: Path, name: str, record: _Record) -> Path:
+    packaged = name in PACKAGED or is_town(name)
+    try:
+        path = resolve_map(name if packaged else os.path.normpath(folder.resolve() / name))
+    except MapError as error:
+        raise RunError(
+            f"{folder} was imported with the map {name}, which is not there any more; put it back"
+        ) from error
+    if record.map_digests.get(name) != digest_of(path):
+        raise RunError(f"the map {name} is not the file that {folder} was imported with; import the folder anew")
+    return path

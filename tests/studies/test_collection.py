@@ -1,0 +1,129 @@
+"""A folder that was imported: egos drive its programs, and it is a catalogue of its own."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import chatscene
+from chatscene.commands.main import main
+from chatscene.errors import RunError, SettingsError
+from chatscene.imports.collection import RECORD, map_beside, read_collection
+from chatscene.imports.import_folder import import_folder
+from chatscene.maps.network import resolve_map
+from chatscene.runs.executor import ONE
+from chatscene.runs.progress import silent
+from chatscene.studies.catalogue import load_catalogue
+from chatscene.studies.collection import Driving, evaluate_collection
+from chatscene.terms.coverage import Answer
+from red_team.scenario_files import scenario
+
+EGO = "idm"
+
+
+@pytest.fixture(scope="module")
+def imported(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two programs, one of them in a folder and without parameters, and a file that was refused."""
+    folder = tmp_path_factory.mktemp("theirs")
+    (folder / "deep").mkdir()
+    (folder / "town.xodr").symlink_to(resolve_map("town"))
+    (folder / "a.xosc").write_text(scenario())
+    plain = re.sub(r"(?s)<ConstraintGroup>.*?</ConstraintGroup>", "", scenario(map_name="../town.xodr"))
+    (folder / "deep" / "b.xosc").write_text(plain)
+    (folder / "gone.xosc").write_text(scenario(map_name="gone.xodr"))
+    import_folder(folder, out := folder / "mine")
+    return out
+
+
+def test_a_folder_that_was_imported_tells_its_programs_and_their_maps(imported: Path) -> None:
+    found = read_collection(imported)
+    assert [one.name for one in found.programs] == ["a.scenic", "deep/b.scenic"]
+    assert {one.map_path.resolve() for one in found.programs} == {resolve_map("town")}
+    assert list(found.refused) == ["gone.xosc"]
+    assert map_beside(imported / "deep" / "b.scenic") is not None
+    assert map_beside(imported.parent / "a.xosc") is None
+
+
+def test_each_ego_drives_each_program_and_a_cut_evaluation_goes_on(imported: Path, tmp_path: Path) -> None:
+    driving = Driving(egos=(EGO,), scenes=2)
+    done = evaluate_collection(imported, tmp_path / "out", driving, workers=ONE, progress=silent)
+    (fared,) = done.fared
+    rows = json.loads((done.folder / "evaluation.json").read_text())["drives"]
+    assert [row["program"] for row in rows] == ["a.scenic", "a.scenic", "deep/b.scenic"]
+    assert fared["drives"] == 3
+    assert all(row["status"] == "ran" for row in rows)
+    page = done.page.read_text()
+    assert "deep/b.scenic" in page
+    assert "gone.xosc" in page
+    kept = done.folder / "drives.jsonl"
+    whole = kept.read_text()
+    kept.write_text(whole.rsplit("\n", 2)[0] + '\n[{"program": "dee')  # as a kill leaves it
+    (done.folder / "evaluation.json").unlink()
+    again = evaluate_collection(imported, done.folder, driving, workers=ONE, progress=silent)
+    assert again.fared == done.fared
+    assert kept.read_text() == whole
+    with pytest.raises(RunError, match="holds another evaluation"):
+        evaluate_collection(imported, done.folder, replace(driving, seed=1), workers=ONE, progress=silent)
+
+
+def test_a_program_that_does_not_run_is_named_and_ends_with_status_1(imported: Path, tmp_path: Path) -> None:
+    changed = tmp_path / "mine"
+    changed.mkdir()
+    record = json.loads((imported / RECORD).read_text())
+    one = record["files"][0]
+    name = one["maps"][0]
+    one["maps"], record["map_digests"] = ["town"], {"town": record["map_digests"][name]}
+    (changed / RECORD).write_text(json.dumps({**record, "files": [one]}))
+    (changed / "a.scenic").write_text((imported / "a.scenic").read_text() + "import os\n")
+    done = CliRunner().invoke(main, ["evaluate", str(changed), "--ego", EGO, "--out", str(tmp_path / "out")])
+    assert done.exit_code == 1
+    assert "not driven: a.scenic: your program" in done.output
+    catalogue = load_catalogue(str(changed))
+    assert [entry.name for entry in catalogue.entries] == ["a.scenic"]
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        ({"programs": ["../a.scenic"]}, "which is not in"),
+        ({"programs": ["gone.scenic"]}, "which is not in"),
+        ({"maps": ["../gone.xodr"]}, "is not there any more"),
+        ({"programs": 3}, "is no record of an import"),
+    ],
+)
+def test_a_record_that_was_changed_is_refused(
+    change: dict[str, object], why: str, imported: Path, tmp_path: Path
+) -> None:
+    record = json.loads((imported / RECORD).read_text())
+    (tmp_path / RECORD).write_text(json.dumps({**record, "files": [{**record["files"][0], "maps": [], **change}]}))
+    (tmp_path.parent / "a.scenic").write_text("")
+    if change.get("programs") != 3 and "maps" not in change:
+        change = {**change, "maps": ["town"]}
+        digests = {"town": next(iter(record["map_digests"].values()))}
+        (tmp_path / RECORD).write_text(
+            json.dumps({"files": [{**record["files"][0], **change}], "map_digests": digests})
+        )
+    with pytest.raises(RunError, match=why):
+        read_collection(tmp_path)
+
+
+def test_what_is_asked_of_runs_is_not_asked_of_an_imported_folder(imported: Path, tmp_path: Path) -> None:
+    with pytest.raises(SettingsError, match="is evaluated by itself, in the sandbox"):
+        chatscene.evaluate([imported], tmp_path / "out", simulator="native")
+    with pytest.raises(SettingsError, match="name each ego once"):
+        chatscene.evaluate(imported, tmp_path / "out", ego=[EGO, EGO])
+
+
+def test_a_catalogue_of_an_imported_folder_has_its_programs_and_what_was_refused(imported: Path) -> None:
+    done = CliRunner().invoke(
+        main, ["coverage", "--catalogue", str(imported), "--drive", "--scenes", "1", "--ego", EGO, "--json"]
+    )
+    (told,) = json.loads(done.stdout)["catalogues"]
+    assert [row["answer"] for row in told["rows"]] == [Answer.SERVED, Answer.SERVED, Answer.OUT_OF_REACH]
+    assert [one["scenes"] for row in told["rows"] for one in row["fared"]] == [1, 1]
+    assert "does not lie there" in told["rows"][2]["reasons"][0]
