@@ -18,6 +18,8 @@ _MOST = 20_000  # points
 _HIGHEST = 12  # order of a NURBS
 _SHORTEST = 0.02  # [m] that a line is long at least: a program says its points to the centimetre
 _OFF = 0.02  # [m] that a line in a program may be beside the one that was read
+_EXACT = 0.001  # [m] to which ways are told
+_MOST_TIMES = 120  # of one road user; with eight of them a program is still short enough
 Pose = tuple[float, float, float]  # x, y [m], heading [rad]
 Places = Callable[[Element], Pose]
 
@@ -211,24 +213,52 @@ def _on_nurbs(
 
 def thinned(points: Sequence[tuple[float, float]], off: float = _OFF) -> list[int]:
     """The indices of the points of a line that are needed to stay within a distance [m] of it (Douglas and Peucker)."""
+    return _needed(points, off, _beside)
+
+
+def thinned_in_time(table: Sequence[tuple[float, float]]) -> list[int]:
+    """The indices of the times [s] and ways [m] that are needed to be at each time where the table says.
+
+    To a millimetre, as a program tells them; of a longer table to as few more, up to what a line may be off, as leave
+    room in the program. Who brakes as hard as it can never makes up what it begins too late.
+    """
+    off = _EXACT
+    while len(kept := _needed(table, off, _late)) > _MOST_TIMES and off < _OFF:
+        off *= 2.0
+    return kept
+
+
+Point = tuple[float, float]
+
+
+def _needed(points: Sequence[Point], off: float, far_of: Callable[[Point, Point, Point], float]) -> list[int]:
     keep = {0, len(points) - 1}
     waiting = [(0, len(points) - 1)]
     while waiting:
         first, last = waiting.pop()
-        (x0, y0), (x1, y1) = points[first], points[last]
-        whole = math.hypot(x1 - x0, y1 - y0)
         worst, at = off, -1
         for i in range(first + 1, last):
-            x, y = points[i]
-            if whole > 1e-9:
-                share = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / whole**2
-                share = min(max(share, 0.0), 1.0)
-                far = math.hypot(x - x0 - share * (x1 - x0), y - y0 - share * (y1 - y0))
-            else:
-                far = math.hypot(x - x0, y - y0)
+            far = far_of(points[i], points[first], points[last])
             if far > worst:
                 worst, at = far, i
         if at >= 0:
             keep.add(at)
             waiting += [(first, at), (at, last)]
     return sorted(keep)
+
+
+def _beside(point: Point, first: Point, last: Point) -> float:
+    """How far a point is from the straight piece between two others."""
+    (x, y), (x0, y0), (x1, y1) = point, first, last
+    whole = math.hypot(x1 - x0, y1 - y0)
+    if whole <= 1e-9:
+        return math.hypot(x - x0, y - y0)
+    share = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / whole**2
+    share = min(max(share, 0.0), 1.0)
+    return math.hypot(x - x0 - share * (x1 - x0), y - y0 - share * (y1 - y0))
+
+
+def _late(point: Point, first: Point, last: Point) -> float:
+    """How far a way is from what it would be if it grew evenly between two others."""
+    (t, s), (t0, s0), (t1, s1) = point, first, last
+    return abs(s - s0 - (s1 - s0) * (t - t0) / max(t1 - t0, 1e-9))

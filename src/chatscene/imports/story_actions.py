@@ -9,7 +9,7 @@ from typing import Any
 from chatscene.imports.cast import Cast, told_number
 from chatscene.imports.given import Refused
 from chatscene.imports.opening import LEFT_ALONE
-from chatscene.imports.shapes import thinned
+from chatscene.imports.shapes import thinned_in_time
 from chatscene.imports.story_conditions import text_or_number
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written_story import Told
@@ -265,4 +265,4 @@ def _table(
     for (a, b), time in zip(pairwise(points), times[1:], strict=True):
         gone += math.dist(a, b)
         table.append((time * scale + shift, gone))
-    return tuple((round(table[i][0], 3), round(table[i][1], 3)) for i in thinned(table))
+    return tuple((round(table[i][0], 3), round(table[i][1], 3)) for i in thinned_in_time(table))

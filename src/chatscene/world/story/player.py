@@ -355,7 +355,7 @@ class Mover:
 
     def _goes(self, way: Way) -> None:
         if way.timed or self._way.timed:
-            self._paces(Steady(self._who.speed))
+            self._paces(Steady(self._way.leaves_at(self._who)))
         self._way.done = True
         self._way, self._who.line = way, way.line
 

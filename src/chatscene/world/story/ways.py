@@ -62,6 +62,10 @@ class Way:
         del who, dt
         return None
 
+    def leaves_at(self, who: Entity) -> float:
+        """The speed [m/s] that somebody keeps behind it."""
+        return who.speed
+
 
 class Shift(Way):
     """Goes over to another distance from a line in some time, and keeps it for good if that is told."""
@@ -126,19 +130,27 @@ class Line(Way):
     def left(self, time: float) -> float:
         """On the line."""
         del time
-        x, y, _ = self._who.origin
-        late = self._table and self._world.time - self._began >= self._table[-1][0]
-        self.done = bool(late) or along(self.line, x, y)[0] >= self.line.length - _AT_END
+        if self._table:  # who is at its end too soon waits there
+            self.done = self._world.time - self._began >= self._table[-1][0]
+        else:
+            self.done = along(self.line, *self._who.origin[:2])[0] >= self.line.length - _AT_END
         return 0.0
 
     def hastens(self, who: Entity, dt: float) -> float | None:
-        """The speed of the table, and more or less where it is late or early."""
+        """The speed of the table at the end of the step, and more or less where it is late or early."""
         if not self._table:
             return None
         time = self._world.time - self._began
-        at, after = (self._due(one) for one in (time, time + dt))
+        at, after = (self._due(one) for one in (time, time + 2.0 * dt))
         behind = at - along(self.line, *who.origin[:2])[0]
-        return max((after - at) / dt + _PULLS * behind, 0.0)
+        return max((after - at) / (2.0 * dt) + _PULLS * behind, 0.0)
+
+    def leaves_at(self, who: Entity) -> float:
+        """That at which its table ends, if it has come so far: who is to stand there by then does not creep on."""
+        if not (self.done and len(self._table) > 1):
+            return who.speed
+        (t0, s0), (t1, s1) = self._table[-2:]
+        return min((s1 - s0) / max(t1 - t0, 1e-9), who.speed)
 
     def _due(self, time: float) -> float:
         table = self._table

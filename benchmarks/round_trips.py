@@ -1,0 +1,110 @@
+"""Whether an exported scene comes back: exported as OpenSCENARIO, imported, driven, held against its tracks.
+
+    python benchmarks/round_trips.py RUN... [--most 30]
+
+Each kept scene of each run is exported, imported again, and driven in the sandbox, parameters in the middle of their
+ranges. The ego of an imported file is left to an ego under test, here `planner`, so that it is not compared; each other
+road user is compared with the one nearest to its place at the start, until the shorter of the two drives ends.
+Distances are between the middles of bodies.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import click
+import numpy as np
+
+import chatscene
+from chatscene.ego.policy import load_ego
+from chatscene.errors import ChatSceneError
+from chatscene.imports.import_file import import_scenario
+from chatscene.program.sample import scene_at
+from chatscene.runs import open_run, read_episode, read_scenes
+from chatscene.search.generators.foreign import read_foreign
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.confined.simulator import ConfinedSimulator
+from chatscene.simulate.simulator import simulate
+from chatscene.terms.episode import Episode, Track
+from chatscene.terms.scene import Rejected
+
+NEAR = 0.05  # [m]
+
+
+def apart(was: Episode, now: Episode) -> Iterator[tuple[str, float, float]]:
+    """Each road user but the ego, how far [m] it is at most from where it was, and when [s]."""
+    left = list(now.adversaries)
+    for track in was.adversaries:
+        if not left:
+            yield track.actor, float("inf"), 0.0
+            continue
+        twin = min(left, key=lambda one: float(np.hypot(one.x[0] - track.x[0], one.y[0] - track.y[0])))
+        left.remove(twin)
+        yield track.actor, *_apart(track, twin, was.dt)
+
+
+def _apart(one: Track, other: Track, dt: float) -> tuple[float, float]:
+    count = min(len(one.x), len(other.x))
+    gaps = np.hypot(one.x[:count] - other.x[:count], one.y[:count] - other.y[:count])
+    return float(gaps.max()), float(gaps.argmax() * dt)
+
+
+def played(xosc: Path, folder: Path, simulators: dict[Path, ConfinedSimulator]) -> tuple[Episode, tuple[str, ...]]:
+    """A drive of an imported file, and what was noted of it.
+
+    Raises:
+        ChatSceneError: It does not come back, or does not run.
+    """
+    made = import_scenario(xosc, out=folder / f"{xosc.stem}.scenic")
+    own = read_foreign(made.program, searched_with=False)
+    where = made.map_path.resolve()
+    if where not in simulators:
+        simulators[where] = ConfinedSimulator(where, SimulationSettings())
+    scene = replace(scene_at(own.program, 0, 0.5, name="back"), seed=0)
+    episode = simulate(simulators[where], own.program, scene, load_ego("planner"))
+    if isinstance(episode, Rejected):
+        raise ChatSceneError(f"rejected: {episode.reason}")
+    return episode, made.notes
+
+
+@click.command()
+@click.argument("folders", metavar="RUN...", nargs=-1, required=True, type=click.Path(path_type=Path, exists=True))
+@click.option("--most", default=1_000, show_default=True, help="Scenes.")
+def main(folders: tuple[Path, ...], most: int) -> None:
+    """Print a line for each scene, and how many come back."""
+    count, worst = Counter[str](), list[float]()
+    simulators: dict[Path, ConfinedSimulator] = {}
+    for folder in folders:
+        run = open_run(folder)
+        kept = [str(row["scene_id"]) for row in read_scenes(run) if row["selected"]]
+        for scene_id in kept[: most - count["scenes"]]:
+            count["scenes"] += 1
+            with tempfile.TemporaryDirectory() as name:
+                try:
+                    done = chatscene.export(folder, scene_id, to="openscenario", out=Path(name) / "out")
+                    (xosc,) = (Path(name) / "out" / one for one in done.files[scene_id] if one.endswith(".xosc"))
+                    count["exported"] += 1
+                    episode, notes = played(xosc, Path(name), simulators)
+                except ChatSceneError as error:
+                    print(f"{scene_id}: {type(error).__name__}: {' '.join(str(error).split())[:200]}", flush=True)
+                    continue
+            count["played"] += 1
+            was = read_episode(run, scene_id)
+            gaps = list(apart(was, episode))
+            who, far, at = max(gaps, key=lambda one: one[1], default=("nobody", 0.0, 0.0))
+            worst.append(far)
+            count["near"] += far <= NEAR
+            told = f"{was.duration:.1f} s {was.ending} and {episode.duration:.1f} s {episode.ending}"
+            print(f"{scene_id}: {who} {far:.3f} m away at {at:.1f} s; {told}; {len(notes)} notes", flush=True)
+    print(dict(count), f"median {np.median(worst):.3f} m" if worst else "")
+    for one in simulators.values():
+        one.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
