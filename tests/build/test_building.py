@@ -202,7 +202,7 @@ def test_the_same_situation_is_the_same_program() -> None:
 
 
 @given(situations())
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=25, deadline=None)
 def test_of_whatever_can_be_said_each_fact_is_built_or_left_out_with_a_word_or_refused(said: Situation) -> None:
     try:
         one = build(said)

@@ -180,8 +180,13 @@ def choose_route(
             f"map {Path(map_path).stem!r} has {len(routes)} routes for this geometry, so there is no route {index}; "
             f"ask for at most {len(routes)}"
         )
-    route, before = from_line(network, routes[index], to_line) if at_line else (routes[index], None)
-    return EgoRoute(route, network, len(routes), before)
+    return _ego_route(network, routes[index], len(routes), to_line if at_line else None)
+
+
+@lru_cache(maxsize=1024)  # what is worked out of a route, as its limits, is so once
+def _ego_route(network: Any, route: Route, count: int, to_line: float | None) -> EgoRoute:
+    route, before = (route, None) if to_line is None else from_line(network, route, to_line)
+    return EgoRoute(route, network, count, before)
 
 
 def route_along(network: Any, map_path: str, points: Sequence[tuple[float, float]]) -> EgoRoute:
