@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Callable
 from typing import Any
@@ -10,24 +9,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.ego.observation import SIGHT, Observation, RouteView, check_preset
+from chatscene.ego.observation import SIGHT, Observation, check_preset
 from chatscene.ego.policy import controls
-from chatscene.errors import ChatSceneError, EgoError, ProgramError, no_such
+from chatscene.errors import ChatSceneError, EgoError, ProgramError
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.contact import SWEPT, Was, approach_speed, between, contact_side, met, touch
+from chatscene.simulate.followed import FollowedPlans
 from chatscene.simulate.obedience import Obedience
 from chatscene.simulate.over import Over, over_of
+from chatscene.simulate.recorded import states_of, tracks_of
 from chatscene.simulate.roadside import RouteSurroundings
+from chatscene.simulate.set_up import awaited_by, check_wanted, names_of, orders_of, overlap, view_of
 from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.terms.actors import LIMITS, has_lamps, kind_of
 from chatscene.terms.backing import turned_about
-from chatscene.terms.episode import Ending, Episode, Event, EventKind, Reached, Role, Stepped, Track
-from chatscene.terms.order import Order
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Stepped
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.pointing import fault
 from chatscene.terms.route import Route
 from chatscene.terms.scene import ScenicProgram
-from chatscene.terms.written_plans import WrittenPlan, written_plans
 from chatscene.world.bodies import Body, Vehicle
 
 ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCompletionTest)
@@ -101,10 +101,10 @@ class SteppedSession:
                 "drive it; leave its `with behavior …` away"
             )
         self._ego = body
-        self.orders = () if program.as_written else _orders(objects[0], label)
+        self.orders = () if program.as_written else orders_of(objects[0], label)
         self._obedience = Obedience(self.orders)
-        self.awaited = _awaited(self.orders, objects, bodies, label)
-        _check_wanted(objects[0], program, label)
+        self.awaited = awaited_by(self.orders, objects, bodies, label)
+        check_wanted(objects[0], program, label)
         self.limits = LIMITS.get(kind_of(objects[0]), LIMITS["Car"])
         self.simulation = simulation
         self.route = route
@@ -118,12 +118,12 @@ class SteppedSession:
         self.stepped = Stepped()
         self._drawn = program.drawn
         self._as_written = program.as_written
-        self._plans = written_plans(program.source)
+        self._followed = FollowedPlans(program.source, simulation)
         self._phases: dict[int, int] = {}
         self._names: list[tuple[str, Role]] = []
         self.limit = min(settings.max_steps, int(route.length * SECONDS_PER_METRE / settings.dt))
         self.preset = check_preset(observation)
-        self.allowed, self._view = _view_of(observation, route, around, program, body.grip)
+        self.allowed, self._view = view_of(observation, route, around, program, body.grip)
         self._see = {
             "safebench": self._four_numbers,
             "actors": self._actors,
@@ -145,7 +145,7 @@ class SteppedSession:
             simulation.axes = {route.junction: around.axis}
         self._meet()
         self.over = self._watching(program)
-        self.rejection = _overlap(objects, bodies, self._names)
+        self.rejection = overlap(objects, bodies, self._names)
         self.observation: Observation
         if not self.rejection:
             self._look()
@@ -198,7 +198,11 @@ class SteppedSession:
         time = self.step_number * dt
         for number, other in self.awaited.items():
             if held.waits[number]:
-                phase = self._phase_of(self.simulation.bodies.index(other)) if self.orders[number].phase >= 0 else 0
+                phase = (
+                    self._followed.phase_of(self.simulation.bodies.index(other))
+                    if self.orders[number].phase >= 0
+                    else 0
+                )
                 held.meet(number, time, math.hypot(other.x - body.x, other.y - body.y), phase)
         body.throttle, body.brake = held.pedals(
             pressed[:2], time=time, along=along, speed=body.speed, dt=dt, limits=self.limits
@@ -245,7 +249,7 @@ class SteppedSession:
         self._rows, self._offsets, self._view.along = rows, offsets, along
         self._contacts = [self._contact(*contact) for contact in contacts]
         self.step_number, self.ending = step, ending
-        self._phases = {number: phase for number, phase in phases.items() if self._plan_of(number) is not None}
+        self._phases = {number: phase for number, phase in phases.items() if self._followed.plan_of(number) is not None}
 
     def _contact(self, step: int, other: int, side: str, speed: float, earlier: float) -> Event:
         return Event(
@@ -283,7 +287,7 @@ class SteppedSession:
         """Take in who is there and was not before; a program that is composed of others places things as it goes on."""
         simulation = self.simulation
         known = len(self._names)
-        self._names = _names(simulation.objects, self._drawn)
+        self._names = names_of(simulation.objects, self._drawn)
         for obj, body in list(zip(simulation.objects, simulation.bodies, strict=True))[known:]:
             if body.moves:
                 self._moving.append(body)
@@ -313,7 +317,7 @@ class SteppedSession:
 
     def _end(self, ending: Ending) -> None:
         """End it, unless the program rejects it for how it ends."""
-        self._phases = self._reached()  # as it ends, its behaviors are stopped
+        self._phases = self._followed.reached()  # as it ends, its behaviors are stopped
         if self._go_on(self.simulation.finish):
             self.ending = ending
 
@@ -325,7 +329,9 @@ class SteppedSession:
         if self.simulation.done is not None:
             return Ending.SCENARIO_DONE
         over = self.over
-        if over is not None and over.look(self.step_number, self._view.along, self._all_phases(over), self._obedience):
+        if over is not None and over.look(
+            self.step_number, self._view.along, self._followed.all_phases(over), self._obedience
+        ):
             return Ending.OVER
         return Ending.TIMEOUT if self.step_number >= self.limit else None
 
@@ -378,10 +384,12 @@ class SteppedSession:
 
     def episode(self, scene_id: str, ego: str) -> Episode:
         """Everything that happened so far, with the events that follow from the tracks."""
-        tracks = self._tracks()
+        steps = len(self._offsets)
+        moved = states_of(self._rows, self._since, steps)
+        tracks = tracks_of(self.simulation, self._names, moved, steps, self._ego.backs)
         signals = str(self.simulation.scene.params["signals"])
         lights = self.simulation.lights
-        states = self.around.signal_tracks(signals, len(self._offsets), self.settings.dt, lights)
+        states = self.around.signal_tracks(signals, steps, self.settings.dt, lights)
         off_road, events = self.around.events(tracks[0], states)
         return Episode(
             scene_id=scene_id,
@@ -399,41 +407,10 @@ class SteppedSession:
             surroundings=self.simulation.surroundings,
             stepped=self.stepped,
             reached={
-                self._names[i][0]: self._in_plan(i, phase) for i, phase in (self._phases or self._reached()).items()
+                self._names[i][0]: self._followed.in_plan(i, phase)
+                for i, phase in (self._phases or self._followed.reached()).items()
             },
         )
-
-    def _in_plan(self, number: int, phase: int) -> Reached:
-        return Reached(behavior=type(self.simulation.objects[number].behavior).__name__, phase=phase)
-
-    def _plan_of(self, number: int) -> WrittenPlan | None:
-        """The plan of the program's own that an object follows."""
-        plan = self._plans.get(type(self.simulation.objects[number].behavior).__name__)
-        return plan if isinstance(plan, WrittenPlan) else None
-
-    def _reached(self) -> dict[int, int]:
-        """How far everybody is who follows a plan: the phase whose line the behavior stands at."""
-        found = {number: self._phase_of(number) for number in range(len(self.simulation.objects))}
-        return {number: phase for number, phase in found.items() if phase >= 0}
-
-    def _phase_of(self, number: int) -> int:
-        """How far an object is in its plan; -1 if it follows none."""
-        plan = self._plan_of(number)
-        running = getattr(self.simulation.objects[number].behavior, "_runningIterator", None)
-        if plan is None or running is None:
-            return -1
-        frame = running.gi_frame
-        return len(plan.lines) if frame is None else plan.phase_at(frame.f_lineno)
-
-    def _all_phases(self, over: Over) -> dict[int, int]:
-        """How far everybody is who acts; of one that does one thing alone, 0, or 1 once that is done."""
-        found: dict[int, int] = {}
-        for one in over.acting:
-            if (phase := self._phase_of(one.number)) < 0:
-                running = getattr(self.simulation.objects[one.number].behavior, "_runningIterator", None)
-                phase = int(running is not None and running.gi_frame is None)
-            found[one.number] = phase
-        return found
 
     def _watching(self, program: ScenicProgram) -> Over | None:
         """What watches for the end of the drive, where the program asks for it and nothing else judges its states."""
@@ -444,150 +421,10 @@ class SteppedSession:
         return over_of(
             params,
             simulation.objects,
-            self._plans,
+            self._followed.plans,
             bodies=simulation.bodies,
             line=route.line,
             dt=self.settings.dt,
             settled=self.around.settled(str(params["signals"])),
             wanted=NOMINAL.speed if program.wanted_speed is None else program.wanted_speed,
         )
-
-    def _states(self, steps: int) -> list[NDArray[np.float64]]:
-        """The state of each body that moves at each step, (4, steps); of one that came later, as it stood at first."""
-        if not any(self._since):
-            columns = np.array(self._rows).reshape(steps, len(self._moving), 4).transpose(1, 2, 0)
-            return list(np.ascontiguousarray(columns))
-        states = np.empty((len(self._moving), 4, steps))
-        rows = iter(self._rows)
-        for step in range(steps):
-            for i, since in enumerate(self._since):
-                if step >= since:
-                    states[i, :, step] = [next(rows) for _ in range(4)]
-        for state, since in zip(states, self._since, strict=True):
-            state[:3, :since] = state[:3, since : since + 1]
-            state[3, :since] = 0.0
-        return list(states)
-
-    def _tracks(self) -> tuple[Track, ...]:
-        steps = len(self._offsets)
-        moving = iter(self._states(steps))
-        tracks: list[Track] = []
-        for obj, body, (name, role) in zip(self.simulation.objects, self.simulation.bodies, self._names, strict=True):
-            if not body.moves:
-                state = np.repeat(np.array([[body.x], [body.y], [body.heading], [0.0]]), steps, axis=1)
-            else:
-                state = next(moving)
-                if body is self._ego and self._ego.backs:  # which is carried as it goes
-                    state = np.array([state[0], state[1], state[2] + math.pi, 0.0 - state[3]])
-            tracks.append(
-                Track(
-                    actor=name,
-                    role=role,
-                    kind=kind_of(obj),
-                    length=body.length,
-                    width=body.width,
-                    x=state[0],
-                    y=state[1],
-                    heading=state[2],
-                    speed=state[3],
-                )
-            )
-        order = (Role.EGO, Role.ADVERSARY, Role.BACKGROUND, Role.OCCLUDER)
-        return tuple(sorted(tracks, key=lambda track: order.index(track.role)))
-
-
-def _view_of(
-    observation: str, route: Route, around: RouteSurroundings, program: ScenicProgram, grip: float
-) -> tuple[NDArray[np.float64] | None, RouteView]:
-    """The speeds allowed on a route, where a preset shows them, and the ego's view of it; `grip` in m/s²."""
-    room = around.room if observation in ("road", "traffic") else None
-    allowed = around.allowed(keeps_limits=program.keeps_limits, grip=grip) if observation == "traffic" else None
-    return allowed, RouteView(route.line, room, allowed)
-
-
-def _check_wanted(ego: Any, program: ScenicProgram, label: str) -> None:
-    """Hold that what is wanted of the ego's speed is what is read in the program's text.
-
-    Raises:
-        ProgramError: It is computed, or no number.
-    """
-    own = not program.drawn
-    wanted, keeps = (getattr(ego, "wantedSpeed", None), getattr(ego, "keepsLimits", False)) if own else (None, False)
-    if wanted != program.wanted_speed:
-        raise ProgramError(
-            f"{label} fails: `with wantedSpeed` takes a plain number of metres per second and stands where the ego is "
-            f"placed, as in `ego = new Car …, with wantedSpeed 20`, not {wanted!r}"
-        )
-    if keeps is not program.keeps_limits:
-        raise ProgramError(
-            f"{label} fails: `with keepsLimits` takes `True` or `False` and stands where the ego is placed, as in "
-            f"`ego = new Car …, with wantedSpeed 20, with keepsLimits True`, not {keeps!r}"
-        )
-
-
-def _orders(ego: Any, label: str) -> tuple[Order, ...]:
-    """What a program orders the ego under test; nothing, in one for another world model.
-
-    Raises:
-        ProgramError: It is no order.
-    """
-    orders = getattr(ego, "orders", ())
-    if not isinstance(orders, tuple) or not all(isinstance(order, Order) for order in orders):
-        raise ProgramError(f"{label} fails: `with orders` takes orders, as in `(Order(at_most=0),)`, not {orders!r}")
-    return orders
-
-
-def _awaited(orders: tuple[Order, ...], objects: list[Any], bodies: list[Body], label: str) -> dict[int, Body]:
-    """For each order that waits for somebody, by its number, who that is.
-
-    Raises:
-        ProgramError: There is nobody of that label.
-    """
-    labels = {getattr(one, "label", ""): body for one, body in reversed(list(zip(objects, bodies, strict=True)))}
-    found = {number: labels.get(order.whom) for number, order in enumerate(orders) if order.whom}
-    if None in found.values():
-        raise ProgramError(f"{label} fails: an order waits for somebody whose label nobody has")
-    return {number: body for number, body in found.items() if body is not None}
-
-
-TOLD_ROLES = (Role.ADVERSARY, Role.BACKGROUND, Role.OCCLUDER)
-
-
-def _names(objects: list[Any], drawn: bool) -> list[tuple[str, Role]]:
-    """A unique name and the role of each object: the ego comes first, whoever runs `AdvBehavior` is the adversary.
-
-    Who has a `role` is what that says, under its own label.
-
-    In a program that was not written for our world model, that is whoever acts; where nobody does, whatever there is.
-    """
-    acting = [obj for obj in objects[1:] if obj.behavior is not None]
-    adversaries = acting or objects[1:]
-    named: list[tuple[str, Role]] = []
-    seen: dict[str, int] = {}
-    for i, obj in enumerate(objects):
-        own = getattr(obj, "label", "") or type(obj).__name__.lower()
-        if i == 0:
-            name, role = "ego", Role.EGO
-        elif drawn and obj in adversaries:
-            name, role = own, Role.ADVERSARY
-        elif told := getattr(obj, "role", ""):
-            if told not in TOLD_ROLES:
-                raise ProgramError(no_such("role", str(told), TOLD_ROLES))
-            name, role = own, Role(told)
-        elif type(obj.behavior).__name__ == "AdvBehavior":
-            name, role = "adversary", Role.ADVERSARY
-        elif obj.behavior is not None:
-            name, role = own, Role.BACKGROUND
-        else:
-            name, role = own, Role.OCCLUDER
-        seen[name] = seen.get(name, 0) + 1
-        named.append((name if seen[name] == 1 else f"{name}-{seen[name]}", role))
-    return named
-
-
-def _overlap(objects: list[Any], bodies: list[Body], names: list[tuple[str, Role]]) -> str:
-    """Which two actors stand in each other at the start and may not, in words; empty if none do."""
-    for (i, a), (j, b) in itertools.combinations(enumerate(bodies), 2):
-        if touch(a, b) and not (objects[i].allowCollisions or objects[j].allowCollisions):
-            return f"{names[j][0]} overlaps {names[i][0]} at the start"
-    return ""
