@@ -10,8 +10,9 @@ import pytest
 
 from chatscene.maps.lane_runs import lane_runs
 from chatscene.maps.network import load_network, resolve_map
-from chatscene.maps.opendrive import Node, Street, write_opendrive
+from chatscene.maps.opendrive import write_opendrive
 from chatscene.maps.outskirts import plan
+from chatscene.maps.streets import Node, Street
 from chatscene.maps.survey import check_map
 from chatscene.terms.scenario import Control
 

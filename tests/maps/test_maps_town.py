@@ -16,7 +16,8 @@ from hypothesis import strategies as st
 from asam_checker import assert_nothing_wrong
 from chatscene.maps.junctions import junction_control
 from chatscene.maps.network import load_network, resolve_map
-from chatscene.maps.opendrive import Node, Street, write_opendrive
+from chatscene.maps.opendrive import write_opendrive
+from chatscene.maps.streets import Node, Street
 from chatscene.maps.town import plan
 from chatscene.terms.scenario import Control
 

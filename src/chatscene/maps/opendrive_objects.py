@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from xml.etree import ElementTree as Xml
 
 if TYPE_CHECKING:
-    from chatscene.maps.opendrive import Street
+    from chatscene.maps.streets import Street
 
 TRAFFIC_LIGHT = "1000001"  # signal types of the German catalogue, which Scenic and CARLA know
 STOP_SIGN = "206"

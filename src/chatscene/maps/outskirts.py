@@ -16,8 +16,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from chatscene.maps.designs import RampDesign, RingDesign
-from chatscene.maps.opendrive import LANE, Node, Street, Surroundings, write_opendrive
+from chatscene.maps.opendrive import write_opendrive
 from chatscene.maps.opendrive_objects import Bay, Crosswalk, Use
+from chatscene.maps.streets import LANE, Node, Street, Surroundings
 from chatscene.terms.scenario import Control
 
 FILE = Path(__file__).with_name("outskirts.xodr")

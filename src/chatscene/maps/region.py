@@ -17,7 +17,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from chatscene.maps.designs import CarParkDesign, RingDesign
-from chatscene.maps.opendrive import Node, Street, Surroundings, write_opendrive
+from chatscene.maps.opendrive import write_opendrive
 from chatscene.maps.opendrive_objects import Bay, Crosswalk, Use
 from chatscene.maps.region_motorway import (
     DIVERGE_EAST,
@@ -31,6 +31,7 @@ from chatscene.maps.region_motorway import (
     ON_WEST,
     carriageways,
 )
+from chatscene.maps.streets import Node, Street, Surroundings
 from chatscene.terms.scenario import Control
 
 FILE = Path(__file__).with_name("region.xodr")

@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from chatscene.maps.designs import RampDesign
-from chatscene.maps.opendrive import LANE, Node, Street, Surroundings
+from chatscene.maps.streets import LANE, Node, Street, Surroundings
 from chatscene.terms.scenario import Control
 
 MEDIAN = 2.0  # [m], half of what lies between the carriageways

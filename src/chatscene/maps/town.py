@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from chatscene.maps.opendrive import Node, Street, write_opendrive
+from chatscene.maps.opendrive import write_opendrive
+from chatscene.maps.streets import Node, Street
 from chatscene.terms.scenario import Control
 
 BLOCK = 270.0  # [m] between junctions: straights of 230 m between the setbacks
