@@ -21,7 +21,7 @@ import torch
 from gymnasium import spaces
 
 from chatscene import api, pipeline, runs
-from chatscene.commands.finetune import finetune as command
+from chatscene.commands.learn import finetune as command
 from chatscene.ego.network import load_network
 from chatscene.ego.planner import ACCELERATION, Caution, Planner, carried_out
 from chatscene.ego.policy import EgoPolicy, load_ego
