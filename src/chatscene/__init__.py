@@ -17,6 +17,8 @@ from __future__ import annotations
 
 import os
 
+from chatscene.plane import use_flat
+
 TYPE_CHECKING = False  # as in `typing`, which costs more to load than all of this; type checkers know the name
 if TYPE_CHECKING:
     from chatscene.api import (
@@ -95,6 +97,7 @@ os.environ |= dict.fromkeys(
     ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1"
 )
 
+use_flat()
 os.environ.setdefault("ORT_DISABLE_TELEMETRY", "1")  # onnxruntime reports its use unless told not to
 
 if not TYPE_CHECKING:  # else a type checker would take any name for one of ours

@@ -115,7 +115,7 @@ def _parse(digest: str, path: Path) -> Any:
     root = check_opendrive(path)
     copy = _private_copy(path, digest)
     if takes_seconds(root) or digest in _packaged():
-        return furnished(path, root, lambda: parsed(copy or path, cached=copy is not None))
+        return furnished(path, root, lambda: _kept(path, copy) or parsed(copy or path, cached=copy is not None))
     network = _kept(path, copy) or read_apart(path, root, partial(_taken, copy))
     return furnished(path, root, lambda: network)
 

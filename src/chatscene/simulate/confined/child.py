@@ -26,6 +26,7 @@ from shapely.geometry import box
 
 from chatscene.errors import ChatSceneError
 from chatscene.maps.network import load_network
+from chatscene.plane import whole
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.confined.confinement import Limits, confine
 from chatscene.simulate.confined.wire import (
@@ -113,6 +114,7 @@ def _warm_up(map_path: Path, settings: SimulationSettings, cache: str) -> Simula
 
 
 def _warmed_up(map_path: Path, settings: SimulationSettings) -> Simulator:
+    whole()  # no module can be loaded once the walls are up
     load_network(map_path)
     simulator = load_simulator(map_path, settings)
     program = ScenicProgram(scenario_id="warm-up", source=WARM_UP, parameters=(), snippet_ids=())
