@@ -40,7 +40,7 @@ from chatscene.terms.rolling import rolls
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other
 from chatscene.terms.vocabulary import Act, Breach, Role, Where
-from chatscene.world.places import ownLane
+from chatscene.world.places import ownLane, speedOn
 
 HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast
 FASTER = (1.2, 1.5)  # of the speed of the traffic: who is fast in it
@@ -136,6 +136,12 @@ class Actor:
     def along_speed(self) -> float:
         """How fast [m/s] it goes along with the ego: as that, or as fast as it holds."""
         return min(self.ego_speed, Body(self.limits, self.walks).fastest)
+
+    @property
+    def first_speed(self) -> float:
+        """How fast [m/s] it goes along at first: as the ego, which may begin where less is allowed, as on a ramp."""
+        allowed = speedOn(self.found.route, 0.0, self.ego_speed) if self.ego.keeps_limits else self.ego_speed
+        return min(self.along_speed, allowed)
 
     @property
     def ego_limits(self) -> Limits:
@@ -357,7 +363,7 @@ class Actor:
         if own := _DRIVES.match(phases[0]):
             return f", with speed {own[1]}"
         keeps = self.one.kind.row.body.row.motorised or self.deeds[0].act is Act.KEEP_LEVEL
-        return f", with speed {self.along_speed:g}" if keeps else self.filled(", with speed $SPEED")
+        return f", with speed {self.first_speed:.4g}" if keeps else self.filled(", with speed $SPEED")
 
     def role(self) -> str:
         """What it is there for, as a program says it."""

@@ -254,7 +254,7 @@ def goes_slowly(one: Other) -> bool:
 
 
 _OVER = {
-    Meets.ACROSS: (frozenset((Act.CROSS,)), frozenset((Act.STOP, Act.BRAKE, Act.FALL))),
+    Meets.ACROSS: (frozenset((Act.CROSS, Act.ENTER)), frozenset((Act.STOP, Act.BRAKE, Act.FALL))),
     Meets.THROUGH: (frozenset((Act.GO_STRAIGHT, Act.CROSS)), frozenset((Act.STOP, Act.BRAKE, Act.FALL))),
 }
 """What leads somebody over the ego's way, and what ends that in it."""
@@ -262,7 +262,7 @@ _OVER = {
 
 def stops_on_its_way(meets: Meets, deeds: Sequence[Deed], k: int) -> bool:
     """Whether somebody stops in its k-th deed where the ego goes, over whose way it was going by the deed before."""
-    if k < 1 or meets not in _OVER or deeds[k].when is not None:
+    if not 1 <= k < len(deeds) or meets not in _OVER or deeds[k].when is not None:
         return False
     goes, ends = _OVER[meets]
     return deeds[k - 1].act in goes and deeds[k].act in ends

@@ -11,6 +11,7 @@ from chatscene.build.asked import FROM_A_STAND, Meets
 from chatscene.build.contact import sideswiped_at, touches
 from chatscene.build.deeds import (
     ALONG,
+    BACK_OUT,
     BEHIND_ANOTHER,
     BRAKES,
     BRAKES_TO,
@@ -43,7 +44,7 @@ from chatscene.build.sideways import takes_long
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Role, Where
+from chatscene.terms.vocabulary import COMES_IN, Act, Role, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -65,6 +66,8 @@ def steps_of(actor: Actor, k: int) -> Steps:
     if where in ROUNDABOUT_PLACES:
         check_round(actor, k)
     table, across = dict(_table(actor, k)), actor.stand.meets is Meets.ACROSS
+    if deed.act is Act.REVERSE and across and any(one.act in COMES_IN for one in actor.deeds[:k]):
+        table[Act.REVERSE] = BACK_OUT
     if deed.act not in table or (deed.act in _ASIDE and where in ROUNDABOUT_PLACES):  # nobody sees it on a bend
         along = "; who goes along the road is ahead, beside or behind" if across and deed.act in ALONG else ""
         raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}{along}")

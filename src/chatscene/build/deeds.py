@@ -462,6 +462,16 @@ ACROSS_RIDING = {
 }
 
 
+BACK_OUT = Steps(
+    does=(_STOOD, "ReverseStraight($BACK) for $BACK_TIME seconds"),
+    last=(_STOOD, "ReverseStraight($BACK) for $BACK_TIME seconds", "Halt()"),
+    binds={"speed": "BACK", "time": "BACK_TIME"},
+    still=True,
+    pace=Pace.STANDS,
+)
+"""Of somebody on wheels who came into the ego's lane from beside it, and backs out of it again."""
+
+
 def steps_for(meets: Meets, *, walks: bool, beside: bool) -> Mapping[Act, Steps]:
     """How acts are done by somebody.
 

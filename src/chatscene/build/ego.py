@@ -16,6 +16,7 @@ from chatscene.errors import NotBuilt
 from chatscene.maps.routes import TO_LINE
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.backing import backs
+from chatscene.terms.conclusions import JUNCTIONS
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL, gain_in
 from chatscene.terms.route import Beside
@@ -152,7 +153,8 @@ def _written(order: Order) -> str:
 
 def _lights(ledger: Ledger, found: Found) -> list[str]:
     if found.query.get("control") != "signal":
-        return []
+        may_have_lights = found.query.get("place") in JUNCTIONS and "control" not in found.query
+        return [f"param signals = 'ego-{EgoLight.GREEN}'"] if may_have_lights else []
     ledger.take("road.ego_light")
     said, others = ledger.situation.road.ego_light, ledger.situation.others
     if said is None and any(deed.breaks is Breach.RED_LIGHT for deed in ledger.situation.ego.does):

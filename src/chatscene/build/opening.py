@@ -16,7 +16,7 @@ from chatscene.build.contact import touches
 from chatscene.build.deeds import GO, MOVE
 from chatscene.build.gaps import GOES_ON, LOSES
 from chatscene.build.naming import name_of
-from chatscene.build.paces import Pace, keeps_distance, slowest_with_ego
+from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, at_junction, room_against
 from chatscene.build.reacting import ego_slows, goes_until_ego_slows, reacts
 from chatscene.build.relations import AGAINST, ALONG
@@ -316,7 +316,9 @@ class Opening(UnderWay):
             return GO.replace("$SPEED", f"${speed.name}")
         room = self.phases.actor.room
         ahead = f"-$Y - {room:g}" if self.phases.actor.stand.behind else f"$Y + {room:g}"
-        if self.phases.actor.leads:
+        if actor.leads and actor.first_speed < actor.along_speed - CRAWLS:  # both gain speed, it before the ego
+            return f"PaceOnPath({{p}}, ego, {ahead}, {actor.along_speed:.4g}, {actor.first_speed:.3g})"
+        if actor.leads:
             return GO.replace("$SPEED", f"{self.phases.actor.along_speed:.4g}")
         if not keeps_distance(self.phases.actor):
             least = min(KEEPS_UP, 0.8 * self.phases.actor.ego_speed)

@@ -266,8 +266,9 @@ def check_held(actor: Actor, speed: float, said: str) -> None:
 
 
 def in_one_manner(actor: Actor) -> bool:
-    """Whether somebody does all that it does slowly, or all of it fast."""
-    return len({one.manner for one in actor.deeds if one.manner in PACES}) == 1
+    """Whether somebody does all that it does slowly, or all of it fast: nothing at a speed that was said."""
+    at_speeds = any(one.speed is not None for one in actor.deeds)
+    return not at_speeds and len({one.manner for one in actor.deeds if one.manner in PACES}) == 1
 
 
 def set_passing_speed(actor: Actor, k: int) -> None:

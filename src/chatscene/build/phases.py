@@ -310,6 +310,8 @@ class Phases:
         far = deed.act is Act.GO_ALONG and deed.distance is not None
         ends = last and bool(steps.last) and ((deed.time is None and not far) or deed.act in STAYS)
         phases = steps.last if ends else steps.does
+        if actor.stand.meets is Meets.ACROSS and stops_on_its_way(Meets.ACROSS, actor.deeds, k + 1):
+            phases = (RESTS,)  # who is fast is over our lane, if it brakes only once it is in that
         own = steps.way or line_aside(actor, k, way) or way
         if last and not ends:
             phases = (*phases, GO.replace("{p}", own) if own and actor.stand.meets is not Meets.ACROSS else go)

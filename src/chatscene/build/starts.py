@@ -19,6 +19,7 @@ from chatscene.build.place import (
     AT_JUNCTION,
     LANE,
     NEXT_LANE,
+    Found,
     at_junction,
     at_roundabout,
     beside_lane,
@@ -35,6 +36,7 @@ from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.terms.amount import Length
 from chatscene.terms.backing import backs
+from chatscene.terms.conclusions import LANE_CHANGES
 from chatscene.terms.route import Beside
 from chatscene.terms.scenario import Site
 from chatscene.terms.situation import EGO, Situation
@@ -281,13 +283,20 @@ ON_CROSSWALK = (0.7, 3.3)  # [m] from where a crosswalk begins
 ON_RAILS = (0.6, 0.8)  # [m] from where a track begins
 
 
+def _against(found: Found) -> str:
+    """The way of who comes against the ego in its lane; it does not change lanes with an ego that does."""
+    if found.query["maneuver"] not in LANE_CHANGES:
+        return "against(egoRoute)"
+    return "lastLane(egoRoute)" if found.query.get("opposite") else "against(lastLane(egoRoute))"
+
+
 def _oncoming(asked: Asked) -> Stand:
     if asked.one.starts.where is Where.ONCOMING and (at_junction(asked.situation) or at_roundabout(asked.situation)):
         return through(asked)
     ours = asked.one.starts.where is Where.ONCOMING_IN_OUR_LANE
     if asked.situation.ego.route is EgoRoute.U_TURN and not ours and asked.rolls and not asked.one.starts.distance:
         return comes_back(asked)
-    way = "against(egoRoute)" if ours else 'neighbourPath(egoRoute, "left")'
+    way = _against(asked.found) if ours else 'neighbourPath(egoRoute, "left")'
     if asked.stands:
         asked.ahead(38, 56)
         return Stand(meets=Meets.TOWARD, way=way, at=f"levelOn(way{{i}}, egoRoute, $Y{asked.more})")

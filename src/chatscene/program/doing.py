@@ -14,7 +14,7 @@ import numpy as np
 from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, TURNED, TURNED_MIDWAY, Act, before, comes_in
 from chatscene.program.lateral import LANE
 from chatscene.program.watching import Seen
-from chatscene.terms.actors import BY_CLASS, AdversaryKind
+from chatscene.terms.actors import BY_CLASS, AdversaryKind, Manner, manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.episode import Array
 from chatscene.terms.seeing import gain_of, loss_of
@@ -91,6 +91,8 @@ def enters(s: Seen) -> Iterable[Act]:
     """It comes into the ego's lane, and does not leave it on the other side."""
     inside = np.abs(s.offset) < 1.75
     began = _since_moving(s)
+    if np.ptp(s.aside) < ON_LINE:  # the ego's way comes to it, and not it to that
+        return
     if (s.offset * np.sign(s.offset[0]) < -1.75).any():
         return
     if abs(s.offset[0]) > 1.6 and inside.any():
@@ -158,8 +160,9 @@ def _brakes(s: Seen) -> Iterable[Act]:
 
 
 def _turns_back(s: Seen) -> Iterable[Act]:
-    """Every time that it goes back half a metre after it came as far: over the road, or from where it began."""
-    yield from _backs((s.offset[0] - s.offset) * np.sign(s.offset[0]))
+    """Every time that it goes back half a metre after it came as far: from where it began, or on foot over the road."""
+    if manner_of(s.track.kind) is Manner.WALKS:
+        yield from _backs((s.offset[0] - s.offset) * np.sign(s.offset[0]))
     yield from _backs(np.hypot(s.track.x - s.track.x[0], s.track.y - s.track.y[0]))
 
 
@@ -260,12 +263,13 @@ def _exits(s: Seen) -> Iterator[Act]:
     away = np.minimum(np.abs(s.offset), np.abs(s.aside))
     if abs(s.offset[0]) > OUTSIDE and s.offset[0] * s.offset[-1] < 0.0:
         return
+    near = away <= away.min() + ON_LINE  # for the last time, or it had not left by then
     gone = away > np.minimum.accumulate(away) + LANE
+    began = int(np.flatnonzero(near)[-1])
     if gone[-1]:
-        done = int(np.argmax(gone))
-        yield Act(int(np.argmin(away[:done])), done)
+        yield Act(began, began + int(np.argmax(gone[began:])))
     elif away[-1] > away.min() + ON_LINE:
-        yield Act(int(np.argmin(away)), None)
+        yield Act(began, None)
 
 
 def exits(s: Seen) -> Iterator[Act]:

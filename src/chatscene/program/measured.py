@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from chatscene.program.amounts import FAR, HALF_LANE, LASTS, LONG, gaining_run, losing_run, over_the_line
-from chatscene.program.deeds import Act
+from chatscene.program.deeds import STANDING, Act
 from chatscene.program.doing import gone_aside, gone_back, room_left, stood
 from chatscene.program.finding import Finding, not_judged
 from chatscene.program.lateral import LANE
@@ -87,7 +87,12 @@ class Measure:
         even = np.ptp(windows, axis=1) <= SLACK_SPEED  # a share of it would call even what brakes from a high speed
         turns = np.flatnonzero(np.diff(np.sign(np.diff(values)))) + 1
         held = np.concatenate((windows.mean(axis=1)[even], values[turns], values[-1:] if self.cut else ()))
-        return self.number(path, said, held, SLACK_SPEED, "goes at")
+        goes = held[held > STANDING]  # to stand is not to go at a low speed
+        last = np.abs(seen.track.speed[-round(LEVEL / seen.dt) :])
+        rises = len(last) * seen.dt < LEVEL or np.ptp(last) > SLACK_SPEED  # else nothing more was to come
+        slow = max(said.high if math.isfinite(said.high) else said.low, 0.0) + self.ego_speed * said.than_ego
+        least = min(SLACK_SPEED, 0.5 * slow)  # who walks at half a speed is seen not to walk at that
+        return self.number(path, said, goes if goes.size else held, least, "goes at", cut=bool(rises))
 
     def acceleration(self, path: str, deed: Deed, seen: Seen, once: Act) -> Finding | None:
         """How hard speed changes by a deed: the mean over all of what is lost, or over most of what is gained."""

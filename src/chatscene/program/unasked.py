@@ -9,12 +9,13 @@ import numpy as np
 
 from chatscene.program.contacts import is_of, is_with
 from chatscene.program.deeds import BRAKES, LOSING, STANDING, braking, runs
-from chatscene.program.doing import BARELY
+from chatscene.program.doing import ACTS, BARELY
 from chatscene.program.finding import Finding
 from chatscene.program.meaning import TOGETHER
 from chatscene.program.own import BROKEN
 from chatscene.program.watching import Seen, headings
 from chatscene.simulate.boxes import Boxes, Pair
+from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
@@ -27,8 +28,10 @@ STRAIGHT = 0.2  # [rad] that a road turns at most of which lanes are told by how
 INSIDE = 1.3  # [m] from the ego's line to the nearest of a body that stands in its way
 STAYS = 2.0  # [s] that somebody stands at least who does not just wait
 APART = 0.5  # [s] between two times that somebody brakes, or it is one
-IN_LANE = frozenset((Act.STAND, Act.GO_ALONG, Act.SET_OFF, Act.ACCELERATE, Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
+IN_LANE = frozenset((Act.STAND, Act.GO_ALONG, Act.SET_OFF, Act.ACCELERATE, Act.KEEP_LEVEL, *SLOWS))
 """What is done without leaving the lane, and by its own will."""
+GOES_BACK = frozenset((Act.REVERSE, Act.TURN_BACK, Act.U_TURN, Act.PARK, Act.HESITATE, Act.YIELD))
+"""What may be done by going back."""
 _SAID = {
     EventKind.RED_LIGHT: (EgoLight.RED, EgoLight.YELLOW, EgoLight.TURNS_RED, EgoLight.TURNS_GREEN),
     EventKind.STOP_SIGN: (RightOfWay.STOP_SIGN,),
@@ -99,6 +102,9 @@ def of_somebody(situation: Situation, one: Other, seen: Seen, route: Route) -> I
     if acts and acts[-1] is Act.CROSS and (stops := _in_the_way(seen)) is not None:
         told = f"{one.id} comes to stand in the way of the ego, which nobody said"
         yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=stops * seen.dt)
+    if acts and GOES_BACK.isdisjoint(acts) and (back := _back(seen)) is not None:
+        told = f"{one.id} goes back, which nobody said"
+        yield Finding(path=f"unasked.{one.id}.back", shown=False, told=told, at=back * seen.dt)
     if not acts or not IN_LANE.issuperset(acts):
         return
     if set(acts) == {Act.STAND}:
@@ -125,6 +131,16 @@ def of_somebody(situation: Situation, one: Other, seen: Seen, route: Route) -> I
             step = int(np.argmax(gone))
             told = f"{one.id} goes {aside[step]:.1f} m aside, which nobody said"
             yield Finding(path=f"unasked.{one.id}.lane", shown=False, told=told, at=step * seen.dt)
+
+
+def _back(seen: Seen) -> int | None:
+    """Since when somebody goes back, on wheels backwards, on foot over the road; None of who does not so far."""
+    backwards = -seen.track.speed.clip(max=0.0)
+    if float(backwards.sum()) * seen.dt > LEFT_PLACE:
+        return int(np.argmax(backwards > STANDING))
+    if manner_of(seen.track.kind) is not Manner.WALKS:
+        return None
+    return next((once.began for once in ACTS[Act.TURN_BACK](seen) if once.done is not None), None)
 
 
 def _in_the_way(seen: Seen) -> int | None:

@@ -13,7 +13,7 @@ from chatscene.terms.conclusions import LANE_CHANGES
 from chatscene.terms.episode import Array, Episode, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import Place, includes
+from chatscene.terms.scenario import Maneuver, Place, includes
 
 MOST = 0.9  # of the turn at a junction: after it, a road user is seen to be in the street that is turned into
 IS_TURN = math.radians(30)
@@ -125,8 +125,8 @@ def moved_over(line: Polyline) -> Array:
 
 
 def _left_by_route(route: Route, at: Array) -> Array:
-    """How far [m] to the left a route has left its first lane at arc lengths, if it leaves it for another."""
-    if route.maneuver not in LANE_CHANGES:
+    """How far [m] to the left a route has left its first lane at arc lengths, if it leaves it at all."""
+    if route.maneuver not in (*LANE_CHANGES, Maneuver.BYPASS):
         return np.zeros_like(at)
     over = moved_over(route.line)
     return np.interp(at, np.linspace(0.0, route.length, len(over)), over)

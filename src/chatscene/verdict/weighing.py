@@ -40,6 +40,8 @@ def findings_of(situation: Situation, one: Watched, played: Played) -> tuple[Fin
 
 
 def _as_known(finding: Finding, one: Watched) -> Finding:
+    if finding.cut and finding.shown:
+        return replace(finding, shown=None, told=f"{finding.told}, and a contact came before it was done")
     if not one.mapped and finding.path.partition(".")[0] in WITHOUT_MAP:
         return not_judged(finding.path)
     if not one.mapped and finding.path == "ego.route" and one.episode.collision is not None and not finding.shown:
