@@ -6,14 +6,15 @@
 A truth is a situation with the program that is built of it: of replies of language models to texts of others
 (`reading/`), of the sentences of the gallery, and drawn of parts that people said together (`as_said.py`), a third
 each. Where it says none, some are given a speed of the ego, a light, a contact, or light and weather, and are built
-with that. Each is driven ten times (`planner`; for contacts `sac`, which brakes for few) and verified as a user's own.
-It is called false if the exit status is 1.
+with that. Of such a contact the claim is what the simulator recorded in most drives: with whom, at which side, and who
+strikes one that stands. Each is driven ten times (`planner`; for contacts `sac`, which brakes for few) and verified as
+a user's own. It is called false if the exit status is 1.
 
 A mutant is the same drives with a claim that is not true of them: a side flipped, a kind changed, the order of two
 deeds turned round, a deed left out or added, another light, speed or contact; or the same claim with a program whose
-adversary comes eight seconds later. Only what is well formed, possible and says something else counts. It is caught if
-the exit status is 1. Of contacts only those count whose truth shows one in most drives, of timings those whose truth
-has an encounter.
+adversary comes eight seconds later. Only what is well formed, possible and says something else counts, of a truth that
+is not called false itself: a change of a claim that is not shown anyway proves nothing. It is caught if the exit status
+is 1. Of contacts only those count whose truth shows one in most drives, of timings those whose truth has an encounter.
 """
 
 from __future__ import annotations
@@ -32,13 +33,15 @@ from gallery import SITUATIONS
 from chatscene.build.build import Built, build
 from chatscene.build.possible import impossible
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt, NothingFits
+from chatscene.program.deeds import STANDING
 from chatscene.report.filled import read_in
 from chatscene.settings import RetrievalSettings, VerifySettings
 from chatscene.situations.check import faults_of
 from chatscene.situations.words import told
 from chatscene.terms.amount import Speed
+from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected
-from chatscene.terms.situation import Around, Contact, Deed, Evidence, Other, Situation
+from chatscene.terms.situation import EGO, Around, Contact, Deed, Evidence, Other, Situation
 from chatscene.terms.surroundings import Light, Weather
 from chatscene.terms.vocabulary import Act, EgoLight, Part, RightOfWay, RoadKind, Side, Striker, UserKind
 from chatscene.verdict.said import Asked
@@ -58,24 +61,45 @@ ALIKE = (
     frozenset((Act.LANE_CHANGE, Act.CUT_IN, Act.CUT_OUT, Act.MERGE, Act.OVERTAKE, Act.SWERVE, Act.DRIFT, Act.WEAVE)),
 )
 """What may be seen in the same movement, so that to say the one for the other may be true."""
+_HALTS = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP, Act.HESITATE, Act.FALL))
+_STARTS = frozenset((Act.SET_OFF, Act.ACCELERATE))
 BRINGS = {
-    Act.CUT_IN: frozenset((Act.OVERTAKE,)),  # of who comes from behind
-    Act.OVERTAKE: frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.ACCELERATE)),
+    **dict.fromkeys((Act.LANE_CHANGE, Act.MERGE, Act.SWERVE, Act.DRIFT), frozenset((Act.ENTER,))),
+    Act.PULL_OUT: frozenset((Act.ENTER, Act.MERGE, Act.LANE_CHANGE, Act.DRIFT)),
+    **dict.fromkeys((Act.TURN_LEFT, Act.TURN_RIGHT), frozenset((Act.SLOW_DOWN, Act.BRAKE))),
+    **dict.fromkeys((Act.TURN_BACK, Act.U_TURN, Act.HESITATE, Act.YIELD), _HALTS | _STARTS),
+    Act.REVERSE: _HALTS | _STARTS | {Act.TURN_BACK},
+    Act.STAND: _STARTS,  # who then goes
+    Act.GO_STRAIGHT: frozenset((Act.CROSS,)),  # through a junction, from the side
+    Act.ENTER: _HALTS,  # of who stays there
+    Act.CUT_IN: frozenset((Act.OVERTAKE, Act.ENTER)),  # of who comes from behind
+    Act.OVERTAKE: frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.ACCELERATE, Act.ENTER)),
     Act.STOP: frozenset((Act.SLOW_DOWN, Act.BRAKE)),
 }
-"""What belongs to a deed: whoever says that alone does not say that the rest is not done."""
+"""What belongs to a deed, or cannot but be done with it: to say that it is done, or not to say it, is not false."""
+UNSEEN = frozenset((Act.FALL,))
+"""What no track tells: that somebody lies."""
 OTHER_PART = {Part.FRONT: Part.REAR, Part.REAR: Part.FRONT, Part.LEFT: Part.RIGHT, Part.RIGHT: Part.LEFT}
 _OFFSET = re.compile(r"(param OPT_\w+_OFFSET = Range\()([-.\d]+), ([-.\d]+)\)")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Truth:
-    """A situation, and the program that is built of it."""
+    """A situation, and the program that is built of it.
+
+    Attributes:
+        source: Where the situation is from.
+        situation: What is claimed.
+        built: The program.
+        ego: Who drives.
+        struck: Whether the contact is not of the source, and is to be what the drives have.
+    """
 
     source: str
     situation: Situation
     built: Built
     ego: str = "planner"
+    struck: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -143,9 +167,42 @@ def fuller(situation: Situation, rng: random.Random) -> Iterator[tuple[Situation
     elif more == "around":
         around = Around(light=rng.choice(list(Light)), weather=rng.choice(list(Weather)))
         yield replace(situation, around=around), "planner"
-    elif more == "contact" and situation.contact is None:
-        yield replace(situation, contact=Contact(striker=rng.choice(list(Striker)))), "sac"
-        yield replace(situation, contact=Contact(ego=rng.choice(list(OTHER_PART)))), "sac"
+    elif more == "contact" and situation.contact is situation.ego.speed is None and _acts_alone(situation):
+        yield replace(situation, contact=Contact()), "sac"
+
+
+def _acts_alone(situation: Situation) -> bool:
+    """Whether a contact with one of them leaves nothing undone that others were to do."""
+    return sum(any(not deed.act.row.lasting for deed in one.does) for one in situation.others) <= 1
+
+
+def recorded_contact(situation: Situation, found: Watching) -> Situation | None:
+    """The contact of most drives, as the simulator recorded it: with whom, at which side, who strikes one that stands.
+
+    None if most drives have no contact with the same adversary. Nothing of the judge is asked.
+    """
+    crashes = [one.episode for one in found.drives if one.episode.collision is not None]
+    whom = Counter(one.collision.other for one in crashes if one.collision is not None)
+    if not whom or whom.most_common(1)[0][1] <= 0.5 * len(found.drives):
+        return None
+    name = whom.most_common(1)[0][0]
+    if name not in {one.id for one in situation.adversaries}:
+        return None
+    crashes = [one for one in crashes if one.collision is not None and one.collision.other == name]
+    sides = {one.collision.side for one in crashes if one.collision is not None}
+    stands = {_who_stands(one, name) for one in crashes}
+    part = Part(sides.pop()) if len(sides) == 1 else None
+    striker = {EGO: Striker.OTHER, name: Striker.EGO}.get(stands.pop()) if len(stands) == 1 else None
+    return replace(situation, contact=Contact(whom=name, ego=part, striker=striker))
+
+
+def _who_stands(episode: Episode, name: str) -> str:
+    """Which of two that touch stood before; empty if neither or both did."""
+    assert episode.collision is not None
+    before = max(episode.collision.step - 2, 0)
+    other = next(track for track in episode.tracks if track.actor == name)
+    still = [who for who, one in ((EGO, episode.ego_track), (name, other)) if abs(one.speed[before]) < STANDING]
+    return still[0] if len(still) == 1 else ""
 
 
 def truths(seed: int, count: int) -> Iterator[Truth]:
@@ -162,7 +219,8 @@ def truths(seed: int, count: int) -> Iterator[Truth]:
                 continue
             if built.left_out:
                 continue
-            yield Truth(source=source, situation=situation, built=built, ego=ego)
+            added = situation.contact == Contact() and stated(found).contact is None
+            yield Truth(source=source, situation=situation, built=built, ego=ego, struck=added)
             made += 1
             if made == count:
                 return
@@ -221,7 +279,8 @@ def left_out(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
     """A deed of several is not said, so that whoever does it does what nobody asked for."""
     for one in truth.situation.others:
         brought = {act for deed in one.does for act in BRINGS.get(deed.act, ())}
-        may_go = [k for k, deed in enumerate(one.does) if not deed.act.row.lasting and deed.act not in brought]
+        untold = brought | UNSEEN
+        may_go = [k for k, deed in enumerate(one.does) if not deed.act.row.lasting and deed.act not in untold]
         if len(one.does) < 2 or not may_go:
             continue
         k = rng.choice(may_go)
@@ -230,11 +289,16 @@ def left_out(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
         yield _mutant(truth, "deed left out", what, _with(truth.situation, one, made))
 
 
+def brought_by(one: Other) -> frozenset[Act]:
+    """All that somebody does, and what belongs to that."""
+    return frozenset(act for deed in one.does for act in (deed.act, *BRINGS.get(deed.act, ())))
+
+
 def added(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
     """A deed that is not done, at the end."""
     for one in truth.situation.others:
-        done = {deed.act for deed in one.does}
-        alike = {act for several in ALIKE if several & done for act in several}
+        done = brought_by(one)
+        alike = {act for several in ALIKE if several & {deed.act for deed in one.does} for act in several}
         free = [act for act in Act if one.kind.can(act) and not act.row.lasting and act not in done | alike]
         rng.shuffle(free)
         for act in free:
@@ -250,7 +314,7 @@ def changed(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
     for one in truth.situation.others:
         for k, deed in enumerate(one.does):
             alike = next((several for several in ALIKE if deed.act in several), frozenset((deed.act,)))
-            done = {other.act for other in one.does} | BRINGS.get(deed.act, frozenset())
+            done = brought_by(one)
             free = [act for act in Act if one.kind.can(act) and act not in alike | done and act not in GENERAL]
             rng.shuffle(free)
             for act in free:
@@ -395,6 +459,7 @@ class Tally:
         caught: How many of them are caught.
         unjudged: Of how many nothing could be judged.
         refused: How many do not compile or cannot be sampled.
+        unstruck: To how many a contact was to be added that most drives do not have.
         each: Whether a line tells of each that is not as it should be.
     """
 
@@ -405,6 +470,7 @@ class Tally:
     caught: Counter[str] = field(default_factory=Counter[str])
     unjudged: Counter[str] = field(default_factory=Counter[str])
     refused: Counter[str] = field(default_factory=Counter[str])
+    unstruck: int = 0
     each: bool = False
 
     def add_truth(self, truth: Truth, right: Verdict) -> None:
@@ -435,6 +501,7 @@ class Tally:
         total, made = self.truths.total(), self.made.total()
         yield f"truths: {total}; called false: {self.false.total()} ({self.false.total() / total:.1%})"
         yield from (f"  {name}: {count}, called false: {self.false[name]}" for name, count in self.truths.items())
+        yield f"  left out, as most drives have no contact with an adversary: {self.unstruck}"
         yield from (f"  called false for {path}: {count}" for path, count in self.reasons.most_common(15))
         yield f"mutants: {made}; caught: {self.caught.total()} ({self.caught.total() / made:.1%})"
         yield "| kind | mutants | caught | share | nothing could be judged | do not compile or sample |"
@@ -463,8 +530,16 @@ def main(count: int, seed: int, least: float, each: bool) -> None:
         found = driven(truth.built, truth.ego)
         if not found.drives:
             continue
+        if truth.struck:
+            claimed = recorded_contact(truth.situation, found)
+            if claimed is None:
+                tally.unstruck += 1
+                continue
+            truth = replace(truth, situation=claimed)  # noqa: PLW2901
         right = verdict(found, truth.situation, least)
         tally.add_truth(truth, right)
+        if right.status == 1:  # what is changed of a claim that is false already proves nothing
+            continue
         for mutant in mutants(truth, rng):
             if counts(mutant, right):
                 drives = found if mutant.built is truth.built else driven(mutant.built, truth.ego)
