@@ -139,7 +139,9 @@ def _seen_of(name: str, situation: Situation, played: Played, route: Route) -> I
     began: Mapping[str, int] = {
         act.value: first.began
         for act, sees in ACTS.items()
-        if moves in act.row.by and act not in GENERAL and (first := next(iter(sees(seen)), None)) is not None
+        if moves in act.row.by
+        and act not in GENERAL
+        and (first := next((one for one in sees(seen) if crash or one.done is not None), None)) is not None
     }
     for act, step in sorted(began.items(), key=lambda one: one[1])[:_MOST_INSTEAD]:
         yield f"{act} at {played.begin + step * episode.dt:.1f} s"
