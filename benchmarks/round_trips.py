@@ -25,7 +25,8 @@ from chatscene.ego.policy import load_ego
 from chatscene.errors import ChatSceneError
 from chatscene.imports.import_file import import_scenario
 from chatscene.program.sample import scene_at
-from chatscene.runs import open_run, read_episode, read_scenes
+from chatscene.runs import open_run, read_episode, read_record, read_scenes
+from chatscene.runs.rebuild import map_of
 from chatscene.search.generators.foreign import read_foreign
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
@@ -54,15 +55,14 @@ def _apart(one: Track, other: Track, dt: float) -> tuple[float, float]:
     return float(gaps.max()), float(gaps.argmax() * dt)
 
 
-def played(xosc: Path, folder: Path, simulators: dict[Path, ConfinedSimulator]) -> tuple[Episode, tuple[str, ...]]:
-    """A drive of an imported file, and what was noted of it.
+def played(xosc: Path, where: Path, simulators: dict[Path, ConfinedSimulator]) -> tuple[Episode, tuple[str, ...]]:
+    """A drive of an imported file on the map of its run, of which a copy lies beside it, and what was noted of it.
 
     Raises:
         ChatSceneError: It does not come back, or does not run.
     """
-    made = import_scenario(xosc, out=folder / f"{xosc.stem}.scenic")
+    made = import_scenario(xosc, out=xosc.with_suffix(".scenic"), map_name=str(where))
     own = read_foreign(made.program, searched_with=False)
-    where = made.map_path.resolve()
     if where not in simulators:
         simulators[where] = ConfinedSimulator(where, SimulationSettings())
     scene = replace(scene_at(own.program, 0, 0.5, name="back"), seed=0)
@@ -81,6 +81,7 @@ def main(folders: tuple[Path, ...], most: int) -> None:
     simulators: dict[Path, ConfinedSimulator] = {}
     for folder in folders:
         run = open_run(folder)
+        where = map_of(read_record(run))
         kept = [str(row["scene_id"]) for row in read_scenes(run) if row["selected"]]
         for scene_id in kept[: most - count["scenes"]]:
             count["scenes"] += 1
@@ -89,7 +90,7 @@ def main(folders: tuple[Path, ...], most: int) -> None:
                     done = chatscene.export(folder, scene_id, to="openscenario", out=Path(name) / "out")
                     (xosc,) = (Path(name) / "out" / one for one in done.files[scene_id] if one.endswith(".xosc"))
                     count["exported"] += 1
-                    episode, notes = played(xosc, Path(name), simulators)
+                    episode, notes = played(xosc, where, simulators)
                 except ChatSceneError as error:
                     print(f"{scene_id}: {type(error).__name__}: {' '.join(str(error).split())[:200]}", flush=True)
                     continue

@@ -275,6 +275,18 @@ def test_the_line_of_a_trajectory_is_built_once(beside: Path, monkeypatch: pytes
     assert built.count(4) == 1
 
 
+def test_who_is_early_at_the_end_of_a_timed_line_stands_there(beside: Path) -> None:
+    way = follows((-345, 0), (-325, 2), (-320, 4), (-320, 6), timed=True)
+    track = driven(beside, scenario(events=event(way, TIME.format(1))), steps=75).adversaries[0]
+    assert track.y[-1] == pytest.approx(track.y[60], abs=0.02)
+    assert track.speed[-1] == pytest.approx(0.0, abs=0.01)
+
+
+def test_that_a_line_leads_back_over_itself_is_noted(beside: Path) -> None:
+    way = follows((-345, 0), (-325, 2), (-335, 6), timed=True)
+    assert any("leads back over itself" in note for note in read(beside, scenario(events=event(way))).notes)
+
+
 def test_that_a_plan_follows_its_line_from_where_somebody_is_is_noted(beside: Path) -> None:
     line = SHAPE.replace('"t"', '"leadWay"').format(VERTEX.format("", -345) + VERTEX.format("", -245))
     at = f'<TrajectoryPosition s="2" t="0"><TrajectoryRef>{line}</TrajectoryRef></TrajectoryPosition>'

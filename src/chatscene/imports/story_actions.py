@@ -16,6 +16,8 @@ from chatscene.imports.written_story import Told
 
 _NOTHING: Told = ("nothing",)
 _SHAPES = frozenset(["linear", "cubic", "sinusoidal", "step"])
+_APART = 0.1  # [m] between points whose direction is looked at
+_BACK = -0.7  # the cosine of a turn between two of them in which nobody drives
 _UNBOUND = 1e3  # [m/s] and [m/s²], where no limit is told
 
 
@@ -241,6 +243,8 @@ class StoryActions:
         start, length = self._given.number(one, "initialDistanceOffset", "0"), shape.line.length
         if not 0.0 <= start < length:
             raise Refused(one, f"its line is {length:.0f} m long, and {start:g} m is not on it")
+        if _turns_back(shape.points):
+            self._given.note(one, "its line leads back over itself, and no vehicle drives backwards along a line here")
         timing = one.find("TimeReference", "Timing")
         if timing is None or shape.times is None:
             return ("line", line, (), start)
@@ -254,6 +258,16 @@ class StoryActions:
         route = one.find("Route") or one
         line = self._cast.route_of(route, self._cast.positions.known_of(one, name))
         return ("way", self._cast.known(line))
+
+
+def _turns_back(points: tuple[tuple[float, float], ...]) -> bool:
+    """Whether somebody who goes along points comes back over where it went, as who reverses."""
+    apart = list[tuple[float, float]]()
+    for point in points:
+        if not apart or math.dist(apart[-1], point) > _APART:
+            apart.append(point)
+    ways = [math.atan2(y1 - y0, x1 - x0) for (x0, y0), (x1, y1) in pairwise(apart)]
+    return any(math.cos(after - before) < _BACK for before, after in pairwise(ways))
 
 
 def _table(
