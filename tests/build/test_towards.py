@@ -311,3 +311,14 @@ def test_who_waits_for_the_second_of_two_equal_deeds_waits_for_that_one() -> Non
     lost = car("P", "ahead", deed("drop-load"), deed("drop-load"), kind="truck", distance="45 m", speed="30 km/h")
     said = others(car("A", "ahead", deed("swerve", to="left") | {"when": {"after": "P.1"}}, kind="bicycle"), lost)
     assert "until P_load_1.pose[3] <" in build(said).program.source
+
+
+@pytest.mark.parametrize("seed", [0, 2])
+def test_who_makes_somebody_ahead_brake_crosses_just_before_that_one(seed: int) -> None:
+    brakes = car("A", "ahead", deed("brake", manner="hard") | {"when": {"after": "B.0"}})
+    dog = car("B", "roadside", deed("cross"), kind="dog", side="right") | {"role": "supporting"}
+    episode = driven(others(brakes, dog), seed)
+    braking, crossing = track(episode, "A"), track(episode, "B")
+    begins = int(np.argmax(braking.acceleration(episode.dt) < -2.0))
+    ahead = np.hypot(crossing.x[begins] - braking.x[begins], crossing.y[begins] - braking.y[begins])
+    assert ahead < 35.0  # it was 60 m ahead, and nothing showed what the braking was for

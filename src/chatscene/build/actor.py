@@ -67,6 +67,7 @@ class Actor:
         given: How long [s] it needs to there.
         begins: For each of its deeds, how many of its phases come before that in which it is done.
         takes: How much road [m] the ego drives along while it does all that it does; 0 where that does not matter.
+        sooner: How much sooner than the ego [s] it is there at least if another, before the ego, is to brake for it.
         soon: When [s] the ego meets somebody else, who may end the scene; None if nobody is known to.
     """
 
@@ -83,6 +84,7 @@ class Actor:
     needs: float = field(init=False, default=0.0)
     given: float = field(init=False, default=0.0)
     takes: float = field(init=False, default=0.0)
+    sooner: float | None = field(init=False, default=None)
     soon: float | None = field(init=False, default=None)
     begins: tuple[int, ...] = field(init=False, default=())
     _texts: tuple[str, ...] | None = field(init=False, default=None)

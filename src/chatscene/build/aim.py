@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 NEAR_MISS = 0.5  # [s] before the ego at most that somebody has gone by where there is no contact
 BEFORE = 3.0  # [m] before the junction that who lets another by stands
 LETS_GO = 1.0  # [s] at most that somebody stands until another is by whom it lets by
+LEADS = 0.4  # [s] within which somebody is there who has another brake
 LETS_BY = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
 STOOD = 1.0  # [s] that somebody has stood in the ego's way when the ego comes, so that it is seen to stop
 GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
@@ -66,6 +67,8 @@ def set_offset(actor: Actor) -> None:
     elif is_braked_for(actor.ledger.situation, actor.one) and actor.one.role is Role.SUPPORTING:
         late = 0.5 * (late + early)  # it is half over: whoever drives the ego brakes, and need not touch it
         early = 0.5 * (late + early)
+    elif actor.sooner is not None and not yields:
+        late, early = actor.sooner, actor.sooner + LEADS
     elif actor.one.role is Role.SUPPORTING and not yields:  # not met: before the ego, which can still brake for it
         late, early = early + 0.5 * speed / GENTLE, early + speed / GENTLE
     if actor.stand.meets is Meets.THROUGH and stops_in_the_way(Meets.THROUGH, actor.deeds):

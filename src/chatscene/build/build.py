@@ -16,7 +16,7 @@ from chatscene.build.contact import at_a_corner, parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of, ordered
 from chatscene.build.finding import find, started, without_one_fact
 from chatscene.build.keeping import as_kept, take_kept
-from chatscene.build.lane_order import check_hidden, leaves_row, set_in_order
+from chatscene.build.lane_order import check_hidden, cross_before_who_brakes, leaves_row, set_in_order
 from chatscene.build.ledger import Ledger, as_written
 from chatscene.build.naming import name_of
 from chatscene.build.passing import come_after_who_passes, come_by_before_who_crosses, stand_beyond_who_passes
@@ -182,6 +182,7 @@ def _cast_there(
     soon = min(actor.met for actor, _ in everybody if actor.one.role is Role.ADVERSARY)
     for actor, _ in everybody:
         actor.soon = soon if actor.one.role is Role.SUPPORTING else None
+    cross_before_who_brakes([actor for actor, _ in everybody])
     come_after_who_passes([actor for actor, _ in everybody])
     come_by_before_who_crosses([actor for actor, _ in everybody])
     stand_beyond_who_passes([actor for actor, _ in everybody])

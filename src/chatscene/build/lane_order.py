@@ -63,6 +63,32 @@ def _beyond(by: Actor, one: Actor, speed: float) -> float:
     return 0.0
 
 
+def cross_before_who_brakes(actors: Sequence[Actor]) -> None:
+    """Let who is not met, and crosses, do so just before somebody ahead of the ego that is to lose speed then."""
+    for actor in actors:
+        crosses = actor.stand.meets is Meets.ACROSS and actor.one.role is Role.SUPPORTING
+        if not crosses or actor.one.starts.distance is not None:
+            continue
+        needs = [_rests(by, k) for by in actors for k in _answers(by, actor.one.id)]
+        if needs:
+            actor.sooner = (max(needs) + 0.5 * actor.limits.width + ROOM) / actor.ego_speed
+
+
+def _answers(by: Actor, name: str) -> Iterator[int]:
+    """The deeds by which somebody who drives before the ego, as fast as it, slows since another does something."""
+    if by.one.starts.speed is None and by.one.starts.where is Where.AHEAD and _goes_along(by):
+        for k, deed in enumerate(by.deeds):
+            answer = by.ledger.situation.answered(deed)
+            if answer is not None and answer[1].startswith(f"{name}."):
+                yield k
+
+
+def _rests(by: Actor, k: int) -> float:
+    """How far ahead of where the ego then is [m] the nose of somebody is at most that has braked in its k-th deed."""
+    share = by.numbers.range_of(f"BRAKE_{k}")[0]
+    return by.farthest + by.ego_speed**2 / (2.0 * share * by.limits.brake)
+
+
 def _waits(actor: Actor) -> bool:
     """Whether somebody stands in a lane, and is not met there."""
     stands = stands_first(actor.one) and not actor.lies and actor.one.starts.where in _AHEAD
