@@ -29,9 +29,9 @@ from chatscene.runs import (
     update,
     write_block,
     write_drawing,
-    write_explanation,
     write_program,
 )
+from chatscene.runs.atomic import write_json
 from chatscene.runs.digests import DRAWN, KEPT, digests, write_sealed
 from chatscene.search.explore import Block, outcomes
 from chatscene.search.samplers.paper import refine
@@ -377,7 +377,7 @@ def started(folder: Path, *, text: str = TEXT, program: str = PROGRAM, routes: i
     """A run folder up to the first block."""
     settings = Settings(search=SearchSettings(seed=7, routes=routes))
     run = create(folder, asked(text=text, settings=asdict(settings)))
-    write_explanation(run, explain(text, [understanding(text)]))
+    write_json(run.file("explanation.json"), explain(text, [understanding(text)]))
     write_program(run, SCENARIO, program)
     write_drawing(run, drawing())
     return run

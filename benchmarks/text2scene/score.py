@@ -46,8 +46,9 @@ from chatscene.situations.file import read_file
 from chatscene.terms.scene import Rejected, Scene
 from chatscene.terms.situation import Situation
 from chatscene.verdict.said import Asked
+from chatscene.verdict.sources import watching
 from chatscene.verdict.verdict import Verdict
-from chatscene.verdict.verify import verify, weighed
+from chatscene.verdict.verify import weighed
 from chatscene.verdict.watched import Watched, Watching
 
 DRAWS = 5
@@ -97,7 +98,7 @@ def judged(task: Task, answer: Path | None, settings: VerifySettings) -> Row:
         if answer.suffix.lower() in SITUATIONS:
             found = weighed(watched(read_file(answer), task.id, settings), answer.name, asked, settings)
         else:
-            found = verify(answer, asked, settings)
+            found = weighed(watching(answer, settings), str(answer), asked, settings)
     except ChatSceneError as error:
         return replace(row, outcome=Outcome.REFUSED, why=(_line(error, answer.parent),))
     return replace(row, outcome=outcome(found), why=tuple(reasons(found)))

@@ -9,7 +9,7 @@ import pytest
 from test_meaning import DT, EGO_SPEED, ROUTE, episode, moving
 
 from chatscene.program.doing import ACTS
-from chatscene.program.encounter import meeting
+from chatscene.program.encounter import meeting, way_of
 from chatscene.program.judge import Finding, failures, judge
 from chatscene.program.watching import watch
 from chatscene.terms.amount import Acceleration, Length, Speed
@@ -79,7 +79,8 @@ def test_who_crosses_meets_the_ego_if_both_are_there_at_about_one_time(late: flo
 
 def test_the_time_between_is_told_and_who_is_first() -> None:
     track = walker(48.0, 48.0 / EGO_SPEED + 2.5)
-    seen = meeting(episode(track).ego_track, track, ROUTE.line, DT)
+    ego = episode(track).ego_track
+    seen = meeting(ego, way_of(ego, ROUTE.line), track, DT, 0)
     bodies = (0.95 + 0.3) / WALK + (2.25 + 0.3) / EGO_SPEED  # what their sizes take off
     assert seen.ego_first
     assert seen.between == pytest.approx(2.5 - bodies, abs=0.15)
@@ -92,7 +93,7 @@ def test_an_ego_that_stops_for_somebody_could_have_met_them() -> None:
     steps = len(track.x)
     brakes = np.concatenate((np.full(25, EGO_SPEED), np.linspace(EGO_SPEED, 0.0, 20), np.zeros(steps - 45)))
     seen = with_ego(episode(track), brakes)
-    assert meeting(seen.ego_track, track, ROUTE.line, DT).between == 0.0
+    assert meeting(seen.ego_track, way_of(seen.ego_track, ROUTE.line), track, DT, 0).between == 0.0
     assert shown("encounter.adversary", CROSSES, seen) is True
 
 

@@ -18,6 +18,7 @@ from chatscene import pipeline, runs
 from chatscene.commands.main import main
 from chatscene.errors import Diverged, RunError
 from chatscene.maps.network import resolve_map
+from chatscene.runs.atomic import write_json
 from chatscene.runs.rebuild import map_of, rebuild
 from chatscene.runs.replay import replay
 from chatscene.search.generator import Choice
@@ -86,7 +87,7 @@ def test_the_program_of_a_run_is_joined_again_with_the_ranges_it_was_bound_to(wh
 
 def _stored(tmp_path: Path, told: dict[str, Any]) -> tuple[Scenario, Choice | None]:
     run = runs.Workspace(tmp_path)
-    runs.write_explanation(run, told)
+    write_json(run.file("explanation.json"), told)
     return runs.read_choice(run)
 
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from chatscene.interpret.vector_index import VectorIndex, build_cached
 from chatscene.interpret.wording_index import WordingIndex
 from chatscene.library.load import Library
-from chatscene.models.encoders.embedding import Embedder, Vectors, encode_cached
+from chatscene.models.encoders.embedding import Embedder, encode_cached
 from chatscene.terms.scenario import Component
 from chatscene.terms.snippet import Snippet
 
@@ -45,14 +45,6 @@ def nearest(
 def cosines(text: str, snippets: tuple[Snippet, ...], embedder: Embedder) -> NDArray[np.float64]:
     """(N,) the cosine of a text and the description of each snippet."""
     return _descriptions(snippets, embedder).cosines(embedder.encode([text])).astype(np.float64)
-
-
-@lru_cache(maxsize=4)
-def _wordings(snippets: tuple[Snippet, ...], embedder: Embedder) -> tuple[Vectors, NDArray[np.intp]]:
-    """(R, D) all that snippets are described by, and (R,) whose each row is."""
-    texts = [(s.description, *s.rephrasings) for s in snippets]
-    owners = np.repeat(np.arange(len(texts)), [len(each) for each in texts])
-    return encode_cached(embedder, [text for each in texts for text in each]), owners
 
 
 @lru_cache(maxsize=16)

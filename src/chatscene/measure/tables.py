@@ -23,7 +23,6 @@ from chatscene.terms.results import Cell, Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario
 
 Which = Literal["collision_rate", "overall_score", "completion"]
-Row = tuple[str, tuple[Cell, ...]]
 D = TypeVar("D", Drive, Displacement)
 K = TypeVar("K", bound=str)
 

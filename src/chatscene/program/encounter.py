@@ -80,11 +80,11 @@ def encounter(
     path, crash, ego = f"encounter.{one.id}", episode.collision, episode.ego_track
     if crash is not None and is_with(crash.other, one.id):
         return Finding(path=path, shown=True, told="they touch", at=crash.step * episode.dt)
-    way, later = _way(ego, route.line), [_goes_on_evenly(track, episode) for track in tracks]
-    least = min((_meeting(ego, way, track, episode.dt, since) for track in later), key=_between)
+    way, later = way_of(ego, route.line), [_goes_on_evenly(track, episode) for track in tracks]
+    least = min((meeting(ego, way, track, episode.dt, since) for track in later), key=_between)
     if math.isinf(least.between) and (kept := _not_steered(ego, route.line)) is not None:
-        way = _way(kept, route.line)
-        least = min((_meeting(kept, way, track, episode.dt, since) for track in later), key=_between)
+        way = way_of(kept, route.line)
+        least = min((meeting(kept, way, track, episode.dt, since) for track in later), key=_between)
     if not _must_meet(situation, one, ego, way, tracks[0], least, route):
         return None
     if least.between <= (TOGETHER if least.ego_first else BEFORE):
@@ -189,20 +189,16 @@ def _goes_on_evenly(track: Track, episode: Episode) -> Track:
     )
 
 
-def meeting(ego: Track, other: Track, line: Polyline, dt: float, since: int = 0) -> Meeting:
+def meeting(ego: Track, way: Way, other: Track, dt: float, since: int) -> Meeting:
     """How near two come to be at one place at one time.
 
     Args:
         ego: Who could go on.
+        way: Where it came from and goes, beyond where it got (`way_of`).
         other: Who goes as it went.
-        line: The way of the ego, beyond where it got.
         dt: Step [s].
         since: The step of the other from which it counts.
     """
-    return _meeting(ego, _way(ego, line), other, dt, since)
-
-
-def _meeting(ego: Track, way: Way, other: Track, dt: float, since: int) -> Meeting:
     lags = round(LONGEST / dt)
     far = math.hypot(ego.length, ego.width) / 2 + math.hypot(other.length, other.width) / 2
     there = since + np.flatnonzero(_within(way, other, since, far))
@@ -261,7 +257,7 @@ def _even(ego: Track, dt: float) -> list[int]:
     return np.flatnonzero(even & (last | (np.arange(len(even)) % round(EVERY / dt) == 0))).tolist()
 
 
-def _way(ego: Track, line: Polyline) -> Way:
+def way_of(ego: Track, line: Polyline) -> Way:
     """Arc length, x, y and heading of where the ego came from, where it went, and of the rest of its way."""
     moved = np.concatenate(([True], np.hypot(np.diff(ego.x), np.diff(ego.y)) > 1e-3))
     x, y, heading = ego.x[moved], ego.y[moved], ego.heading[moved]

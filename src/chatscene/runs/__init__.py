@@ -3,7 +3,7 @@
 ::
 
     run = create(folder, asked_run("a pedestrian …", settings=...))
-    write_explanation(run, explain(text, understood)); write_program(run, ...); write_drawing(run, ...)
+    write_choice(run, scenario, written); write_drawing(run, ...)
     write_block(run, block)                     # for each block, as it is done
     rows = read_scenes(run)                     # to select from
     finish(run, selected={"…/scene-017": False}, expected=[("…", 0, 0)])
@@ -92,7 +92,6 @@ if TYPE_CHECKING:
         standing,
         take_up,
         update,
-        write_explanation,
         write_program,
     )
 
@@ -164,7 +163,6 @@ __all__ = [
     "write_block",
     "write_choice",
     "write_drawing",
-    "write_explanation",
     "write_program",
 ]
 
@@ -186,7 +184,7 @@ _NAMES = {
     "tables": "criticality_of measurements_of metrics_of route_id route_index scene_of speeds_of",
     "workspace": (
         "Workspace changed_versions create free_folder note open_run read_programs read_record "
-        "require_done run_folders standing take_up update write_explanation write_program"
+        "require_done run_folders standing take_up update write_program"
     ),
 }
 """Names by the module that defines them, loaded when one is first used: who reads a sentence needs none of them."""

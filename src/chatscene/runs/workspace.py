@@ -21,7 +21,6 @@ from chatscene.runs.atomic import (
     read_bytes,
     sweep,
     write_bytes,
-    write_json,
     writing,
 )
 from chatscene.runs.digests import damage, digest_of, is_drawn, is_sealed, write_sealed
@@ -419,11 +418,6 @@ def _read_program(path: Path) -> str:
         raise RunError(
             f"{path} is no text in UTF-8 ({error.reason} at byte {error.start}); it was changed after it was written"
         ) from error
-
-
-def write_explanation(run: Workspace, explanation: Mapping[str, Any]) -> None:
-    """Keep what was understood and why; `chatscene.runs.explanation.explain` makes it."""
-    write_json(run.file("explanation.json"), explanation)
 
 
 def run_folders(sources: Sequence[Path]) -> list[Path]:

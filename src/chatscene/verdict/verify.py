@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 
 import numpy as np
 
@@ -18,7 +17,6 @@ from chatscene.terms.episode import Episode, Role
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Act, EgoRoute
 from chatscene.verdict.said import Asked
-from chatscene.verdict.sources import watching
 from chatscene.verdict.verdict import Draw, Verdict
 from chatscene.verdict.watched import Watched, Watching
 from chatscene.verdict.weighing import beside, facts_of, findings_of, with_what_is_seen
@@ -26,20 +24,6 @@ from chatscene.verdict.who import Cast, Played, as_cast, cast_of
 
 STANDS = frozenset((Act.STAND, Act.STOP, Act.HESITATE))
 """What somebody may be said to do who then never moves."""
-
-
-def verify(what: Path, asked: Asked, settings: VerifySettings) -> Verdict:
-    """Whether something shows what was said, fact by fact, from its tracks.
-
-    Args:
-        what: A run, a program, or a recording.
-        asked: What it is to show.
-        settings: How many drives are judged, and who drives.
-
-    Raises:
-        ChatSceneError: It cannot be read or driven.
-    """
-    return weighed(watching(what, settings), str(what), asked, settings)
 
 
 def weighed(found: Watching, what: str, asked: Asked, settings: VerifySettings) -> Verdict:
