@@ -37,7 +37,7 @@ def explained(error: Exception, monkeypatch: pytest.MonkeyPatch) -> str:
     def explain(*_: object, **__: object) -> None:
         raise error
 
-    monkeypatch.setattr("chatscene.api.explain", explain)
+    monkeypatch.setattr("chatscene.explain", explain)
     done = CliRunner().invoke(main, ["explain", "a car ahead brakes hard"])
     if done.exception is not None and not isinstance(done.exception, SystemExit):
         raise done.exception

@@ -195,6 +195,6 @@ def test_a_command_that_has_too_little_memory_says_so(monkeypatch: pytest.Monkey
     def explain(*_: object, **__: object) -> None:
         raise MemoryError
 
-    monkeypatch.setattr("chatscene.api.explain", explain)
+    monkeypatch.setattr("chatscene.explain", explain)
     done = CliRunner().invoke(main, ["explain", "a car ahead brakes hard"])
     assert (done.exit_code, "too little memory" in done.output) == (1, True)

@@ -55,7 +55,7 @@ def test_the_command_prints_a_row_per_ego_and_gives_the_rows_to_a_script(
         asked.append(settings["ego"])
         return done
 
-    monkeypatch.setattr("chatscene.api.evaluate", evaluate)
+    monkeypatch.setattr("chatscene.evaluate", evaluate)
     said = CliRunner().invoke(main, ["evaluate", "runs/x"], catch_exceptions=False).stdout
     rows = json.loads(CliRunner().invoke(main, ["evaluate", "runs/x", "--json"], catch_exceptions=False).stdout)["egos"]
     assert [row["ego"] for row in rows] == ["idm", "planner"]

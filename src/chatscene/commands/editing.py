@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 import click
 
+import chatscene
 from chatscene.commands.options import AGAIN, EGO_OPTION, JSON, MAP_WITH_SITE, READING, SEED, WORKERS, Reading
 from chatscene.commands.output import progress, say
 from chatscene.commands.situations import say_understood
@@ -56,11 +57,9 @@ def edit(
     chatscene edit runs/cyclist "hidden by a hedge" --dry-run
     chatscene edit runs/hidden-by-a-hedge --undo
     """
-    from chatscene import api
-
     if undo == (text is not None):
         raise click.UsageError("say what to change, as an EDIT, or --undo")
-    run = api.Run(folder, **again)
+    run = chatscene.Run(folder, **again)
     if text is None:
         say(json.dumps({"folder": str(run.edited_from.folder)}) if as_json else str(run.edited_from.folder))
         return

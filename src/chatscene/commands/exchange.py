@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+import chatscene
 from chatscene.commands.options import JSON, param_option, usable_map
 from chatscene.commands.output import say
 
@@ -35,9 +36,7 @@ def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: b
     chatscene export runs/cyclist --to openscenario --out exported/cyclist
     chatscene export runs/cyclist cyclist-1f2e/route-00/scene-017 --to csv --out exported/tracks
     """
-    from chatscene import api
-
-    done = api.export(folder, scenes, to=to, out=out)
+    done = chatscene.export(folder, scenes, to=to, out=out)
     say(json.dumps({"folder": str(done.folder), "files": done.files}) if as_json else str(done))
 
 
@@ -77,7 +76,6 @@ def import_scenario(
 
     Of a folder each .xosc file in it is written below --out, and a table says what each became, or why it did not.
     """
-    from chatscene import api
     from chatscene.imports.import_folder import import_folder
 
     if file.is_dir():
@@ -86,7 +84,7 @@ def import_scenario(
         folder = import_folder(file, out, map_name=map_name, ego=ego)
         say(json.dumps([one.as_dict() for one in folder.files]) if as_json else str(folder))
         return
-    done = api.import_scenario(file, out=out, map=map_name, ego=ego, variant=variant, param=param)
+    done = chatscene.import_scenario(file, out=out, map=map_name, ego=ego, variant=variant, param=param)
     told = {
         "program": str(done.program),
         "programs": [str(one) for one in done.programs],

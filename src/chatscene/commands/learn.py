@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+import chatscene
 from chatscene.commands.options import (
     JSON,
     MAP,
@@ -61,11 +62,9 @@ def train(steps: int, round_: int, map_name: str, out: Path, **options: Any) -> 
     chatscene train --speed road --out egos/at-speed
     chatscene evaluate runs/cyclist --ego egos/sac/policy.npz
     """
-    from chatscene import api
-
     if round_ > 0 and steps % round_:
         say(f"{-(-steps // round_) * round_} steps instead of {steps}: whole rounds of {round_} (--round)", err=True)
-    trained = api.train(out, steps=steps, round=round_, map=map_name, progress=progress(), **options)
+    trained = chatscene.train(out, steps=steps, round=round_, map=map_name, progress=progress(), **options)
     say_trained(trained, as_json=False)
 
 
@@ -98,9 +97,7 @@ def finetune(sources: tuple[Path, ...], out: Path, as_json: bool, **options: Any
     chatscene finetune bench/scenes --teacher planner --ordinary-share 0.4 --out egos/taught
     chatscene evaluate bench/scenes/turning-obstacle --ego egos/hardened/policy.npz
     """
-    from chatscene import api
-
-    say_finetuned(api.finetune(sources, out, progress=progress(), **options), as_json)
+    say_finetuned(chatscene.finetune(sources, out, progress=progress(), **options), as_json)
 
 
 def say_trained(trained: Trained, as_json: bool) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 
 import click
 
+import chatscene
 from chatscene.commands.options import DRIVEN_AGAIN, JSON
 from chatscene.commands.output import say
 
@@ -30,9 +31,7 @@ def replay(folder: Path, scene_id: str | None, as_json: bool, **options: Any) ->
     chatscene replay runs/cyclist cyclist-1f2e/route-00/scene-017
     chatscene replay runs/brakes brakes-8c1f/route-00/scene-004 --simulator carla --watch --record
     """
-    from chatscene import api
-
-    outcome = api.replay(folder, scene_id, **options)
+    outcome = chatscene.replay(folder, scene_id, **options)
     say(json.dumps(outcome.as_dict()) if as_json else outcome.in_words())
     if not outcome.identical:
         sys.exit(1)
@@ -55,9 +54,7 @@ def why(folder: Path, scene_id: str | None, as_json: bool, **again: Any) -> None
     chatscene why runs/cyclist
     chatscene why runs/cyclist cyclist-1f2e/route-00/scene-017
     """
-    from chatscene import api
-
-    found = api.why(folder, scene_id, **again)
+    found = chatscene.why(folder, scene_id, **again)
     say(json.dumps(found.as_dict()) if as_json else found.in_words())
 
 

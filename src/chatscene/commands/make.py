@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+import chatscene
 from chatscene.commands.learn import say_finetuned, say_trained
 from chatscene.commands.measure import say_benchmarked, say_evaluated
 from chatscene.commands.options import (
@@ -109,7 +110,7 @@ def run(
     chatscene run --program mine.scenic --routes 4
     chatscene run --program theirs.scenic --map Town05.xodr --as-written
     """
-    from chatscene import api, runs
+    from chatscene import runs
     from chatscene.simulate.simulator import has_one_world
 
     if sum(one is not None for one in (text, report, program)) != 1:
@@ -129,7 +130,7 @@ def run(
         title = name if stated is not None else str(said)
         folder = (out / name if several else out) if out else None
         with going_on(title, options["embedder"], as_json, gone if several else None):
-            done = api.run(
+            done = chatscene.run(
                 said,
                 folder or runs.free_folder(Path("runs"), title or name),
                 program=own,
@@ -163,8 +164,6 @@ def explain(text: str | None, report: Path | None, show_program: bool, as_json: 
     chatscene explain "a dragon lands on the bonnet"        # refused, exit status 3
     chatscene explain --report claim.txt
     """
-    from chatscene import api
-
     if (text is None) == (report is None):
         raise click.UsageError("say what to explain: a TEXT or --report FILE")
     if text is None or report is not None:
@@ -173,9 +172,9 @@ def explain(text: str | None, report: Path | None, show_program: bool, as_json: 
     stated = situation_file(text)
     with refusing(text if stated is None else "", options["embedder"], as_json):
         if stated is not None:
-            understood = api.explain(stated, edit=options["edit"], set=options["set"])
+            understood = chatscene.explain(stated, edit=options["edit"], set=options["set"])
         else:
-            understood = api.explain(text, **options)
+            understood = chatscene.explain(text, **options)
     if as_json:
         say(json.dumps(understood.as_dict(), indent=1))
     else:
@@ -198,12 +197,12 @@ def resume(folder: Path, as_json: bool, **options: Any) -> None:
     chatscene resume runs/benchmark --jobs 2
     chatscene resume runs/my-stack --ego mypackage.stack:make_ego
     """
-    from chatscene import api, runs
+    from chatscene import runs
 
     record = runs.read_record(runs.Workspace(folder), runs.Record)
     text = record.text if isinstance(record, runs.RunRecord) else ""
     with refusing(text, record.code_named().get("embedder", ""), as_json):
-        done = api.resume(folder, progress=progress(), **options)
+        done = chatscene.resume(folder, progress=progress(), **options)
     say_any: dict[runs.Kind, Callable[[Any, bool], None]] = {
         runs.Kind.RUN: say_done,
         runs.Kind.EVALUATION: say_evaluated,

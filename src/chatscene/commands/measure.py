@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+import chatscene
 from chatscene.commands.options import (
     AVOIDABLE,
     GENERATOR_AGAIN,
@@ -61,11 +62,11 @@ def evaluate(scenes: tuple[Path, ...], out: Path | None, as_json: bool, **option
     chatscene evaluate imported --ego planner --ego idm
     chatscene evaluate runs/* --ego my-policy.onnx --ego mypackage.stack:make_ego --out runs/my-stack
     """
-    from chatscene import api, runs
+    from chatscene import runs
     from chatscene.studies.collection import Compared
 
     folder = out or runs.free_folder(Path("runs"), "evaluation")
-    done = api.evaluate(scenes, folder, progress=progress(), **options)
+    done = chatscene.evaluate(scenes, folder, progress=progress(), **options)
     if isinstance(done, Compared):
         _say_compared(done, as_json)
     else:

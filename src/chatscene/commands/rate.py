@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+import chatscene
 from chatscene.commands.options import DRIVEN_AGAIN, JSON, WORKERS
 from chatscene.commands.output import progress, say
 from chatscene.settings import EGO
@@ -53,13 +54,13 @@ def rate(
     chatscene rate runs/cyclist
     chatscene rate runs/cyclist --exposure speeds.toml --scenes 1000
     """
-    from chatscene import api, runs
+    from chatscene import runs
 
     folder = Path(what)
     if " " in what.strip() and not folder.exists():
         folder = runs.free_folder(Path("runs"), what)
         ego = again["ego"][0] if again["ego"] else EGO
-        api.run(
+        chatscene.run(
             what,
             folder,
             scenes=FIRST_LOOK,
@@ -70,7 +71,7 @@ def rate(
             ego=ego,
         )
         say(f"the run: {folder}", err=as_json)
-    found = api.rate(
+    found = chatscene.rate(
         folder, scenes=scenes, seed=seed, exposure=exposure, jobs=jobs, executor=executor, progress=progress(), **again
     )
     say(json.dumps(found.as_dict()) if as_json else found.in_words())

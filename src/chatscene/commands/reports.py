@@ -10,6 +10,7 @@ from typing import Any
 
 import click
 
+import chatscene
 from chatscene.commands.output import progress, say
 from chatscene.commands.refusal import REFUSED, refuse, refusing
 from chatscene.commands.situations import say_understood
@@ -20,10 +21,8 @@ from chatscene.terms.conflict import Conflict
 
 def found_in(report: Path, reading: Mapping[str, Any], as_json: bool) -> tuple[Conflict, ...]:
     """The conflicts of a report, and a word on what it is read as; ends with status 3 if there is none."""
-    from chatscene import api
-
     with refusing("", reading["embedder"], as_json):
-        found = api.conflicts(report, progress=progress())
+        found = chatscene.conflicts(report, progress=progress())
     if len(found) > 1 and (reading["reading"] or reading["set"]):
         raise click.UsageError(
             f"{report} tells {len(found)} conflicts; --reading and --set are about one: give its text"
@@ -44,14 +43,12 @@ def in_words(found: tuple[Conflict, ...]) -> list[str]:
 
 def explain_report(report: Path, reading: Mapping[str, Any], *, program: bool, as_json: bool) -> None:
     """Show how each conflict of a report is understood; ends with status 3 if one is refused."""
-    from chatscene import api
-
     found = found_in(report, reading, as_json)
     told: list[dict[str, Any]] = []
     refused = False
     for one in found:
         try:
-            understood = api.explain(one, **reading)
+            understood = chatscene.explain(one, **reading)
         except (NothingFits, MeansSomethingElse) as error:
             refused = True
             if as_json:

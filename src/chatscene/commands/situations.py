@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+import chatscene
 from chatscene.commands.output import console, say
 from chatscene.files.bounded import is_there
 
@@ -27,9 +28,7 @@ def situation_file(text: str) -> Situation | None:
     """
     if not text.lower().endswith(SUFFIXES) or (" " in text and not is_there(Path(text))):
         return None
-    from chatscene import api
-
-    return api.read_situation(text)
+    return chatscene.read_situation(text)
 
 
 def say_understood(understood: Stated | Understood, *, program: bool) -> None:

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+import chatscene
 from chatscene.commands.options import JSON, JUDGED
 from chatscene.commands.output import say
 from chatscene.errors import SettingsError
@@ -32,12 +33,11 @@ def story(what: Path, picture: Path | None, at: float | None, as_json: bool, **o
     chatscene story theirs.scenic --picture moment.png
     chatscene story drive.csv --json
     """
-    from chatscene import api
     from chatscene.files.atomic import write_whole
 
     if at is not None and picture is None:
         raise click.UsageError("--at needs --picture, which is of that moment")
-    told = api.story(what, **options)
+    told = chatscene.story(what, **options)
     if picture is not None:
         try:
             write_whole(picture, told.picture(at))

@@ -9,6 +9,7 @@ from typing import Any
 
 import click
 
+import chatscene
 from chatscene.commands.options import CHOOSING, JSON, JUDGED, READING
 from chatscene.commands.output import say
 from chatscene.commands.refusal import complain, refusing
@@ -64,11 +65,9 @@ def verify(what: Path, said: str | None, as_json: bool, **options: Any) -> None:
     chatscene verify variations.xosc "the car ahead brakes hard" --variant 3
     chatscene verify drive.csv "the car ahead brakes hard" --json
     """
-    from chatscene import api
-
     with refusing(said or "", options["embedder"], as_json):
         try:
-            verdict = api.verify(what, said, **options)
+            verdict = chatscene.verify(what, said, **options)
         except (NothingFits, MeansSomethingElse):
             raise
         except ChatSceneError as error:

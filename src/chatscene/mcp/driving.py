@@ -8,6 +8,7 @@ from urllib.parse import quote
 
 from pydantic import Field
 
+import chatscene
 from chatscene.errors import SettingsError
 from chatscene.mcp.tool import SCHEME, Answer, Desk, Path, first_of
 from chatscene.mcp.writing import SITUATIONS, Facts, Given, Sentence, Variant, situation_in
@@ -51,7 +52,7 @@ def run(
     A stranger's program runs in the sandbox. The answer counts what happened and lists the kept scenes by their ids:
     then call story, why or export with the folder.
     """
-    from chatscene import api, runs
+    from chatscene import runs
 
     if (sentence is None) == (file is None):
         raise SettingsError("say what to run: a `sentence` or a `file`, and only one of them")
@@ -59,7 +60,7 @@ def run(
     where, on, driver = desk.folder.free(name), desk.folder.map(map), desk.folder.ego(ego)
     source = _source(desk, sentence, file)
     desk.folder.make_above(where)
-    made = api.run(
+    made = chatscene.run(
         **source,
         folder=where,
         reading=reading or None,
@@ -101,13 +102,11 @@ def verify(
     drives it is shown and when, or what is seen instead; what happened that nobody said; whether the two could meet.
     Prefer `said_file` with a situation: a sentence can be misread. After a fact that is not shown, call story.
     """
-    from chatscene import api
-
     where, on, wanted = seen(desk, what), desk.folder.map(map), _said(desk, said, said_file)
     out = None if page is None else desk.folder.free(page, ".html")
     if out is not None:
         desk.folder.make_above(out)
-    verdict = api.verify(
+    verdict = chatscene.verify(
         where,
         wanted,
         draws=draws,
@@ -145,9 +144,7 @@ def story(
 
     Nothing is judged. Use it to see why verify says that a fact is not shown.
     """
-    from chatscene import api
-
-    told = api.story(
+    told = chatscene.story(
         seen(desk, what),
         scene=scene,
         seed=seed,
@@ -166,9 +163,7 @@ def why(desk: Desk, run: RunFolder, scene: SceneId | None = None) -> str:
 
     The scene is driven again and again; this takes seconds. Without `scene` it is the first that is kept.
     """
-    from chatscene import api
-
-    return api.why(desk.folder.run(run), scene).in_words()
+    return chatscene.why(desk.folder.run(run), scene).in_words()
 
 
 def rate(
@@ -179,10 +174,8 @@ def rate(
     exposure: Annotated[Path, Field(description="A .toml file that says how often values occur.")] | None = None,
 ) -> str:
     """Estimate how often the situation of a run ends in a crash, and in an avoidable one, if it comes about."""
-    from chatscene import api
-
     densities = None if exposure is None else desk.folder.file(exposure, ".toml")
-    found = api.rate(desk.folder.run(run), scenes=scenes, seed=seed, exposure=densities, progress=desk.progress)
+    found = chatscene.rate(desk.folder.run(run), scenes=scenes, seed=seed, exposure=densities, progress=desk.progress)
     return found.in_words()
 
 
@@ -225,7 +218,6 @@ def export(
     scenes: Annotated[list[SceneId], Field(max_length=100, description="Ids; none for the kept scenes.")] | None = None,
 ) -> str:
     """Write scenes of a run as files that other tools read. Nothing is run."""
-    from chatscene import api
     from chatscene.errors import no_such
     from chatscene.exports.exporter import EXPORTERS
 
@@ -233,7 +225,7 @@ def export(
         raise SettingsError(no_such("format", to, EXPORTERS.built_in))
     where = desk.folder.free(out)
     desk.folder.make_above(where)
-    return str(api.export(desk.folder.run(run), scenes or (), to=to, out=where))
+    return str(chatscene.export(desk.folder.run(run), scenes or (), to=to, out=where))
 
 
 def seen(desk: Desk, what: str) -> Place:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import islice
 from urllib.parse import parse_qs, quote, unquote, urlsplit
 
+import chatscene
 from chatscene.errors import SettingsError, no_such
 from chatscene.mcp.driving import REPORTS, kept_scenes, seen
 from chatscene.mcp.folder import RECORD
@@ -120,9 +121,7 @@ def _file(desk: Desk, path: str, _asked: dict[str, str]) -> Content:
 
 
 def _report(desk: Desk, path: str, _asked: dict[str, str]) -> Content:
-    from chatscene import api
-
-    run = api.Run(desk.folder.run(path))
+    run = chatscene.Run(desk.folder.run(path))
     return Content("text/plain", _bounded("\n".join((str(run), "kept scenes:", *kept_scenes(run)))))
 
 
@@ -132,13 +131,11 @@ def _bounded(text: str) -> str:
 
 
 def _picture(desk: Desk, path: str, asked: dict[str, str]) -> Content:
-    from chatscene import api
-
     try:
         at = float(asked["at"]) if "at" in asked else None
     except ValueError:
         raise SettingsError(f"at={asked['at'][:40]!r} is no time; give seconds, such as at=2.5") from None
-    told = api.story(seen(desk, path), scene=asked.get("scene"), within=desk.folder.root)
+    told = chatscene.story(seen(desk, path), scene=asked.get("scene"), within=desk.folder.root)
     return Content("image/png", picture=told.picture(at))
 
 

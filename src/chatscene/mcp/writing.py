@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, cast
 
 from pydantic import Field
 
+import chatscene
 from chatscene.errors import SettingsError
 from chatscene.mcp.tool import Desk, Path, Text, first_of
 
@@ -60,10 +61,8 @@ def read(
     The answer has the situation as YAML, which words gave no fact, and what was assumed. Check it: a sentence can be
     misread, a situation cannot. A refusal says what was not understood and what could be said.
     """
-    from chatscene import api
-
     saving = Saving(desk, save_as)
-    made = cast("Stated", api.explain(sentence, set=facts or None, reading=reading, **desk.reading))
+    made = cast("Stated", chatscene.explain(sentence, set=facts or None, reading=reading, **desk.reading))
     return f"{made}\n{saving.written(made)}"
 
 
@@ -80,10 +79,8 @@ def build(
     Faults are told with their lines, and what cannot be built by its path, with what could be said. The answer says
     what was assumed. Then call verify with the program, and the situation as what was said.
     """
-    from chatscene import api
-
     saving = Saving(desk, save_as)
-    made = api.explain(_situation(desk, situation, file), set=facts or None)
+    made = chatscene.explain(_situation(desk, situation, file), set=facts or None)
     program = f"\n{made.program.source}" if show_program else ""
     return f"{made}\n{saving.written(made)}{program}"
 
@@ -100,10 +97,8 @@ def edit(
     The answer is the difference. The file stays as it was; `save_as` keeps the new situation. To set one fact exactly,
     call build with `facts`.
     """
-    from chatscene import api
-
     saving = Saving(desk, save_as)
-    made = api.explain(_situation(desk, situation, file)).edit(edit)
+    made = chatscene.explain(_situation(desk, situation, file)).edit(edit)
     return f"{made}\n{saving.written(made)}"
 
 
@@ -123,13 +118,12 @@ def import_(
     A file of parameter values for a scenario gives a program for each set of them, a hundred at most. What cannot be
     said here is refused by its element and line.
     """
-    from chatscene import api
     from chatscene.maps.network import name_of
 
     out = desk.folder.free(save_as, ".scenic")
     desk.folder.make_above(out)
     source = desk.folder.file(file, ".xosc")
-    done = api.import_scenario(
+    done = chatscene.import_scenario(
         source, out=out, map=desk.folder.map(map), ego=ego, variant=variant, param=param, within=desk.folder.root
     )
     lies = [name_of(one) for one in done.maps]
@@ -158,10 +152,8 @@ def situation_in(desk: Desk, file: str) -> Situation:
         SettingsError: There is no such file, or its map lies elsewhere.
         SituationError: It is none.
     """
-    from chatscene import api
-
     path = desk.folder.file(file, *SITUATIONS)
-    made = api.read_situation(path)
+    made = chatscene.read_situation(path)
     desk.folder.map(made.map or None)
     return made
 
