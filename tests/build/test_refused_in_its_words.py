@@ -83,3 +83,16 @@ def test_where_no_single_fact_lets_a_place_be_found_that_is_said() -> None:
     said = someone("ahead", "brake") | {"road": {"kind": "roundabout", "lanes": 7, "ego_lane": 6}}
     with pytest.raises(NotBuilt, match="no fact of the road, left out alone, lets one be found"):
         build(from_plain(said))
+
+
+def test_a_map_that_has_such_a_road_is_told_before_those_that_have_none() -> None:
+    lorry = {
+        "id": "A",
+        "kind": "truck",
+        "starts": {"where": "beside", "side": "right"},
+        "does": [{"act": "keep-level"}],
+    }
+    with pytest.raises(NotBuilt) as refused:
+        build(from_plain({"ego": {"route": "merge"}, "road": {"kind": "motorway"}, "others": [lorry]}))
+    assert "no lane of the ego's direction lies to its right" in str(refused.value)
+    assert "name no map" not in str(refused.value)  # none was named

@@ -27,7 +27,7 @@ from chatscene.build.screening import from_its_lane, side_hidden
 from chatscene.errors import MapError, NoSuchPlace, NotBuilt
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.open_road import BLOCKER_AT, CHANGE_AT, OPEN_ROAD
-from chatscene.maps.routes import APPROACHES
+from chatscene.maps.routes import APPROACHES, ELSEWHERE
 from chatscene.maps.sites import APPROACHED, PASSED, PAST
 from chatscene.situations.check import COMES_OVER
 from chatscene.situations.facts import said_in
@@ -280,7 +280,7 @@ def _answered(
     try:
         route = choose_route(network, path, 0, **query)
     except MapError as error:
-        lacking.append(str(error))
+        lacking.append(str(error) if situation.map else str(error).partition(ELSEWHERE)[0])
         return None
     beside = backs(situation) and situation.ego.route is not EgoRoute.REVERSE  # along the road, that it backs onto
     for one in () if beside else situation.others:
@@ -293,7 +293,7 @@ def _answered(
         return None
     found = Found(name, query, route, sides)
     if (lacks := lacking_for(situation, found)) is not None:
-        lacking.append(f"on map {Path(path).stem!r} {lacks}")
+        lacking.insert(0, f"on map {Path(path).stem!r} {lacks}")  # which has such a road, so it is told first
         return None
     for told, most in too_short(situation, found, speed):
         rooms[told] = max(most, rooms.get(told, 0.0))

@@ -36,6 +36,7 @@ from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, inc
 
 APPROACHES = (42.0, 36.0, 48.0, 30.0)  # [m] from the start to the junction's entry; the first where possible
 EXIT = 45.0  # [m] driven after the junction
+ELSEWHERE = "; name no map, or the packaged "  # in a refusal, before the map that has such a site
 TO_LINE = 4.0  # [m] from the middle of a car that waits at a junction to its entry: the nose is half a car nearer
 
 _SEAM = 0.1  # [m]
@@ -105,7 +106,7 @@ def find_routes(network: Any, map_name: str, query: RouteQuery, count: int = 10)
             candidates += (one for one in found if is_equipped(network, one.route, query.has))
     if not candidates:
         other = map_with(query.site)
-        remedy = "" if query.site is None or map_name == other else f"; name no map, or the packaged {other!r}"
+        remedy = "" if query.site is None or map_name == other else f"{ELSEWHERE}{other!r}"
         raise MapError(f"map {map_name!r} has no place for {', '.join(_in_words(query))}{remedy}")
     chosen = _spread(candidates)[:count]
     slug, site = query.slug, query.site
