@@ -19,6 +19,7 @@ from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.amount import Speed
 from chatscene.terms.episode import Episode
 from chatscene.terms.situation import Situation
+from chatscene.terms.vocabulary import UserKind
 
 
 def somebody(kind: str, where: str, *does: dict[str, Any], ego: dict[str, Any] | None = None) -> Situation:
@@ -168,3 +169,7 @@ def test_who_is_beside_the_road_without_a_deed_crosses_or_stands(role: str, does
     made = build(from_plain({"others": [lead, one]}))
     assert f"do {does}" in made.program.source.partition("behavior DoesA():")[2].partition("\n\n")[0][:60]
     assert ("A crosses our lane, which was not said" in made.assumed) == told
+
+
+def test_what_only_lies_there_holds_no_speed() -> None:
+    assert Body(UserKind.OBJECT.row.body.row.limits, walks=False).fastest == 0.0

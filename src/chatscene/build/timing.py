@@ -137,7 +137,7 @@ class Body:
 
 @cache
 def _fastest(body: Body) -> float:
-    return body.holds(body.limits.top_speed, _MOST)
+    return body.holds(body.limits.top_speed, _MOST) if body.limits.top_speed else 0.0  # what only lies there
 
 
 def course(
