@@ -93,6 +93,8 @@ def test_a_map_that_has_such_a_road_is_told_before_those_that_have_none() -> Non
         "does": [{"act": "keep-level"}],
     }
     with pytest.raises(NotBuilt) as refused:
-        build(from_plain({"ego": {"route": "merge"}, "road": {"kind": "motorway"}, "others": [lorry]}))
+        build(
+            from_plain({"ego": {"route": "merge", "speed": "30 km/h"}, "road": {"kind": "motorway"}, "others": [lorry]})
+        )
     assert "no lane of the ego's direction lies to its right" in str(refused.value)
     assert "name no map" not in str(refused.value)  # none was named
