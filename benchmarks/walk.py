@@ -23,7 +23,7 @@ from chatscene import runs
 from chatscene.runs.searching import Desk
 
 ROOT = Path(chatscene.__file__).parent
-EVERYBODYS = {"terms", "settings.py", "errors.py", "plugins.py", "files"}
+EVERYBODYS = {"terms", "settings.py", "errors.py", "plugins.py", "plane.py", "files"}
 SENTENCE = "A cyclist rides out from the left and stops in front of us."
 Stay = tuple[str, str, str]
 

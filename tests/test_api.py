@@ -89,6 +89,7 @@ WORDS: dict[str, dict[str, str]] = {
     "replay": {},
     "why": {},
     "verify": {},
+    "rate": {"what": "folder"},
     "evaluate": {"out": "folder"},
     "export": {},
     "import_scenario": {"map_name": "map"},

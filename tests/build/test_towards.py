@@ -319,6 +319,9 @@ def test_who_makes_somebody_ahead_brake_crosses_just_before_that_one(seed: int) 
     dog = car("B", "roadside", deed("cross"), kind="dog", side="right") | {"role": "supporting"}
     episode = driven(others(brakes, dog), seed)
     braking, crossing = track(episode, "A"), track(episode, "B")
-    begins = int(np.argmax(braking.acceleration(episode.dt) < -2.0))
-    ahead = np.hypot(crossing.x[begins] - braking.x[begins], crossing.y[begins] - braking.y[begins])
-    assert ahead < 35.0  # it was 60 m ahead, and nothing showed what the braking was for
+    brakes_hard = braking.acceleration(episode.dt) < -2.0
+    assert brakes_hard.any()
+    begins = int(np.argmax(brakes_hard))
+    along = np.array([np.cos(braking.heading[begins]), np.sin(braking.heading[begins])])
+    apart = np.array([crossing.x[begins] - braking.x[begins], crossing.y[begins] - braking.y[begins]])
+    assert 0.0 < apart @ along < 35.0  # it was 60 m ahead, and nothing showed what the braking was for

@@ -91,7 +91,7 @@ def test_what_is_wrong_with_a_map_is_told_from_elsewhere_as_here(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = written(tmp_path, lane=LANE.replace("width", "height"))
-    with pytest.raises(MapError, match="lane '-1'") as there:
+    with pytest.raises(MapError, match="lane '-1' has no <width>") as there:
         load_network(path)
     monkeypatch.undo()
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))

@@ -26,6 +26,7 @@ def test_points_are_found_on_a_line_as_polyline_projects_each(seed: int, whole: 
 
 
 def test_without_an_engine_the_numbers_are_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    load_engine()  # else this compares Python with itself
     line = Polyline([(0, 0), (10, 0), (10, 10)])
     x, y = np.array([-1.0, 4.0, 12.0, 9.0, 10.0]), np.array([1.0, -2.0, -1.0, 6.0, 12.0])
     with_engine = [lines.follow(line, x, y, whole=whole) for whole in (False, True)]
