@@ -127,3 +127,8 @@ def test_a_catalogue_of_an_imported_folder_has_its_programs_and_what_was_refused
     assert [row["answer"] for row in told["rows"]] == [Answer.SERVED, Answer.SERVED, Answer.OUT_OF_REACH]
     assert [one["scenes"] for row in told["rows"] for one in row["fared"]] == [1, 1]
     assert "does not lie there" in told["rows"][2]["reasons"][0]
+
+
+def test_a_file_of_that_name_above_a_program_that_is_no_record_says_nothing_of_it(tmp_path: Path) -> None:
+    (tmp_path / RECORD).write_text('{"mine": true}')
+    assert map_beside(tmp_path / "deep" / "a.scenic") is None

@@ -235,6 +235,8 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
 
         if report is not None:
             raise SettingsError("say what to explain: a situation or a report, and only one of them")
+        if reading:
+            raise SettingsError(ONE_READING)
         return explain_stated(stated(text, set), edits=names_of(edit or ()))
     from chatscene.report.filled import explain_text
 
@@ -348,6 +350,7 @@ def resume(
     return done
 
 
+ONE_READING = "`reading` is about a text; there is one way to read a situation or a program"
 _RESUMES = {
     "run": "chatscene.pipeline",
     "evaluation": "chatscene.studies.evaluation",
@@ -375,9 +378,9 @@ def _check_asked(program: bool, *, told: bool, driven: bool, changed: bool, read
     if driven and not program:
         raise SettingsError("`trust`, `as_written` and `param` are about a program, and none is run")
     if changed and program:
-        raise SettingsError("`edit` and `set` are about what is said, and a program is run as it is; leave them away")
+        raise SettingsError("`edit` and `set` are about what is said, and a program is run as it is; leave them out")
     if reading and (program or told):
-        raise SettingsError("`reading` is about a text; there is one way to read a situation or a program")
+        raise SettingsError(ONE_READING)
 
 
 def _only_conflict(report: Name) -> Conflict:

@@ -210,7 +210,7 @@ def evaluate(
     Raises:
         RunError: A run is not finished, they lie on different maps, or one names what must be repeated.
         EgoError: An ego cannot be loaded.
-        SettingsError: What is asked is asked of runs alone, and the folder was imported.
+        SettingsError: An option that only applies to runs was given for an imported folder.
     """
     from chatscene.imports.collection import is_collection
     from chatscene.studies import evaluation
@@ -221,8 +221,8 @@ def evaluate(
 
         if len(sources) > 1 or all or simulator or names_of(generator) or names_of(library):
             raise SettingsError(
-                "an imported folder is evaluated by itself, in the sandbox: name no other folder, and no --all, "
-                "--simulator, --generator or --library"
+                "an imported folder is evaluated by itself, in the sandbox: name no other folder, and no `all`, "
+                "`simulator`, `generator` or `library`"
             )
         driving = Driving(egos=names_of(ego) or evaluation.COMPARED, physics=physics or "", speed=speed)
         return evaluate_collection(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -62,13 +62,10 @@ def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
                 f"nothing builds yet: others.{one.id}.starts.where: {one.starts.where}, where ego.route is"
                 f" {situation.ego.route}"
             )
-    lacking: list[str] = []
     rooms: dict[str, float] = {}
-    longest, *shorter = _lengths(situation, speed, road)
-    for more in (longest, *shorter):
-        if more is not longest and more is not shorter[-1] and not rooms and not _is_somewhere(situation, shorter[-1]):
-            continue  # where even the shortest road is nowhere, those between are not either
-        lacking.clear()  # what is told is what the shortest road lacks
+    lacking = _Lacking()
+    for more in _worth_looking_for(situation, tuple(_lengths(situation, speed, road)), rooms):
+        lacking = _Lacking()  # what is told is what the shortest road lacks
         if found := _found(situation, speed, more, road, lacking, rooms):
             _take(ledger, found)
             far = min(max(1.0, more), further(speed))
@@ -76,13 +73,34 @@ def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
             return replace(found, further=far, sought=road > 0.0)
     if rooms:
         raise NotBuilt("; ".join(told.format(most) for told, most in rooms.items()))
-    first, *others = dict.fromkeys(lacking)
+    first, *others = dict.fromkeys((*lacking.unfit, *lacking.nowhere))
     more_alike = f" ({len(others)} places that are much like it were looked for, too)" if others else ""
     raise NoSuchPlace(f"no map has such a place: {first}{more_alike}")
 
 
+@dataclass(frozen=True, slots=True)
+class _Lacking:
+    """What maps lack, in words.
+
+    Attributes:
+        unfit: Of those that have such a road, which is told first.
+        nowhere: Of those that have none.
+    """
+
+    unfit: list[str] = field(default_factory=list[str])
+    nowhere: list[str] = field(default_factory=list[str])
+
+
+def _worth_looking_for(situation: Situation, lengths: tuple[float, ...], rooms: Mapping[str, float]) -> Iterator[float]:
+    """The lengths of road, but those between where not even the shortest is anywhere, once the longest is not found."""
+    yield lengths[0]
+    if between := lengths[1:-1]:
+        yield from between if rooms or _is_somewhere(situation, lengths[-1]) else ()
+    yield from lengths[1:][-1:]
+
+
 def _found(
-    situation: Situation, speed: float, more: float, road: float, lacking: list[str], rooms: dict[str, float]
+    situation: Situation, speed: float, more: float, road: float, lacking: _Lacking, rooms: dict[str, float]
 ) -> Found | None:
     """The first route on so many times the usual road; what each map lacks goes into `lacking` and `rooms`."""
     load = cache(_map)
@@ -115,7 +133,7 @@ def without_one_fact(situation: Situation, speed: float) -> str:
     helps = [
         f"{path}: {value}"
         for path, value in said
-        if _found(replace(situation, road=_without(situation.road, path)), speed, 1.0, 0.0, [], {})
+        if _found(replace(situation, road=_without(situation.road, path)), speed, 1.0, 0.0, _Lacking(), {})
     ]
     if helps:
         return f"a place is found without {' or without '.join(helps)}"
@@ -259,7 +277,7 @@ def _answered(
     there: tuple[Any, str],
     query: dict[str, Any],
     sides: dict[str, Side],
-    lacking: list[str],
+    lacking: _Lacking,
     rooms: dict[str, float],
     road: float,
 ) -> Found | None:
@@ -272,7 +290,7 @@ def _answered(
         there: Its network and its path.
         query: What it is asked for.
         sides: Those that were chosen.
-        lacking: Takes what the map lacks, in words.
+        lacking: Takes what the map lacks.
         rooms: Takes what is the most that a place has room for, by what is told of it, where more was said.
         road: How much road [m] the ego drives along while all is done; 0 where that is not known yet.
     """
@@ -280,7 +298,7 @@ def _answered(
     try:
         route = choose_route(network, path, 0, **query)
     except MapError as error:
-        lacking.append(str(error) if situation.map else str(error).partition(ELSEWHERE)[0])
+        lacking.nowhere.append(str(error) if situation.map else str(error).partition(ELSEWHERE)[0])
         return None
     beside = backs(situation) and situation.ego.route is not EgoRoute.REVERSE  # along the road, that it backs onto
     for one in () if beside else situation.others:
@@ -289,11 +307,11 @@ def _answered(
             rooms[fact] = max(room, rooms.get(fact, 0.0))
             return None
     if road and keeps_limits(situation) and timetable(route, speed, keeps_limits=True).speed_at(0.0) < _AS_FAST * speed:
-        lacking.append(f"on map {Path(path).stem!r} so long a road with its usual limit")
+        lacking.unfit.append(f"on map {Path(path).stem!r} so long a road with its usual limit")
         return None
     found = Found(name, query, route, sides)
     if (lacks := lacking_for(situation, found)) is not None:
-        lacking.insert(0, f"on map {Path(path).stem!r} {lacks}")  # which has such a road, so it is told first
+        lacking.unfit.append(f"on map {Path(path).stem!r} {lacks}")
         return None
     for told, most in too_short(situation, found, speed):
         rooms[told] = max(most, rooms.get(told, 0.0))

@@ -85,6 +85,7 @@ def _answers(by: Actor, name: str) -> Iterator[int]:
 
 def _rests(by: Actor, k: int) -> float:
     """How far ahead of where the ego then is [m] the nose of somebody is at most that has braked in its k-th deed."""
+    by.phases()  # which say how hard it brakes, and from where
     share = by.numbers.range_of(f"BRAKE_{k}")[0]
     return by.farthest + by.ego_speed**2 / (2.0 * share * by.limits.brake)
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 from chatscene.build.alongside import goes_on_beside, until_it_comes
 from chatscene.build.arriving import back_by_deeds
@@ -31,9 +30,6 @@ from chatscene.terms.amount import Length
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import EGO, Other
 from chatscene.terms.vocabulary import Act, Facing, Role, Where
-
-if TYPE_CHECKING:
-    pass
 
 EGO_FIRST = 1.0  # [s] before somebody that the ego is by at most where it still meets it
 BEHIND_IT = 3.0  # [m] behind whom it stops somebody stands

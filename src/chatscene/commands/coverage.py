@@ -19,7 +19,7 @@ from chatscene.commands.output import console, progress, say
     multiple=True,
     metavar="NAME|FILE|DIR",
     help="nhtsa, ncap, r157, iso34502, leaderboard, challenge, a .toml file of your own, or a folder that `import` "
-    "made; repeat.  [default: all of the named ones]",
+    "made; repeat.  [default: all six named here]",
 )
 @click.option("--drive", is_flag=True, help="Draw scenes of each entry and let egos drive them.")
 @click.option(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import json
 import platform
 import sys
@@ -97,8 +96,10 @@ def _python() -> str:
 
 
 def _packages() -> str:
+    from importlib.metadata import version
+
     names = ("chatscene", "scenic", "numpy", "pyarrow", "onnxruntime", "faiss-cpu")
-    return ", ".join(f"{name} {importlib.metadata.version(name)}" for name in names)
+    return ", ".join(f"{name} {version(name)}" for name in names)
 
 
 def _map() -> str:

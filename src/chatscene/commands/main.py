@@ -81,7 +81,8 @@ class _Errors(click.Group):
             complain(told)
             ctx.exit(1)
         except KeyboardInterrupt:
-            say("\ninterrupted; what was finished is kept: continue with chatscene resume DIR", err=True)
+            how = "chatscene resume DIR, or, of an imported folder, with the same command and --out"
+            say(f"\ninterrupted; what was finished is kept: continue with {how}", err=True)
             ctx.exit(130)
 
 

@@ -172,7 +172,7 @@ def explain(text: str | None, report: Path | None, show_program: bool, as_json: 
     stated = situation_file(text)
     with refusing(text if stated is None else "", options["embedder"], as_json):
         if stated is not None:
-            understood = chatscene.explain(stated, edit=options["edit"], set=options["set"])
+            understood = chatscene.explain(stated, **{name: options[name] for name in ("edit", "set", "reading")})
         else:
             understood = chatscene.explain(text, **options)
     if as_json:

@@ -114,13 +114,7 @@ def read_collection(folder: Path) -> Collection:
     Raises:
         RunError: There is no such record, it was changed, or a program or a map is not what it was.
     """
-    where = folder / RECORD
-    try:
-        record = _Record.model_validate(read_json(where))
-    except ValidationError as error:
-        raise RunError(
-            f"{where} is no record of an import: {error.errors()[0]['msg']}; import the folder anew"
-        ) from error
+    where, record = folder / RECORD, _record(folder)
     maps = {name: _map_at(folder, name, record) for one in record.files for name in one.maps}
     found = list[CollectedProgram]()
     for one in record.files:
@@ -135,17 +129,37 @@ def read_collection(folder: Path) -> Collection:
     return Collection(folder=folder, programs=tuple(found), refused=refused)
 
 
+def _record(folder: Path) -> _Record:
+    where = folder / RECORD
+    try:
+        return _Record.model_validate(read_json(where))
+    except ValidationError as error:
+        raise RunError(
+            f"{where} is no record of an import: {error.errors()[0]['msg']}; import the folder anew"
+        ) from error
+
+
 def map_beside(program: Path) -> str | None:
     """The map of a program that lies in a folder that was imported, as ``--map`` takes it; None for any other.
 
+    A file of that name that is no record, as it may lie in any folder above, says nothing of the program.
+
     Raises:
-        RunError: The folder was changed.
+        RunError: The map was changed.
     """
     path = program.resolve()
-    folder = next((one for one in path.parents if is_collection(one)), None)
-    if folder is None:
-        return None
-    return next((name_of(one.map_path) for one in read_collection(folder).programs if one.path == path), None)
+    for folder in path.parents:
+        if not is_collection(folder):
+            continue
+        try:
+            record = _record(folder)
+        except RunError:
+            continue
+        for one in record.files:
+            for name, map_name in zip(one.programs, one.maps, strict=False):
+                if folder / name == path:
+                    return name_of(_map_at(folder, map_name, record))
+    return None
 
 
 def _map_at(folder: Path, name: str, record: _Record) -> Path:

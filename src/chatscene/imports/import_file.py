@@ -177,14 +177,16 @@ def _programs(
         MapError: Its map is not there, or is broken.
     """
     made, refused = dict[Path, _Program](), dict[int, str]()
+    first: ScenarioError | MapError | None = None
     for number, values in chosen.items():
         try:
             made[where[number]] = _program(said(values), path, where[number])
         except (ScenarioError, MapError) as error:
             refused[number] = f"variant {number} of {path}, {_said(values)}: {error}"
+            first = first or error
             if not partly or len(refused) == len(chosen):
-                kind = ScenarioError if isinstance(error, ScenarioError) else MapError
-                raise kind(next(iter(refused.values()))) from error
+                kind = ScenarioError if isinstance(first, ScenarioError) else MapError
+                raise kind(next(iter(refused.values()))) from first
     return made, refused
 
 

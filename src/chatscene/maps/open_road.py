@@ -109,13 +109,13 @@ def _shapes(line: Polyline, starts: NDArray[np.float64], ends: NDArray[np.float6
     straight = np.abs(turns).max(axis=-1, initial=0.0) < _STRAIGHT_ROAD
     curved = np.abs(turns[:, -1]) > CURVED_ROAD
     bends = np.divide(turns[:, 1], turns[:, -1], out=np.zeros(len(starts)), where=curved) >= _BENT_FROM_THE_START
-    for start, end, turned, is_straight, is_bend in zip(starts, ends, turns[:, -1], straight, bends, strict=True):
+    for start, end, turn, is_straight, is_bend in zip(starts, ends, turns[:, -1], straight, bends, strict=True):
         if is_straight:
             # An even bend by `turned` over a length moves a line aside by half their product; what is left is a shift.
-            shift = _aside(line, float(start), float(end)) - 0.5 * float(turned) * float(end - start)
+            shift = _aside(line, float(start), float(end)) - 0.5 * float(turn) * float(end - start)
             yield Place.ROAD if abs(shift) < _LATERAL else None
         else:
-            yield (Place.LEFT_CURVE if turned > 0 else Place.RIGHT_CURVE) if is_bend else None
+            yield (Place.LEFT_CURVE if turn > 0 else Place.RIGHT_CURVE) if is_bend else None
 
 
 def _aside(line: Polyline, start: float, end: float) -> float:

@@ -136,8 +136,10 @@ def of_somebody(situation: Situation, one: Other, seen: Seen, route: Route) -> I
 def _back(seen: Seen) -> int | None:
     """Since when somebody goes back, on wheels backwards, on foot over the road; None of who does not so far."""
     backwards = -seen.track.speed.clip(max=0.0)
-    if float(backwards.sum()) * seen.dt > LEFT_PLACE:
-        return int(np.argmax(backwards > STANDING))
+    left = np.flatnonzero(np.cumsum(backwards) * seen.dt > LEFT_PLACE)
+    if left.size:
+        stood = np.flatnonzero(backwards[: left[0]] == 0.0)
+        return int(stood[-1]) + 1 if stood.size else 0
     if manner_of(seen.track.kind) is not Manner.WALKS:
         return None
     return next((once.began for once in ACTS[Act.TURN_BACK](seen) if once.done is not None), None)

@@ -157,8 +157,9 @@ def post_encroachment(ego: Track, other: Track) -> float:
 
 def _at_all_near(a: Boxes, b: Boxes, reach: float) -> Steps:
     """The moments of the first at which it is so near [m] to the rectangle that the centres of the second span."""
-    within_x = (a.x >= b.x.min() - reach) & (a.x <= b.x.max() + reach)
-    return np.flatnonzero(within_x & (a.y >= b.y.min() - reach) & (a.y <= b.y.max() + reach))
+    (low_x, high_x), (low_y, high_y) = ((np.nanmin(ends), np.nanmax(ends)) for ends in (b.x, b.y))
+    within_x = (a.x >= low_x - reach) & (a.x <= high_x + reach)
+    return np.flatnonzero(within_x & (a.y >= low_y - reach) & (a.y <= high_y + reach))
 
 
 def overlaps(a: Boxes, b: Boxes) -> tuple[Steps, Steps]:

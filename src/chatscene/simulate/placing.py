@@ -41,7 +41,6 @@ class Placement:
         placed: A scene of it as it began, closed.
 
     Attributes:
-        route: Scenic's value of the ego's route.
         parameters: The names of what is set in each scene.
 
     Raises:
@@ -51,7 +50,6 @@ class Placement:
     def __init__(self, scenario: Any, placed: SteppedSimulation) -> None:
         if placed.watched or scenario.userRequirements or scenario.checker.requirements or scenario.externalSampler:
             raise NoFunction
-        self.route: Any = placed.objects[0].route
         self._set: dict[str, Any] = {name: node for name, node in scenario.params.items() if name.startswith("OPT_")}
         self.parameters = set(self._set)
         self._params = dict(scenario.params)
@@ -103,7 +101,10 @@ class Placement:
 
 
 class _Like:
-    """An object of the scenes, by one of them: all of its attributes, and which of them depend on parameters."""
+    """An object of the scenes, by one of them: all of its attributes, and which of them depend on parameters.
+
+    All scenes share what does not differ, so nothing may be set on that.
+    """
 
     def __init__(self, node: Any, one: Any) -> None:
         self._kind: type = type(one)
@@ -149,7 +150,7 @@ def _is_function(node: Any) -> bool:
     if isinstance(node, Distribution):
         function = underlyingFunction(vars(node).get("function") or vars(node).get("method"))
         follows = node._deterministic or isinstance(node, _OF_VECTORS)  # pyright: ignore[reportPrivateUsage]
-        return follows and (function is None or str(function.__module__).startswith(_OURS))
+        return follows and (function is None or str(getattr(function, "__module__", "")).startswith(_OURS))
     if isinstance(node, Point):
         return not needsSampling(node.mutationScale) and node.mutationScale == 0
     return isinstance(node, Vector | Behavior)

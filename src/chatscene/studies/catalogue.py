@@ -29,7 +29,7 @@ def load_catalogue(name: str) -> Catalogue:
 
     Raises:
         SettingsError: There is none, or its file is not a catalogue; the message says what to change.
-        RunError: It is a folder that was not imported, or was changed.
+        RunError: It is a folder that was imported, and changed since.
     """
     if name in PACKAGED:
         text = files("chatscene.studies").joinpath("catalogues", f"{name}.toml").read_text(encoding="utf-8")

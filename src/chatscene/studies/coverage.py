@@ -140,11 +140,11 @@ class _Desk:
 
     def _covered(self, catalogue: str, entry: Entry) -> Covered:
         row = Covered(catalogue=catalogue, entry=entry, answer=Answer.OUT_OF_REACH, reasons=(entry.reason,), slots={})
-        if entry.program:
-            return self._imported(row)
-        if not entry.sentence:
+        if not (entry.program or entry.sentence):
             return row
         try:
+            if entry.program:
+                return self._imported(row)
             understood = explain_text(entry.sentence, self._asked.settings, map_name=self._asked.map_name)
             scenario = understood.scenario
             row = replace(row, slots=_in_words(scenario), answer=Answer.SERVED, reasons=(), **_chosen(understood))

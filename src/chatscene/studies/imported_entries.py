@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene import runs
-from chatscene.errors import ForeignCodeRefused, SettingsError
+from chatscene.errors import EgoError, ForeignCodeRefused, SettingsError
 from chatscene.imports.collection import CollectedProgram, is_collection, read_collection
 from chatscene.maps.network import name_of, resolve_map
 from chatscene.search.generators.foreign import read_foreign
@@ -28,7 +28,7 @@ def catalogue_of(folder: Path) -> Catalogue:
     """
     if not is_collection(folder):
         raise SettingsError(
-            f"{folder} is no folder that was imported; make one: chatscene import FOLDER --out {folder}"
+            f"{folder} is no folder that was imported; import it first: chatscene import {folder} --out NEW"
         )
     found = read_collection(folder)
     programs = [
@@ -61,6 +61,8 @@ def covered(row: Covered, driver: Driver | None, egos: Sequence[str]) -> Covered
         name=entry.name, path=Path(entry.program), map_path=resolve_map(entry.map_name), file="", about=entry.sentence
     )
     drives = driver(program)
+    if failed := next((one["reason"] for one in drives if one["status"] == "ego failed"), None):
+        raise EgoError(failed)
     ran = [one for one in drives if one["status"] == "ran"]
     if not ran:
         return replace(row, answer=Answer.FAILED, reasons=tuple(dict.fromkeys(one["reason"] for one in drives)))

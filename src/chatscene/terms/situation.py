@@ -340,9 +340,10 @@ class Situation(_Closed):
         raise KeyError(reference)
 
     def answered(self, deed: Deed) -> tuple[str, str] | None:
-        """What of another a deed of the ego answers, by which it loses speed: ``after`` or ``during``, and which deed.
+        """What another's deed a deed answers by which somebody loses speed: ``after`` or ``during``, and which deed.
 
-        None where it loses none, or of itself. How it answers is up to whoever drives it.
+        None where it loses none, of itself, or since the ego does something. How an ego answers is up to whoever
+        drives it.
         """
         for name in ("after", "during"):
             reference = getattr(deed.when, name, None) or f"{EGO}."

@@ -307,7 +307,9 @@ class Engine:
 
     def follow(self, line: Line, x: Array, y: Array, *, whole: bool) -> tuple[Array, Array]:
         """(T,) arc length [m] and (T,) signed lateral offset [m] of points on a line; see `native.lines.follow`."""
-        x, y = np.ascontiguousarray(x), np.ascontiguousarray(y)
+        x, y = np.ascontiguousarray(x, np.float64), np.ascontiguousarray(y, np.float64)
+        if x.shape != y.shape:
+            raise ValueError(f"{len(x)} abscissas and {len(y)} ordinates are no points")
         arc, offset = np.empty(len(x)), np.empty(len(x))
         columns = (column.ctypes.data for column in (x, y, arc, offset))
         self._library.follow(ctypes.byref(line), len(x), whole, *columns)
