@@ -16,6 +16,11 @@ from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
 from chatscene.commands.main import main
+from chatscene.report.index_columns import ROWS, TABLES
+from chatscene.terms import vocabulary
+from chatscene.terms.act_amounts import amounts_of
+from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.acts import Action
 
 ROOT = Path(__file__).parents[1]
 OF_THE_REPOSITORY = {
@@ -24,6 +29,21 @@ OF_THE_REPOSITORY = {
     "CHANGELOG.md": "changelog.md",
     "SECURITY.md": "security-policy.md",
 }
+WORDS = {
+    "The ego's route: `ego.route`": vocabulary.EgoRoute,
+    "The road: `road.kind`": vocabulary.RoadKind,
+    "The surroundings of the road: `road.setting`": vocabulary.Setting,
+    "Right of way at the junction: `road.control`": vocabulary.RightOfWay,
+    "The ego's light: `road.ego_light`": vocabulary.EgoLight,
+    "What the road has: `road.has`": vocabulary.Feature,
+    "Kinds: `others.*.kind`": vocabulary.UserKind,
+    "Roles: `others.*.role`": vocabulary.Role,
+    "Directions: `others.*.starts.facing`": vocabulary.Facing,
+    "Manners: `others.*.does.*.manner`": vocabulary.Manner,
+    "Broken rules: `others.*.does.*.breaks`": vocabulary.Breach,
+    "Who strikes: `contact.striker`": vocabulary.Striker,
+}
+MADE = re.compile(r"^<!-- made: (\w+) -->$", re.MULTILINE)
 BLOCK = re.compile(r'<div (class="(?:[^"]* )?highlight"[^>]*>)<pre>(.*?)</pre>', re.DOTALL)
 TAG = re.compile(r"<[^>]*>")
 STATUS = re.compile(r"^Status: (.*?), (\d{4}-\d\d-\d\d)(.*)$", re.MULTILINE)
@@ -43,9 +63,13 @@ def on_files(files: Files, *, config: MkDocsConfig) -> Files:
 
 
 def on_page_markdown(markdown: str, *, page: Page, **_: object) -> str:
-    """Lead to the page of a tutorial, not to its notebook; keep decisions and logs out of the search."""
+    """Make the tables, lead to the page of a tutorial, not to its notebook; keep decisions and logs out of the search.
+
+    What a page has in place of a table is `<!-- made: NAME -->`, with a name in `TABLES_OF`.
+    """
     if page.file.src_uri.startswith(("decisions/", "lab/")):
         page.meta["search"] = {"exclude": True}
+    markdown = MADE.sub(lambda found: TABLES_OF[found[1]](), markdown)
     return re.sub(r"(tutorials/[\w-]+)\.ipynb\)", r"\1.md)", markdown)
 
 
@@ -104,3 +128,66 @@ def walk(command: click.Command, name: str, depth: int) -> list[tuple[str, click
     """A command and those below it, with their names as they are typed."""
     below = command.commands.items() if isinstance(command, click.Group) else ()
     return [(name, command, depth), *(one for child, each in below for one in walk(each, f"{name} {child}", depth + 1))]
+
+
+def words() -> str:
+    """The words of a situation that need no more than their meaning."""
+    parts = [f"### {title}\n\n{table(('word', 'meaning'), rows_of(some))}" for title, some in WORDS.items()]
+    touching = ", ".join(f"`{part}`" for part in vocabulary.Part)
+    return "\n\n".join([*parts, f"### Parts that touch: `contact.ego`, `contact.other`\n\n{touching}"])
+
+
+def rows_of(some: type[vocabulary.Word]) -> list[tuple[str, ...]]:
+    """A row per word."""
+    return [(f"`{word}`", word.meaning) for word in some]
+
+
+def places() -> str:
+    """Where somebody can start, and on which side."""
+    rows: list[tuple[str, ...]] = []
+    for where in vocabulary.Where:
+        sides = "left or right" if where.row.sided else " or ".join(where.row.sides)
+        rows.append((f"`{where}`", where.meaning, sides))
+    return table(("word", "meaning", "`side`"), rows)
+
+
+def deeds() -> str:
+    """Every act of a situation, with what may be said of it and who can do it."""
+    rows: list[tuple[str, ...]] = []
+    for act in vocabulary.Act:
+        amounts = "; ".join(f"`{name}`: {says}" for name, says in amounts_of(act).items())
+        also = ", ".join(f"`{name}`" for name in ("to",) * act.row.sided + ("whom",) * act.row.whom)
+        rows.append((f"`{act}`", act.meaning, amounts, also, ", ".join(who(act))))
+    return table(("act", "meaning", "amounts", "also", "by"), rows)
+
+
+def who(act: vocabulary.Act) -> list[str]:
+    """Who can do an act, by how they move."""
+    moves = {Moves.DRIVES: "motor vehicles", Moves.RIDES: "two-wheelers", Moves.WALKS: "pedestrians and animals"}
+    by = [name for how, name in moves.items() if how in act.row.by]
+    by = ["all road users"] if len(by) == len(moves) else by
+    return by + ["things"] * (Moves.LIES in act.row.by) + ["the ego"] * act.row.ego
+
+
+def acts() -> str:
+    """Every act that a snippet can show."""
+    return table(("act", "what is seen"), [(f"`{action}`", action.row.meaning) for action in Action])
+
+
+def tables() -> str:
+    """The tables of `chatscene sql`, column by column."""
+    parts: list[str] = []
+    for name, columns in TABLES.items():
+        rows = [(f"`{one.name}`", one.in_sql, one.unit, one.meaning) for one in columns]
+        said = f"{ROWS[name][0].upper()}{ROWS[name][1:]}."
+        parts.append(f"## {name}\n\n{said}\n\n{table(('column', 'type', 'unit', 'meaning'), rows)}")
+    return "\n\n".join(parts)
+
+
+def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+    """A table as Markdown has it."""
+    lines = [head, ("---",) * len(head), *rows]
+    return "\n".join(f"| {' | '.join(cells)} |" for cells in lines)
+
+
+TABLES_OF = {"words": words, "places": places, "deeds": deeds, "acts": acts, "tables": tables}

@@ -243,7 +243,7 @@ def test_the_surrogates_rows_have_no_interval_in_the_documents() -> None:
 
 
 def test_the_limits_of_the_baselines_stand_in_the_documents() -> None:
-    page = (ROOT / "docs" / "baselines.md").read_text()
+    page = (ROOT / "docs" / "lab" / "benchmark.md").read_text()
     junctions = [base for base in BaseScenario if NOMINAL[base].turns]
     assert len(junctions) == 4
     for base in junctions:

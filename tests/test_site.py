@@ -20,6 +20,9 @@ import yaml
 
 import chatscene
 from chatscene.commands.main import main
+from chatscene.report.index_columns import TABLES
+from chatscene.terms import vocabulary
+from chatscene.terms.acts import Action
 from notebooks import TUTORIALS, held
 from places import ROOT
 
@@ -120,6 +123,16 @@ def test_the_site_is_built_without_a_warning_and_asks_nobody_for_anything(tmp_pa
     assert all(f'id="chatscene-{verb}"' in commands for verb in main.commands)
     decisions = (site / "decisions" / "index.html").read_text()
     assert all(f"{page.stem}.html" in decisions for page in DOCS.glob("decisions/*.md"))
+    words = (site / "reference" / "words.html").read_text()
+    meant = [one for one in vars(vocabulary).values() if isinstance(one, type) and issubclass(one, vocabulary.Word)]
+    for word in (*(word for some in meant for word in some), *Action):
+        assert f"<code>{word}</code>" in words
+    for word in (*vocabulary.Where, *vocabulary.Act, *vocabulary.UserKind):
+        assert html.escape(word.meaning, quote=False) in words
+    columns = (site / "reference" / "tables.html").read_text()
+    for name, some in TABLES.items():
+        assert f'id="{name}"' in columns
+        assert all(f"<code>{one.name}</code>" in columns for one in some)
     found = {entry["location"] for entry in json.loads((site / "search" / "search_index.json").read_text())["docs"]}
     assert "tour.html" in found
     assert not [place for place in found if place.startswith(("decisions/", "lab/"))]

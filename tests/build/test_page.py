@@ -111,20 +111,20 @@ def page() -> str:
     refused = by_field({"ego.route": routes(), "road.kind": kinds, "starts.where": nobody})
     left = by_field({"road.has": features, "road.setting": settings})
     lines = [
-        f"- Refused wherever they stand: {refused}.",
-        f"- Left out, which is told, unless the map that is needed for the rest has it: {left}.",
-        f"- Who is on foot can be {listed(walks)}.",
-        f"- Nobody can wait (`after`, `during`) for {listed(act for act in Act if not waited_for(act))} of another.",
+        f"- Always refused: {refused}.",
+        f"- Left out and reported, unless the map already has it: {left}.",
+        f"- Pedestrians can start {listed(walks)}.",
+        f"- No deed can wait (`after`, `during`) for {listed(act for act in Act if not waited_for(act))}.",
         "",
-        "Somebody in these places can be hidden by a van that stands:",
+        "A road user in these places can be hidden by a standing van:",
         "",
-        "| hidden | by who is |",
+        "| hidden | hiding |",
         "|---|---|",
         *who_is_hidden(),
         "",
-        "From these places an act can begin, if it is the first, is done to nobody but the ego, and the ego goes "
-        "straight on. Elsewhere it is refused. A deed before it may lead to another place: who is `ahead-beside` and "
-        "does `cut-in` is ahead then.",
+        "An act can begin in these places, if it is the first, concerns only the ego, and the ego goes straight on. "
+        "Elsewhere it is refused. An earlier deed may lead to another place: a car `ahead-beside` that does `cut-in` "
+        "is ahead afterwards.",
         "",
         "| act | on wheels | on foot |",
         "|---|---|---|",

@@ -17,7 +17,6 @@ from chatscene.situations.file import MOST_BYTES, read_file, read_text, to_yaml
 from chatscene.situations.form import from_plain, schema, to_plain
 from chatscene.terms import vocabulary
 from chatscene.terms.act_amounts import amounts_of
-from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Length, Speed
 from chatscene.terms.situation import (
     Around,
@@ -31,8 +30,7 @@ from chatscene.terms.situation import (
     Start,
     When,
 )
-from chatscene.terms.surroundings import Light, Surface, Weather
-from chatscene.terms.vocabulary import Act, Side, Where, Word
+from chatscene.terms.vocabulary import Act, Side, Word
 from drawn import situations
 from pages import Written, steps_of
 from places import ROOT
@@ -251,37 +249,10 @@ def test_the_schema_says_what_every_word_and_field_means() -> None:
 
 
 PAGE = ROOT / "docs" / "situation.md"
-WORDS = ROOT / "docs" / "reference" / "words.md"
 
 
-def test_the_page_says_every_word_with_its_meaning() -> None:
-    page = WORDS.read_text(encoding="utf-8")
-    tables = [one for one in vars(vocabulary).values() if isinstance(one, type) and issubclass(one, Word) and len(one)]
-    for words in tables:
-        for word in words:
-            assert (f"| `{word}` | {word.meaning} |" if word.meaning else f"`{word}`") in page, (words, word)
-    for word in (*Light, *Weather, *Surface):
-        assert f"`{word}`" in page, word
-
-
-def test_the_page_says_of_every_act_which_amounts_it_takes_and_who_can_do_it() -> None:
-    page = WORDS.read_text(encoding="utf-8")
-    for act in Act:
-        assert set(amounts_of(act)) == act.row.takes
-        amounts = "; ".join(f"`{name}`: {says}" for name, says in amounts_of(act).items())
-        also = ", ".join(f"`{name}`" for name in ("to",) * act.row.sided + ("whom",) * act.row.whom)
-        row = f"| `{act}` | {act.meaning} | {amounts} | {also} | "
-        assert row in page, row
-        everybody = {Moves.WALKS, Moves.RIDES, Moves.DRIVES} <= act.row.by
-        assert (row + "all" in page) == everybody, act
-        assert (", the ego |" in page.partition(row)[2].partition("\n")[0]) == act.row.ego, act
-
-
-def test_the_page_says_of_every_place_on_which_sides_it_can_be() -> None:
-    page = WORDS.read_text(encoding="utf-8")
-    for where in Where:
-        sides = "left or right" if where.row.sided else " or ".join(where.row.sides)
-        assert f"| `{where}` | {where.meaning} | {sides} |" in page, where
+def test_every_amount_of_an_act_has_a_meaning() -> None:
+    assert all(set(amounts_of(act)) == act.row.takes for act in Act)
 
 
 def test_the_page_names_every_field_and_has_a_small_file_for_each_part_that_is_read() -> None:

@@ -1,4 +1,4 @@
-"""How close a drive came to harm, and who ran into whom; `docs/criticality.md` has each measure's definition.
+"""How close a drive came to harm, and who ran into whom; `docs/metrics.md` has each measure's definition.
 
 All measures compare the ego with each adversary, over all steps at once, and keep the worst. Bodies are their boxes.
 None of it depends on where the scene lies or which way it is turned.

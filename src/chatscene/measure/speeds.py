@@ -1,4 +1,4 @@
-"""How fast who was in a drive, and how hard the two met: from the tracks alone; `docs/criticality.md` defines each."""
+"""How fast who was in a drive, and how hard the two met: from the tracks alone; `docs/metrics.md` defines each."""
 
 from __future__ import annotations
 

@@ -74,7 +74,7 @@ class Generator(Protocol):
     search was interrupted.
 
     Attributes:
-        reference: How much the reference lets it try per scenario, and what it keeps (`docs/baselines.md`).
+        reference: How much the reference lets it try per scenario, and what it keeps (`docs/reproduce.md`).
     """
 
     @property

