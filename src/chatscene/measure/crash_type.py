@@ -46,8 +46,11 @@ def waits(episode: Episode) -> bool:
     if episode.collision is not None:
         return False
     rows = math.ceil((QUIET if episode.ending is Ending.OVER else STANDSTILL) / episode.dt) + 1
-    ego, *others = [_last(track, rows) for track in episode.tracks]
-    return _stands(ego) and any(_stands(other) and least_gap(ego, other) < BEHIND for other in others)
+    if not _stands(episode.ego_track, rows):
+        return False
+    ego = _last(episode.ego_track, rows)
+    others = (_last(track, rows) for track in episode.tracks[1:] if _stands(track, rows))
+    return any(least_gap(ego, other) < BEHIND for other in others)
 
 
 def _last(track: Track, rows: int) -> Track:
@@ -55,5 +58,6 @@ def _last(track: Track, rows: int) -> Track:
     return replace(track, x=x, y=y, heading=heading, speed=speed)
 
 
-def _stands(track: Track) -> bool:
-    return bool((np.abs(track.speed) < STANDING).all())
+def _stands(track: Track, rows: int) -> bool:
+    """Whether somebody stands in so many rows at the end."""
+    return bool((np.abs(track.speed[-rows:]) < STANDING).all())

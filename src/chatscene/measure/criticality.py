@@ -8,12 +8,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-from chatscene.simulate.boxes import NOTHING, Boxes, Pair, least_gap, pair_of, post_encroachment, times_to_collision
+from chatscene.simulate.boxes import NOTHING, Boxes, Pair, between, least_gap, post_encroachment, times_to_collision
 from chatscene.simulate.contact import side_touched
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.criticality import Criticality, Fault, Severity
@@ -118,34 +116,20 @@ def headways(ego: Track, other: Track, *, lately: int | None = None) -> Array:
         lately: In how many steps at most the other has come before the ego, if the ego comes no nearer to it; else
             there is none. None asks for neither.
     """
-    gap, ahead, closing = _ahead(ego, other)
+    found = between(ego, other)
+    ahead = found.ahead > 0.0
     moves = ahead & (ego.speed > CRAWL)
     if lately is not None:
         steps = np.arange(len(ahead))
         since = steps - np.maximum.accumulate(np.where(ahead, -lately - 1, steps))
-        moves &= (closing > CRAWL) | (since <= lately)
-    return np.where(moves, gap / np.where(moves, ego.speed, 1.0), math.inf)
+        moves &= (found.closing > CRAWL) | (since <= lately)
+    return np.where(moves, found.ahead / np.where(moves, ego.speed, 1.0), math.inf)
 
 
 def _following(ego: Track, other: Track) -> tuple[float, float]:
     """Least time headway [s] and greatest deceleration required [m/s²] behind another ahead; inf and 0 without."""
-    gap, ahead, closing = _ahead(ego, other)
-    closing, gap = closing[ahead], gap[ahead]
+    found = between(ego, other)
+    ahead = found.ahead > 0.0
+    closing, gap = found.closing[ahead], found.ahead[ahead]
     braking = np.where(closing > NOTHING, closing, 0.0) ** 2 / (2.0 * gap)
     return float(headways(ego, other).min()), float(braking.max(initial=0.0))
-
-
-@lru_cache(maxsize=4)
-def _ahead(ego: Track, other: Track) -> tuple[Array, NDArray[np.bool_], Array]:
-    """(T,) each: the gap to another [m], whether it is ahead, and how fast the ego closes in on it [m/s].
-
-    Ahead: in the corridor as wide as the ego, straight on from its front. The gap is from its front to what of the
-    other is nearest.
-    """
-    a, b = Boxes.of(ego), Boxes.of(other)
-    along, across = pair_of(ego, other).offset[:2]
-    c, s = a.cos * b.cos + a.sin * b.sin, np.abs(a.cos * b.sin - a.sin * b.cos)
-    gap = along - a.half_length - b.half_length * np.abs(c) - b.half_width * s
-    beside = np.abs(across) - a.half_width - b.half_length * s - b.half_width * np.abs(c)
-    ahead = (gap > 0.0) & (beside < 0.0)
-    return gap, ahead, ego.speed - other.speed * c

@@ -22,6 +22,7 @@ GRIPPIEST = 1.0 / DRY  # of a surface's friction; the highest that is published 
 COMPARE = "which `kinematic` does not know; drive it with `--physics lagged` too"
 
 
+@lru_cache(maxsize=1)
 def friction_demand(episode: Episode) -> float | None:
     """The largest share of the road's friction that anybody on wheels took, along and across together.
 

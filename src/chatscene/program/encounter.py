@@ -18,7 +18,7 @@ from chatscene.program.contacts import is_with
 from chatscene.program.deeds import LOSING, MOVING, STANDING
 from chatscene.program.finding import Finding
 from chatscene.program.meaning import TOGETHER
-from chatscene.simulate.boxes import ROUNDING, Boxes, Pair, gaps, times_to_collision
+from chatscene.simulate.boxes import Boxes, gaps, near_any, overlaps, times_to_collision
 from chatscene.simulate.native.lines import follow
 from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.polyline import Polyline
@@ -129,12 +129,12 @@ def _must_meet(
     if acts & LETS_BY:
         return False
     boxes = Boxes.of(track)
-    if not _on(way, ego, boxes, 0):
+    if not _on(way, ego, boxes.at(slice(1))):
         if acts and acts <= STAYS:
             return False
         if _on_its_way_in(way, ego, track, route):
             return True
-        return found.between <= LONGEST or any(_on(way, ego, boxes, step) for step in range(0, len(track.x), 5))
+        return found.between <= LONGEST or _on(way, ego, boxes.at(slice(None, None, 5)))
     along, x, y, heading = way
     near = int(np.argmin(np.hypot(x - track.x[0], y - track.y[0])))
     against = math.cos(float(track.heading[0] - heading[near])) < 0.0
@@ -152,7 +152,7 @@ def _on_its_way_in(way: Way, ego: Track, track: Track, route: Route) -> bool:
     boxes = Boxes(x, y, math.cos(heading) * ones, math.sin(heading) * ones, track.length / 2, track.width / 2)
     there = (way[0] > route.event_at) & (way[0] < route.event_at + THROUGH)
     through = (way[0][there], way[1][there], way[2][there], way[3][there])
-    return bool(there.any()) and any(_on(through, ego, boxes, step) for step in range(len(far)))
+    return bool(there.any()) and _on(through, ego, boxes)
 
 
 def _heads_for(ego: Track, track: Track, since: int) -> bool:
@@ -161,15 +161,11 @@ def _heads_for(ego: Track, track: Track, since: int) -> bool:
     return bool((times_to_collision(ego, track)[since:] <= np.where(stands, BEFORE, LONGEST)).any())
 
 
-def _on(way: Way, ego: Track, boxes: Boxes, step: int) -> bool:
-    """Whether the box of somebody at a step touches that of an ego somewhere on its way."""
+def _on(way: Way, ego: Track, boxes: Boxes) -> bool:
+    """Whether one of the boxes of somebody touches that of an ego somewhere on its way."""
     _, x, y, heading = way
-    far = (ego.length + ego.width) / 2 + boxes.half_length + boxes.half_width
-    near = np.hypot(x - boxes.x[step], y - boxes.y[step]) < far
-    if not near.any():
-        return False
-    own = Boxes(x[near], y[near], np.cos(heading[near]), np.sin(heading[near]), ego.length / 2, ego.width / 2)
-    return bool(Pair.of(own, boxes.at(np.full(int(near.sum()), step))).touching.any())
+    own = Boxes(x, y, np.cos(heading), np.sin(heading), ego.length / 2, ego.width / 2)
+    return overlaps(own, boxes, np.zeros(len(boxes.x), np.int64), len(x))[0].size > 0
 
 
 def _goes_on_evenly(track: Track, episode: Episode) -> Track:
@@ -204,35 +200,27 @@ def meeting(ego: Track, way: Way, other: Track, dt: float, since: int) -> Meetin
     there = since + np.flatnonzero(_within(way, other, since, far))
     if not there.size:
         return Meeting()
-    ways = _goes_on(ego, way, dt, len(other.x) - len(ego.x) + lags + 1)
-    boxes, square = Boxes.of(other).at(there), (far + ROUNDING) ** 2
-    for lag in sorted(range(-lags, lags + 1), key=abs):
-        steps = (there + lag).clip(0)
-        dx, dy = ways[0][:, steps] - boxes.x, ways[1][:, steps] - boxes.y
-        near = (dx * dx + dy * dy < square) & (there + lag >= 0)
-        if not near.any():
-            continue
-        rows, columns = np.nonzero(near)
-        x, y, heading = (one[rows, steps[columns]] for one in ways)
-        own = Boxes(x, y, np.cos(heading), np.sin(heading), ego.length / 2, ego.width / 2)
-        touching = np.flatnonzero(Pair.of(own, boxes.at(columns)).touching)
-        if touching.size:
-            first = touching[np.lexsort((columns[touching], rows[touching]))[0]]
-            step = int(there[columns[first]])
-            return Meeting(between=abs(lag) * dt, at=step * dt, ego_first=lag < 0)
-    return Meeting()
+    x, y, heading = _goes_on(ego, way, dt, len(other.x) - len(ego.x) + lags + 1)
+    own = Boxes(x, y, np.cos(heading), np.sin(heading), ego.length / 2, ego.width / 2)
+    places, moments = overlaps(own, Boxes.of(other).at(there), there, lags)
+    if not places.size:
+        return Meeting()
+    rows, steps = np.divmod(places, x.shape[1])
+    lag = steps - there[moments]
+    first = np.lexsort((moments, rows, lag > 0, np.abs(lag)))[0]
+    step = int(there[moments[first]])
+    return Meeting(between=abs(int(lag[first])) * dt, at=step * dt, ego_first=bool(lag[first] < 0))
 
 
 def _within(way: Way, other: Track, since: int, far: float) -> Flags:
     """(T - since,) Whether somebody is so near [m] to the ego's way, of which a point in a metre is enough."""
     along, x, y, _ = way
     points = np.unique(np.searchsorted(along, np.arange(along[0], along[-1], 1.0)).clip(max=len(x) - 1))
-    dx, dy = np.subtract.outer(other.x[since:], x[points]), np.subtract.outer(other.y[since:], y[points])
-    return np.asarray((dx * dx + dy * dy < (far + 1.0) ** 2).any(axis=1))
+    return near_any(other.x[since:], other.y[since:], x[points], y[points], far + 1.0)
 
 
 def _goes_on(ego: Track, way: Way, dt: float, more: int) -> tuple[Array, Array, Array]:
-    """(K, T + more) x, y and heading: as it went, then as it would go on from each moment at which it goes evenly.
+    """(K, T + more) X, y and heading: as it went, then as it would go on from each moment at which it goes evenly.
 
     Before that moment it is nowhere (nan), as those of it are compared that lie before it.
     """

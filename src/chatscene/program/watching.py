@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -110,18 +110,26 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
     )
 
 
+@lru_cache(maxsize=64)
 def headings(line: Polyline) -> Array:
     """(N - 1,) [rad], where each piece of a line leads, without jumps."""
     step = np.diff(line.points, axis=0)
-    return np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
+    return _fixed(np.unwrap(np.arctan2(step[:, 1], step[:, 0])))
 
 
+def _fixed(array: Array) -> Array:
+    """An array that is given out more than once."""
+    array.setflags(write=False)
+    return array
+
+
+@lru_cache(maxsize=64)
 def moved_over(line: Polyline) -> Array:
     """(N - 1,) [m], how far a line is to the left of one that bends evenly from its first to its last direction."""
     heading = headings(line)
     along = np.hypot(*np.diff(line.points, axis=0).T)
     even = heading[0] + (heading[-1] - heading[0]) * np.cumsum(along) / along.sum()
-    return np.cumsum(np.sin(heading - even) * along)
+    return _fixed(np.cumsum(np.sin(heading - even) * along))
 
 
 def _left_by_route(route: Route, at: Array) -> Array:
@@ -134,12 +142,16 @@ def _left_by_route(route: Route, at: Array) -> Array:
 
 def _turned_at(route: Route) -> float:
     """Arc length [m] at which a route has done most of its turn at a junction."""
-    if route.junction is None:
-        return route.event_at
-    heading = headings(route.line)
+    return route.event_at if route.junction is None else max(route.event_at + CROSSED, _turned_on(route.line))
+
+
+@lru_cache(maxsize=64)
+def _turned_on(line: Polyline) -> float:
+    """Arc length [m] at which a line has done most of its turn; 0 of one that hardly turns."""
+    heading = headings(line)
     turned = np.abs(heading - heading[0])
     done = int(np.argmax(turned > MOST * turned.max())) if turned.max() > IS_TURN else 0
-    return max(route.event_at + CROSSED, float(done) * route.length / len(heading))
+    return float(done) * line.length / len(heading)
 
 
 def _until(track: Track, step: int | None) -> Track:

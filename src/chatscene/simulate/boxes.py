@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.simulate.native.engine import boxes_of
+from chatscene.simulate.native.lines import engine
 from chatscene.terms.episode import Array, Track
 
-Steps = NDArray[np.intp]
+Steps = NDArray[np.int64]
 
 ROUNDING = 1e-6  # [m], more than rounding makes of a distance
 NOTHING = 1e-9  # [m] or [m/s], what rounding makes of nothing
@@ -41,7 +44,7 @@ class Boxes:
             x, y, heading = (np.interp(moments, rows, values) for values in (x, y, heading))
         return Boxes(x, y, np.cos(heading), np.sin(heading), track.length / 2, track.width / 2)
 
-    def at(self, moments: Steps | int) -> Boxes:
+    def at(self, moments: Steps | int | slice) -> Boxes:
         """At some of them."""
         return Boxes(
             self.x[moments],
@@ -103,10 +106,62 @@ class Pair:
         return np.where(still, always, np.minimum(first, last)), np.where(still, np.inf, np.maximum(first, last))
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Between:
+    """How two bodies lie to each other at each step, (T,) each; see `between`.
+
+    Attributes:
+        gaps: Between the boxes [m]; 0 where they overlap.
+        times: Until the boxes touch if both keep velocity and heading [s]; inf where they never would.
+        ahead: From the front of the first to what of the second is nearest [m], if that is ahead; else -inf.
+        closing: How fast the first closes in on the second along its own heading [m/s].
+    """
+
+    gaps: Array
+    times: Array
+    ahead: Array
+    closing: Array
+
+
 @lru_cache(maxsize=KEPT)
-def pair_of(a: Track, b: Track) -> Pair:
-    """How two bodies lie to each other at every step."""
-    return Pair.of(Boxes.of(a), Boxes.of(b))
+def between(ego: Track, other: Track) -> Between:
+    """How another lies to the ego at every step.
+
+    It is ahead in the corridor as wide as the ego, straight on from its front. The engine works it out where there is
+    one.
+    """
+    a, b = Boxes.of(ego), Boxes.of(other)
+    native = engine()
+    if native is None:
+        return in_numpy(a, b, ego.speed, other.speed)
+    found = native.between(_told(a, ego.speed), _told(b, other.speed), len(ego.x))
+    return Between(*_fixed(found))
+
+
+def in_numpy(a: Boxes, b: Boxes, speed: Array, other_speed: Array) -> Between:
+    """What `between` finds, without the engine."""
+    pair = Pair.of(a, b)
+    enter, leave = pair.overlap(other_speed * b.cos - speed * a.cos, other_speed * b.sin - speed * a.sin)
+    begin, end = enter.max(axis=0), leave.min(axis=0)
+    meets = (begin <= end) & (end >= 0.0)
+    # Between two convex shapes that are apart, a corner of one of them is nearest.
+    apart = np.minimum(_corner_gaps(a, b), _corner_gaps(b, a))
+    along, across = pair.offset[:2]
+    c, s = a.cos * b.cos + a.sin * b.sin, np.abs(a.cos * b.sin - a.sin * b.cos)
+    gap = along - a.half_length - b.half_length * np.abs(c) - b.half_width * s
+    beside = np.abs(across) - a.half_width - b.half_length * s - b.half_width * np.abs(c)
+    return Between(
+        gaps=_fixed(np.where(pair.touching, 0.0, apart)),
+        times=_fixed(np.where(meets, np.maximum(begin, 0.0), np.inf)),
+        ahead=_fixed(np.where((gap > 0.0) & (beside < 0.0), gap, -np.inf)),
+        closing=_fixed(speed - other_speed * c),
+    )
+
+
+def _told(boxes: Boxes, speed: Array | None = None) -> Any:
+    """Boxes in the engine's terms."""
+    columns = [column.ravel() for column in (boxes.x, boxes.y, boxes.cos, boxes.sin)]
+    return boxes_of(columns if speed is None else [*columns, speed], boxes.half_length, boxes.half_width)
 
 
 def _fixed(array: Array) -> Array:
@@ -115,16 +170,9 @@ def _fixed(array: Array) -> Array:
     return array
 
 
-@lru_cache(maxsize=KEPT)
 def times_to_collision(ego: Track, other: Track) -> Array:
     """(T,) Time [s] until the boxes touch if both keep velocity and heading; inf where they never would."""
-    a, b = Boxes.of(ego), Boxes.of(other)
-    enter, leave = pair_of(ego, other).overlap(
-        other.speed * b.cos - ego.speed * a.cos, other.speed * b.sin - ego.speed * a.sin
-    )
-    begin, end = enter.max(axis=0), leave.min(axis=0)
-    meets = (begin <= end) & (end >= 0.0)
-    return _fixed(np.where(meets, np.maximum(begin, 0.0), np.inf))
+    return between(ego, other).times
 
 
 def post_encroachment(ego: Track, other: Track) -> float:
@@ -134,15 +182,13 @@ def post_encroachment(ego: Track, other: Track) -> float:
     long; around those found, the ego's step is cut into parts, and the other moves on straight and evenly in its own.
     """
     b = Boxes.of(other)
-    i, j = overlaps(Boxes.of(ego), b)
+    i, j = overlaps(Boxes.of(ego), b, np.arange(len(other.x)), max(len(ego.x), len(other.x)))
     if not i.size:
         return math.inf
     apart = np.abs(i - j)
     least = apart.min()
     if least == 0:
         return 0.0
-    near = apart <= least + 1
-    i, j, apart = i[near], j[near], apart[near]
     toward = np.sign(j - i)
     parts = np.arange(FINENESS + 1)[:, None]
     moments = i * FINENESS + toward * parts
@@ -155,32 +201,59 @@ def post_encroachment(ego: Track, other: Track) -> float:
     return max(float(closest[meets].min(initial=least)), 0.0)
 
 
-def _at_all_near(a: Boxes, b: Boxes, reach: float) -> Steps:
-    """The moments of the first at which it is so near [m] to the rectangle that the centres of the second span."""
-    (low_x, high_x), (low_y, high_y) = ((np.nanmin(ends), np.nanmax(ends)) for ends in (b.x, b.y))
-    within_x = (a.x >= low_x - reach) & (a.x <= high_x + reach)
-    return np.flatnonzero(within_x & (a.y >= low_y - reach) & (a.y <= high_y + reach))
+def overlaps(a: Boxes, b: Boxes, at: Steps, most: int) -> tuple[Steps, Steps]:
+    """Where two sets of boxes overlap: all pairs of those nearest in time, and of those one step farther.
 
+    The engine finds them where there is one. The pairs come in any order.
 
-def overlaps(a: Boxes, b: Boxes) -> tuple[Steps, Steps]:
-    """All pairs of moments of which the first's box at the one overlaps the second's at the other."""
+    Args:
+        a: One, (T,) at a step each, or (K, T) if it may be in several places; a place may be nowhere (nan).
+        b: The other, (N,).
+        at: (N,) The step at which each of these is there.
+        most: How many steps may lie between the two.
+
+    Returns:
+        The numbers of those of `a`, row after row, and of those of `b`.
+    """
     reach = math.hypot(a.half_length, a.half_width) + math.hypot(b.half_length, b.half_width) + ROUNDING
-    ones, others = _at_all_near(a, b, reach), _at_all_near(b, a, reach)
-    dx, dy = np.subtract.outer(a.x[ones], b.x[others]), np.subtract.outer(a.y[ones], b.y[others])
-    near = np.flatnonzero(dx * dx + dy * dy <= reach * reach)
-    i, j = np.divmod(near, max(len(others), 1))
-    i, j = ones[i], others[j]
+    width = a.x.shape[-1]
+    native = engine()
+    if native is not None:
+        at = np.ascontiguousarray(at, np.int64)
+        return native.overlaps(_told(a), (a.x.size // max(width, 1), width), _told(b), at, most, reach * reach)
+    rows = Boxes(a.x.ravel(), a.y.ravel(), a.cos.ravel(), a.sin.ravel(), a.half_length, a.half_width)
+    found, least = [(at[:0], at[:0])], most
+    for lag in range(most + 1):
+        if lag > least + 1:
+            break
+        found += [_overlaps_at(rows, width, b, at, by) for by in sorted({-lag, lag})]
+        if found[-1][0].size or found[-2][0].size:
+            least = min(least, lag)
+    i, j = zip(*found, strict=True)
+    return np.concatenate(i), np.concatenate(j)
+
+
+def _overlaps_at(a: Boxes, width: int, b: Boxes, at: Steps, lag: int) -> tuple[Steps, Steps]:
+    """The pairs of which the first is so many steps later."""
+    there = np.flatnonzero((at + lag >= 0) & (at + lag < width))
+    steps = np.arange(0, a.x.size, width)[:, None] + at[there] + lag
+    i, j = steps.ravel(), np.broadcast_to(there, steps.shape).ravel()
     touching = Pair.of(a.at(i), b.at(j)).touching
     return i[touching], j[touching]
 
 
-@lru_cache(maxsize=KEPT)
+def near_any(x: Array, y: Array, other_x: Array, other_y: Array, within: float) -> NDArray[np.bool_]:
+    """(N,) Whether each point [m] is nearer than that [m] to any of others; by the engine, where there is one."""
+    native = engine()
+    if native is not None:
+        return native.near_any(x, y, other_x, other_y, within)
+    dx, dy = np.subtract.outer(x, other_x), np.subtract.outer(y, other_y)
+    return np.asarray((dx * dx + dy * dy < within**2).any(axis=1))
+
+
 def gaps(ego: Track, other: Track) -> Array:
     """(T,) Gap [m] between the boxes; 0 where they overlap."""
-    a, b = Boxes.of(ego), Boxes.of(other)
-    # Between two convex shapes that are apart, a corner of one of them is nearest.
-    apart = np.minimum(_corner_gaps(a, b), _corner_gaps(b, a))
-    return _fixed(np.where(pair_of(ego, other).touching, 0.0, apart))
+    return between(ego, other).gaps
 
 
 def least_gap(ego: Track, other: Track) -> float:

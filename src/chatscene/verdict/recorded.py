@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from chatscene.imports.recording import DT, Recording
-from chatscene.simulate.boxes import pair_of
+from chatscene.simulate.boxes import Boxes, Pair
 from chatscene.simulate.contact import side_touched
 from chatscene.terms.episode import Array, Ending, Episode, Event, EventKind, Track
 from chatscene.terms.polyline import Polyline
@@ -87,7 +87,7 @@ def _collision(tracks: tuple[Track, ...]) -> Event | None:
     ego, *others = tracks
     first: tuple[int, Track] | None = None
     for other in others:
-        touching = pair_of(ego, other).touching
+        touching = Pair.of(Boxes.of(ego), Boxes.of(other)).touching
         if touching.any() and not touching[np.argmax(np.isfinite(other.x))]:
             step = int(np.argmax(touching))
             first = (step, other) if first is None or step < first[0] else first

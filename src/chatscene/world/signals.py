@@ -8,12 +8,14 @@ a program can hold them with ``param signals``: ``ego-green`` (the ego's axis ha
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 GREEN, YELLOW, RED = "g", "y", "r"
 COLOURS = {"green": GREEN, "yellow": YELLOW, "red": RED}
 GREEN_TIME = 12.0  # [s], fixed-time control of a small urban junction
 YELLOW_TIME = 3.0  # [s]
 ALL_RED_TIME = 1.0  # [s]
+_AT_ONCE = 512  # [steps], of which the states are worked out together and kept
 _HALF = GREEN_TIME + YELLOW_TIME + ALL_RED_TIME
 
 Held = tuple[tuple[float, str], ...]
@@ -40,6 +42,11 @@ def signal_states(mode: str, own_axis: bool, steps: int, dt: float) -> str:
         steps: How many states.
         dt: Step [s].
     """
+    return _states(mode, own_axis, -(-steps // _AT_ONCE) * _AT_ONCE, dt)[:steps]
+
+
+@lru_cache(maxsize=64)
+def _states(mode: str, own_axis: bool, steps: int, dt: float) -> str:
     if mode in CHANGES:
         held = CHANGES[mode][0 if own_axis else 1]
         return "".join(next(state for until, state in held if step * dt < until) for step in range(steps))

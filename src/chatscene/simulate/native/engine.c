@@ -192,6 +192,16 @@ typedef struct {
 } Policy;
 
 const char *source_digest(void) { return SOURCE_DIGEST; }
+/* Of judging: the boxes of one body at some moments, and how two lie to each other at each step. */
+typedef struct {
+    const double *x, *y, *cos, *sin, *speed;
+    double half_length, half_width;
+} Boxes;
+
+typedef struct {
+    double *gap, *time, *ahead, *closing;  /* ahead: from front to the other, -inf where it is not ahead */
+} Between;
+
 int64_t size_of(int64_t what) {
     switch (what) {
     case 0: return sizeof(Line);
@@ -203,6 +213,8 @@ int64_t size_of(int64_t what) {
     case 6: return sizeof(Layer);
     case 7: return sizeof(Policy);
     case 8: return sizeof(Foot);
+    case 9: return sizeof(Boxes);
+    case 10: return sizeof(Between);
     default: return -1;
     }
 }
@@ -271,6 +283,7 @@ void evaluate(int64_t function, int64_t count, const double *a, const double *b,
         case 10: out[i] = remainder(x, TAU); break;
         case 11: out[i] = tanh(x); break;
         case 12: out[i] = six_decimals(sin(x)); break;
+        case 13: out[i] = hypot(x, y); break;
         default: out[i] = 0.0;
         }
     }
@@ -1706,4 +1719,121 @@ int64_t run_worlds(World *const *worlds, int64_t count, const Policy *policy) {
     int64_t steps = 0;
     for (int64_t i = 0; i < count; i++) steps += run_world(worlds[i], policy, INT64_MAX);
     return steps;
+}
+
+/* Judging: the boxes of two bodies over time. `chatscene.simulate.boxes` has each of these in Python, too, for machines
+ * without this engine. Sines and cosines are given, since numpy has its own. A comparison with what is no number is
+ * false, and the less and the greater of it are no number, as numpy has them. */
+static double lesser(double a, double b) { return a < b || isnan(a) ? a : b; }
+static double greater(double a, double b) { return a > b || isnan(a) ? a : b; }
+
+typedef struct {
+    double axis_x[4], axis_y[4], offset[4], reach[4], c, s;
+} Apart;
+
+/* `Pair.of` of the first at one moment and the second at another */
+static void apart_at(const Boxes *a, int64_t i, const Boxes *b, int64_t j, Apart *p) {
+    double ac = a->cos[i], as = a->sin[i], bc = b->cos[j], bs = b->sin[j];
+    double dx = b->x[j] - a->x[i], dy = b->y[j] - a->y[i];
+    double c, s;
+    p->c = ac * bc + as * bs;
+    c = fabs(p->c);
+    s = p->s = fabs(ac * bs - as * bc);
+    p->axis_x[0] = ac; p->axis_x[1] = -as; p->axis_x[2] = bc; p->axis_x[3] = -bs;
+    p->axis_y[0] = as; p->axis_y[1] = ac; p->axis_y[2] = bs; p->axis_y[3] = bc;
+    p->reach[0] = a->half_length + b->half_length * c + b->half_width * s;
+    p->reach[1] = a->half_width + b->half_length * s + b->half_width * c;
+    p->reach[2] = b->half_length + a->half_length * c + a->half_width * s;
+    p->reach[3] = b->half_width + a->half_length * s + a->half_width * c;
+    for (int k = 0; k < 4; k++) p->offset[k] = dx * p->axis_x[k] + dy * p->axis_y[k];
+}
+
+static int overlapping(const Apart *p) {
+    for (int k = 0; k < 4; k++) if (!(fabs(p->offset[k]) <= p->reach[k])) return 0;
+    return 1;
+}
+
+static double corner_gap(const Boxes *a, const Boxes *b, int64_t i) {
+    static const double AHEAD_BY[] = {1.0, 1.0, -1.0, -1.0}, LEFT_BY[] = {1.0, -1.0, -1.0, 1.0};
+    double least = INFINITY, ac = a->cos[i], as = a->sin[i], bc = b->cos[i], bs = b->sin[i];
+    for (int k = 0; k < 4; k++) {
+        double along = a->half_length * AHEAD_BY[k], across = a->half_width * LEFT_BY[k];
+        double dx = a->x[i] + along * ac - across * as - b->x[i], dy = a->y[i] + along * as + across * ac - b->y[i];
+        double beyond_x = greater(fabs(dx * bc + dy * bs) - b->half_length, 0.0);
+        double beyond_y = greater(fabs(dy * bc - dx * bs) - b->half_width, 0.0);
+        least = lesser(hypot(beyond_x, beyond_y), least);
+    }
+    return least;
+}
+
+static double time_to_collision(const Apart *p, double vx, double vy) {
+    double begin = -INFINITY, end = INFINITY;
+    for (int k = 0; k < 4; k++) {
+        double speed = vx * p->axis_x[k] + vy * p->axis_y[k], offset = p->offset[k], reach = p->reach[k];
+        if (fabs(speed) < 1e-9) {
+            begin = greater(fabs(offset) <= reach ? -INFINITY : INFINITY, begin);
+            continue;
+        }
+        double first = (-reach - offset) / speed, last = (reach - offset) / speed;
+        begin = greater(lesser(first, last), begin);
+        end = lesser(greater(first, last), end);
+    }
+    return begin <= end && end >= 0.0 ? greater(begin, 0.0) : INFINITY;
+}
+
+/* `boxes.between`: how two bodies lie to each other at each step. */
+void compare_boxes(int64_t steps, const Boxes *a, const Boxes *b, const Between *out) {
+    for (int64_t i = 0; i < steps; i++) {
+        Apart p;
+        apart_at(a, i, b, i, &p);
+        out->gap[i] = overlapping(&p) ? 0.0 : lesser(corner_gap(a, b, i), corner_gap(b, a, i));
+        out->time[i] = time_to_collision(
+            &p, b->speed[i] * b->cos[i] - a->speed[i] * a->cos[i], b->speed[i] * b->sin[i] - a->speed[i] * a->sin[i]);
+        double gap = p.offset[0] - a->half_length - b->half_length * fabs(p.c) - b->half_width * p.s;
+        double beside = fabs(p.offset[1]) - a->half_width - b->half_length * p.s - b->half_width * fabs(p.c);
+        out->ahead[i] = gap > 0.0 && beside < 0.0 ? gap : -INFINITY;
+        out->closing[i] = a->speed[i] - b->speed[i] * p.c;
+    }
+}
+
+/* `boxes.overlaps`: at which moments of the first, in rows of so many, and of the second boxes overlap, of those
+ * nearest to the same moment and one step farther; how many there are. */
+int64_t overlaps(int64_t rows, int64_t width, const Boxes *a, int64_t count, const Boxes *b, const int64_t *at,
+                 int64_t most, double reach, int64_t *first, int64_t *second) {
+    int64_t least = most, found = 0, any = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        int64_t lags = pass ? least + 1 < most ? least + 1 : most : least;
+        for (int64_t row = 0; row < rows; row++) {
+            for (int64_t j = 0; j < count; j++) {
+                double x = b->x[j], y = b->y[j];
+                if (!pass) lags = any ? least - 1 : most; /* the others are no nearer */
+                int64_t low = at[j] - lags, high = at[j] + lags;
+                for (int64_t step = low < 0 ? 0 : low; step <= high && step < width; step++) {
+                    int64_t i = row * width + step;
+                    double dx = a->x[i] - x, dy = a->y[i] - y;
+                    if (!(dx * dx + dy * dy <= reach)) continue;
+                    Apart p;
+                    apart_at(a, i, b, j, &p);
+                    if (!overlapping(&p)) continue;
+                    int64_t lag = step < at[j] ? at[j] - step : step - at[j];
+                    if (pass) { first[found] = i; second[found++] = j; continue; }
+                    if (!any || lag < least) { any = 1; least = lag; }
+                }
+            }
+        }
+        if (!any) return 0;
+    }
+    return found;
+}
+
+/* Which of some points lie nearer to any of others than the root of `square`. */
+void near_any(int64_t count, const double *x, const double *y, int64_t others, const double *other_x,
+              const double *other_y, double square, uint8_t *near) {
+    for (int64_t i = 0; i < count; i++) {
+        near[i] = 0;
+        for (int64_t k = 0; k < others && !near[i]; k++) {
+            double dx = x[i] - other_x[k], dy = y[i] - other_y[k];
+            near[i] = dx * dx + dy * dy < square;
+        }
+    }
 }

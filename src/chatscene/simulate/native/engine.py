@@ -245,6 +245,38 @@ class Foot(Structure):
     )
 
 
+class Boxes(Structure):
+    """The boxes of one body at some moments, as `chatscene.simulate.boxes` has them.
+
+    Attributes:
+        kept: What it points at, so that this stays as long as these.
+    """
+
+    kept: list[Any]
+
+    _fields_ = (
+        *((name, c_void_p) for name in ("x", "y", "cos", "sin", "speed")),
+        *((name, c_double) for name in ("half_length", "half_width")),
+    )
+
+
+class Between(Structure):
+    """Where to put how two bodies lie to each other at each step."""
+
+    _fields_ = tuple((name, c_void_p) for name in ("gap", "time", "ahead", "closing"))
+
+
+def boxes_of(columns: Sequence[Array], half_length: float, half_width: float) -> Boxes:
+    """Boxes by the columns of their moments: x, y, cosine and sine of the heading and, where it counts, the speed."""
+    kept = [np.ascontiguousarray(column, np.float64) for column in columns]
+    if len({column.size for column in kept}) > 1:
+        raise ValueError(f"columns of {[column.size for column in kept]} moments are no boxes")
+    pointers = [column.ctypes.data for column in kept]
+    found = Boxes(*pointers, *[None] * (5 - len(pointers)), half_length, half_width)
+    found.kept = kept
+    return found
+
+
 class Engine:
     """The loaded library, checked.
 
@@ -272,8 +304,18 @@ class Engine:
         library.ask.argtypes = (POINTER(Policy), _Doubles, _Doubles, _Doubles)
         library.follow.restype = None
         library.follow.argtypes = (POINTER(Line), c_int64, c_int32, *[c_void_p] * 4)
+        library.compare_boxes.restype = None
+        library.compare_boxes.argtypes = (c_int64, POINTER(Boxes), POINTER(Boxes), POINTER(Between))
+        library.overlaps.restype = c_int64
+        library.overlaps.argtypes = (
+            *(c_int64, c_int64, POINTER(Boxes), c_int64, POINTER(Boxes), c_void_p),
+            *(c_int64, c_double, c_void_p, c_void_p),
+        )
+        library.near_any.restype = None
+        library.near_any.argtypes = (c_int64, c_void_p, c_void_p, c_int64, c_void_p, c_void_p, c_double, c_void_p)
         self._library = library
-        for i, structure in enumerate((Line, Body, Instruction, Phase, Agent, World, Layer, Policy, Foot)):
+        structures = (Line, Body, Instruction, Phase, Agent, World, Layer, Policy, Foot, Boxes, Between)
+        for i, structure in enumerate(structures):
             if library.size_of(i) != ctypes.sizeof(structure):
                 raise NoEngine(f"its {structure.__name__} has another size than is expected")
         if wrong := [name for name, count in self._differences().items() if count]:
@@ -315,6 +357,33 @@ class Engine:
         self._library.follow(ctypes.byref(line), len(x), whole, *columns)
         return arc, offset
 
+    def between(self, a: Boxes, b: Boxes, steps: int) -> Array:
+        """(4, T) How two bodies lie to each other at each step; see `chatscene.simulate.boxes.between`."""
+        found = np.empty((4, steps))
+        first, apart = found.ctypes.data, found.strides[0]
+        rows = Between(*(first + apart * i for i in range(4)))
+        self._library.compare_boxes(steps, ctypes.byref(a), ctypes.byref(b), ctypes.byref(rows))
+        return found
+
+    def overlaps(
+        self, a: Boxes, shape: tuple[int, int], b: Boxes, at: NDArray[np.int64], most: int, reach: float
+    ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """Where boxes overlap that are nearest in time; see `chatscene.simulate.boxes.overlaps`."""
+        found = np.empty((2, 4 * shape[0] * len(at)), np.int64)  # at most two steps before and two after each
+        count = self._library.overlaps(
+            *(*shape, ctypes.byref(a), len(at), ctypes.byref(b), at.ctypes.data),
+            *(most, reach, found.ctypes.data, found.ctypes.data + found.strides[0]),
+        )
+        return found[0, :count], found[1, :count]
+
+    def near_any(self, x: Array, y: Array, other_x: Array, other_y: Array, within: float) -> NDArray[np.bool_]:
+        """(N,) Whether each point is nearer [m] than that to any of the others."""
+        columns = [np.ascontiguousarray(column, np.float64) for column in (x, y, other_x, other_y)]
+        one, two, three, four = (column.ctypes.data for column in columns)
+        near = np.empty(len(x), np.bool_)
+        self._library.near_any(len(x), one, two, len(other_x), three, four, within**2, near.ctypes.data)
+        return near
+
     def _differences(self) -> dict[str, int]:
         """On how many of `CHECKED` numbers each function differs from Python's."""
         draw = random.Random(0)
@@ -344,6 +413,7 @@ _PYTHON: dict[str, Callable[[float, float], float]] = {
     "remainder": lambda x, _: math.remainder(x, 2.0 * math.pi),
     "hyperbolic tangent": lambda x, _: math.tanh(x),
     "rounding": lambda x, _: round(math.sin(x), 6),
+    "length": lambda x, y: float(np.hypot(x, y)),
 }  # in the order of `evaluate` in engine.c
 
 

@@ -31,8 +31,8 @@ def follow(line: Polyline, x: Array, y: Array, *, whole: bool = False) -> tuple[
         y: (T,) map frame [m].
         whole: Whether each is looked for on the whole line, and not from where the one before it was.
     """
-    if (engine := _engine()) is not None:
-        return engine.follow(line_of(line)[0], x, y, whole=whole)
+    if (native := engine()) is not None:
+        return native.follow(line_of(line)[0], x, y, whole=whole)
     found = np.empty((2, len(x)))
     near: int | None = None
     for i, (each_x, each_y) in enumerate(zip(x.tolist(), y.tolist(), strict=True)):
@@ -41,7 +41,8 @@ def follow(line: Polyline, x: Array, y: Array, *, whole: bool = False) -> tuple[
 
 
 @lru_cache(maxsize=1)
-def _engine() -> Engine | None:
+def engine() -> Engine | None:
+    """The engine, or None on a machine that has none."""
     try:
         return load_engine()
     except NoEngine:
