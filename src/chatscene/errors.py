@@ -6,7 +6,9 @@
     ├ SettingsError            a setting or argument is out of range, or names nothing
     ├ MissingExtra             something needs an optional package that is not installed
     ├ NotBuilt                 a situation says something that nothing here builds, or that no map has
+    │  ├ NothingBuilds         no code builds it, however fast the ego is
     │  └ NoSuchPlace           no map has a place with all that was said of it
+    │     └ NoSuchRoad         no map has such a road at all
     ├ NothingFits              the sentence was understood; no triple of snippets serves it
     ├ EditRefused              an edit has words that nobody understands, or contradicts what stays
     ├ MapError                 a map is missing, broken, or lacks the geometry asked for
@@ -160,8 +162,16 @@ class NotBuilt(NothingFits):
     """A situation has a fact that cannot be built; the message names the fact and what it lacks."""
 
 
+class NothingBuilds(NotBuilt):
+    """No code builds what was said, at whatever speed the ego drives."""
+
+
 class NoSuchPlace(NotBuilt):
     """No map has a place with all that was said of the road; each fact may be there alone."""
+
+
+class NoSuchRoad(NoSuchPlace):
+    """No map has such a road, however short, whatever others need there."""
 
 
 class SnippetError(ChatSceneError):

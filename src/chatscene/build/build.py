@@ -28,7 +28,7 @@ from chatscene.build.roadside import beside_road
 from chatscene.build.screening import from_its_lane
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, room_kept, screens
 from chatscene.build.written import Written
-from chatscene.errors import MapError, NoSuchPlace, NotBuilt
+from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, NothingBuilds
 from chatscene.situations.faults import dotted
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import as_it_backs, backs
@@ -94,6 +94,8 @@ def _as_fast_as_it_can(situation: Situation, name: str) -> Built:
             made = _built(situation, said, speed, name)
         except NotBuilt as error:  # at a speed that was not said; a slower ego may do
             refused.append(error)
+            if isinstance(error, NothingBuilds | NoSuchRoad):
+                break  # which no speed changes
         else:
             return made
     if isinstance(refused[0], NoSuchPlace) and (helps := without_one_fact(situation, speeds[0])):

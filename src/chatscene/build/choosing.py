@@ -42,7 +42,7 @@ from chatscene.build.rates import at_a_rate
 from chatscene.build.relations import ALONG as ALONG_EGO
 from chatscene.build.sideways import takes_long
 from chatscene.build.towards import done_to
-from chatscene.errors import NotBuilt
+from chatscene.errors import NothingBuilds
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import COMES_IN, Act, Role, Where
 
@@ -70,7 +70,7 @@ def steps_of(actor: Actor, k: int) -> Steps:
         table[Act.REVERSE] = BACK_OUT
     if deed.act not in table or (deed.act in _ASIDE and where in ROUNDABOUT_PLACES):  # nobody sees it on a bend
         along = "; who goes along the road is ahead, beside or behind" if across and deed.act in ALONG else ""
-        raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}{along}")
+        raise NothingBuilds(f"nothing builds yet: {deed.act} of somebody who is {where}{along}")
     steps = at_a_rate(actor, k, _by_numbers(actor, k, table[deed.act]), across=across)
     if deed.act is Act.OVERTAKE and not across and _ego_waits_for(actor, k):
         steps = seen_to_pass(steps)

@@ -12,7 +12,7 @@ from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import FIRM, MOST
 from chatscene.build.own import KEEPS, is_own, own_orders
 from chatscene.build.place import GOES_OVER, Found, at_junction
-from chatscene.errors import NotBuilt
+from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.maps.routes import TO_LINE
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.backing import backs
@@ -271,7 +271,7 @@ def _otherwise(ledger: Ledger, deed: Deed, at: str) -> Iterator[Order]:
         case Act.REVERSE if backs(ledger.situation):
             yield from _backed(ledger, deed, at)
         case _:
-            raise NotBuilt(f"nothing builds yet: {at}.act: {deed.act}")
+            raise NothingBuilds(f"nothing builds yet: {at}.act: {deed.act}")
 
 
 def _backed(ledger: Ledger, deed: Deed, at: str) -> Iterator[Order]:

@@ -24,7 +24,7 @@ from chatscene.build.place import (
 )
 from chatscene.build.queries import queries_for
 from chatscene.build.screening import from_its_lane, side_hidden
-from chatscene.errors import MapError, NoSuchPlace, NotBuilt
+from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, NothingBuilds
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.open_road import BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.routes import APPROACHES, ELSEWHERE
@@ -55,10 +55,10 @@ def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
     """
     situation = ledger.situation
     if situation.ego.route not in MANEUVERS:
-        raise NotBuilt(f"nothing builds yet: ego.route: {situation.ego.route}")
+        raise NothingBuilds(f"nothing builds yet: ego.route: {situation.ego.route}")
     for one in situation.others:
         if beside_lane(situation) and one.starts.where.row.junction and not from_left(situation, one):
-            raise NotBuilt(
+            raise NothingBuilds(
                 f"nothing builds yet: others.{one.id}.starts.where: {one.starts.where}, where ego.route is"
                 f" {situation.ego.route}"
             )
@@ -75,7 +75,8 @@ def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
         raise NotBuilt("; ".join(told.format(most) for told, most in rooms.items()))
     first, *others = dict.fromkeys((*lacking.unfit, *lacking.nowhere))
     more_alike = f" ({len(others)} places that are much like it were looked for, too)" if others else ""
-    raise NoSuchPlace(f"no map has such a place: {first}{more_alike}")
+    refusal = NoSuchPlace if lacking.unfit else NoSuchRoad  # the shortest was looked for last
+    raise refusal(f"no map has such a place: {first}{more_alike}")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from chatscene.build.asked import Meets
 from chatscene.build.backing import place_beside
 from chatscene.build.naming import name_of
 from chatscene.build.place import LANE, between_bays
-from chatscene.errors import NotBuilt
+from chatscene.errors import NothingBuilds
 from chatscene.terms.backing import backs
 from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import Side, Where
@@ -36,10 +36,12 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
         actor.ledger.take(f"{hidden.path}.hidden_by")
         return _before_it(actor, hidden, n)
     if hidden.stand.meets is not Meets.ACROSS or "besideRoad" not in hidden.stand.point:
-        raise NotBuilt(f"nothing builds yet: {actor.one.id}, which hides somebody who is {hidden.one.starts.where}")
+        raise NothingBuilds(
+            f"nothing builds yet: {actor.one.id}, which hides somebody who is {hidden.one.starts.where}"
+        )
     side = str(hidden.one.starts.side)
     if actor.one.starts.side not in (None, side):
-        raise NotBuilt(f"nothing builds yet: {actor.path}, which hides {hidden.one.id} from its side")
+        raise NothingBuilds(f"nothing builds yet: {actor.path}, which hides {hidden.one.id} from its side")
     actor.ledger.take(*(f"others.{name}.hidden_by" for name in hidden_with(actor, hidden.one)))
     if actor.one.starts.where not in BESIDE:
         where = actor.one.starts.where

@@ -11,7 +11,7 @@ import shapely
 
 from chatscene.build.asked import HALTS, Meets
 from chatscene.build.place import LANE, only_others_stop, ring_arms
-from chatscene.errors import MapError, NotBuilt
+from chatscene.errors import MapError, NotBuilt, NothingBuilds
 from chatscene.terms.actors import Limits
 from chatscene.terms.situation import Deed
 from chatscene.terms.vocabulary import COMES_IN, Act, Breach, EgoLight, Where
@@ -81,7 +81,7 @@ def check_turn(actor: Actor, k: int) -> None:
     limits = actor.limits
     circle = 2.0 * limits.wheelbase / math.tan(limits.wheel_angle) if limits.wheelbase else 0.0
     if circle > LANE:
-        raise NotBuilt(
+        raise NothingBuilds(
             f"nothing builds yet: {actor.path}.does.{k}.act: {actor.deeds[k].act} of a {actor.one.kind} that "
             f"turned back, since it takes {circle:.0f} m to turn round again"
         )

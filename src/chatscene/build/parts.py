@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import Meets
 from chatscene.build.doors import away, door_side
 from chatscene.build.naming import name_of
-from chatscene.errors import NotBuilt
+from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.scene import CAR
 from chatscene.terms.situation import Situation
@@ -105,7 +105,7 @@ def _opens(actor: Actor, k: int) -> tuple[str, ...]:
     """
     at_left = actor.one.starts.where is Where.KERB and actor.one.starts.side is not Side.RIGHT
     if actor.stand.meets is not Meets.KERB or at_left or actor.count > 1:
-        raise NotBuilt(
+        raise NothingBuilds(
             f"nothing builds yet: {actor.path}.does.{k}: open-door but of one who stands at the right kerb or in a lane"
         )
     if actor.deeds[k].to is away(actor.one):

@@ -36,7 +36,7 @@ from chatscene.build.reacting import LOCKS, SLOWED, ego_slows, goes_until_ego_sl
 from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
-from chatscene.errors import NotBuilt
+from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.terms.vocabulary import Act, Manner, Role, Striker
 
 if TYPE_CHECKING:
@@ -358,11 +358,11 @@ class Phases:
             actor.ledger.assume(f"{actor.one.id} stays on the road where it would exit, as no ramp is taken yet")
         beside = actor.one.starts.where in NEXT_LANE and deed.act is Act.OVERTAKE
         if beside and deed.to not in (None, actor.one.starts.side):
-            raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, of who is on the other side")
+            raise NothingBuilds(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, of who is on the other side")
         if deed.to is not None and deed.act in (Act.CUT_OUT, Act.LANE_CHANGE, Act.OVERTAKE):
             into_ours = deed.act is Act.LANE_CHANGE and lane_after(actor.one, actor.deeds, k) == 0
             if not into_ours and actor.named.setdefault("side", str(deed.to)) != str(deed.to):
-                raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, after the other side")
+                raise NothingBuilds(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, after the other side")
             actor.ledger.take(f"{actor.path}.does.{k}.to")
         if deed.whom is not None:
             actor.ledger.take(f"{actor.path}.does.{k}.whom")

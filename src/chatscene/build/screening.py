@@ -15,7 +15,7 @@ from chatscene.build.deeds import STILL
 from chatscene.build.hiding import hidden_with
 from chatscene.build.naming import name_of
 from chatscene.build.place import LANE, beside_lane, lane_beside
-from chatscene.errors import NotBuilt
+from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import backs
@@ -94,7 +94,9 @@ def screen_of(actor: Actor, hidden: Actor) -> Screen:
     elif hidden.stand.meets is Meets.ACROSS:
         screen = _beside_lane(actor, hidden)
     else:
-        raise NotBuilt(f"nothing builds yet: {actor.one.id}, which hides somebody who is {hidden.one.starts.where}")
+        raise NothingBuilds(
+            f"nothing builds yet: {actor.one.id}, which hides somebody who is {hidden.one.starts.where}"
+        )
     actor.ledger.take(*(f"others.{name}.hidden_by" for name in hidden_with(actor, hidden.one)))
     actor.ledger.take(*(f"{actor.path}.does.{k}.act" for k in range(len(actor.deeds))))
     return screen

@@ -33,7 +33,7 @@ from chatscene.build.place import (
 from chatscene.build.relations import falls_behind, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.build.timing import Body
-from chatscene.errors import NotBuilt
+from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.terms.amount import Length
 from chatscene.terms.backing import backs
 from chatscene.terms.conclusions import LANE_CHANGES
@@ -211,7 +211,7 @@ def _next_lane(asked: Asked) -> Stand:
             return parked_beside(asked)
         if asked.one.starts.where is Where.BEHIND_BESIDE:
             return comes_along(asked)
-        raise NotBuilt(
+        raise NothingBuilds(
             f"nothing builds yet: others.{asked.one.id}.starts.where: {asked.one.starts.where} of a parked ego"
         )
     back = asked.one.starts.where is Where.BEHIND_BESIDE
@@ -525,11 +525,11 @@ def start_of(asked: Asked) -> Stand:
     """
     where = asked.one.starts.where
     if asked.walks and where not in ON_FOOT:
-        raise NotBuilt(
+        raise NothingBuilds(
             f"nothing builds yet: others.{asked.one.id}.starts.where: {where} of somebody on foot; the nearest is"
             f" {Where.EXIT_CROSSING if where is Where.ARM else Where.ROADSIDE}"
         )
     if where not in STARTS:
         near = f"; the nearest is {NEAREST[where]}" if where in NEAREST else ""
-        raise NotBuilt(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}{near}")
+        raise NothingBuilds(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}{near}")
     return turned(asked, stands_in_lane(asked) if opens_in_lane(asked) else STARTS[where](asked))

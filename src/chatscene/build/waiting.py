@@ -14,7 +14,7 @@ from chatscene.build.own import ASIDE
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.possible import OFF_ROAD
 from chatscene.build.relations import AGAINST
-from chatscene.errors import NotBuilt
+from chatscene.errors import NothingBuilds
 from chatscene.terms.situation import EGO, Deed, Other, When
 from chatscene.terms.vocabulary import CHANGES, NOSE_TO_TAIL, Act, Where
 
@@ -185,13 +185,13 @@ def _seen(actor: Actor, k: int, name: str, reference: str) -> str:
     if who == actor.one.id:
         if any(deed is earlier for earlier in actor.deeds[:k]):
             return ""  # its own deeds come one after the other, each while the one before is under way
-        raise NotBuilt(f"nothing builds yet: {at}: {reference}, of its own")
+        raise NothingBuilds(f"nothing builds yet: {at}: {reference}, of its own")
     does = situation.does(who)
     if name == "during" and deed.act.row.lasting and deed is does[0] and deed.act is not Act.TAILGATE:
         return ""  # what it does from the beginning
     sign = _sign_of(actor, who, deed)
     if sign is None:
-        raise NotBuilt(
+        raise NothingBuilds(
             f"nothing builds yet: {at}: {reference}, as nothing shows that somebody does {deed.act}; "
             "wait for another deed, or say ego_within"
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise, product
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -180,12 +180,11 @@ def reduced(picture: Image.Image) -> Image.Image:
 
 def _reduced_on(picture: Image.Image, ground: Image.Image, small: Image.Image) -> Image.Image:
     """`reduced` of a large picture that is the ground but for some tiles: each small pixel is that of four large."""
-    frame, differs = small.copy(), ImageChops.difference(picture, ground)
-    side = TILE * OVERSAMPLE
-    for left, top in product(range(0, picture.width, side), range(0, picture.height, side)):
-        tile = left, top, left + side, top + side
-        if differs.crop(tile).getbbox() is not None:
-            frame.paste(reduced(picture.crop(tile)), (left // OVERSAMPLE, top // OVERSAMPLE))
+    frame, differs, side = small.copy(), ImageChops.difference(picture, ground), TILE * OVERSAMPLE
+    for top in range(0, picture.height, side):
+        if bounds := differs.crop((0, top, picture.width, top + side)).getbbox():
+            left, right = bounds[0] // side * side, math.ceil(bounds[2] / side) * side
+            frame.paste(reduced(picture.crop((left, top, right, top + side))), (left // OVERSAMPLE, top // OVERSAMPLE))
     return frame
 
 
