@@ -1,8 +1,9 @@
 """Scenic without what it needs for bodies in space alone.
 
 All programs run in two dimensions. For three, Scenic imports meshes (trimesh, and with it networkx and half of SciPy),
-their collisions (fcl) and videos of cameras (cv2) as it is imported itself, which takes as long as all the rest of it.
-Here these stand in as modules that are imported once something is asked of them.
+their collisions (fcl), and pictures and videos of cameras (Pillow with all its formats, cv2) as it is imported itself,
+which takes as long as all the rest of it. Of SciPy's space it needs rotations alone. Here these stand in as modules
+that are imported once something is asked of them.
 """
 
 from __future__ import annotations
@@ -11,11 +12,14 @@ import importlib
 import sys
 from collections.abc import Sequence
 from importlib.machinery import ModuleSpec, PathFinder
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 LATER = ("scenic.core.scenarios", "scenic.core.pruning")  # Scenic's own that it imports in its first compilation
-SPACE = ("trimesh", "trimesh.transformations", "trimesh.voxel", "fcl", "cv2")
+MESHES = ("trimesh", "trimesh.transformations", "trimesh.voxel", "fcl", "cv2")
+ROTATIONS = ("scipy.spatial", "scipy.spatial.transform")
+SPACE = (*MESHES, *ROTATIONS, "PIL", "PIL.Image")
 
 
 class _Later(ModuleType):
@@ -29,7 +33,12 @@ class _Later(ModuleType):
                 return _Function(self.__name__, name)
             if name in _AT_ONCE:
                 return _AT_ONCE[name]
-        return getattr(_real(self.__name__), name)
+            if name == "Rotation":
+                return importlib.import_module("scipy.spatial.transform._rotation").Rotation
+            if (inner := sys.modules.get(f"{self.__name__}.{name}")) is not None:
+                return inner
+        found = _real(self.__name__)
+        return getattr(found, name) if hasattr(found, name) else _real(f"{self.__name__}.{name}")
 
 
 class _Function:
@@ -81,7 +90,32 @@ class _Creation:
         return UnitBox()
 
 
-_AT_ONCE: dict[str, Any] = {"Trimesh": _Mesh, "creation": _Creation}
+class _Formats(dict[str, Any]):
+    """How Scenic writes what a sensor sees, by a file's ending; those of pictures are added once one is asked for.
+
+    Args:
+        own: Those that Scenic has without Pillow.
+        picture: How it writes any picture.
+    """
+
+    def __init__(self, own: dict[str, Any], picture: Any) -> None:
+        super().__init__(own)
+        self._picture = picture
+
+    def get(self, ending: str, *otherwise: Any) -> Any:
+        """As a dictionary's."""
+        if ending not in self:
+            image = _real("PIL.Image")
+            known = (e for e, name in image.registered_extensions().items() if name in image.SAVE)
+            self.update({e[1:]: self._picture for e in known if e[1:] not in self})
+        return super().get(ending, *otherwise)
+
+
+def _no_formats() -> dict[str, str]:
+    return {}
+
+
+_AT_ONCE: dict[str, Any] = {"Trimesh": _Mesh, "creation": _Creation, "registered_extensions": _no_formats}
 
 
 def _take_away() -> None:
@@ -123,8 +157,12 @@ class _Loader:
 
     def exec_module(self, module: ModuleType) -> None:
         """As Scenic's own, which imports most of it."""
+        without_pictures = "PIL" not in sys.modules
         for name in SPACE:
             sys.modules.setdefault(name, _Later(name))
+        for name in ROTATIONS:
+            if isinstance(later := sys.modules[name], _Later):  # a package, whose modules can be imported alone
+                later.__path__ = [str(Path(importlib.import_module("scipy").__path__[0], *name.split(".")[1:]))]
         try:
             self._own.exec_module(module)
             for name in LATER:
@@ -133,6 +171,9 @@ class _Loader:
             _take_away()
         shapes: Any = importlib.import_module("scenic.core.shapes")
         shapes.MeshShape.mesh = property(_mesh_of)
+        sensors: Any = importlib.import_module("scenic.core.sensors")
+        if without_pictures:
+            sensors.valueExtHandlers = _Formats(sensors.valueExtHandlers, sensors.pilHandler)
         _mend()
 
 

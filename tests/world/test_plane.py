@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 
 HEAD = "import sys\nimport chatscene\n"
 IN_SPACE = """
@@ -36,8 +37,25 @@ session = load_simulator(resolve_map("town"), SimulationSettings()).open(program
 for _ in range(5):
     session.step((0.5, 0.0))
 session.episode("plane/0", "nobody")
-left = {"trimesh", "networkx", "cv2", "fcl", "scipy.ndimage"} & set(sys.modules)
+left = {"trimesh", "networkx", "cv2", "fcl", "scipy.ndimage", "scipy.spatial", "PIL"} & set(sys.modules)
 assert not left, left
+"""
+ROTATED = """
+from scenic.core import vectors
+import scipy.spatial
+from scipy.spatial import transform
+assert transform.Rotation is vectors.Rotation
+assert scipy.spatial.KDTree([(0.0, 0.0), (1.0, 1.0)]).query((0.9, 0.9))[1] == 1
+"""
+PICTURED = """
+import numpy as np
+from scenic.core import sensors
+assert "PIL" not in sys.modules
+assert sensors.valueExtHandlers.get("npy") is sensors.npyHandler and "PIL" not in sys.modules
+assert sensors.valueExtHandlers.get("no-such-format") is None
+sensors.valueExtHandlers.get("png")(sys.argv[1], np.full((2, 3, 3), 255, np.uint8), {})
+from PIL import Image
+assert Image.open(sys.argv[1]).size == (3, 2)
 """
 FIRST = """
 import trimesh
@@ -46,8 +64,8 @@ assert issubclass(regions.SurfaceCollisionTrimesh, trimesh.Trimesh)
 """
 
 
-def _runs(program: str) -> None:
-    done = subprocess.run([sys.executable, "-c", HEAD + program], capture_output=True, text=True, check=False)
+def _runs(program: str, *given: str) -> None:
+    done = subprocess.run([sys.executable, "-c", HEAD + program, *given], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
 
 
@@ -59,9 +77,19 @@ def test_bodies_in_space_are_as_scenic_has_them() -> None:
     _runs(IN_SPACE)
 
 
+def test_rotations_are_scipys_own() -> None:
+    _runs(ROTATED)
+
+
+def test_pictures_of_sensors_are_written_once_somebody_asks_for_them(tmp_path: Path) -> None:
+    _runs(PICTURED, str(tmp_path / "seen.png"))
+
+
 def test_who_has_loaded_meshes_before_keeps_them() -> None:
     _runs(FIRST)
 
 
 def test_a_process_that_can_load_nothing_later_has_all_at_once() -> None:
-    _runs("import scenic\nfrom chatscene.plane import whole\nwhole()\nassert {'trimesh', 'fcl'} <= set(sys.modules)")
+    _runs(
+        "import scenic\nfrom chatscene.plane import whole\nwhole()\nassert {'trimesh', 'fcl', 'scipy.spatial'} <= set(sys.modules)"
+    )
