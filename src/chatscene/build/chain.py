@@ -6,8 +6,6 @@ import re
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
-from scenic.core.distributions import RejectionException
-
 from chatscene.build.asked import Meets
 from chatscene.build.facing import LONGER
 from chatscene.build.numbers import Numbers
@@ -16,7 +14,7 @@ from chatscene.build.timing import Meeting
 from chatscene.maps.crossings import MEETING
 from chatscene.terms.vocabulary import Side, Where
 from chatscene.world.control import curve_speeds
-from chatscene.world.places import besideRoad
+from chatscene.world.places import beside_road
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -81,11 +79,10 @@ def _lanes_between(actor: Actor) -> int:
     route, side = actor.found.route, actor.one.starts.side or Side.RIGHT
     behind = actor.one.starts.where is Where.EXIT_CROSSING
     at = route.exitAt + ASIDE if behind else max(route.eventAt - ASIDE, 0.0)
-    try:
-        edge = besideRoad(route, at, str(side), 0.0)
-    except RejectionException:  # lanes go on and on to that side
+    edge = beside_road(route, at, str(side), 0.0)
+    if edge is None:  # lanes go on and on to that side
         return int(side is Side.LEFT)
-    return max(0, round((abs(route.line.project(edge.x, edge.y)[1]) - 0.5 * LANE) / LANE))
+    return max(0, round((abs(route.line.project(*edge)[1]) - 0.5 * LANE) / LANE))
 
 
 def _across(actor: Actor) -> float:

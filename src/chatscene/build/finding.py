@@ -25,7 +25,8 @@ from chatscene.build.place import (
 from chatscene.build.queries import queries_for
 from chatscene.build.screening import from_its_lane, side_hidden
 from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, NothingBuilds
-from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.loading import load_roads
+from chatscene.maps.network import resolve_map
 from chatscene.maps.open_road import BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.routes import APPROACHES, ELSEWHERE
 from chatscene.maps.sites import APPROACHED, PASSED, PAST
@@ -321,9 +322,9 @@ def _answered(
 
 
 def _map(name: str) -> tuple[Any, str]:
-    """The network of a map, and its file."""
+    """The roads of a map, and its file."""
     path = str(resolve_map(name))
-    return load_network(path), path
+    return load_roads(path), path
 
 
 def _take(ledger: Ledger, found: Found) -> None:

@@ -20,7 +20,8 @@ from chatscene.ego.policy import PEDALS, controls, is_cut_off, tell_cut_off
 from chatscene.errors import EgoError, MissingExtra, SettingsError, no_such
 from chatscene.learn.reward import DESIRED_SPEED, REWARDS, Moment
 from chatscene.maps.drawing import map_drawing
-from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.loading import load_roads
+from chatscene.maps.network import resolve_map
 from chatscene.maps.picture import NEAR, Camera, draw_frame, draw_ground
 from chatscene.program.ordinary import Course, ordinary_courses
 from chatscene.settings import SimulationSettings
@@ -218,7 +219,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         if self._drawing is None:
             points = self._route.line.points
             (west, south), (east, north) = points.min(axis=0) - NEAR, points.max(axis=0) + NEAR
-            self._drawing = map_drawing(load_network(self._map_path), (west, south, east, north))
+            self._drawing = map_drawing(load_roads(self._map_path), (west, south, east, north))
         x, y = float(episode.ego_track.x[-1]), float(episode.ego_track.y[-1])
         camera = Camera.around(x, y)
         frame = draw_frame(camera, draw_ground(camera, self._drawing), episode, len(episode.ego_track.x) - 1)

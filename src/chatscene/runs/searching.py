@@ -14,7 +14,7 @@ from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import MapError, MeansSomethingElse, NothingFits
 from chatscene.maps.carried import CarriedMap
 from chatscene.maps.drawing import routes_drawing
-from chatscene.maps.network import load_network
+from chatscene.maps.loading import load_roads
 from chatscene.program.check import PROBED
 from chatscene.runs.asked import scenario_of
 from chatscene.runs.blocks import finish, write_block
@@ -252,7 +252,7 @@ class Desk:
             asked = settings.search.routes
             progress(f"map {record.map_name!r} has {len(routes)} of the {asked} routes asked for", 0, 0)
         named = {f"{scenario.id}/{route_id(number)}": route for number, route in routes.items() if route}
-        drawing = routes_drawing(load_network(self._map), named)
+        drawing = routes_drawing(load_roads(self._map), named)
         return Prepared(scenario=scenario, written=written, routes=tuple(routes), drawing=drawing)
 
     def block(self, program: ScenicProgram, said: Said, route: int, done: Done) -> Block:

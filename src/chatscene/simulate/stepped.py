@@ -10,7 +10,8 @@ from scenic.core.distributions import RejectionException
 
 from chatscene.errors import ChatSceneError, MapError, ProgramError, StuckBehavior
 from chatscene.maps.lane_map import LaneMap
-from chatscene.maps.network import load_network, map_digest
+from chatscene.maps.loading import load_roads
+from chatscene.maps.network import map_digest
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.physics import CannotPlace, Physics, PhysicsOf
 from chatscene.simulate.roadside import RouteSurroundings
@@ -174,9 +175,9 @@ class SteppedSimulator:
     def surroundings(self, route: Route) -> RouteSurroundings:
         """What lies along a route."""
         if route.id not in self._surroundings:
-            network = load_network(self._map_path)
-            self._lane_map = self._lane_map or LaneMap(network)
-            self._surroundings[route.id] = RouteSurroundings(network, route, self._lane_map)
+            roads = load_roads(self._map_path)
+            self._lane_map = self._lane_map or LaneMap(roads)
+            self._surroundings[route.id] = RouteSurroundings(roads, route, self._lane_map)
             while len(self._surroundings) > KEPT:
                 self._surroundings.popitem(last=False)
         return self._surroundings[route.id]

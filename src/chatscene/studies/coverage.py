@@ -32,7 +32,8 @@ from chatscene.errors import (
 )
 from chatscene.library.compose import COMPOSED
 from chatscene.maps.drawing import drawing_around
-from chatscene.maps.network import load_network, map_with, resolve_map
+from chatscene.maps.loading import load_roads
+from chatscene.maps.network import map_with, resolve_map
 from chatscene.measure.drive import Ran
 from chatscene.report.animation import still
 from chatscene.report.coverage import coverage_page
@@ -241,7 +242,7 @@ class _Desk:
 def _still(episode: Episode, map_path: Path) -> bytes:
     actors = (episode.ego_track, *episode.adversaries)
     points = np.concatenate([np.column_stack((track.x, track.y)) for track in actors])
-    return still(episode, drawing_around(load_network(map_path), points))
+    return still(episode, drawing_around(load_roads(map_path), points))
 
 
 _NO_CHOICE: dict[str, Any] = {"snippet_ids": (), "composed": (), "confidence": None}

@@ -11,7 +11,8 @@ import numpy as np
 from chatscene.ego.policy import load_ego, name_of
 from chatscene.maps.carried import CarriedMap
 from chatscene.maps.drawing import drawing_around
-from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.loading import load_roads
+from chatscene.maps.network import resolve_map
 from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary, ordinary_episodes, ordinary_table
 from chatscene.report.animation import animate
 from chatscene.report.tables import write_tables
@@ -116,4 +117,4 @@ class _Driver:
 def _drawing(episode: Episode, map_path: Path) -> dict[str, object]:
     """The map around a drive."""
     ego = episode.ego_track
-    return drawing_around(load_network(map_path), np.column_stack((ego.x, ego.y)))
+    return drawing_around(load_roads(map_path), np.column_stack((ego.x, ego.y)))

@@ -275,11 +275,11 @@ def judge(found: Found, one: Solvable, ego: EgoPolicy, *, must: str = "avoid") -
 def gif_of(found: Found, driven: Driven) -> bytes:
     """What went wrong as an animated GIF: the drive in the scene, or in the twin if all was well in the scene."""
     from chatscene.maps.drawing import routes_drawing
-    from chatscene.maps.network import load_network
+    from chatscene.maps.loading import load_roads
     from chatscene.report.animation import animate
 
     route = found.simulator.route_in(driven.solvable.program, driven.scene)
-    drawing = routes_drawing(load_network(found.map_path), {route.id: route})
+    drawing = routes_drawing(load_roads(found.map_path), {route.id: route})
     shown = driven.twin if driven.episode.collision is None else driven.episode
     return animate(shown, drawing, said=driven.text, ego=driven.ego)
 

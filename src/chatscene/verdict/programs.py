@@ -254,6 +254,6 @@ class _Trying:
 
 def _drawing(ran: Mapping[str, Path], scene: str, box: tuple[float, float, float, float]) -> Mapping[str, Any]:
     from chatscene.maps.drawing import map_drawing
-    from chatscene.maps.network import load_network
+    from chatscene.maps.loading import load_roads
 
-    return map_drawing(load_network(ran[scene]), box)
+    return map_drawing(load_roads(ran[scene]), box)

@@ -14,6 +14,7 @@ _install_network_memo()  # no parsed copy of the map beside the map itself
 
 from scenic.domains.driving.model import *
 
+from chatscene.maps.loading import load_roads as _load_roads
 from chatscene.world.actions import DriveAction, WalkAction
 from chatscene.world.actors import Driven, Lying, Walking
 from chatscene.world.behaviors import *
@@ -58,14 +59,14 @@ def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, besi
     With `param egoStart = 'at-line'` it begins right before the junction, if it leads through one: `to_line` [m] before
     its entry, where the ego is longer than a car.
     """
-    return _choose_route(network, globalParameters.map, int(globalParameters.route), maneuver=maneuver,
+    return _choose_route(_load_roads(globalParameters.map), globalParameters.map, int(globalParameters.route), maneuver=maneuver,
         place=place, control=control, lanes=lanes, opposite=opposite, beside=beside, crossed=crossed, site=site, lane=lane,
         approach=approach, begins=begins, ends=ends, most=most, setting=setting, divided=divided, has=has, at_line=globalParameters.egoStart == 'at-line',
         **({} if to_line is None else {'to_line': to_line}))
 
 def routeThrough(*points):
     """The ego's route along points [m], map frame, in driving order."""
-    return _route_along(network, globalParameters.map, points)
+    return _route_along(_load_roads(globalParameters.map), globalParameters.map, points)
 
 def startOf(route):
     """The ego's start pose."""

@@ -8,14 +8,12 @@ specifiers.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import shapely
-from scenic.core.distributions import RejectionException, distributionFunction
-from scenic.core.vectors import Vector
 
 from chatscene.errors import MapError
 from chatscene.maps.crossings import CrossingPath, conflicting_paths, passing_path
@@ -28,7 +26,11 @@ from chatscene.terms.polyline import Polyline
 from chatscene.terms.profile import Timetable, allowed_speeds
 from chatscene.terms.scenario import Maneuver
 from chatscene.world.control import Tracker
+from chatscene.world.deferring import deferred, reject, vector
 from chatscene.world.ego_route import EgoRoute
+
+if TYPE_CHECKING:
+    from scenic.core.vectors import Vector
 
 QUARTER = math.pi / 2
 FOLLOWING_SIGHT = 40.0  # [m], beyond which a driver in traffic need not care up to 10 m/s
@@ -38,8 +40,6 @@ STANDSTILL_GAP = 3.0  # [m], kept to a vehicle that stands
 _WIDTHS = [1.0 + 0.25 * np.arange(i, i + 25) for i in range(0, 200, 25)]  # [m], where the edge of a road is looked for
 _LANE_WIDTH = 2.5  # [m] at least
 KERB_SHORT = 3.0  # [m] before a junction, where a kerb ends
-
-_deferred = cast("Callable[[Callable[..., Any]], Callable[..., Any]]", distributionFunction)
 
 
 def lineThrough(*points: tuple[float, float]) -> Polyline:  # noqa: N802
@@ -52,7 +52,7 @@ def line_of(path: EgoRoute | CrossingPath | Polyline) -> Polyline:
     return path if isinstance(path, Polyline) else path.line
 
 
-@_deferred
+@deferred
 def pointOn(path: Any, ahead: float, left: float = 0.0) -> Vector:  # noqa: N802 - Scenic's naming
     """The point `ahead` [m] along a path from its start, `left` [m] beside it (negative: to the right)."""
     line = line_of(path)
@@ -60,33 +60,41 @@ def pointOn(path: Any, ahead: float, left: float = 0.0) -> Vector:  # noqa: N802
     if left:
         direction = line.heading_at(ahead)
         x, y = x - left * math.sin(direction), y + left * math.cos(direction)
-    return Vector(x, y)
+    return vector(x, y)
 
 
-@_deferred
+@deferred
 def speedOn(route: EgoRoute, ahead: float, wanted: float) -> float:  # noqa: N802
     """What an ego drives at [m/s] that wants a speed [m/s], so far [m] along its route: no more than is allowed."""
     return min(float(route.allowed(keeps_limits=True)[route.line.segment_at(ahead)]), wanted)
 
 
-@_deferred
+@deferred
 def directionOn(path: Any, ahead: float, turn: float = 0.0) -> float:  # noqa: N802
     """Scenic heading [rad] of a path `ahead` [m] along it, turned left by `turn` [rad]."""
     return line_of(path).heading_at(ahead) - QUARTER + turn
 
 
-@_deferred
+@deferred
 def crossingDirection(path: Any, ahead: float, side: str) -> float:  # noqa: N802
     """Scenic heading [rad] of somebody standing on that `side` of a path and looking straight across it."""
     return line_of(path).heading_at(ahead) - QUARTER + (QUARTER if side == "right" else -QUARTER)
 
 
-@_deferred
+@deferred
 def besideRoad(route: EgoRoute, ahead: float, side: str, beyond: float) -> Vector:  # noqa: N802
     """The point level with `ahead` [m] on the ego's route, `beyond` [m] outside the driving lanes on that side.
 
     Where lanes go on and on to that side, as along a crossing road, there is none, and the draw is rejected.
     """
+    found = beside_road(route, ahead, side, beyond)
+    if found is None:
+        raise reject(f"the road has no {side} edge {ahead:.1f} m along the ego's route")
+    return vector(*found)
+
+
+def beside_road(route: EgoRoute, ahead: float, side: str, beyond: float) -> tuple[float, float] | None:
+    """The same point [m], map frame; None where there is none."""
     x, y = route.line.point_at(ahead)
     outward = route.line.heading_at(ahead) + (QUARTER if side == "left" else -QUARTER)
     dx, dy = math.cos(outward), math.sin(outward)
@@ -95,8 +103,8 @@ def besideRoad(route: EgoRoute, ahead: float, side: str, beyond: float) -> Vecto
         outside = some[~shapely.intersects_xy(lanes, x + some * dx, y + some * dy)]
         if len(outside):
             at = float(outside[0]) + beyond
-            return Vector(x + at * dx, y + at * dy)
-    raise RejectionException(f"the road has no {side} edge {ahead:.1f} m along the ego's route")
+            return x + at * dx, y + at * dy
+    return None
 
 
 def followingSpeed(path: Any, agent: Any, others: Sequence[Any], wish: float) -> float:  # noqa: N802
@@ -137,30 +145,30 @@ def lanes_beside(route: EgoRoute) -> dict[str, bool]:
     return {side: opposes(section.lane, other.lane) for side, other in there.items() if other is not None}
 
 
-@_deferred
+@deferred
 def levelOn(path: Any, route: EgoRoute, ahead: float) -> float:  # noqa: N802
     """How far [m] along another path lies level with the point `ahead` [m] along the ego's route."""
     return line_of(path).project(*route.line.point_at(ahead))[0]
 
 
-@_deferred
+@deferred
 def backFrom(to: float, metres: float) -> float:  # noqa: N802
     """Arc length [m] on a path so many metres before another; where the path begins later, the draw is rejected."""
     if metres > to:
-        raise RejectionException(f"a way begins {to:.0f} m before where it was to be met, not {metres:.0f} m")
+        raise reject(f"a way begins {to:.0f} m before where it was to be met, not {metres:.0f} m")
     return to - metres
 
 
-@_deferred
+@deferred
 def asideOf(route: EgoRoute, ahead: float, side: str, metres: float) -> Vector:  # noqa: N802
     """The point so many metres to a side of the ego's route; where that lies on a lane, the draw is rejected."""
     point = pointOn(route, ahead, metres if side == "left" else -metres)
     if shapely.intersects_xy(route.network.drivableRegion.polygons, point.x, point.y):
-        raise RejectionException(f"{metres:.0f} m to the {side} of the ego's route there is still a lane")
+        raise reject(f"{metres:.0f} m to the {side} of the ego's route there is still a lane")
     return point
 
 
-@_deferred
+@deferred
 def maximum(a: float, b: float) -> float:
     """The larger of two numbers, of which either may be sampled."""
     return max(a, b)
@@ -342,7 +350,7 @@ def ownWay(route: EgoRoute) -> Polyline:  # noqa: N802
     return ownLane(route) if route.maneuver in (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT) else route.line
 
 
-@_deferred
+@deferred
 def shortOfJunction(route: EgoRoute, along: float) -> float:  # noqa: N802
     """Arc length [m] on the ego's route, cut to `KERB_SHORT` before its junction, where the kerb turns away."""
     return along if route.route.junction is None else min(along, route.eventAt - KERB_SHORT)
@@ -385,7 +393,7 @@ def headway(path: Any, a: Any, b: Any) -> float:
     return distanceLeft(path, a, line_of(path).project(b.pose[0], b.pose[1])[0])
 
 
-@_deferred
+@deferred
 def wheelbase_of(kind: str, length: float) -> float:
     """The wheelbase [m] of a vehicle of a kind that is `length` [m] long: in proportion."""
     limits = LIMITS[kind]
@@ -449,7 +457,7 @@ def _timetable(path: Any, wanted: float, keeps_limits: bool, gain: float, grip: 
     return Timetable(line, allowed_speeds(line, None, grip), wanted, gain)
 
 
-@_deferred
+@deferred
 def timeTo(  # noqa: N802
     route: EgoRoute, ahead: float, wanted: float, keeps: bool = False, gain: float = NOMINAL.gain
 ) -> float:

@@ -25,6 +25,7 @@ from scenic.core.geometry import triangulatePolygon
 from shapely.geometry import box
 
 from chatscene.errors import ChatSceneError
+from chatscene.maps.loading import load_roads
 from chatscene.maps.network import load_network
 from chatscene.plane import whole
 from chatscene.settings import SimulationSettings
@@ -116,6 +117,7 @@ def _warm_up(map_path: Path, settings: SimulationSettings, cache: str) -> Simula
 def _warmed_up(map_path: Path, settings: SimulationSettings) -> Simulator:
     whole()  # no module can be loaded once the walls are up
     load_network(map_path)
+    load_roads(map_path)
     simulator = load_simulator(map_path, settings)
     program = ScenicProgram(scenario_id="warm-up", source=WARM_UP, parameters=(), snippet_ids=())
     drawn = replace(program, source=WARM_UP_DRAWN, model="scenic.simulators.carla.model")

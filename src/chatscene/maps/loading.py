@@ -1,0 +1,48 @@
+"""The roads of a map for all who need no Scenic, kept between processes."""
+
+from __future__ import annotations
+
+import hashlib
+from contextlib import suppress
+from functools import lru_cache
+from pathlib import Path
+
+from chatscene.files.caches import cache_folder, keep, only_mine
+from chatscene.maps.network import load_network, map_digest
+from chatscene.maps.roads import Roads
+from chatscene.maps.roads_file import made_by, read, written
+
+ENDING = ".roads"
+VERSIONS = 3  # of the roads of a map that are kept
+
+
+def load_roads(path: Path | str) -> Roads:
+    """The roads of a map, read once per process and file content.
+
+    What Scenic makes of the map is kept as plain numbers beside the copy of the map, sealed. A file that is damaged or
+    of another version is made anew.
+
+    Raises:
+        MapError: As `chatscene.maps.network.load_network`.
+    """
+    path = Path(path)
+    return kept_roads(map_digest(path), path)
+
+
+@lru_cache(maxsize=8)
+def kept_roads(digest: str, path: Path) -> Roads:
+    """The roads of a map with a digest, from their file if that is whole."""
+    folder = only_mine(cache_folder("maps") / digest)
+    named = f"{hashlib.blake2b(made_by(), digest_size=12).hexdigest()}{ENDING}"
+    with suppress(OSError):
+        if folder is not None and (roads := read((folder / named).read_bytes())) is not None:
+            return roads
+    content = written(load_network(path))
+    if folder is not None:
+        keep(folder / named, content)
+        with suppress(OSError):
+            for old in sorted(folder.glob(f"*{ENDING}"), key=lambda file: file.stat().st_mtime)[:-VERSIONS]:
+                old.unlink()
+    made = read(content)
+    assert made is not None
+    return made
