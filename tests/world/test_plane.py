@@ -57,6 +57,12 @@ sensors.valueExtHandlers.get("png")(sys.argv[1], np.full((2, 3, 3), 255, np.uint
 from PIL import Image
 assert Image.open(sys.argv[1]).size == (3, 2)
 """
+WHOLE = """
+import scenic
+from chatscene.plane import whole
+whole()
+assert {"trimesh", "fcl", "scipy.spatial"} <= set(sys.modules)
+"""
 FIRST = """
 import trimesh
 import scenic.core.regions as regions
@@ -90,6 +96,4 @@ def test_who_has_loaded_meshes_before_keeps_them() -> None:
 
 
 def test_a_process_that_can_load_nothing_later_has_all_at_once() -> None:
-    _runs(
-        "import scenic\nfrom chatscene.plane import whole\nwhole()\nassert {'trimesh', 'fcl', 'scipy.spatial'} <= set(sys.modules)"
-    )
+    _runs(WHOLE)
