@@ -138,7 +138,7 @@ class VerifySettings:
         ego_id: Whose track of a recording is the ego's; empty for the one that is marked.
         scene_id: Which scene of a run; empty for those that it keeps.
         within: The folder in which every other file lies that a program names; empty for any.
-        budget: Processor time [s] for scenes that cannot be placed, over all drives; then no more are tried.
+        budget: Processor time [s] for scenes that cannot be driven, over all drives; then no more are tried.
         variant: Which set of parameter values of a file of such sets, from 1; 0 for as many of them as there are
             drives.
         given: Parameters of a program, or of a file of OpenSCENARIO, by name.

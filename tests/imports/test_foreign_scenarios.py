@@ -8,12 +8,13 @@ import re
 import xml.etree.ElementTree as Xml
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import chatscene
-from chatscene.errors import ForeignCodeRefused, ScenarioError, SettingsError
+from chatscene.errors import ForeignCodeRefused, ProgramError, ScenarioError, SettingsError
 from chatscene.imports.calculated import calculated
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.import_file import import_scenario
@@ -25,6 +26,9 @@ from chatscene.imports.written_story import written_story
 from chatscene.maps.curves import normalise
 from chatscene.maps.network import resolve_map
 from chatscene.search.generators.foreign import foreign_program
+from chatscene.simulate.simulator import Simulator, simulate
+from chatscene.terms.episode import Episode
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.storyboard import Storyboard
 from played import DISTANCE, STATE, TIME, driven, read, speed, story
 from red_team.scenario_files import CAR, NEAR, SLOWS, alone, event, scenario
@@ -379,6 +383,25 @@ def test_a_variant_that_cannot_be_imported_or_driven_is_told_and_the_others_are_
     assert verdict.status == chatscene.verify(beside / "values.xosc", SLOWS_DOWN, draws=1, variant=1).status
     with pytest.raises(ScenarioError, match=r"variant 1 of .*near = far"):
         chatscene.verify(variants(beside, sets("near", "far", "away")), SLOWS_DOWN, draws=3)
+
+
+def test_what_is_told_of_variants_is_told_of_those_that_were_driven(
+    beside: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made, fails = simulate, {"2/0", "2/1", "3/1"}  # which drive of which variant
+
+    def fail(simulator: Simulator, program: ScenicProgram, scene: Scene, *more: Any, **how: Any) -> Episode | Rejected:
+        variant, number = program.scenario_id[-1], int(scene.id[-3:])
+        if f"{variant}/{number % 2}" in fails:
+            raise ProgramError(f"{scene.id} fails while it runs")
+        return made(simulator, program, scene, *more, **how)
+
+    monkeypatch.setattr("chatscene.verdict.programs.simulate", fail)
+    verdict = chatscene.verify(variants(beside, STEPS.format(10)), SLOWS_DOWN, draws=6)
+    assert [one.variant for one in verdict.draws] == [1, 1, 3]
+    assert "judged, with how many drives, of 3 variants: 1 (2), 3 (1)" in verdict.notes
+    assert [note for note in verdict.notes if note.startswith("NOT judged: variant 2")]
+    assert verdict.dead == ("the program fails, or does not come to its end, in 1 of 4 drives",)
 
 
 def test_a_few_of_many_variants_are_spread_over_all(beside: Path) -> None:

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 import chatscene
 from chatscene.commands.main import main
-from chatscene.errors import SettingsError
+from chatscene.errors import ChatSceneError, SettingsError
 from chatscene.situations.file import read_text
 from chatscene.terms.situation import Situation
 from chatscene.verdict.sources import KINDS
@@ -276,8 +276,31 @@ def test_scenes_that_cannot_be_placed_cost_no_more_than_a_budget_that_is_told(
     assert len(verdict.rejected) == 2
     counted, stopped = verdict.notes[-2:]
     assert re.fullmatch(r"(\d+) draws for 0 drives: \1 met no requirement or had no place", counted)
-    assert stopped.startswith("stopped after 2 of 9 drives: scenes that could not be placed took 1 s of processor time")
+    assert stopped.startswith("stopped after 2 of 9 drives: scenes that could not be driven took 1 s of processor time")
     assert stopped.endswith("--budget allows 0.5 s")
+
+
+FAILS = BRAKES.replace("    do FollowLaneBehavior(target_speed=10) for 3 seconds", "    do Once()") + (
+    "\nbehavior Once():\n    if globalParameters.unlucky:\n        {wrong}\n"
+    "    do FollowLaneBehavior(target_speed=10) for 3 seconds\nparam unlucky = DiscreteRange(0, {most})\n"
+)
+
+
+@pytest.mark.parametrize(("wrong", "why"), [("x = 1 / 0", "division by zero"), ("while True: pass", "did not come")])
+def test_a_drive_in_which_a_program_fails_is_told_and_its_others_are_judged(
+    wrong: str, why: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("chatscene.simulate.watchdog.PATIENCE", 2.0)  # [s]
+    path = tmp_path / "sometimes.scenic"
+    path.write_text(FAILS.format(ego=DRIVES, wrong=wrong, most=1))
+    verdict = chatscene.verify(path, "The car ahead brakes hard.", trust=True, draws=2, seed=2)
+    assert len(verdict.draws) == len(verdict.rejected) == 1
+    assert why in verdict.rejected[0]
+    assert verdict.dead == ("the program fails, or does not come to its end, in 1 of 2 drives",)
+    assert verdict.status == 1
+    path.write_text(FAILS.format(ego=DRIVES, wrong=wrong, most=0).replace("if globalParameters.unlucky", "if True"))
+    with pytest.raises(ChatSceneError, match=why):
+        chatscene.verify(path, "The car ahead brakes hard.", trust=True, draws=1)
 
 
 def test_a_program_of_ours_with_two_who_act_is_judged_on_a_map_that_has_its_place(tmp_path: Path) -> None:

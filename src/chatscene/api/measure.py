@@ -63,7 +63,7 @@ def verify(
         param: Parameters that a program reads and does not state, or values of those that a file of OpenSCENARIO
             declares, by name.
         variant: Which set of parameter values of a file of such sets, from 1; None spreads the drives over them.
-        budget: Processor time [s] for scenes that cannot be placed, over all drives; then no more are tried.
+        budget: Processor time [s] for scenes that cannot be driven, over all drives; then no more are tried.
         within: The folder in which map and catalogs lie that a program names, if they may lie nowhere else.
         page: Where a page with the moment of each fact is written; None for none.
         library: As `explain`, where it is refused: snippets have no facts to be judged by.

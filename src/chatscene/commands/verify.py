@@ -40,7 +40,7 @@ _USUAL = VerifySettings()
     default=_USUAL.budget,
     show_default=True,
     metavar="SECONDS",
-    help="Processor time for scenes that cannot be placed, over all drives; then no more are tried.",
+    help="Processor time for scenes that cannot be driven, over all drives; then no more are tried.",
 )
 @click.option("--scene", default=None, metavar="ID", help="A scene of a run.  [default: those it keeps]")
 @click.option(

@@ -41,6 +41,20 @@ def scene_at(program: ScenicProgram, route: int, share: float, *, name: str) -> 
     )
 
 
+def drawn_scene(program: ScenicProgram, number: int, *, seed: int) -> Scene:
+    """A scene of a program that nobody searches with, its values drawn from their ranges; on the first route.
+
+    Args:
+        program: What is driven.
+        number: Which of its scenes, from 0.
+        seed: What values are drawn by.
+    """
+    name = f"{program.scenario_id}/route-00/draw-{number:03d}"
+    own = scene_seed(seed, name)
+    values = draw(program.parameters, seed=own)
+    return Scene(id=name, scenario_id=program.scenario_id, route=0, block=0, seed=own, values=values)
+
+
 def draw(ranges: Sequence[ParameterRange], *, seed: int) -> dict[str, float]:
     """A value for each parameter, uniform in its range (released code: ``Range`` in each block).
 

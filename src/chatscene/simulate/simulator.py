@@ -21,7 +21,17 @@ from chatscene.ego.policy import (
     pedals_of,
     tell_cut_off,
 )
-from chatscene.errors import EgoError, MapError, SettingsError, StuckBehavior
+from chatscene.errors import (
+    ChatSceneError,
+    DoesNotCompile,
+    EgoError,
+    ForeignCodeRefused,
+    MapError,
+    NamesNotClosed,
+    ProgramError,
+    SettingsError,
+    StuckBehavior,
+)
 from chatscene.plugins import Kind, make, without_address
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.watchdog import time_limit
@@ -213,6 +223,15 @@ def simulate(
             return episode if episode.stepped.by else replace(episode, stepped=Stepped(by=simulator.identity.name))
         finally:
             session.close()
+
+
+def fails_in_its_scene(error: ChatSceneError) -> bool:
+    """Whether what ended a drive is told of its scene alone, so that the program's other scenes may be driven.
+
+    Its own code failed there, or did not come to its end. A text that does not compile fails in every scene.
+    """
+    of_the_text = isinstance(error, DoesNotCompile | ForeignCodeRefused | NamesNotClosed)
+    return isinstance(error, ProgramError | StuckBehavior) and not of_the_text
 
 
 def routes_of(simulator: Simulator, program: ScenicProgram, wanted: int) -> dict[int, Route | None]:

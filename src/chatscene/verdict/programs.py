@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, nullcontext
 from dataclasses import dataclass, replace
@@ -17,13 +18,14 @@ from chatscene.imports.collection import map_beside
 from chatscene.maps.network import PACKAGED, TOWN, resolve_map
 from chatscene.measure.avoidability import avoidable
 from chatscene.measure.unplayed import unplayed
-from chatscene.program.sample import draw, scene_seed
+from chatscene.program.sample import drawn_scene
 from chatscene.search.generators.foreign import ForeignProgram, drives_itself, read_foreign
 from chatscene.search.generators.left_out import left_out
 from chatscene.search.generators.their_map import their_map
 from chatscene.settings import EGO, SimulationSettings, VerifySettings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
-from chatscene.simulate.simulator import Simulator, load_simulator, simulate
+from chatscene.simulate.simulator import Simulator, fails_in_its_scene, load_simulator, simulate
+from chatscene.simulate.watchdog import PATIENCE
 from chatscene.terms.scene import OWN_MODEL, Rejected, Scene
 from chatscene.verdict.watched import Watched, Watching
 
@@ -51,7 +53,7 @@ def watch_program(path: Path, settings: VerifySettings) -> Watching:
         own = replace(own, program=replace(own.program, as_written=False))
     driver = "its own ego drives" if own.program.as_written else f"{settings.ego or EGO} drives the ego"
     notes = (*own.changed(), driver, *left_out(own.program))
-    return _watched([_Part(own, range(settings.draws))], "Scenic program", settings, notes)
+    return _watched([_Part(own, range(settings.draws))], "Scenic program", settings, notes, _Variants())
 
 
 def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
@@ -89,9 +91,10 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
         *map(_not_judged, made.refused),
         f"{settings.ego or EGO} drives the ego",
         *made.notes,
-        *_variants(parts, made.count, settings.variant),
     )
-    return _watched(parts, "OpenSCENARIO file", settings, notes)
+    left = made.count - len(parts) - len(made.refused)
+    variants = _Variants() if settings.variant else _Variants(made.count, left)
+    return _watched(parts, "OpenSCENARIO file", settings, notes, variants)
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,10 +105,6 @@ class _Part:
     drives: range
     variant: int = 0
 
-    def scene(self, drive: int) -> str:
-        """The name of the scene of a drive."""
-        return f"{self.own.program.scenario_id}/route-00/draw-{drive:03d}"
-
 
 def _shares(drives: int, programs: int) -> list[range]:
     """Which of so many drives are of each program: as many of one as of another, the first ones have one more."""
@@ -113,14 +112,24 @@ def _shares(drives: int, programs: int) -> list[range]:
     return [range(begin, end) for begin, end in pairwise(ends)]
 
 
-def _variants(parts: Sequence[_Part], count: int, chosen: int) -> Iterator[str]:
-    """Which variants are judged, and how the others are."""
-    if len(parts) == 1 < count and not chosen:
-        yield f"variant {parts[0].variant} of {count} is judged; for others give more --draws, or --variant N"
-    if len(parts) > 1:
-        told = ", ".join(f"{one.variant} ({len(one.drives)})" for one in parts)
-        others = "" if len(parts) == count else "; for others give more --draws, or --variant N"
-        yield f"judged, with how many drives, of {count} variants: {told}{others}"
+@dataclass(frozen=True, slots=True)
+class _Variants:
+    """How many variants a file has, and of how many of them none of the drives is."""
+
+    count: int = 1
+    left: int = 0
+
+    def judged(self, drives: Sequence[Watched]) -> Iterator[str]:
+        """Which are judged, and how the others are."""
+        judged = Counter(one.variant for one in drives)
+        if self.count == 1 or not judged:
+            return
+        more = "; for others give more --draws, or --variant N" if self.left else ""
+        if len(judged) == 1:
+            yield f"variant {drives[0].variant} of {self.count} is judged{more}"
+        else:
+            told = ", ".join(f"{variant} ({many})" for variant, many in judged.items())
+            yield f"judged, with how many drives, of {self.count} variants: {told}{more}"
 
 
 def _not_judged(refused: str) -> str:
@@ -128,39 +137,49 @@ def _not_judged(refused: str) -> str:
     return f"NOT judged: {' '.join(line.strip() for line in refused.splitlines())}"
 
 
-def _watched(parts: Sequence[_Part], kind: str, settings: VerifySettings, notes: Sequence[str]) -> Watching:
+def _watched(
+    parts: Sequence[_Part], kind: str, settings: VerifySettings, notes: Sequence[str], variants: _Variants
+) -> Watching:
     """Drives of programs, each on the first of its maps that has what it asks for.
 
-    Of several, one that has none or does not run is told; where all are such, the error is that of the first.
+    Of several, one that has none, or of which no drive comes to its end, is told; where all are such, the error is that
+    of the first.
+
+    Args:
+        parts: The programs, and which drives are made of each.
+        kind: What they are, in words.
+        settings: How they are driven.
+        notes: What is known before.
+        variants: Of what file they are.
     """
-    trying, ran, more, lost = _Trying(settings), dict[str, Path](), list[str](), list[ChatSceneError]()
+    trying, more, lost = _Trying(settings), list[str](), list[ChatSceneError]()
     for part in parts:
         maps, told = _maps(part.own, settings)
         more += told
         try:
-            _drive(part, maps, trying, settings, ran)
+            _drive(part, maps, trying, settings)
         except (MapError, ProgramError, StuckBehavior) as error:
             lost.append(error)
             if len(lost) == len(parts):
                 raise lost[0] from None
             more.append(_not_judged(f"variant {part.variant}: {error}"))
-    where = [f"on map {stem}" for stem in dict.fromkeys(one.stem for one in ran.values())]
     return Watching(
         kind=kind,
         drives=tuple(trying.drives),
         rejected=tuple(trying.rejected),
-        notes=tuple(dict.fromkeys((*notes, *more, *where, *trying.notes()))),
-        drawing=partial(_drawing, ran),
+        failed=trying.failed,
+        notes=tuple(dict.fromkeys((*notes, *variants.judged(trying.drives), *more, *trying.notes()))),
+        drawing=partial(_drawing, trying.ran),
     )
 
 
-def _drive(part: _Part, maps: Sequence[Path], trying: _Trying, settings: VerifySettings, ran: dict[str, Path]) -> None:
-    """Make the drives of a program, on the first map that has what it asks for, and note the map by their names.
+def _drive(part: _Part, maps: Sequence[Path], trying: _Trying, settings: VerifySettings) -> None:
+    """Make the drives of a program, on the first map that has what it asks for.
 
     Raises:
         MapError: No map has it.
-        ProgramError: It does not compile, or its own code fails.
-        StuckBehavior: It does not come to its end.
+        ProgramError: It does not compile, or its own code fails in each drive that can be placed.
+        StuckBehavior: It does not come to its end in any.
     """
     for number, map_path in enumerate(maps, 1):
         simulator = _simulator(map_path, settings)
@@ -172,8 +191,7 @@ def _drive(part: _Part, maps: Sequence[Path], trying: _Trying, settings: VerifyS
                 if number == len(maps):
                     raise
                 continue
-            ran |= {part.scene(drive): map_path for drive in part.drives}
-            trying.drive(part, simulator)
+            trying.drive(part, simulator, map_path)
             return
 
 
@@ -191,61 +209,85 @@ def _simulator(map_path: Path, settings: VerifySettings) -> Simulator:
 
 
 class _Trying:
-    """Drives that are made until there are enough, or until scenes that cannot be placed have cost too much.
+    """Drives that are made until there are enough, or until scenes that cannot be driven have cost too much.
 
     Attributes:
         drives: Those that were made.
         rejected: Why others were not.
+        failed: How many of these the program itself failed in.
+        ran: The map of each that was made, by its scene.
     """
 
     def __init__(self, settings: VerifySettings) -> None:
         self._settings, self._ego = settings, load_ego(settings.ego or EGO)
-        self.drives, self.rejected = list[Watched](), list[str]()
-        self._spent, self._tried, self._draws = 0.0, 0, 0
+        self.drives, self.rejected, self.failed = list[Watched](), list[str](), 0
+        self.ran = dict[str, Path]()
+        self._tried_on = dict[str, None]()
+        self._spent, self._tried, self._placed, self._draws = 0.0, 0, 0, 0
 
-    def drive(self, part: _Part, simulator: Simulator) -> None:
-        """Make the drives of a program."""
+    def drive(self, part: _Part, simulator: Simulator, map_path: Path) -> None:
+        """Make the drives of a program; one in which it fails is told, and costs as one that cannot be placed.
+
+        Raises:
+            ProgramError: It does not compile, or there is no drive but such in which its own code fails.
+            StuckBehavior: The same, and the first of them does not come to its end.
+        """
+        made, failed = len(self.drives), list[ChatSceneError]()
+        for number in part.drives:
+            if self._over():
+                break
+            self._tried += 1
+            self._tried_on[map_path.stem] = None
+            try:
+                self._make(part, drawn_scene(part.own.program, number, seed=self._settings.seed), simulator, map_path)
+            except (ProgramError, StuckBehavior) as error:
+                if not fails_in_its_scene(error):
+                    raise
+                failed.append(error)
+                self._spent += PATIENCE if isinstance(error, StuckBehavior) else 0.0
+        if failed and len(self.drives) == made:
+            raise failed[0]
+        self.failed += len(failed)
+        self.rejected += map(str, failed)
+
+    def _make(self, part: _Part, scene: Scene, simulator: Simulator, map_path: Path) -> None:
         program = part.own.program
         ego = fitted(self._ego, program)
-        for number in part.drives:
-            name = part.scene(number)
-            if self._over():
-                return
-            self._tried += 1
-            seed = scene_seed(self._settings.seed, name)
-            values = draw(program.parameters, seed=seed)
-            scene = Scene(id=name, scenario_id=program.scenario_id, route=0, block=0, seed=seed, values=values)
-            before = self._draws
-            episode = simulate(simulator, program, scene, ego, placed=self._count)
-            if isinstance(episode, Rejected):
-                self.rejected.append(episode.reason)
-                self._spent += episode.spent
-                self._draws = max(self._draws, before + episode.draws)
-                continue
-            self.drives.append(
-                Watched(
-                    episode=episode,
-                    route=simulator.route_in(program, scene),
-                    tested=not program.as_written,
-                    avoidable=avoidable(episode, program, scene, ego, simulator),
-                    unplayed=unplayed(program, episode),
-                    variant=part.variant,
-                )
+        before = self._draws
+        episode = simulate(simulator, program, scene, ego, placed=self._count)
+        if isinstance(episode, Rejected):
+            self.rejected.append(episode.reason)
+            self._spent += episode.spent
+            self._draws = max(self._draws, before + episode.draws)
+            return
+        self.drives.append(
+            Watched(
+                episode=episode,
+                route=simulator.route_in(program, scene),
+                tested=not program.as_written,
+                avoidable=avoidable(episode, program, scene, ego, simulator),
+                unplayed=unplayed(program, episode),
+                variant=part.variant,
             )
+        )
+        self.ran[scene.id] = map_path
 
     def notes(self) -> Iterator[str]:
-        """How many draws met no requirement, and whether it was stopped."""
+        """On which maps, how many draws met no requirement, and whether it was stopped."""
+        there = dict.fromkeys(one.stem for one in self.ran.values())
+        yield from (f"on map {stem}" for stem in there)
+        yield from (f"tried on map {stem}" for stem in self._tried_on if not there)
         if self._draws > self._tried:
-            made = len(self.drives)
-            for_them = f"{self._draws} draws for {made} drive{'s' * (made != 1)}"
-            yield f"{for_them}: {self._draws - made} met no requirement or had no place"
+            for_them = f"{self._draws} draws for {self._placed} drive{'s' * (self._placed != 1)}"
+            yield f"{for_them}: {self._draws - self._placed} met no requirement or had no place"
         if self._over() and self._tried < self._settings.draws:
             yield (
-                f"stopped after {self._tried} of {self._settings.draws} drives: scenes that could not be placed took "
+                f"stopped after {self._tried} of {self._settings.draws} drives: scenes that could not be driven took "
                 f"{self._spent:.0f} s of processor time, and --budget allows {self._settings.budget:g} s"
             )
 
     def _count(self, draws: int) -> None:
+        self._placed += 1
         self._draws += draws
 
     def _over(self) -> bool:

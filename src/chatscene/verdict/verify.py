@@ -39,6 +39,9 @@ def weighed(found: Watching, what: str, asked: Asked, settings: VerifySettings) 
     driven = tuple(one for one in found.drives if len(one.episode.ego_track.x) > 1)
     stepless = len(found.drives) - len(driven)
     dead = [f"{stepless} of {len(found.drives)} drives end without a step"] if stepless else []
+    if found.failed:
+        tried = len(found.drives) + found.failed
+        dead.append(f"the program fails, or does not come to its end, in {found.failed} of {tried} drives")
     told_so = told(situation)
     if not driven:
         return Verdict(

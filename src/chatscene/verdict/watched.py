@@ -45,6 +45,7 @@ class Watching:
         kind: What it is in words, as "Scenic program".
         drives: Those that were driven, or recorded.
         rejected: Why others could not be.
+        failed: In how many of these the program itself fails, or does not come to its end.
         notes: What was taken otherwise than it is written, and what ran where.
         drawing: The map about it; None where there is none.
     """
@@ -52,5 +53,6 @@ class Watching:
     kind: str
     drives: tuple[Watched, ...]
     rejected: tuple[str, ...] = ()
+    failed: int = 0
     notes: tuple[str, ...] = ()
     drawing: Drawing | None = field(default=None, repr=False)

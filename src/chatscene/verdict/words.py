@@ -14,6 +14,7 @@ _WORDS = {
     Answer.NOT_REACHED: "not reached",
     Answer.NOT_SEEN: "no track tells",
 }
+_MOST = 3  # reasons for which drives were not made that are told; of more, how many
 
 
 def in_words(verdict: Verdict) -> str:
@@ -29,8 +30,11 @@ def _lines(verdict: Verdict) -> Iterator[str]:
         yield f"  no fact was read in: {', '.join(verdict.not_read)}"
     yield from (f"  {name} is {who}" for name, who in verdict.who.items() if name != who)
     yield from (f"  {line}" for line in verdict.notes)
-    for reason, times in _counted(verdict.rejected):
+    reasons = _counted(verdict.rejected)
+    for reason, times in reasons[:_MOST]:
         yield f"  {times} could not be driven: {reason}"
+    if more := sum(times for _, times in reasons[_MOST:]):
+        yield f"  {more} more could not be driven"
     if many:
         yield from _facts(verdict.facts)
         yield from _encounters(verdict)
