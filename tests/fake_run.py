@@ -33,6 +33,7 @@ from chatscene.runs import (
 )
 from chatscene.runs.atomic import write_json
 from chatscene.runs.digests import DRAWN, KEPT, digests, write_sealed
+from chatscene.runs.record import seen_from
 from chatscene.search.explore import Block, outcomes
 from chatscene.search.samplers.paper import refine
 from chatscene.search.select import Candidate, select
@@ -442,7 +443,7 @@ def evaluated(folder: Path, *, text: str = TEXT, kept_for: str = "idm", reported
     if reported:
         write_report(source.path)
     told = SourceRecord(
-        folder=SourceRecord.seen_from(folder / "compared", source.path),
+        folder=seen_from(folder / "compared", source.path),
         scenario_id=SCENARIO,
         base="straight-obstacle",
         generator="chatscene",

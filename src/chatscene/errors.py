@@ -24,7 +24,8 @@
     │  ├ StuckBehavior         code does not come back in its time
     │  ├ Diverged              a replay differs from what was stored
     │  ├ ServerError           a simulator's server is not there, is another version, or was lost
-    │  └ SandboxError          the confined process could not be made, was stopped, or answered nonsense
+    │  └ SandboxError          the confined process could not be made, or does not answer
+    │     └ ProgramStopped     a confined program was stopped, or answered nonsense
     ├ EgoError                 an ego cannot be loaded, or acts out of contract
     ├ ScenarioError            a scenario of another format cannot be read, or says what cannot be said here
     ├ RunError                 a run folder cannot be written, read or continued
@@ -235,7 +236,11 @@ class ServerError(SimulationError):
 
 
 class SandboxError(SimulationError):
-    """The process for strangers' programs could not be made, was stopped, or answered nonsense."""
+    """The process for strangers' programs could not be made, or does not answer."""
+
+
+class ProgramStopped(SandboxError):  # noqa: N818 - reads as what it says
+    """A stranger's program was stopped: it used up what it may, tried what it may not, or answered nonsense."""
 
 
 class EgoError(ChatSceneError):

@@ -124,6 +124,10 @@ class SimulationSettings:
             raise SettingsError(no_such("physics", self.physics, PHYSICS))
 
 
+DRAWS = 10
+"""Drives that are made of a program with parameters that nobody searches with."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifySettings:
     """How what somebody else wrote or recorded is held against what was said.
@@ -144,7 +148,7 @@ class VerifySettings:
         given: Parameters of a program, or of a file of OpenSCENARIO, by name.
     """
 
-    draws: int = 10
+    draws: int = DRAWS
     seed: int = 0
     least: float = 0.5
     budget: float = 60.0

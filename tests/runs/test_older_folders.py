@@ -150,7 +150,7 @@ def test_a_record_whose_counts_lack_one_is_refused_by_name(tmp_path: Path) -> No
 
 @pytest.fixture(scope="module")
 def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Folders of all six kinds that chatscene 0.2 left, byte for byte."""
+    """Folders of all seven kinds that chatscene 0.2 left, byte for byte."""
     folder = tmp_path_factory.mktemp("kept")
     with tarfile.open(FIXTURES / "folders-of-schema-3.tar.xz") as archive:
         archive.extractall(folder, filter="data")
@@ -160,6 +160,7 @@ def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
 KINDS: dict[str, type[runs.Record]] = {
     "run": runs.RunRecord,
     "evaluation": runs.EvaluationRecord,
+    "comparison": runs.ComparisonRecord,
     "benchmark": runs.BenchmarkRecord,
     "reproduction": runs.ReproductionRecord,
     "finetuning": runs.FinetuningRecord,
@@ -210,6 +211,7 @@ def test_the_folders_that_were_kept_are_listed_and_answer_queries(kept: Path) ->
     assert found.left_out == ()
     assert {folder.relative_to(kept).parts[0] for folder in found.evaluations} == {
         "evaluation",
+        "comparison",
         "benchmark",
         "reproduction",
     }

@@ -123,6 +123,7 @@ BENCHMARK = ON_A_MAP | {"egos": ["idm"], "surrogate": "idm", "generator": "chats
 LESSONS = {"digest": "", "train": 1, "choice": 1, "test": 1}
 FINETUNING = {"settings": {"ego": "sac"}, "ego_digests": {}, "scenes": LESSONS}
 TRAINING = {"settings": {}, "map_digest": "", "simulator": {}}
+COMPARISON = {"imported": "../mine", "programs": {}, "maps": {}, "settings": {}, "ego_digests": {}, "senses": {}}
 
 
 def other(part: str, **named: str) -> dict[str, Any]:
@@ -132,6 +133,7 @@ def other(part: str, **named: str) -> dict[str, Any]:
 @pytest.mark.parametrize(
     ("kind", "record", "named"),
     [
+        ("comparison", COMPARISON | {"egos": ["sys:exit"]}, "--ego sys:exit"),
         ("benchmark", BENCHMARK | {"egos": ["sys:exit"]}, "--ego sys:exit"),
         ("benchmark", BENCHMARK | {"surrogate": "sys:exit"}, "--ego sys:exit"),
         ("benchmark", BENCHMARK | {"generator": "sys:exit"}, "--generator sys:exit"),

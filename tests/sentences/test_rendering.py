@@ -10,13 +10,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from chatscene.read.inflection import Form, conjugated, plural, with_article
+from chatscene.read.inflection import Form, conjugated
 from chatscene.sentences.grammar import deed_pairs, deeds, roads, where, who
 from chatscene.sentences.grammar.quoting import predicate
 from chatscene.sentences.rendering import implied, render
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.description import Style
+from chatscene.terms.nouns import plural, with_article
 from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots
 from outright import decompose
 

@@ -4,23 +4,30 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from click.testing import CliRunner
 
 import chatscene
+from chatscene import runs
 from chatscene.commands.main import main
-from chatscene.errors import RunError, SettingsError
+from chatscene.errors import DoesNotCompile, ProgramError, ProgramStopped, RunError, SettingsError, StuckBehavior
 from chatscene.imports.collection import RECORD, map_beside, read_collection
 from chatscene.imports.import_folder import import_folder
 from chatscene.maps.network import resolve_map
+from chatscene.measure.drive import Ran, drive
 from chatscene.runs.executor import ONE
 from chatscene.runs.progress import silent
 from chatscene.studies.catalogue import load_catalogue
 from chatscene.studies.collection import Driving, evaluate_collection
 from chatscene.terms.coverage import Answer
+from chatscene.terms.scenario import Slots
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.view.looking import listed
 from red_team.scenario_files import scenario
 
 EGO = "idm"
@@ -31,7 +38,7 @@ def imported(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Two programs, one of them in a folder and without parameters, and a file that was refused."""
     folder = tmp_path_factory.mktemp("theirs")
     (folder / "deep").mkdir()
-    (folder / "town.xodr").symlink_to(resolve_map("town"))
+    shutil.copy(resolve_map("town"), folder / "town.xodr")
     (folder / "a.xosc").write_text(scenario())
     plain = re.sub(r"(?s)<ConstraintGroup>.*?</ConstraintGroup>", "", scenario(map_name="../town.xodr"))
     (folder / "deep" / "b.xosc").write_text(plain)
@@ -43,13 +50,13 @@ def imported(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_a_folder_that_was_imported_tells_its_programs_and_their_maps(imported: Path) -> None:
     found = read_collection(imported)
     assert [one.name for one in found.programs] == ["a.scenic", "deep/b.scenic"]
-    assert {one.map_path.resolve() for one in found.programs} == {resolve_map("town")}
+    assert {one.map_path.resolve() for one in found.programs} == {(imported.parent / "town.xodr").resolve()}
     assert list(found.refused) == ["gone.xosc"]
     assert map_beside(imported / "deep" / "b.scenic") is not None
     assert map_beside(imported.parent / "a.xosc") is None
 
 
-def test_each_ego_drives_each_program_and_a_cut_evaluation_goes_on(imported: Path, tmp_path: Path) -> None:
+def test_each_ego_drives_each_program_and_other_settings_need_another_folder(imported: Path, tmp_path: Path) -> None:
     driving = Driving(egos=(EGO,), scenes=2)
     done = evaluate_collection(imported, tmp_path / "out", driving, workers=ONE, progress=silent)
     (fared,) = done.fared
@@ -60,15 +67,86 @@ def test_each_ego_drives_each_program_and_a_cut_evaluation_goes_on(imported: Pat
     page = done.page.read_text()
     assert "deep/b.scenic" in page
     assert "gone.xosc" in page
-    kept = done.folder / "drives.jsonl"
-    whole = kept.read_text()
-    kept.write_text(whole.rsplit("\n", 2)[0] + '\n[{"program": "dee')  # as a kill leaves it
-    (done.folder / "evaluation.json").unlink()
-    again = evaluate_collection(imported, done.folder, driving, workers=ONE, progress=silent)
-    assert again.fared == done.fared
-    assert kept.read_text() == whole
-    with pytest.raises(RunError, match="holds another evaluation"):
+    with pytest.raises(
+        RunError, match=r"an evaluation of an imported folder with other settings: settings\.seed was 0"
+    ):
         evaluate_collection(imported, done.folder, replace(driving, seed=1), workers=ONE, progress=silent)
+
+
+class _Killed(BaseException):
+    pass
+
+
+def _kill_when_driving(what: str, *_: object) -> None:
+    if what.startswith("driving"):
+        raise _Killed
+
+
+def test_an_evaluation_that_was_killed_is_gone_on_with_by_resume(imported: Path, tmp_path: Path) -> None:
+    theirs = shutil.copytree(imported.parent, tmp_path / "theirs") / imported.name
+    driving, out = Driving(egos=(EGO,), scenes=2), tmp_path / "out"
+    whole = evaluate_collection(theirs, tmp_path / "whole", driving, workers=ONE, progress=silent)
+    with pytest.raises(_Killed):
+        evaluate_collection(theirs, out, driving, workers=ONE, progress=_kill_when_driving)
+    kept = (out / "drives.jsonl").read_text()
+    assert kept.count("\n") == 1
+    (out / "drives.jsonl").write_text(kept + '{"digest": "')  # as a kill leaves it
+    assert runs.read_record(runs.Workspace(out), runs.ComparisonRecord).status is runs.Status.RUNNING
+    done = CliRunner().invoke(main, ["resume", str(out)])
+    assert done.exit_code == 0, done.output
+    for name in ("drives.jsonl", "evaluation.json", "tables/collisions.csv"):
+        assert (out / name).read_text() == (tmp_path / "whole" / name).read_text()
+    assert runs.check(out).whole
+    assert [one["kind"] for one in listed(tmp_path)["pages"]] == ["evaluation", "evaluation"]
+    assert f"{EGO} on 2 imported programs" in {one["title"] for one in listed(tmp_path)["pages"]}
+    moved = shutil.copytree(tmp_path, tmp_path.parent / f"{tmp_path.name}-moved")
+    assert chatscene.resume(moved / "out").fared == whole.fared
+    with (theirs / "a.scenic").open("a") as program:
+        program.write("# changed\n")
+    with pytest.raises(RunError, match="a program or a map was changed, added or removed"):
+        chatscene.resume(out)
+
+
+def test_what_was_kept_and_is_damaged_is_told(imported: Path, tmp_path: Path) -> None:
+    driving, out = Driving(egos=(EGO,), scenes=1), tmp_path / "out"
+    with pytest.raises(_Killed):
+        evaluate_collection(imported, out, driving, workers=ONE, progress=_kill_when_driving)
+    kept = out / "drives.jsonl"
+    kept.write_text(kept.read_text().replace('"status": "ran"', '"status": "run"'))
+    with pytest.raises(RunError, match="line 1, is not what was written"):
+        chatscene.resume(out)
+
+
+@pytest.mark.parametrize(
+    ("error", "others"),
+    [
+        (StuckBehavior("it does not come to its end"), True),
+        (ProgramError("its code fails"), True),
+        (ProgramStopped("it used up its memory"), False),
+        (DoesNotCompile("it is no Scenic"), False),
+    ],
+)
+def test_a_drive_that_fails_is_told_and_the_other_drives_of_the_program_are_kept(
+    error: Exception, others: bool, imported: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = drive
+
+    def fail(program: ScenicProgram, said: Slots, scene: Scene, **how: Any) -> Ran | Rejected:
+        if scene.id == "a/route-00/draw-001":
+            raise error
+        return made(program, said, scene, **how)
+
+    monkeypatch.setattr("chatscene.studies.collection.drive", fail)
+    words = ["evaluate", str(imported), "--ego", EGO, "--out", str(tmp_path / "out")]
+    done = CliRunner().invoke(main, words)
+    drives = json.loads((tmp_path / "out" / "evaluation.json").read_text())["drives"]
+    ran = [row["status"] == "ran" for row in drives if row["program"] == "a.scenic"]
+    assert ran == ([True, False] + 8 * [others])
+    assert f"driven in part: a.scenic: without {ran.count(False)} of 10 drives: {error}" in done.output
+    assert "not driven" not in done.output
+    assert done.exit_code == 0
+    page = (tmp_path / "out" / "report.html").read_text()
+    assert "; 1 could not be driven in each scene" in page
 
 
 def test_a_program_that_does_not_run_is_named_and_ends_with_status_1(imported: Path, tmp_path: Path) -> None:

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from chatscene.report.understood import Understood
     from chatscene.search.generators.foreign import ForeignProgram
     from chatscene.studies.benchmark import Benchmarked
+    from chatscene.studies.collection import Compared
     from chatscene.studies.evaluation import Evaluated
     from chatscene.studies.reproduce import Reproduced
 
@@ -312,7 +313,7 @@ def resume(
     embedder: Names = (),
     language_model: Names = (),
     progress: Progress = silent,
-) -> Run | Evaluated | Benchmarked | Reproduced | Finetuned | Trained:
+) -> Run | Evaluated | Compared | Benchmarked | Reproduced | Finetuned | Trained:
     """Go on with what was killed or failed; the result is that of an uninterrupted one.
 
     Args:
@@ -354,6 +355,7 @@ ONE_READING = "`reading` is about a text; there is one way to read a situation o
 _RESUMES = {
     "run": "chatscene.pipeline",
     "evaluation": "chatscene.studies.evaluation",
+    "comparison": "chatscene.studies.collection",
     "benchmark": "chatscene.studies.benchmark",
     "reproduction": "chatscene.studies.reproduce",
     "finetuning": "chatscene.learn.finetune",

@@ -81,8 +81,7 @@ class _Errors(click.Group):
             complain(told)
             ctx.exit(1)
         except KeyboardInterrupt:
-            how = "chatscene resume DIR, or, of an imported folder, with the same command and --out"
-            say(f"\ninterrupted; what was finished is kept: continue with {how}", err=True)
+            say("\ninterrupted; what was finished is kept: continue with chatscene resume DIR", err=True)
             ctx.exit(130)
 
 

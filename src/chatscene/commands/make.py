@@ -13,7 +13,7 @@ import click
 
 import chatscene
 from chatscene.commands.learn import say_finetuned, say_trained
-from chatscene.commands.measure import say_benchmarked, say_evaluated
+from chatscene.commands.measure import say_benchmarked, say_compared, say_evaluated
 from chatscene.commands.options import (
     AGAIN,
     AVOIDABLE,
@@ -206,6 +206,7 @@ def resume(folder: Path, as_json: bool, **options: Any) -> None:
     say_any: dict[runs.Kind, Callable[[Any, bool], None]] = {
         runs.Kind.RUN: say_done,
         runs.Kind.EVALUATION: say_evaluated,
+        runs.Kind.COMPARISON: say_compared,
         runs.Kind.BENCHMARK: say_benchmarked,
         runs.Kind.REPRODUCTION: say_reproduced,
         runs.Kind.FINETUNING: say_finetuned,

@@ -68,7 +68,7 @@ def evaluate(scenes: tuple[Path, ...], out: Path | None, as_json: bool, **option
     folder = out or runs.free_folder(Path("runs"), "evaluation")
     done = chatscene.evaluate(scenes, folder, progress=progress(), **options)
     if isinstance(done, Compared):
-        _say_compared(done, as_json)
+        say_compared(done, as_json)
     else:
         say_evaluated(done, as_json)
 
@@ -182,17 +182,20 @@ def say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
     _say_failures(evaluated.failures)
 
 
-def _say_compared(compared: Compared, as_json: bool) -> None:
+def say_compared(compared: Compared, as_json: bool) -> None:
     """Say how egos fared in imported programs; ends with status 1 if one was not driven, or an ego failed."""
     from chatscene.report.evaluation import fared_in_words
 
     if as_json:
         told = {"folder": str(compared.folder), "page": str(compared.page), "egos": compared.fared}
-        say(json.dumps(told | {"seconds": compared.seconds, "failures": compared.failures, "lost": compared.lost}))
+        left = {"failures": compared.failures, "lost": compared.lost, "partly": compared.partly}
+        say(json.dumps(told | {"seconds": compared.seconds} | left))
     else:
         say(fared_in_words(compared.fared))
         for program, reason in compared.lost.items():
             say(f"not driven: {program}: {reason}", err=True)
+        for program, reason in compared.partly.items():
+            say(f"driven in part: {program}: without {reason}", err=True)
         say(f"each drive: {compared.folder / 'evaluation.json'}")
         say(f"egos side by side: {compared.page}")
     _say_failures(compared.failures)

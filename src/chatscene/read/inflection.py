@@ -35,7 +35,6 @@ _DOUBLES = frozenset(
 )
 _BE = {Form.SINGULAR: "is", Form.PLURAL: "are", Form.PAST: "was", Form.ING: "being"}
 _MARKED = re.compile(r"\[([a-z]+)\]")
-_AN = re.compile(r"(?:[aeio]|u(?!ni(?!n)|ti|se)|SUV|HGV|MPV|8)")
 
 
 def inflected(verb: str, form: Form) -> str:  # noqa: PLR0911 - English
@@ -73,28 +72,3 @@ def _ends_in_y(verb: str) -> bool:
 def conjugated(phrase: str, form: Form) -> str:
     """A phrase with its marked verbs in a form."""
     return _MARKED.sub(lambda m: inflected(m[1], form), phrase)
-
-
-@lru_cache(maxsize=4096)
-def with_article(noun: str) -> str:
-    """A noun phrase after *a* or *an*."""
-    return f"{'an' if _AN.match(noun) else 'a'} {noun}"
-
-
-_IRREGULAR = {
-    "man": "men", "woman": "women", "child": "children", "person": "people", "schoolchild": "schoolchildren",
-    "passer-by": "passers-by", "other party in traffic": "other parties in traffic",
-}  # fmt: skip
-_TAIL = re.compile(r" (?:on|with|in|carrying|pushing|under|at|from) ")
-
-
-@lru_cache(maxsize=4096)
-def plural(noun: str) -> str:
-    """The plural of a noun phrase; what follows its head stays."""
-    tail = _TAIL.search(noun)
-    head, rest = (noun[: tail.start()], noun[tail.start() :]) if tail else (noun, "")
-    before, _, last = head.rpartition(" ")
-    many = _IRREGULAR.get(last) or (f"{last}es" if last.endswith(("s", "x", "ch", "sh")) else f"{last}s")
-    if last.endswith("y") and last not in _IRREGULAR and last[-2] not in "aeiou":
-        many = f"{last[:-1]}ies"
-    return f"{before} {many}{rest}".strip()

@@ -9,13 +9,16 @@ from chatscene.imports.collection import CollectedProgram, Collection
 from chatscene.report.templates import asset, fill, policy, scripts
 
 Row = Mapping[str, Any]
+Drives = dict[str, dict[str, list[Row]]]
+"""What was driven: by ego, by program."""
 
 
 def collection_page(
     collection: Collection,
     fared: Sequence[Row],
-    own: Mapping[str, Sequence[Row]],
+    drives: Drives,
     lost: Mapping[str, str],
+    partly: Mapping[str, str],
     failures: Mapping[str, str],
 ) -> str:
     """The page: one file that needs nothing but a browser.
@@ -23,38 +26,41 @@ def collection_page(
     Args:
         collection: What was driven.
         fared: How each ego fared in all its drives.
-        own: The drives of each ego.
-        lost: Why programs, or scenes of theirs, were not driven, by the program's name.
+        drives: What was driven.
+        lost: Why programs were not driven at all, by their names.
+        partly: Of those that were, how many drives were not made, and why.
         failures: Why egos were given up, by ego.
     """
     script = scripts("sort", "table", "evaluation")
     egos = [one["ego"] for one in fared]
-    programs = [_program(one, {ego: own[ego] for ego in egos}, lost) for one in collection.programs]
+    why = {**lost, **partly}
+    programs = [_program(one, [drives[ego].get(one.name, []) for ego in egos], why) for one in collection.programs]
     return fill(
         "collection.html",
         title=", ".join(egos) or "no drive",
         policy=policy(script),
         style=asset("viewer.css") + asset("evaluation.css"),
         script=script,
-        folder=str(collection.folder),
+        folder=collection.folder.resolve().name,
         egos=egos,
         fared=fared,
         failures=failures,
-        drives=sum(map(len, own.values())),
+        drives=sum(len(rows) for own in drives.values() for rows in own.values()),
         lost=lost,
+        partly=partly,
         refused=collection.refused,
         programs=sorted(programs, key=lambda one: -one["fails"]),
     )
 
 
-def _program(one: CollectedProgram, own: Mapping[str, Sequence[Row]], lost: Mapping[str, str]) -> dict[str, Any]:
-    """What became of a program under each ego."""
-    cells = [_cell([row for row in rows if row["program"] == one.name]) for rows in own.values()]
+def _program(one: CollectedProgram, own: Sequence[Sequence[Row]], why: Mapping[str, str]) -> dict[str, Any]:
+    """What became of a program under each ego, and why not all of it was driven."""
+    cells = list(map(_cell, own))
     shares = [cell["collided"] / cell["drives"] for cell in cells if cell]
     return {
         "name": one.name,
         "about": one.about,
-        "lost": lost.get(one.name, ""),
+        "lost": why.get(one.name, ""),
         "cells": cells,
         "fails": sum(shares),
         "differ": len(set(shares)) > 1,

@@ -56,7 +56,7 @@ class Index:
     """
 
     tables: Mapping[str, Table]
-    evaluations: Mapping[Path, runs.EvaluationRecord]
+    evaluations: Mapping[Path, runs.EvaluationRecord | runs.ComparisonRecord]
     left_out: tuple[LeftOut, ...]
 
 
@@ -72,12 +72,12 @@ def index(folder: Path) -> Index:
     if not folder.is_dir():
         raise RunError(f"there is no folder {folder}; give one with the folders that `chatscene run` named")
     read: list[Mapping[str, Table]] = []
-    evaluations: dict[Path, runs.EvaluationRecord] = {}
+    evaluations: dict[Path, runs.EvaluationRecord | runs.ComparisonRecord] = {}
     left_out: list[LeftOut] = []
     for path in sorted(found.parent for found in folder.rglob(RECORD)):
         try:
             record = runs.read_record(runs.Workspace(path), runs.Record)
-            if isinstance(record, runs.EvaluationRecord):
+            if isinstance(record, runs.EvaluationRecord | runs.ComparisonRecord):
                 evaluations[path] = record
             if isinstance(record, runs.RunRecord):
                 run = runs.open_run(path, runs.RunRecord)

@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from chatscene.runs.record import (
         SCHEMA_VERSION,
         BenchmarkRecord,
+        ComparisonRecord,
         Driven,
         EvaluationRecord,
         FinetuningRecord,
@@ -98,6 +99,7 @@ if TYPE_CHECKING:
 __all__ = [
     "SCHEMA_VERSION",
     "BenchmarkRecord",
+    "ComparisonRecord",
     "Condition",
     "Driven",
     "EvaluationRecord",
@@ -177,7 +179,7 @@ _NAMES = {
     "exclusive": "alone",
     "explanation": "explain read_choice read_explanation write_choice",
     "record": (
-        "SCHEMA_VERSION BenchmarkRecord Driven EvaluationRecord FinetuningRecord Kind LessonsRecord "
+        "SCHEMA_VERSION BenchmarkRecord ComparisonRecord Driven EvaluationRecord FinetuningRecord Kind LessonsRecord "
         "MapRecord ProgramRecord Record ReportRecord ReproductionRecord RunRecord SimulatorRecord "
         "SituationRecord SourceRecord Status TrainingRecord settings_from settings_of"
     ),

@@ -13,6 +13,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 from chatscene.errors import SettingsError
 from chatscene.settings import READERS, RetrievalSettings, SearchSettings, Settings, SimulationSettings
 from chatscene.terms.edit import with_edits
+from chatscene.terms.nouns import with_article
 from chatscene.terms.simulator import SimulatorIdentity
 
 MOST_TEXT = 20_000  # characters of a record's sentence; what reads one takes a tenth of that
@@ -31,6 +32,7 @@ class Kind(StrEnum):
 
     RUN = "run"
     EVALUATION = "evaluation"
+    COMPARISON = "comparison"
     BENCHMARK = "benchmark"
     REPRODUCTION = "reproduction"
     FINETUNING = "finetuning"
@@ -38,7 +40,9 @@ class Kind(StrEnum):
 
     def in_words(self) -> str:
         """With its article."""
-        return f"{'an' if self is Kind.EVALUATION else 'a'} {self}"
+        if self is Kind.COMPARISON:
+            return "an evaluation of an imported folder"
+        return with_article(self.value)
 
 
 class Status(StrEnum):
@@ -127,14 +131,19 @@ class SourceRecord(_Frozen):
     first_route: int = 0
     kept_for: str = ""
 
-    @staticmethod
-    def seen_from(evaluation: Path, run: Path) -> str:
-        """The `folder` of a run for an evaluation in another; either path may lead through symbolic links."""
-        return os.path.relpath(run.resolve(), evaluation.resolve())
-
     def path_from(self, evaluation: Path) -> Path:
         """Where the run is, for an evaluation in a folder; an absolute `folder` is that, wherever the evaluation is."""
-        return Path(os.path.normpath(evaluation.resolve() / self.folder))
+        return path_from(evaluation, self.folder)
+
+
+def seen_from(evaluation: Path, folder: Path) -> str:
+    """What an evaluation calls a folder that it drives; either path may lead through symbolic links."""
+    return os.path.relpath(folder.resolve(), evaluation.resolve())
+
+
+def path_from(evaluation: Path, called: str) -> Path:
+    """The folder that an evaluation calls so."""
+    return Path(os.path.normpath(evaluation.resolve() / called))
 
 
 class SimulatorRecord(_Frozen):
@@ -320,6 +329,33 @@ class EvaluationRecord(MapRecord):
         return super().asked() | {"speed"}
 
 
+class ComparisonRecord(Record):
+    """An evaluation of a folder that was imported: egos on its programs, each on its own map.
+
+    Attributes:
+        imported: The folder as seen from this one, so that both can be moved together.
+        programs: SHA-256 of each program, by its path in that folder.
+        maps: SHA-256 of each of their maps, by the path of the first program on it.
+        egos: Who drives, as they were given.
+        ego_digests: SHA-256 of each ego that is a file, by the ego as it was given.
+        senses: What each ego sees and brakes with, by ego, as `chatscene.ego.policy.senses_of` names it.
+        failures: Why an ego was given up, by ego.
+    """
+
+    kind = Kind.COMPARISON
+    imported: str
+    programs: dict[str, str]
+    maps: dict[str, str]
+    egos: Annotated[list[str], Field(min_length=1)]
+    ego_digests: dict[str, str]
+    senses: dict[str, dict[str, str]]
+    failures: dict[str, str] = {}
+
+    def egos_named(self) -> dict[str, str]:
+        """Those that drive."""
+        return {ego: self.ego_digests.get(ego, "") for ego in self.egos}
+
+
 class BenchmarkRecord(MapRecord):
     """A benchmark: a generator's runs for all base scenarios, and an evaluation of them.
 
@@ -440,7 +476,15 @@ class TrainingRecord(Record):
 
 RECORDS: dict[Kind, type[Record]] = {
     of.kind: of
-    for of in (RunRecord, EvaluationRecord, BenchmarkRecord, ReproductionRecord, FinetuningRecord, TrainingRecord)
+    for of in (
+        RunRecord,
+        EvaluationRecord,
+        ComparisonRecord,
+        BenchmarkRecord,
+        ReproductionRecord,
+        FinetuningRecord,
+        TrainingRecord,
+    )
 }
 
 

@@ -6,10 +6,11 @@ Most of what it says is read whole again (`chatscene.read.parse`), and then as j
 
 from __future__ import annotations
 
-from chatscene.read.inflection import Form, conjugated, listed, plural, with_article
+from chatscene.read.inflection import Form, conjugated, listed
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import JUNCTIONS
+from chatscene.terms.nouns import plural, with_article
 from chatscene.terms.scenario import (
     Control,
     Distance,

@@ -2,45 +2,58 @@
 
 Nothing is searched: a program without parameters is one scene, of one with parameters a few are drawn from their
 ranges, the same as `verify` draws. What came of a program is kept when all egos drove it, so that an evaluation that
-was cut goes on with the next. Programs are a stranger's and run in the sandbox.
+was cut goes on with the next (`resume`). Programs are a stranger's and run in the sandbox.
 """
 
 from __future__ import annotations
 
+import hashlib
 import json
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
 from chatscene import runs
 from chatscene.ego.policy import EgoPolicy, in_words, load_ego, senses_of, wanting
-from chatscene.errors import EgoError, MapError, ProgramError, RunError, SettingsError, StuckBehavior
+from chatscene.errors import (
+    ChatSceneError,
+    EgoError,
+    MapError,
+    ProgramError,
+    ProgramStopped,
+    RunError,
+    SettingsError,
+    StuckBehavior,
+)
 from chatscene.imports.collection import CollectedProgram, Collection, read_collection
 from chatscene.measure.drive import Ran, drive
-from chatscene.program.sample import draw, scene_seed
-from chatscene.report.collection import collection_page
+from chatscene.program.sample import drawn_scene
+from chatscene.report.collection import Drives, Row, collection_page
 from chatscene.report.evaluation import fared_of
 from chatscene.report.tables import write_tables
-from chatscene.runs.atomic import read_bytes, write_bytes, write_json, writing
-from chatscene.runs.digests import digest_of
-from chatscene.runs.executor import Workers
+from chatscene.runs.atomic import json_of, read_bytes, write_bytes, write_json, writing
+from chatscene.runs.digests import DRAWN, digest_of
+from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
-from chatscene.runs.progress import Progress
+from chatscene.runs.progress import Progress, silent
+from chatscene.runs.record import path_from, seen_from
 from chatscene.runs.tables import RAW
+from chatscene.runs.trust import Repeated, follow
+from chatscene.runs.working import going_on
 from chatscene.search.generators.foreign import read_foreign
-from chatscene.settings import SimulationSettings
+from chatscene.settings import DRAWS, SimulationSettings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
+from chatscene.simulate.simulator import fails_in_its_scene
 from chatscene.terms.results import Cell, ResultTable
 from chatscene.terms.scenario import Slots
-from chatscene.terms.scene import Rejected, Scene, ScenicProgram, at_speed
+from chatscene.terms.scene import Scene, ScenicProgram, at_speed
 
-SCENES = 10  # drawn of a program with parameters, as many as `verify` judges
 _DRIVES = "drives.jsonl"
-_ASKED = "asked"
-
-Row = Mapping[str, Any]
+_RESULT = "evaluation.json"
+_OF_A_PROGRAM = (MapError, ProgramError, StuckBehavior, ProgramStopped)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,7 +69,7 @@ class Driving:
     """
 
     egos: tuple[str, ...]
-    scenes: int = SCENES
+    scenes: int = DRAWS
     seed: int = 0
     physics: str = ""
     speed: float | None = None
@@ -77,7 +90,8 @@ class Compared:
         tables: By name; also written to ``tables/``.
         fared: A row for each ego, as that of an evaluation.
         failures: Why egos were given up, by ego.
-        lost: Why programs were not driven, by their names.
+        lost: Why programs were not driven at all, by their names.
+        partly: Of those that were, how many drives were not made, and why.
         seconds: Wall time of this call.
     """
 
@@ -87,6 +101,7 @@ class Compared:
     fared: list[dict[str, Any]]
     failures: dict[str, str]
     lost: dict[str, str]
+    partly: dict[str, str]
     seconds: float
 
 
@@ -96,31 +111,38 @@ class Driver:
     def __init__(self, driving: Driving) -> None:
         self._driving = driving
         self._egos: dict[str, EgoPolicy] = {}
-        self._failed: dict[str, str] = {}
+        self._given_up: dict[str, str] = {}
         self._map: Path | None = None
         self._simulator: ConfinedSimulator | None = None
 
     def __call__(self, program: CollectedProgram) -> list[dict[str, Any]]:
-        """A row for each drive, or one for a program that does not run."""
+        """A row for each drive, or one for a program that does not run; a drive that fails leaves the others."""
         try:
             found = self._program(program)
             simulator = self._simulator_on(program.map_path)
-            simulator.route(found, 0)
-            return [row for scene in self.scenes(found) for row in self._each(program, found, scene, simulator)]
-        except (MapError, ProgramError, StuckBehavior) as error:
-            return [{"program": program.name, "status": "failed", "reason": str(error).partition("\n")[0]}]
+            if not found.drawn:
+                simulator.route(found, 0)
+        except _OF_A_PROGRAM as error:
+            return [{"program": program.name, **_failed(error)}]
+        scenes = [drawn_scene(found, n, seed=self._driving.seed) for n in range(self._scenes(found))]
+        rows, stopped = list[dict[str, Any]](), dict[str, Any]()
+        for scene in scenes:
+            for ego in self._driving.egos:
+                row = {"program": program.name, "scene_id": scene.id, "values": dict(scene.values), "ego": ego}
+                try:
+                    rows.append(row | (stopped or self._drive(found, scene, ego, simulator)))
+                except _OF_A_PROGRAM as error:
+                    told = _failed(error)
+                    stopped = {} if fails_in_its_scene(error) else told
+                    rows.append(row | told)
+        return rows
+
+    def _scenes(self, program: ScenicProgram) -> int:
+        return self._driving.scenes if program.parameters else 1
 
     def _program(self, program: CollectedProgram) -> ScenicProgram:
         found = read_foreign(program.path, searched_with=False).program
         return found if self._driving.speed is None else at_speed(found, self._driving.speed / 3.6)
-
-    def scenes(self, program: ScenicProgram) -> Iterator[Scene]:
-        """The scenes of a program."""
-        for number in range(self._driving.scenes if program.parameters else 1):
-            name = f"{program.scenario_id}/route-00/draw-{number:03d}"
-            seed = scene_seed(self._driving.seed, name)
-            values = draw(program.parameters, seed=seed)
-            yield Scene(id=name, scenario_id=program.scenario_id, route=0, block=0, seed=seed, values=values)
 
     def _simulator_on(self, map_path: Path) -> ConfinedSimulator:
         if self._simulator is None or self._map != map_path:
@@ -128,21 +150,16 @@ class Driver:
             self._map, self._simulator = map_path, ConfinedSimulator(map_path, self._driving.simulation)
         return self._simulator
 
-    def _each(
-        self, program: CollectedProgram, found: ScenicProgram, scene: Scene, simulator: ConfinedSimulator
-    ) -> Iterator[dict[str, Any]]:
-        for name in self._driving.egos:
-            row = {"program": program.name, "scene_id": scene.id, "values": dict(scene.values), "ego": name}
-            if name not in self._failed:
-                try:
-                    if name not in self._egos:
-                        self._egos[name] = load_ego(name)
-                    outcome = drive(found, Slots(), scene, simulator=simulator, ego=self._egos[name])
-                    yield row | (_ran(outcome) if isinstance(outcome, Ran) else _rejected(outcome))
-                    continue
-                except EgoError as error:
-                    self._failed[name] = str(error)
-            yield row | {"status": "ego failed", "reason": self._failed[name]}
+    def _drive(self, program: ScenicProgram, scene: Scene, ego: str, simulator: ConfinedSimulator) -> dict[str, Any]:
+        if ego not in self._given_up:
+            try:
+                if ego not in self._egos:
+                    self._egos[ego] = load_ego(ego)
+                outcome = drive(program, Slots(), scene, simulator=simulator, ego=self._egos[ego])
+                return _ran(outcome) if isinstance(outcome, Ran) else {"status": "rejected", "reason": outcome.reason}
+            except EgoError as error:
+                self._given_up[ego] = str(error)
+        return {"status": "ego failed", "reason": self._given_up[ego]}
 
     def close(self) -> None:
         """End the simulator's process."""
@@ -169,8 +186,8 @@ def _ran(outcome: Ran) -> dict[str, Any]:
     }
 
 
-def _rejected(outcome: Rejected) -> dict[str, Any]:
-    return {"status": "rejected", "reason": outcome.reason}
+def _failed(error: ChatSceneError) -> dict[str, Any]:
+    return {"status": "failed", "reason": str(error).partition("\n")[0]}
 
 
 def evaluate_collection(folder: Path, out: Path, driving: Driving, *, workers: Workers, progress: Progress) -> Compared:
@@ -192,26 +209,65 @@ def evaluate_collection(folder: Path, out: Path, driving: Driving, *, workers: W
     egos = driving.egos
     if not egos or len(set(egos)) != len(egos):
         raise SettingsError(f"name each ego once, and at least one: {', '.join(egos) or 'none given'}")
-    senses = {ego: senses_of(wanting(load_ego(ego), None)) for ego in egos}
     collection = read_collection(folder)
     if not collection.programs:
         raise SettingsError(f"of the files of {folder} none became a program; there is nothing to drive")
-    with runs.alone(out):
-        rows = _drive_all(collection, out, driving, workers, progress)
-        return replace(_written(collection, out, egos, senses, rows), seconds=time.monotonic() - began)
+    asked = _asked(collection, out, driving)
+    with going_on(out, asked, progress, leaves=(_DRIVES, _RESULT, *DRAWN)) as (work, tell):
+        rows = _drive_all(collection, work, driving, workers, tell)
+        compared = _written(collection, work, asked, rows)
+    return replace(compared, seconds=time.monotonic() - began)
+
+
+def resume(
+    folder: Path, *, workers: Workers = ONE, progress: Progress = silent, repeated: Repeated | None = None
+) -> Compared:
+    """Go on with an evaluation of an imported folder that was killed or failed.
+
+    Raises:
+        RunError: There is none in the folder; what it drives was changed since; or it names what must be repeated
+            (`chatscene.runs.trust.follow`).
+    """
+    work = runs.open_run(folder, runs.ComparisonRecord)
+    follow(repeated or Repeated(), egos_of=[work])
+    record = runs.read_record(work, runs.ComparisonRecord)
+    imported = path_from(folder, record.imported)
+    driving = runs.settings_from(Driving, {**record.settings, "egos": tuple(record.egos)})
+    now = _asked(read_collection(imported), folder, driving)
+    if (record.programs, record.maps) != (now.programs, now.maps):
+        raise RunError(
+            f"{imported} is not what {folder} was begun with: a program or a map was changed, added or removed; put "
+            "it back, or evaluate it into another folder"
+        )
+    return evaluate_collection(imported, folder, driving, workers=workers, progress=progress)
+
+
+def _asked(collection: Collection, out: Path, driving: Driving) -> runs.ComparisonRecord:
+    """What is asked for, as `run.json` has it."""
+    maps = {one.map_path: one.name for one in reversed(collection.programs)}
+    return runs.ComparisonRecord(
+        imported=seen_from(out, collection.folder),
+        programs={one.name: digest_of(one.path) for one in collection.programs},
+        maps={name: digest_of(path) for path, name in sorted(maps.items(), key=lambda one: one[1])},
+        egos=list(driving.egos),
+        ego_digests=runs.ego_digests(driving.egos),
+        senses={ego: senses_of(wanting(load_ego(ego), None)) for ego in driving.egos},
+        settings={name: value for name, value in asdict(driving).items() if name != "egos"},
+    )
 
 
 def _drive_all(
-    collection: Collection, out: Path, driving: Driving, workers: Workers, progress: Progress
+    collection: Collection, work: runs.Workspace, driving: Driving, workers: Workers, progress: Progress
 ) -> list[dict[str, Any]]:
     """Drive what is not driven yet; all rows, in the order of programs."""
-    kept = _taken_up(collection, out, driving)
+    where = work.file(_DRIVES)
+    kept = _kept(where, {one.name for one in collection.programs})
     left = [one for one in _by_map(collection.programs) if one.name not in kept]
     every = len(collection.programs)
-    with writing(out / _DRIVES), (out / _DRIVES).open("a", encoding="utf-8") as stream:
+    with writing(where), where.open("a", encoding="utf-8") as stream:
         for done, own in enumerate(spread(Driver, driving, left, workers=workers), every - len(left) + 1):
             kept[own[0]["program"]] = own
-            stream.write(json.dumps(own) + "\n")
+            stream.write(_line(own))
             stream.flush()
             progress("driving, programs", done, every)
     return [row for one in collection.programs for row in kept[one.name]]
@@ -222,57 +278,92 @@ def _by_map(programs: Sequence[CollectedProgram]) -> list[CollectedProgram]:
     return sorted(programs, key=lambda one: str(one.map_path))
 
 
-def _taken_up(collection: Collection, out: Path, driving: Driving) -> dict[str, list[dict[str, Any]]]:
+def _line(rows: Sequence[Row]) -> str:
+    """What is kept of a program when all egos drove it, with a digest by which damage is seen."""
+    return json.dumps({"digest": _digest(rows), "drives": rows}) + "\n"
+
+
+def _digest(rows: object) -> str:
+    return hashlib.sha256(json.dumps(rows).encode()).hexdigest()
+
+
+def _kept(where: Path, programs: set[str]) -> dict[str, list[dict[str, Any]]]:
     """What was driven before the same evaluation was cut, by the name of the program.
 
     Raises:
-        RunError: The folder holds something else.
+        RunError: It is not what was written.
     """
-    where = out / _DRIVES
-    digests = {one.name: digest_of(one.path) for one in collection.programs}
-    asked = json.dumps({_ASKED: asdict(driving), "programs": digests}, sort_keys=True)
     if not where.is_file():
-        if any(out.iterdir()):
-            raise RunError(f"{out} holds something else; choose a new folder with --out")
-        write_bytes(where, (asked + "\n").encode())
         return {}
-    first, *lines = read_bytes(where).decode("utf-8", errors="replace").split("\n")
-    if first != asked:
-        raise RunError(f"{out} holds another evaluation; choose a new folder with --out")
-    whole = lines[:-1]  # behind the last end of a line is what a kill cut off
-    write_bytes(where, "".join(f"{line}\n" for line in (first, *whole)).encode())
-    found = [json.loads(line) for line in whole]
-    return {rows[0]["program"]: rows for rows in found}
+    *whole, cut = read_bytes(where).decode("utf-8", errors="replace").split("\n")
+    if cut:  # behind the last end of a line is what a kill cut off
+        write_bytes(where, "".join(f"{line}\n" for line in whole).encode())
+    found = dict[str, list[dict[str, Any]]]()
+    for number, line in enumerate(whole, 1):
+        told = json_of(where, line.encode())
+        rows = told.get("drives") or [{"program": ""}]
+        if told.get("digest") != _digest(rows) or rows[0]["program"] not in programs:
+            raise RunError(f"{where}, line {number}, is not what was written; evaluate into another folder")
+        found[rows[0]["program"]] = rows
+    return found
 
 
 def _written(
-    collection: Collection, out: Path, egos: Sequence[str], senses: Mapping[str, Any], rows: Sequence[Row]
+    collection: Collection, work: runs.Workspace, asked: runs.ComparisonRecord, rows: Sequence[Row]
 ) -> Compared:
     """The folder's tables, page and JSON."""
     failures = {row["ego"]: row["reason"] for row in rows if row["status"] == "ego failed"}
-    lost = {row["program"]: row["reason"] for row in rows if row["status"] in {"failed", "rejected"}}
-    ran = [row for row in rows if row["status"] == "ran" and row["ego"] not in failures]
-    own = {ego: [row for row in ran if row["ego"] == ego] for ego in egos}
-    fared = [fared_of(ego, in_words(senses[ego]), drives) for ego, drives in own.items() if drives]
-    tables = {"collisions": _collisions(collection, own)}
-    write_tables(out / "tables", tables)
-    write_json(out / "evaluation.json", {"imported": str(collection.folder), "egos": fared, "drives": list(rows)})
-    page = out / "report.html"
-    write_bytes(page, collection_page(collection, fared, own, lost, failures).encode())
-    return Compared(folder=out, page=page, tables=tables, fared=fared, failures=failures, lost=lost, seconds=0.0)
+    egos = [ego for ego in asked.egos if ego not in failures]
+    drives: Drives = {ego: {} for ego in egos}
+    for row in rows:
+        if row["status"] == "ran" and row["ego"] in drives:
+            drives[row["ego"]].setdefault(row["program"], []).append(row)
+    every = {ego: [row for own in by_program.values() for row in own] for ego, by_program in drives.items()}
+    fared = [fared_of(ego, in_words(asked.senses[ego]), every[ego]) for ego in egos if every[ego]]
+    lost, partly = _not_driven(rows)
+    tables = {"collisions": _collisions(collection, drives)}
+    write_tables(work.file("tables"), tables)
+    write_json(work.file(_RESULT), {"imported": asked.imported, "egos": fared, "drives": list(rows)})
+    page = work.file("report.html")
+    write_bytes(page, collection_page(collection, fared, drives, lost, partly, failures).encode())
+    runs.update(work, failures=failures)
+    return Compared(
+        folder=work.path,
+        page=page,
+        tables=tables,
+        fared=fared,
+        failures=failures,
+        lost=lost,
+        partly=partly,
+        seconds=0.0,
+    )
 
 
-def _collisions(collection: Collection, own: Mapping[str, Sequence[Row]]) -> ResultTable:
+def _not_driven(rows: Sequence[Row]) -> tuple[dict[str, str], dict[str, str]]:
+    """Programs of which no drive was made, and why; and those of which some were not, with how many."""
+    lost, partly = dict[str, str](), dict[str, str]()
+    tried = [row for row in rows if row["status"] != "ego failed"]
+    for program, own in groupby(tried, key=lambda row: row["program"]):  # they stand together
+        drives = list(own)
+        why = [row["reason"] for row in drives if row["status"] != "ran"]
+        if len(why) == len(drives):
+            lost[program] = why[0]
+        elif why:
+            partly[program] = f"{len(why)} of {len(drives)} drives: {why[0]}"
+    return lost, partly
+
+
+def _collisions(collection: Collection, drives: Drives) -> ResultTable:
     """The share of each program's drives in which each ego collides."""
 
     def cell(ego: str, program: str) -> Cell:
-        hits = [bool(row["collision"]) for row in own[ego] if row["program"] == program]
+        hits = [bool(row["collision"]) for row in drives[ego].get(program, ())]
         return Cell(sum(hits) / len(hits) if hits else None)
 
     return ResultTable(
         title="Collision rate of each ego in each program that was imported",
-        columns=tuple(own),
-        rows=tuple((one.name, tuple(cell(ego, one.name) for ego in own)) for one in collection.programs),
+        columns=tuple(drives),
+        rows=tuple((one.name, tuple(cell(ego, one.name) for ego in drives)) for one in collection.programs),
         notes=(
             "The share of the drives of a program that end with a collision of the ego; one drive has no interval.",
         ),

@@ -33,6 +33,7 @@ from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.rebuild import map_of, rebuild
+from chatscene.runs.record import seen_from
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import working
 from chatscene.search.climb import simulator_of
@@ -195,7 +196,7 @@ def _source(
     if scenario.base is None:
         raise RunError(f"the scenario of {run.path} belongs to none of the eight base scenarios that tables have")
     return runs.SourceRecord(
-        folder=runs.SourceRecord.seen_from(folder, run.path),
+        folder=seen_from(folder, run.path),
         scenario_id=scenario.id,
         base=scenario.base,
         generator=record.generator,

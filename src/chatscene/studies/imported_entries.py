@@ -67,6 +67,7 @@ def covered(row: Covered, driver: Driver | None, egos: Sequence[str]) -> Covered
     if not ran:
         return replace(row, answer=Answer.FAILED, reasons=tuple(dict.fromkeys(one["reason"] for one in drives)))
     missed = Counter(told for one in ran for told in one["unplayed"])
+    missed += Counter(f"not driven: {one['reason']}" for one in drives if one["status"] != "ran")
     return replace(
         row,
         answer=Answer.SERVED,

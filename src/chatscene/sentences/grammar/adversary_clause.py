@@ -6,13 +6,14 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from chatscene.read.inflection import Form, conjugated, plural, with_article
+from chatscene.read.inflection import Form, conjugated
 from chatscene.sentences.grammar import deed_pairs, deeds, where, who
 from chatscene.sentences.grammar.quoting import predicate
 from chatscene.sentences.grammar.voice import Voice
 from chatscene.terms.actors import Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.description import Style
+from chatscene.terms.nouns import plural, with_article
 from chatscene.terms.scenario import Distance, Position
 
 OWN_WORDS = 0.35  # share of sentences that say what the adversary does in the words of its snippet, where they fit

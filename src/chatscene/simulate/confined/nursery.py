@@ -24,7 +24,7 @@ from typing import Any
 from platformdirs import user_cache_path
 
 from chatscene import errors
-from chatscene.errors import ChatSceneError, DoesNotCompile, MapError, SandboxError, StuckBehavior
+from chatscene.errors import ChatSceneError, DoesNotCompile, MapError, ProgramStopped, SandboxError, StuckBehavior
 from chatscene.maps.network import map_digest
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.confined.child import CHUNK, WATCHMAN
@@ -355,7 +355,7 @@ class Confined:
             ChatSceneError: What the program came to.
         """
         if not self._open:
-            raise SandboxError(f"{self._label} was stopped and cannot be asked again")
+            raise ProgramStopped(f"{self._label} was stopped and cannot be asked again")
         try:
             self._say(encode({"do": do, **arguments}))
             answer = self._hear(do)
@@ -406,10 +406,10 @@ class Confined:
         message = decode(line)
         if "stopped" in message:
             tried = f"it tried what no scene needs: {words(message['stopped'])}"
-            raise SandboxError(f"{self._label} was stopped: {tried}{self._hint}")
+            raise ProgramStopped(f"{self._label} was stopped: {tried}{self._hint}")
         return message
 
-    def _ended(self) -> SandboxError:
+    def _ended(self) -> ProgramStopped:
         """The error for a process that is no more."""
         status = self._last_moment()
         causes = {
@@ -419,7 +419,7 @@ class Confined:
             -signal.SIGSYS: "it made a forbidden system call",
             -signal.SIGSEGV: "it crashed, perhaps by endless recursion",
         }
-        return SandboxError(f"{self._label} was stopped: {causes.get(status, f'its process ended ({status})')}")
+        return ProgramStopped(f"{self._label} was stopped: {causes.get(status, f'its process ended ({status})')}")
 
     def _last_moment(self) -> int:
         """Wait for a process that has closed its end to die by itself, so that its own cause is seen, but not long."""
@@ -438,7 +438,7 @@ class Confined:
             named = "" if f"line {place.line}" in message else f" (line {place.line})"
             message = f"{message}{named}\n{shown}"
         if kind == "MemoryError":
-            return SandboxError(f"{self._label} was stopped: it used up its memory")
+            return ProgramStopped(f"{self._label} was stopped: it used up its memory")
         if isinstance(kind, str) and kind in _PASSED_ON:
             return _PASSED_ON[kind](message)
         return DoesNotCompile(f"{self._label} fails: {words(kind)}: {message}")

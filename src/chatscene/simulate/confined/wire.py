@@ -16,7 +16,7 @@ from typing import Any, NoReturn, TypeVar
 
 import numpy as np
 
-from chatscene.errors import ChatSceneError, SandboxError
+from chatscene.errors import ChatSceneError, ProgramStopped, SandboxError
 from chatscene.files.bounded import parse_json
 from chatscene.terms.episode import Array, Ending, Episode, Event, EventKind, Reached, Role, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
@@ -66,9 +66,9 @@ def _refuse(constant: str) -> NoReturn:
     raise ValueError(constant)
 
 
-def nonsense(what: str) -> SandboxError:
+def nonsense(what: str) -> ProgramStopped:
     """The error for an answer that no honest process gives."""
-    return SandboxError(f"the confined process answered nonsense ({what}); the program is not to be trusted")
+    return ProgramStopped(f"the confined process answered nonsense ({what}); the program is not to be trusted")
 
 
 def words(value: object) -> str:
