@@ -23,7 +23,7 @@ from chatscene.measure.drive import Ran, drive
 from chatscene.runs.executor import ONE
 from chatscene.runs.progress import silent
 from chatscene.studies.catalogue import load_catalogue
-from chatscene.studies.collection import Driving, evaluate_collection
+from chatscene.studies.collection import Compared, Driving, evaluate_collection
 from chatscene.terms.coverage import Answer
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -100,7 +100,9 @@ def test_an_evaluation_that_was_killed_is_gone_on_with_by_resume(imported: Path,
     assert [one["kind"] for one in listed(tmp_path)["pages"]] == ["evaluation", "evaluation"]
     assert f"{EGO} on 2 imported programs" in {one["title"] for one in listed(tmp_path)["pages"]}
     moved = shutil.copytree(tmp_path, tmp_path.parent / f"{tmp_path.name}-moved")
-    assert chatscene.resume(moved / "out").fared == whole.fared
+    resumed = chatscene.resume(moved / "out")
+    assert isinstance(resumed, Compared)
+    assert resumed.fared == whole.fared
     with (theirs / "a.scenic").open("a") as program:
         program.write("# changed\n")
     with pytest.raises(RunError, match="a program or a map was changed, added or removed"):
