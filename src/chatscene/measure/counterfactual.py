@@ -6,6 +6,7 @@ simulated, and what comes of it is compared with the crash. Decision 0074 says w
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -21,6 +22,7 @@ from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.actors import LIMITS, Limits, named
 from chatscene.terms.braking import STANDING
+from chatscene.terms.braking import Braking as Foot
 from chatscene.terms.episode import Episode, Event, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import CAR, Rejected, Scene, ScenicProgram
@@ -76,8 +78,15 @@ class Trial:
         except ProgramError as error:
             return Came(crashed=False, rejected=str(error))
 
-    def instead(self, driver: Driver, pedals: str, not_over_before: int) -> bool:
-        """Whether another driver avoids every collision: neither crashes nor is still on the way there at the end."""
+    def instead(self, driver: Driver, pedals: str, not_over_before: int, brakes: Foot | None = None) -> bool:
+        """Whether another driver avoids every collision: neither crashes nor is still on the way there at the end.
+
+        Args:
+            driver: Who drives.
+            pedals: Those of the driver.
+            not_over_before: The step until which standing does not end the drive.
+            brakes: All that the driver does, if that is to brake.
+        """
         self.drives += 1
         with time_limit(f"scene {self.scene.id!r}, driven otherwise"):
             ended = drive_instead(
@@ -89,6 +98,7 @@ class Trial:
                 pedals=pedals,
                 not_over_before=not_over_before,
                 dt=self.episode.dt,
+                braking=brakes,
             )
         ego = self.episode.ego_track
         where, *_ = self.route.project(float(ego.x[self.crash.step]), float(ego.y[self.crash.step]))
@@ -277,8 +287,9 @@ def latest_braking(trial: Trial) -> Braking | None:
     """
 
     def avoided(step: int) -> bool:
-        driver = _Braking(trial.ego, step)
-        return trial.instead(driver, pedals_of(trial.ego), max(step, trial.crash.step))
+        over, dt = max(step, trial.crash.step), trial.episode.dt
+        brakes = Foot(begins=step, full=math.inf, ramp=dt, over=over)  # the pedals let through what they do
+        return trial.instead(_Braking(trial.ego, step), pedals_of(trial.ego), over, brakes)
 
     latest = _first_of_run(range(trial.crash.step - 1, -1, -1), avoided)
     if latest is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import shutil
 from contextlib import suppress
 from dataclasses import fields
@@ -15,12 +16,13 @@ import pytest
 from chatscene.ego.network import HIDDEN, OUTPUTS, Network, NetworkEgo
 from chatscene.ego.observation import AHEAD, ALLOWED, NEAREST, OBSERVATIONS, OWN, PER_ACTOR, ROAD, Observation, scale_of
 from chatscene.ego.planner import Caution, Planner
-from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, wanting
+from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of, wanting
 from chatscene.errors import MapError, StuckBehavior
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
 from chatscene.measure.avoidability import CarefulDriver, careful_braking
+from chatscene.measure.counterfactual import _Braking as Whole  # pyright: ignore[reportPrivateUsage]
 from chatscene.measure.instead import Ended, drive_instead
 from chatscene.program.assemble import assemble
 from chatscene.program.sample import scene_at
@@ -34,6 +36,7 @@ from chatscene.simulate.native.simulator import NativeSimulator
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.actors import LIMITS
+from chatscene.terms.braking import Braking
 from chatscene.terms.episode import Episode, Stepped
 from chatscene.terms.plan import PRIMITIVES
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
@@ -154,6 +157,30 @@ def _braked(simulator: Simulator, program: ScenicProgram, ego: EgoPolicy, begins
         dt=SETTINGS.dt,
         braking=braking,
     )
+
+
+@pytest.mark.parametrize("ego", ["sac", "idm", "planner"])
+@pytest.mark.parametrize("begins", [0, 14, 30])
+def test_all_that_the_egos_own_pedals_brake_is_the_same_inside_the_engine(
+    native: NativeSimulator, ego: str, begins: int
+) -> None:
+    program, policy = _program(PHASES["BrakeOnPath"]), load_ego(ego)
+    braking = Braking(begins=begins, full=math.inf, ramp=SETTINGS.dt, over=40)
+    inside, outside = (
+        drive_instead(
+            Whole(policy, begins),
+            policy,
+            program,
+            _scene(),
+            simulator,
+            pedals=pedals_of(policy),
+            not_over_before=40,
+            dt=SETTINGS.dt,
+            braking=braking,
+        )
+        for simulator in (native, load_simulator(TOWN, SETTINGS))
+    )
+    assert inside == outside
 
 
 def _street(draw: np.random.Generator, fastest: float = 12.0) -> Observation:

@@ -112,8 +112,9 @@ class NativeSession:
         policy = policy_of(ego, self._engine)
         if policy is None or observation_of(ego) != self._reference.preset:
             return False
-        self._bound.world.hardest = PEDALS[self._pedals]
-        self._engine.brake(self._bound.world, policy, foot_of(braking, PEDALS[pedals_of(ego)], self._reference.limits))
+        hardest = self._bound.world.hardest = PEDALS[self._pedals]
+        foot = foot_of(braking, PEDALS[pedals_of(ego)] / hardest, self._reference.limits)
+        self._engine.brake(self._bound.world, policy, foot)
         self._look()
         return True
 
