@@ -12,6 +12,7 @@
     ├ NothingFits              the sentence was understood; no triple of snippets serves it
     ├ EditRefused              an edit has words that nobody understands, or contradicts what stays
     ├ MapError                 a map is missing, broken, or lacks the geometry asked for
+    │  └ UnreadRoad            one of its roads cannot be made into lanes
     ├ SituationError           a written situation has words, sides or names that there are not
     ├ SnippetError             a library file is malformed, or breaks its own contract
     ├ ProgramError
@@ -153,6 +154,18 @@ class EditRefused(ChatSceneError):  # noqa: N818 - reads as what it says
 
 class MapError(ChatSceneError):
     """A map is missing, broken, or has not the geometry that was asked for."""
+
+
+class UnreadRoad(MapError):  # noqa: N818
+    """A road of a map cannot be made into lanes.
+
+    Attributes:
+        road: Its id.
+    """
+
+    def __init__(self, message: str, *, road: str) -> None:
+        super().__init__(message)
+        self.road = road
 
 
 class SituationError(ChatSceneError):

@@ -11,7 +11,7 @@ import click
 
 from chatscene.commands.options import JSON
 from chatscene.commands.output import console, say
-from chatscene.errors import MapError, SettingsError
+from chatscene.errors import SettingsError
 
 if TYPE_CHECKING:
     from chatscene.maps.survey import MapDescription
@@ -73,8 +73,7 @@ def import_map(extract: Path, out: Path | None, as_json: bool) -> None:
     chatscene map import street.osm
     chatscene map import street.osm --out high-street.xodr
     """
-    from chatscene.files.atomic import write_whole
-    from chatscene.maps.network import load_network
+    from chatscene.maps.joints import write_loadable
     from chatscene.maps.openstreetmap import read_extract
     from chatscene.maps.survey import check_map, describe_map
     from chatscene.simulate.confined.netconvert import convert
@@ -86,17 +85,12 @@ def import_map(extract: Path, out: Path | None, as_json: bool) -> None:
         raise SettingsError(f"{out} is there already; delete it, or give another name with --out")
     found = read_extract(extract)
     made = convert(extract, found)
-    write_whole(out, made.xodr)
-    try:
-        load_network(out)
-    except MapError as error:
-        out.unlink()
-        why = str(error).removeprefix(f"map {out.name!r} ").removesuffix(f" ({out})")
-        raise MapError(f"{extract} becomes a map that {why}; leave that part out of the extract") from error
+    cuts = write_loadable(out, made.xodr, extract)
     _show(describe_map(out), as_json=as_json)
     notes = [f"netconvert: {warning}" for warning in made.warnings[:WARNINGS]]
     if (more := len(made.warnings) - WARNINGS) > 0:
         notes.append(f"netconvert: and {more} more warnings")
+    notes += [f"left out: the joint at node {cut.node}, where its lanes end now; {cut.why}" for cut in cuts]
     if found.backways:
         notes.append(f"left out: {found.backways} service roads and tracks")
     if found.stacked:

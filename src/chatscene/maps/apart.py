@@ -24,7 +24,7 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as Xml
 
-from chatscene.errors import MapError
+from chatscene.errors import MapError, UnreadRoad
 
 FEW_PARTS, FEW_ELEMENTS = 50, 500  # the worst map of so few that is known takes five seconds
 START = 60  # [s] of the processor that every map has
@@ -66,7 +66,7 @@ def read_apart(path: Path, root: Xml.Element, load: Callable[[Path], Any]) -> An
                 said = json.loads(line)
                 at = said.get("at", at)
         if "fault" in said:
-            raise MapError(said["fault"])
+            raise UnreadRoad(said["fault"], road=road) if (road := said.get("road")) else MapError(said["fault"])
         if process.returncode == 0 and made.exists():
             return load(made)
         last = log.read_text("utf-8", "replace").strip().rpartition("\n")[2]

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as Xml
 
-from chatscene.errors import ChatSceneError, MapError
+from chatscene.errors import ChatSceneError, MapError, UnreadRoad
 from chatscene.files.atomic import write_whole
 from chatscene.files.bounded import is_there
 from chatscene.files.caches import cache_folder, only_mine
@@ -26,7 +26,7 @@ from chatscene.maps.apart import read_apart, takes_seconds
 from chatscene.maps.carla_towns import carla_town, how_to_have
 from chatscene.maps.plain_form import in_plain_form, without_namespace
 from chatscene.maps.scenic_parser import read_other_makers
-from chatscene.maps.unread import why_unread
+from chatscene.maps.unread import road_unread, why_unread
 from chatscene.terms.scenario import Site
 
 LONGEST = 1e5  # [m] of a road
@@ -151,9 +151,8 @@ def furnished(path: Path, root: Xml.Element, make: Callable[[], Any]) -> Any:
         if "bad_alloc" in str(error):  # how that library says it
             raise MemoryError(str(error)) from error
         why = why_unread(root, error)
-        raise MapError(
-            f"map {path.name!r} is OpenDRIVE, but its roads cannot be made into lanes: {why} ({path})"
-        ) from error
+        said = f"map {path.name!r} is OpenDRIVE, but its roads cannot be made into lanes: {why} ({path})"
+        raise (UnreadRoad(said, road=road) if (road := road_unread(error)) else MapError(said)) from error
     if not network.lanes:
         raise MapError(f"map {path.name!r} has no lane to drive on ({path})")
     assert isinstance(network, Network)

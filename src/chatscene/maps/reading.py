@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from chatscene.errors import ChatSceneError
+from chatscene.errors import ChatSceneError, UnreadRoad
 
 _PR_SET_PDEATHSIG = 1
 
@@ -35,6 +35,8 @@ def main() -> None:
     path, made, within = Path(sys.argv[1]), Path(sys.argv[2]), int(sys.argv[3])
     try:
         _make(path, made, within, tell)
+    except UnreadRoad as error:
+        tell(fault=str(error), road=error.road)
     except ChatSceneError as error:
         tell(fault=str(error))
     except MemoryError:

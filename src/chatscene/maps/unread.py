@@ -130,11 +130,21 @@ def _numbers(element: Xml.Element) -> Iterator[str]:
             yield f"has no {name}" if written is None else f"has {name}={written[:40]!r}, which is no number"
 
 
+def road_unread(error: Exception) -> str | None:
+    """The id of the road at which the parser gave up, if it was at one."""
+    return _at(error).get("road")
+
+
 def _where(error: Exception) -> str:
-    """The road, section and lane at which the parser was."""
-    at: dict[str, object] = {}
+    at = _at(error)
+    return f"{', '.join(f'{kind} {id_}' for kind, id_ in at.items())}: " if at else ""
+
+
+def _at(error: Exception) -> dict[str, str]:
+    """The road, lane and junction at which the parser was."""
+    at: dict[str, str] = {}
     for frame, _ in walk_tb(error.__traceback__):
         for name, kind in (("road", "road"), ("lane", "lane"), ("junction", "junction")):
             if (id_ := getattr(frame.f_locals.get(name), "id_", None)) is not None:
-                at[kind] = id_
-    return f"{', '.join(f'{kind} {id_}' for kind, id_ in at.items())}: " if at else ""
+                at[kind] = str(id_)
+    return at
