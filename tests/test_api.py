@@ -107,6 +107,21 @@ def test_a_function_takes_what_its_command_takes(verb: str) -> None:
     assert taken - {"settings", "progress", "within"} == options - {"as_json", "show_program"}
 
 
+@pytest.mark.parametrize("verb", COMMANDS)
+def test_the_values_that_a_docstring_and_a_help_quote_are_choices_of_the_option(verb: str) -> None:
+    command, words = COMMANDS[verb]
+    told = inspect.getdoc(getattr(api, verb)) or ""
+    for option in command.params:
+        if not isinstance(option, click.Option) or not isinstance(option.type, click.Choice):
+            continue
+        choices, name = {str(choice) for choice in option.type.choices}, words.get(str(option.name), option.name)
+        (entry,) = re.findall(rf"^    {name}: (.*(?:\n     .*)*)", told, re.MULTILINE)
+        quoted = set(re.findall(r"``([\w-]+)``", entry))
+        assert quoted <= choices, f"{verb}, {name}: its docstring quotes {quoted - choices}; choices are {choices}"
+        named = {one for one in choices if re.search(rf"\b{one}\b", option.help or "")}
+        assert named in (set(), choices), f"{option.opts[0]}: its help names {named} of {choices}"
+
+
 class Asked(Exception):  # noqa: N818
     """Stands for the work; holds what was asked for."""
 

@@ -93,7 +93,7 @@ def run(
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
         language_model: ``openai:MODEL`` or ``gguf:FILE``, which fills a situation from the text; or ``offline``.
-        reader: ``facts``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
+        reader: ``situation``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
         reading: Which of the readings that are offered is taken whole, from 1.
         set: Facts beside the text, by name, which are sure: ``{"side": "left"}``; of a situation, stated or
             filled, by path: ``{"others.A.starts.side": "left"}``.
@@ -221,7 +221,7 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
         language_model: ``openai:MODEL`` or ``gguf:FILE``, which fills a situation from the text; or ``offline``.
-        reader: ``facts``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
+        reader: ``situation``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
         reading: Which of the readings that are offered is taken whole, from 1.
         set: Facts beside the text, by name, which are sure: ``{"side": "left"}``; of a situation, stated or filled, by
             path.

@@ -171,8 +171,8 @@ READER = click.option(
     type=click.Choice(READERS),
     default=READERS[0],
     show_default=True,
-    help="How TEXT is read: facts, of which a situation is made; or paper, by wording alone, with snippets and without "
-    "refusals.",
+    help="How TEXT is read: as a situation, of which a program is built; or, as in the paper, by wording alone, with "
+    "snippets and without refusals.",
 )
 CHOOSING = together(
     READER,
