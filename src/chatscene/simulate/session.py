@@ -116,8 +116,7 @@ class SteppedSession:
         self._program = program
         self.draws = draws
         self.stepped = Stepped()
-        self._drawn = program.drawn
-        self._as_written = program.as_written
+        self._drawn, self._as_written = program.drawn, program.as_written
         self._followed = FollowedPlans(program.source, simulation)
         self._phases: dict[int, int] = {}
         self._names: list[tuple[str, Role]] = []
@@ -149,6 +148,7 @@ class SteppedSession:
         self.observation: Observation
         if not self.rejection:
             self._look()
+        self._at_first = self._view.along, self._view.offset
 
     @property
     def held(self) -> Obedience:
@@ -250,6 +250,21 @@ class SteppedSession:
         self._contacts = [self._contact(*contact) for contact in contacts]
         self.step_number, self.ending = step, ending
         self._phases = {number: phase for number, phase in phases.items() if self._followed.plan_of(number) is not None}
+
+    def begin_again(self) -> None:
+        """Be at the beginning once more, after others than the ego were put elsewhere (`SteppedSimulation.put`).
+
+        Only for a session that an engine steps: what its ego sees then, the engine tells.
+        """
+        self._view.along, self._view.offset = self._at_first
+        self._rows, self._offsets, self._contacts, self._phases = [], [], [], {}
+        self._touching.clear()
+        self.step_number, self.ending = 0, None
+        self.over = self._watching(self._program)
+        self.rejection = overlap(self.simulation.objects, self.simulation.bodies, self._names)
+        if not self.rejection:
+            self._was = ()
+            self.ending = self._ended()
 
     def _contact(self, step: int, other: int, side: str, speed: float, earlier: float) -> Event:
         return Event(

@@ -34,7 +34,7 @@ from chatscene.simulate.physics import CannotPlace, Physics, PhysicsOf
 from chatscene.terms.actors import kind_of
 from chatscene.terms.surroundings import Surroundings, surroundings_of
 from chatscene.world.actors import QUARTER
-from chatscene.world.bodies import Body, Placement
+from chatscene.world.bodies import Body, Placement, become
 from chatscene.world.control import Pose
 from chatscene.world.lights import TrafficLights
 from chatscene.world.pilots import Pilot
@@ -123,7 +123,7 @@ def live_of(cls: Any, values: Mapping[str, Any]) -> Any:
     return proxy
 
 
-def _speed_at_start(obj: Any, properties: dict[str, Any]) -> float:
+def _speed_at_start(obj: Any, properties: Mapping[str, Any]) -> float:
     """The speed [m/s] along its heading that a program gives to a thing, with `with speed` or `with velocity`.
 
     Raises:
@@ -203,9 +203,14 @@ class PhysicsSimulation(DrivingSimulation):
 
     def _embody(self, obj: Any, original: dict[str, Any]) -> None:
         """Give an object with these attributes its body."""
+        original["body"] = self._made(obj, original)
+        self.bodies.append(original["body"])
+
+    def _made(self, obj: Any, original: Mapping[str, Any]) -> Body:
+        """The body of an object with these attributes."""
         position, backs = original["position"], bool(original.get("backwards", False))
         heading, speed = original["heading"] + QUARTER, _speed_at_start(obj, original)
-        original["body"] = self._physics.add(
+        return self._physics.add(
             Placement(
                 kind=kind_of(obj),
                 x=position.x,
@@ -221,7 +226,6 @@ class PhysicsSimulation(DrivingSimulation):
                 backs=backs,
             )
         )
-        self.bodies.append(original["body"])
 
     def step(self) -> None:
         """Ask the pilots, then move every body by one step."""
@@ -457,6 +461,17 @@ class SteppedSimulation(SteppedLoop, PhysicsSimulation):
         self.objects = things
         for one in things:
             self._embody(one, one.__dict__)
+
+    def put(self, number: int, attributes: Mapping[str, Any], physics: Physics) -> None:
+        """Put a thing of the scene where it begins with other values of these attributes.
+
+        Raises:
+            CannotPlace: It has no room there.
+            ValueError: There can be no such thing.
+        """
+        thing = self.objects[number]
+        self._physics = physics
+        become(self.bodies[number], self._made(thing, {**thing.__dict__, **attributes}))
 
     def recordCurrentState(self) -> None:  # noqa: N802 - Scenic's name
         """Evaluate what the program records; tracks are kept by the session."""

@@ -14,6 +14,7 @@ from chatscene.maps.loading import load_roads
 from chatscene.maps.network import map_digest
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.physics import CannotPlace, Physics, PhysicsOf
+from chatscene.simulate.placing import Placement
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulation import SteppedSimulation
@@ -166,6 +167,33 @@ class SteppedSimulator:
         except Exception:  # noqa: BLE001 - whatever it is, `open` comes to it too, and says it as it does
             return None
         return Rejected(scene=scene, reason=session.rejection) if session.rejection else session
+
+    def again(self, session: SteppedSession, program: ScenicProgram, scene: Scene) -> Rejected | bool:
+        """Make a session of `place` that of another scene; whether that can be, which for a program always or never is.
+
+        It is then at its beginning. False also if anything fails: `place` comes to it, too.
+        """
+        placement = self._stage.placement(program, scene)
+        if placement is None or not placement.moves:
+            return False
+        free_process()
+        try:
+            placement.again(session.simulation, scene.values, scene.seed, self.physics_for(scene, None))
+            session.begin_again()
+        except RejectionException:
+            return Rejected(scene=scene, reason=NO_PLACE)
+        except CannotPlace as error:
+            return Rejected(scene=scene, reason=str(error))
+        except (StuckBehavior, MemoryError):
+            raise
+        except Exception:  # noqa: BLE001 - as in `place`
+            return False
+        return Rejected(scene=scene, reason=session.rejection) if session.rejection else True
+
+    def differs_in(self, program: ScenicProgram, scene: Scene) -> Placement | None:
+        """How scenes of a program on such a route differ, where `again` makes one of another; else None."""
+        placement = self._stage.placement(program, scene)
+        return placement if placement is not None and placement.moves else None
 
     def physics_for(self, scene: Scene, placed: Any) -> Physics:  # noqa: ARG002 - for those that need them
         """The physics of a scene, which Scenic has placed."""

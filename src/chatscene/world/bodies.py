@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cache
 
 from chatscene.terms.actors import LIMITS
 
@@ -140,6 +141,17 @@ class Walker(Body):
         super().__init__(x, y, heading, length, width, speed)
         self.course = heading
         self.target_speed = speed
+
+
+def become(body: Body, other: Body) -> None:
+    """Let a body be where another of its class is, as large and as fast."""
+    for name in _slots_of(type(body)):
+        setattr(body, name, getattr(other, name))
+
+
+@cache
+def _slots_of(kind: type[Body]) -> tuple[str, ...]:
+    return tuple(name for one in kind.__mro__ for name in getattr(one, "__slots__", ()))
 
 
 def body_of(placement: Placement) -> Body:

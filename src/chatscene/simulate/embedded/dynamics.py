@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 
 from chatscene.terms.actors import AIR_DRAG, LIMITS, REVERSE_SPEED, Limits
 from chatscene.world.bodies import Body, Placement, Vehicle, Walker
@@ -128,6 +129,11 @@ class WalkerBody(Walker):
             self.sin = vy / self.speed
 
 
+@lru_cache(maxsize=64)
+def _limits_of(kind: str, length: float, width: float, wheelbase: float, wheel_angle: float) -> Limits:
+    return replace(LIMITS[kind], length=length, width=width, wheelbase=wheelbase, wheel_angle=wheel_angle)
+
+
 def make_body(
     placement: Placement, vehicle: Callable[[float, float, float, Limits, float], VehicleBody] = VehicleBody
 ) -> Body:
@@ -152,9 +158,7 @@ def make_body(
         raise ValueError(f"a {kind} that begins at {speed:g} m/s; it goes at {slowest:g} to {known.top_speed:g} m/s")
     if not known.top_speed:
         return Body(x, y, heading, *size)
-    limits = replace(
-        known, length=size[0], width=size[1], wheelbase=placement.wheelbase, wheel_angle=placement.wheel_angle
-    )
+    limits = _limits_of(kind, *size, placement.wheelbase, placement.wheel_angle)
     body = vehicle(x, y, heading, limits, speed) if known.wheelbase else WalkerBody(x, y, heading, limits, speed)
     if isinstance(body, Vehicle):
         body.backs = placement.backs

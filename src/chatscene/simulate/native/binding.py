@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections import ChainMap
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -17,8 +17,9 @@ from chatscene.ego.intelligent_driver import CAR
 from chatscene.ego.policy import PEDALS
 from chatscene.errors import ChatSceneError
 from chatscene.simulate.native import engine
-from chatscene.simulate.native.code import Compiler, NotCovered, Surrounding
+from chatscene.simulate.native.code import Anew, Compiler, NotCovered, Surrounding
 from chatscene.simulate.native.lines import line_of
+from chatscene.simulate.placing import Placement
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.session import ARRIVAL, SteppedSession
 from chatscene.terms.actors import Limits
@@ -55,6 +56,8 @@ ORDER = [
 ]  # as engine.c numbers them
 POSE = ("x", "y", "heading", "speed", "before", "cos", "sin", "half_length", "half_width", "radius", "grip")
 CONTACTS = 256
+FAILS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, ChatSceneError)
+"""What comes of a value that cannot be computed."""
 
 
 @dataclass(slots=True)
@@ -65,11 +68,43 @@ class Bound:
         world: What the engine steps.
         rows: (steps + 1, bodies that move, 4): where each is at each step.
         offsets: (steps + 1,): of the ego from its route [m].
+        instructions: How many it has.
+        anew: What is to be done again for another scene of the program, on a copy of them.
     """
 
     world: engine.World
     rows: NDArray[np.float64]
     offsets: NDArray[np.float64]
+    instructions: int = 0
+    anew: tuple[Anew, ...] = ()
+
+    def again(self, session: SteppedSession, moved: Iterable[int]) -> Bound:
+        """Another scene of the program, at its beginning.
+
+        Args:
+            session: What this was bound of, at the beginning of that scene (`SteppedSimulator.again`).
+            moved: Which bodies are elsewhere in it.
+
+        Raises:
+            NotCovered: It differs in more than numbers.
+        """
+        found = self.copy()
+        world, bodies = found.world, session.simulation.bodies
+        if self.anew:
+            code = (engine.Instruction * self.instructions)()
+            ctypes.memmove(code, self.world.code, ctypes.sizeof(code))
+            try:
+                for part in self.anew:
+                    part(code)
+            except FAILS as error:
+                raise NotCovered("something that cannot be computed before the drive") from error
+            world.code = ctypes.cast(code, ctypes.POINTER(engine.Instruction))
+            world.kept.append(code)
+        for number in moved:
+            _pose(world.body[number], bodies[number])
+        found.rows[0] = [(b.x, b.y, b.heading, b.speed) for b in bodies if b.moves]
+        _watch(world, session)
+        return found
 
     def copy(self) -> Bound:
         """The same scene as far as it is now, to be stepped by itself; what stays as it is, is shared."""
@@ -88,12 +123,13 @@ class Bound:
         return Bound(world, rows, offsets)
 
 
-def bind(session: SteppedSession, program: ScenicProgram) -> Bound:
+def bind(session: SteppedSession, program: ScenicProgram, placement: Placement | None = None) -> Bound:
     """A session at its beginning, as arrays.
 
     Args:
         session: Opened by the embedded simulator, no step made.
         program: What it is a scene of.
+        placement: What its scenes differ in, if others are to be made of it (`Bound.again`).
 
     Raises:
         NotCovered: The engine does not do what the scene needs; the message says what.
@@ -108,15 +144,17 @@ def bind(session: SteppedSession, program: ScenicProgram) -> Bound:
     if len(simulation.objects) > engine.MOST_BODIES:
         raise NotCovered(f"more than {engine.MOST_BODIES} bodies")
     try:
-        return _Binder(session, program).bound()
-    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, ChatSceneError) as error:
+        return _Binder(session, program, placement).bound()
+    except FAILS as error:
         # It would fail in the drive too, if it is reached there.
         raise NotCovered(f"something that cannot be computed before the drive ({type(error).__name__})") from error
 
 
 class _Binder:
-    def __init__(self, session: SteppedSession, program: ScenicProgram) -> None:
+    def __init__(self, session: SteppedSession, program: ScenicProgram, placement: Placement | None) -> None:
         self._session = session
+        self._moved = placement.moved if placement is not None else frozenset[int]()
+        self._anew: list[Anew] | None = [] if placement is not None else None
         self._objects: list[Any] = list(session.simulation.objects)
         self._bodies: list[Any] = list(session.simulation.bodies)
         self._plans = written_plans(program.source)
@@ -157,23 +195,10 @@ class _Binder:
             world.room = self._doubles(session.around.room)
         if session.allowed is not None:
             world.allowed = self._doubles(session.allowed)
-        self._watch(world)
+        _watch(world, session)
         offsets[0] = session.offset
         world.kept = self._kept
-        return Bound(world, rows, offsets)
-
-    def _watch(self, world: engine.World) -> None:
-        """What is known of the end of the drive, where it is watched for, as far as the first state tells."""
-        over = self._session.over
-        if over is None:
-            return
-        world.ends_when_over, world.quiet, world.moved = 1, over.since, over.moved
-        world.beyond, world.settled, world.wanted = over.beyond, over.settled, over.wanted
-        for body, even in zip(world.body[: world.bodies], over.even, strict=False):
-            body.even_speed, body.even_heading, body.even_distance = even
-        doing = {one.number: one for one in over.acting}
-        for agent in world.agent[: world.agents]:
-            agent.last, agent.until = doing[agent.body].last, doing[agent.body].until
+        return Bound(world, rows, offsets, len(self._instructions), tuple(self._anew or ()))
 
     def _array(self, kind: Any, items: list[Any], room: int = 1) -> Any:
         """Structures, one after the other, with room for at least so many, that stay as long as the scene."""
@@ -210,15 +235,12 @@ class _Binder:
         body: Any = self._bodies[index]
         thing, kind = self._objects[index], _kind_of(body)
         row = engine.Body()
-        for name in POSE:
-            setattr(row, name, getattr(body, name))
         row.kind = kind
         row.limits = engine.Limits(length=body.length, width=body.width)
         if body.moves:
             row.limits = limits_of(body.limits)
         row.backs = kind == VEHICLE and body.backs
-        if kind == WALKER:
-            row.course, row.target_speed, row.vx, row.vy = body.course, body.target_speed, body.vx, body.vy
+        _pose(row, body)
         row.seen_as_vehicle = bool(getattr(thing, "isVehicle", False))
         if index:
             _, walks, sight = self._session.others[index - 1]
@@ -233,12 +255,19 @@ class _Binder:
             parameters=self._session.simulation.scene.params,
             objects=self._objects,
             self_index=index,
+            drawn=self._drawn_of(names),
+            moved=self._moved,
         )
-        compiler = Compiler(self._instructions, self._lines, scene, tables=self._tables)
+        compiler = Compiler(self._instructions, self._lines, scene, tables=self._tables, anew=self._anew)
         phases = [self._phase(compiler, phase, index) for phase in plan.phases]
         agent = engine.Agent(body=index, phases=len(phases), loop=-1 if plan.loop is None else plan.loop)
         agent.list = self._array(engine.Phase, phases)
         return agent
+
+    def _drawn_of(self, names: Mapping[str, Any]) -> frozenset[str]:
+        """Which names are something else in another scene; things are the same ones, elsewhere."""
+        drawn: Mapping[str, Any] = names.maps[0] if isinstance(names, ChainMap) else {}
+        return frozenset(name for name, value in drawn.items() if not any(value is one for one in self._objects))
 
     def _plan(self, behavior: Any) -> tuple[Plan, Mapping[str, Any]]:
         """What somebody does, and the names that it speaks of."""
@@ -284,7 +313,7 @@ class _Binder:
             if value.name in compiler.places or value.name in compiler.bound:
                 raise NotCovered("a value that is computed anew")
             if not compiler.is_live(value.expression):
-                compiler.bound[value.name] = compiler.value(value.expression)
+                compiler.bind(value.name, value.expression)
                 continue
             if len(compiler.places) == engine.LOCALS:
                 raise NotCovered("many values")
@@ -306,8 +335,30 @@ class _Binder:
             elif argument.kind is Kind.ACTOR:
                 row.other = compiler.actor(given)
             else:
-                row.path = compiler.line(compiler.value(given))
+                row.path = compiler.path(given)
         return numbers
+
+
+def _pose(row: engine.Body, body: Any) -> None:
+    """How a body begins."""
+    for name in POSE:
+        setattr(row, name, getattr(body, name))
+    if row.kind == WALKER:
+        row.course, row.target_speed, row.vx, row.vy = body.course, body.target_speed, body.vx, body.vy
+
+
+def _watch(world: engine.World, session: SteppedSession) -> None:
+    """What is known of the end of the drive, where it is watched for, as far as the first state tells."""
+    over = session.over
+    if over is None:
+        return
+    world.ends_when_over, world.quiet, world.moved = 1, over.since, over.moved
+    world.beyond, world.settled, world.wanted = over.beyond, over.settled, over.wanted
+    for body, even in zip(world.body[: world.bodies], over.even, strict=False):
+        body.even_speed, body.even_heading, body.even_distance = even
+    doing = {one.number: one for one in over.acting}
+    for agent in world.agent[: world.agents]:
+        agent.last, agent.until = doing[agent.body].last, doing[agent.body].until
 
 
 def _until(array: NDArray[np.float64], step: int) -> NDArray[np.float64]:

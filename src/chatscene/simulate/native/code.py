@@ -94,6 +94,9 @@ _FIXED: dict[str, Callable[..., Any]] = {
 }
 
 
+Anew = Callable[[Any], None]
+
+
 class NotCovered(Exception):  # noqa: N818 - reads as what it says
     """The engine cannot run something as the embedded simulator does; the message says what, in general words."""
 
@@ -107,12 +110,16 @@ class Surrounding:
         parameters: Values of the program's parameters, by name.
         objects: Everything in the scene, the ego first; where each stands is its number.
         self_index: Whose plan it is.
+        drawn: Which of the names are something else in another scene; of the parameters, each is.
+        moved: Which of the objects are elsewhere in another scene, by number; the ego never is.
     """
 
     names: Mapping[str, Any]
     parameters: Mapping[str, Any]
     objects: list[Any]
     self_index: int
+    drawn: frozenset[str] = frozenset()
+    moved: frozenset[int] = frozenset()
 
 
 @dataclass(slots=True)
@@ -127,6 +134,9 @@ class Compiler:
         bound: What else names of the plan itself stand for: values that stay, actors of a condition over several.
         tables: All timetables that it speaks of, by number.
         known: Whether an expression changes while the scene runs, by its identity; with it, so that it stays.
+        anew: What is to be done again for another scene, in this order, on a copy of the instructions; it raises
+            `NotCovered` where more than numbers would be other ones. None where nobody asks.
+        differ: Which names of `bound` are something else in another scene.
     """
 
     instructions: list[Instruction]
@@ -136,6 +146,8 @@ class Compiler:
     bound: dict[str, Any] = field(default_factory=dict[str, Any])
     tables: list[Timetable] = field(default_factory=list[Timetable])
     known: dict[int, tuple[bool, Expression]] = field(default_factory=dict[int, tuple[bool, Expression]])
+    anew: list[Anew] | None = None
+    differ: set[str] = field(default_factory=set[str])
 
     def is_live(self, expression: Expression) -> bool:
         """Whether its value changes while the scene runs."""
@@ -169,6 +181,63 @@ class Compiler:
     def number(self, value: float) -> Code:
         """A number as code."""
         return self.code(Number(value))
+
+    def bind(self, name: str, expression: Expression) -> None:
+        """Let a name of the plan itself stand for a value that stays while the scene runs."""
+
+        def again(_: Any) -> None:
+            self.bound[name] = self.value(expression)
+
+        again(None)
+        if self.differs(expression):
+            self.differ.add(name)
+            self._do_again(again)
+
+    def _do_again(self, part: Anew) -> None:
+        if self.anew is not None:
+            self.anew.append(part)
+
+    def differs(self, expression: Expression) -> bool:
+        """Whether its value, which stays while the scene runs, may be another one in another scene, if one asks."""
+        if self.anew is None:
+            return False
+        match expression:
+            case Parameter():
+                return True
+            case Name(name):
+                if name in self.differ or (name not in self.bound and name in self.around.drawn):
+                    return True
+                value = self._named(name) if self._knows(name) else None
+                return any(value is self.around.objects[i] for i in self.around.moved)
+            case AnyOf():
+                self._do_again(_refuse)  # its conditions are made anew each time
+                return True
+            case _:
+                return any(map(self.differs, parts_of(expression)))
+
+    def _holds(self, expression: Expression, check: Callable[[Any], bool]) -> bool:
+        """Whether something is true of a value; a scene of which it is not is to be bound by itself."""
+        true = bool(check(self.value(expression)))
+
+        def again(_: Any) -> None:
+            if bool(check(self.value(expression))) != true:
+                _refuse(None)
+
+        if self.differs(expression):
+            self._do_again(again)
+        return true
+
+    def path(self, expression: Expression) -> int:
+        """The number of the line that a path is."""
+        line = line_of(self.value(expression))
+
+        def again(_: Any) -> None:
+            if line_of(self.value(expression)) is not line:
+                _refuse(None)
+
+        if self.differs(expression):
+            self._do_again(again)
+        return self.line(line)
 
     def line(self, path: Any) -> int:
         """The number of a line."""
@@ -253,6 +322,9 @@ class Compiler:
             raise NotCovered("a name that the program does not set")
         return self.around.names[name]
 
+    def _knows(self, name: str) -> bool:
+        return name in self.bound or name in ("self", "ego") or name in self.around.names
+
     def _each(self, any_of: AnyOf) -> list[Expression]:
         """Its condition for each actor, as the same condition over a name of its own."""
         conditions: list[Expression] = []
@@ -268,7 +340,10 @@ class Compiler:
     def _emit(self, expression: Expression) -> int:  # noqa: C901, PLR0911, PLR0912
         """Code for an expression; how deep the stack becomes."""
         if not self.is_live(expression):
+            place = len(self.instructions)
             self._add("CONST", value=float(self.value(expression)))
+            if self.differs(expression):
+                self._do_again(lambda code: setattr(code[place], "value", float(self.value(expression))))
             return 1
         match expression:
             case Name(name):
@@ -308,10 +383,10 @@ class Compiler:
     def _is_never_zero(self, expression: Expression) -> bool:
         """Whether it stays and is not zero, or is the greatest of several of which one stays above zero."""
         if not self.is_live(expression):
-            return self.value(expression) != 0
+            return self._holds(expression, lambda value: value != 0)
         match expression:
             case Call("max", arguments):
-                return any(not self.is_live(one) and self.value(one) > 0 for one in arguments)
+                return any(not self.is_live(one) and self._holds(one, lambda value: value > 0) for one in arguments)
             case _:
                 return False
 
@@ -370,10 +445,12 @@ class Compiler:
     def _place(self, name: str, path: Expression, actor: Expression) -> None:
         if self.is_live(path):
             raise NotCovered("a path that changes")
-        self._add(name, self.line(self.value(path)), self.actor(actor))
+        self._add(name, self.path(path), self.actor(actor))
 
     def _seconds(self, path: Expression, actor: Expression, to: Expression) -> int:
         """As `chatscene.world.places.secondsTo` computes it, operation by operation."""
+        if self.differs(actor) or self.differs(path):
+            self._do_again(_refuse)
         pace, ego = Pace.of(self.value(actor)), self.around.objects[self.actor(actor)]
         if (table := timetable_of(self.value(path), ego)) is not None:
             return self._by_table(self._table(table), pace, path, actor, to)
@@ -402,6 +479,15 @@ class Compiler:
         if (kind := kind_of(thing)) not in LIMITS:
             raise NotCovered("how far a thing brakes")
         self._add("BRAKED", b=index, value=2 * min(LIMITS[kind].brake, thing.body.grip))
+
+
+def _refuse(_: Any) -> None:
+    """Say that another scene is to be bound by itself.
+
+    Raises:
+        NotCovered: Always.
+    """
+    raise NotCovered("more than numbers is other than in the scene before")
 
 
 def _renamed(expression: Any, old: str, new: str) -> Any:

@@ -1681,6 +1681,9 @@ void ask(const Policy *policy, const double *seen, double *acceleration, double 
 }
 
 /* Runs a world to its end, or to a step; how many steps it took. */
+/* What the ego sees at the beginning. */
+void see_world(World *w) { see(w); }
+
 int64_t run_world(World *w, const Policy *policy, int64_t until) {
     int64_t first = w->step, left = 0;
     double acceleration = 0.0, steer = 0.0;

@@ -292,6 +292,8 @@ class Engine:
         library.size_of.argtypes = (c_int64,)
         library.evaluate.restype = None
         library.evaluate.argtypes = (c_int64, c_int64, _Doubles, _Doubles, _Doubles)
+        library.see_world.restype = None
+        library.see_world.argtypes = (POINTER(World),)
         library.step_world.restype = None
         library.step_world.argtypes = (POINTER(World), c_double, c_double, c_double)
         library.run_world.restype = c_int64
@@ -320,6 +322,10 @@ class Engine:
                 raise NoEngine(f"its {structure.__name__} has another size than is expected")
         if wrong := [name for name, count in self._differences().items() if count]:
             raise NoEngine(f"its {', '.join(wrong)} differ from Python's on this machine")
+
+    def see(self, world: World) -> None:
+        """What the ego sees now, where no step was made yet."""
+        self._library.see_world(ctypes.byref(world))
 
     def step(self, world: World, throttle: float, brake: float, steer: float) -> None:
         """One step of a scene."""

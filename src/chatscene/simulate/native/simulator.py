@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any, TypedDict
 
@@ -17,6 +20,7 @@ from chatscene.simulate.native.binding import Bound, bind
 from chatscene.simulate.native.code import NotCovered
 from chatscene.simulate.native.engine import END, Engine, NoEngine, load_engine
 from chatscene.simulate.native.policies import foot_of, policy_of
+from chatscene.simulate.placing import Placement
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import Session, load_simulator
 from chatscene.simulate.stepped import SteppedSimulator
@@ -28,6 +32,11 @@ from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 NAME, REFERENCE = "native", "embedded"
 ENDINGS = {1: Ending.COLLISION, 2: Ending.ARRIVED, 3: Ending.TIMEOUT, 4: Ending.OVER}  # as engine.c numbers them
 SIDES = ("front", "rear", "left", "right")
+
+
+AGAIN = 16  # programs on a route of which a scene is kept to be made others of it
+_Placed = tuple[SteppedSession, Bound, Callable[[], object]]
+"""A placed scene, the same as arrays, and what makes the first it again."""
 
 
 class _Senses(TypedDict):
@@ -47,6 +56,7 @@ class NativeSession:
         bound: The scene as arrays, its own.
         engine: What steps it.
         pedals: One of `chatscene.ego.policy.PEDALS`.
+        be: Makes the reference the scene's again, where it may have become another one's.
 
     Attributes:
         observation: What the ego sees now.
@@ -57,12 +67,16 @@ class NativeSession:
 
     rejection = ""
 
-    def __init__(self, reference: SteppedSession, bound: Bound, engine: Engine, pedals: str) -> None:
+    def __init__(
+        self, reference: SteppedSession, bound: Bound, engine: Engine, pedals: str, be: Callable[[], object]
+    ) -> None:
         self._reference = reference
         self._pedals = pedals
         self._bound = bound
         self._engine = engine
-        self.observation: Observation = reference.observation.copy()
+        self._be = be
+        engine.see(bound.world)
+        self.observation: Observation = self._seen()
         self.ending: Ending | None = None
         self.step_number = 0
 
@@ -124,12 +138,16 @@ class NativeSession:
             raise StuckBehavior("a plan comes to no act: its phases end as they begin", within=f"step {world.step}")
         self.step_number = world.step
         self.ending = ENDINGS.get(world.ending)
+        self.observation = self._seen()
+
+    def _seen(self) -> Observation:
         size = len(self._reference.observation)
-        self.observation = np.array(world.seen[:size])
+        return np.frombuffer(self._bound.world.seen, np.float64, size).copy()
 
     def episode(self, scene_id: str, ego: str) -> Episode:
         """Everything that happened so far, with the events that follow from the tracks."""
         bound, world = self._bound, self._bound.world
+        self._be()
         states = world.step + 1
         self._reference.take_over(
             rows=bound.rows[:states],
@@ -144,6 +162,50 @@ class NativeSession:
 
     def close(self) -> None:
         """Nothing: Scenic has no part in it any more, and any number of them may be open in a process."""
+
+
+class _Again:
+    """A scene of a program that is made every other one of its scenes on a route, without Scenic and unbound.
+
+    Args:
+        simulator: Who placed it.
+        session: The scene as it was placed.
+        bound: The same as arrays, at its beginning.
+        program: Of which program.
+        scene: Which of its scenes it is.
+
+    Attributes:
+        session: As above.
+    """
+
+    def __init__(
+        self, simulator: SteppedSimulator, session: SteppedSession, bound: Bound, program: ScenicProgram, scene: Scene
+    ) -> None:
+        self.session = session
+        self._simulator, self._bound, self._program, self._is = simulator, bound, program, scene
+
+    def be(self, scene: Scene) -> None:
+        """Have everybody begin where they do in a scene of the program that it was once."""
+        if self._is is not scene:
+            self._begin(scene)
+
+    def _begin(self, scene: Scene) -> Rejected | bool:
+        self._is = scene
+        return self._simulator.again(self.session, self._program, scene)
+
+    def scene(self, scene: Scene) -> Bound | Rejected | None:
+        """A scene of the program at its beginning, as arrays; None where it has to be placed by itself."""
+        there = self._begin(scene)
+        if isinstance(there, Rejected):
+            return there
+        placement = self._simulator.differs_in(self._program, scene)
+        if not there or placement is None or self.session.ending is not None:
+            return None
+        with suppress(NotCovered):
+            return self._bound.again(self.session, placement.moved)
+        with suppress(NotCovered):  # its lines or its phases are other ones
+            return bind(self.session, self._program)
+        return None
 
 
 class NativeSimulator:
@@ -171,7 +233,8 @@ class NativeSimulator:
         self.identity = replace(self._embedded.identity, name=NAME, confinable=False)
         self.missing = ""
         self._engine: Engine | None = None
-        self._placed: OrderedDict[tuple[object, ...], tuple[SteppedSession, Bound]] = OrderedDict()
+        self._placed: OrderedDict[tuple[object, ...], _Placed] = OrderedDict()
+        self._again: OrderedDict[tuple[object, ...], _Again] = OrderedDict()
         try:
             self._engine = load_engine()
         except NoEngine as error:
@@ -202,16 +265,10 @@ class NativeSimulator:
         key = (program, scene.id, scene.route, scene.seed, tuple(scene.values.items()), observation, through_collisions)
         if key in self._placed:
             self._placed.move_to_end(key)
-            return self._session(*self._placed[key], pedals)
+            return self._session(pedals, *self._placed[key])
         senses: _Senses = {"observation": observation, "pedals": pedals, "through_collisions": through_collisions}
-        placed = self._embedded.place(program, scene, **senses) if self._engine is not None else None
-        if isinstance(placed, Rejected):
-            return placed
-        if placed is not None:
-            try:
-                return self._keep(key, placed, self._bound(placed, program), pedals)
-            except NotCovered:
-                pass  # which the embedded simulator says below
+        if self._engine is not None and (found := self._unscenic(key, program, scene, senses)) is not None:
+            return found
         opened = self._embedded.open(program, scene, **senses)
         if isinstance(opened, Rejected):
             return opened
@@ -225,21 +282,45 @@ class NativeSimulator:
             raise
         opened.close()
         self._embedded.learn(program, scene, opened)
-        return self._keep(key, opened, bound, pedals)
+        return self._keep(key, pedals, opened, bound, bool)
 
-    def _keep(self, key: tuple[object, ...], opened: SteppedSession, bound: Bound, pedals: str) -> NativeSession:
-        self._placed[key] = opened, bound
+    def _unscenic(
+        self, key: tuple[object, ...], program: ScenicProgram, scene: Scene, senses: _Senses
+    ) -> Session | Rejected | None:
+        """A scene that is made of another one of its program, or placed as that was; None where Scenic has to."""
+        like = program.digest, scene.route, senses["observation"], senses["through_collisions"]
+        if (again := self._again.get(like)) is not None and (found := again.scene(scene)) is not None:
+            if isinstance(found, Rejected):
+                return found
+            return self._keep(key, senses["pedals"], again.session, found, partial(again.be, scene))
+        placed = self._embedded.place(program, scene, **senses)
+        if placed is None or isinstance(placed, Rejected):
+            return placed
+        differs = self._embedded.differs_in(program, scene)
+        try:
+            bound = self._bound(placed, program, differs)
+        except NotCovered:
+            return None  # which the embedded simulator says
+        again = _Again(self._embedded, placed, bound, program, scene)
+        if differs is not None:
+            self._again[like] = again
+            while len(self._again) > AGAIN:
+                self._again.popitem(last=False)
+        return self._keep(key, senses["pedals"], placed, bound, partial(again.be, scene))
+
+    def _keep(self, key: tuple[object, ...], pedals: str, *placed: *_Placed) -> NativeSession:
+        self._placed[key] = placed
         while len(self._placed) > self.keeps:
             self._placed.popitem(last=False)
-        return self._session(opened, bound, pedals)
+        return self._session(pedals, *placed)
 
-    def _session(self, reference: SteppedSession, bound: Bound, pedals: str) -> NativeSession:
+    def _session(self, pedals: str, reference: SteppedSession, bound: Bound, be: Callable[[], object]) -> NativeSession:
         assert self._engine is not None
-        return NativeSession(reference, bound.copy(), self._engine, pedals)
+        return NativeSession(reference, bound.copy(), self._engine, pedals, be)
 
-    def _bound(self, opened: SteppedSession, program: ScenicProgram) -> Bound:
+    def _bound(self, opened: SteppedSession, program: ScenicProgram, placement: Placement | None = None) -> Bound:
         if self._engine is None:
             raise NotCovered(f"there is no engine: {self.missing}")
         if opened.ending is not None:
             raise NotCovered("over as it begins")
-        return bind(opened, program)
+        return bind(opened, program, placement)
