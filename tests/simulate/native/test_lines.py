@@ -30,5 +30,5 @@ def test_without_an_engine_the_numbers_are_the_same(monkeypatch: pytest.MonkeyPa
     line = Polyline([(0, 0), (10, 0), (10, 10)])
     x, y = np.array([-1.0, 4.0, 12.0, 9.0, 10.0]), np.array([1.0, -2.0, -1.0, 6.0, 12.0])
     with_engine = [lines.follow(line, x, y, whole=whole) for whole in (False, True)]
-    monkeypatch.setattr(lines, "_engine", lambda: None)
+    monkeypatch.setattr(lines, "engine", lambda: None)
     assert np.array_equal([lines.follow(line, x, y, whole=whole) for whole in (False, True)], with_engine)
