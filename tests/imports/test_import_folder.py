@@ -66,7 +66,7 @@ def test_the_rows_of_a_folder_are_json_too_and_nothing_is_overwritten(theirs: Pa
 def test_a_folder_needs_a_place_for_its_programs(theirs: Path, tmp_path: Path) -> None:
     for more in ([], ["--out", "x", "--variant", "1"], ["--out", "x", "--param", "near=3"]):
         done = CliRunner().invoke(main, ["import", str(theirs), *more])
-        assert "of a folder, give --out" in done.output
+        assert "a folder needs --out" in done.output
     (tmp_path / "empty").mkdir()
     with pytest.raises(SettingsError, match=r"holds no \.xosc file"):
         import_folder(tmp_path / "empty", tmp_path / "out")

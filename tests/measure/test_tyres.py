@@ -9,8 +9,9 @@ import pytest
 from chatscene.ego.observation import Observation
 from chatscene.maps.network import resolve_map
 from chatscene.measure.drive import Ran, drive
-from chatscene.measure.tyres import ACROSS, beyond_tyres, friction_demand
+from chatscene.measure.tyres import ACROSS, beyond_tyres, friction_demand, taken
 from chatscene.settings import SimulationSettings
+from chatscene.simulate.boxes import Boxes, between
 from chatscene.simulate.embedded.dynamics import VehicleBody
 from chatscene.simulate.embedded.lagged import LaggedVehicle
 from chatscene.simulate.simulator import load_simulator
@@ -108,3 +109,16 @@ def test_a_drive_tells_it_under_the_physics_that_knows_no_tyres(physics: str) ->
     assert isinstance(ran, Ran)
     assert any("tyres" in one for one in ran.unplayed) == (physics == "kinematic")
     assert ran.speeds.friction_demand == friction_demand(ran.episode)
+
+
+def test_what_is_kept_of_a_drive_for_the_next_measure_cannot_be_written_to() -> None:
+    episode = driven(VehicleBody, 8.0, 0.1, 0.2)
+    ego = episode.ego_track
+    found = between(ego, ego)
+    boxes = [Boxes.of(ego, parts) for parts in (1, 4)]
+    kept = [array for one in boxes for array in (one.x, one.y, one.cos, one.sin)]
+    kept += [found.gaps, found.times, found.ahead, found.closing, *taken(episode)[0]]
+    for array in kept:
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 1.0
+    assert ego.x.flags.writeable

@@ -53,7 +53,7 @@ def coverage(
     drive: bool,
     scenes: int | None,
     egos: tuple[str, ...],
-    map_name: str | None,
+    map: str | None,  # noqa: A002 - the name of the option
     seed: int,
     out: Path | None,
     fill: bool,
@@ -83,7 +83,7 @@ def coverage(
     search = SearchSettings(seed=seed) if scenes is None else SearchSettings(seed=seed, scenes=scenes)
     asked = desk.Asked(
         settings=Settings(search=search, retrieval=RetrievalSettings(**reading)),
-        map_name=map_name,
+        map_name=map,
         egos=egos or desk.EGOS,
         scenes=(scenes or desk.SCENES) if drive else 0,
         folder=out,

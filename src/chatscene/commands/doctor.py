@@ -38,7 +38,7 @@ class Check:
 @click.option("--simulator", default="", help="Check this simulator against the default one, such as carla:HOST:PORT.")
 @MAP
 @JSON
-def doctor(simulator: str, map_name: str, as_json: bool) -> None:
+def doctor(simulator: str, map: str, as_json: bool) -> None:  # noqa: A002 - the name of the option
     """Check this installation: versions, encoder, library, map, one simulated scene. Or check a simulator.
 
     A simulator is asked what it is, drives one scene twice, and drives ten that are compared with the default's.
@@ -50,7 +50,7 @@ def doctor(simulator: str, map_name: str, as_json: bool) -> None:
     if simulator:
         from chatscene.commands.simulator_check import examine_simulator
 
-        trying = examine_simulator(simulator, map_name)
+        trying = examine_simulator(simulator, map)
     else:
         trying = iter(examine())
     checks: list[Check] = []

@@ -79,7 +79,13 @@ def edit(
 @click.option("--scenes", default=50, show_default=True, help="Simulations per run.")
 @SEED
 @READING
-def chat(map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpack[Reading]) -> None:
+def chat(
+    map: str | None,  # noqa: A002 - the name of the option
+    ego: str,
+    scenes: int,
+    seed: int,
+    **reading: Unpack[Reading],
+) -> None:
     """Talk about a situation: the first line says it, each further line changes it.
 
     Lines come from the keyboard or a pipe. Besides edits they may be: show (the situation and its facts), undo (the
@@ -93,7 +99,7 @@ def chat(map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpa
     from chatscene.report.terminal import readings_in_words
     from chatscene.talk import Talk
 
-    talk = Talk(reading, {"map": map_name, "ego": ego, "scenes": scenes, "seed": seed}, Path("runs"))
+    talk = Talk(reading, {"map": map, "ego": ego, "scenes": scenes, "seed": seed}, Path("runs"))
     for line in _lines():
         if line in ("quit", "exit"):
             break

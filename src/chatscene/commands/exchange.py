@@ -41,32 +41,36 @@ def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: b
 
 
 @click.command("import")
-@click.argument("file", metavar="FILE.xosc", type=click.Path(path_type=Path))
-@click.option("--out", type=click.Path(path_type=Path), help="The .scenic file; default: beside FILE, with its name.")
+@click.argument("file", metavar="FILE|FOLDER", type=click.Path(path_type=Path))
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    help="The .scenic file to write, or of FOLDER a new folder.  [default: beside FILE, with its name]",
+)
 @click.option(
     "--map",
-    "map_name",
     metavar="MAP",
     callback=usable_map,
-    help="A packaged map or an .xodr file; default: the one FILE names.",
+    help="A packaged map or an .xodr file.  [default: the map that FILE names]",
 )
-@click.option("--ego", metavar="NAME", help="The ego in FILE; default: who is called ego, else the first vehicle.")
+@click.option("--ego", metavar="NAME", help="The ego in FILE.  [default: the one named ego, else the first vehicle]")
 @click.option("--variant", type=click.IntRange(min=1), metavar="N", help="Only set N of a file of parameter values.")
 @param_option("Set a parameter that FILE declares.")
 @JSON
 def import_scenario(
     file: Path,
     out: Path | None,
-    map_name: str | None,
+    map: str | None,  # noqa: A002 - the name of the option
     ego: str | None,
     variant: int | None,
     param: dict[str, object],
     as_json: bool,
 ) -> None:
-    """Write the OpenSCENARIO XML in FILE as a Scenic program, which `run --program` takes; nothing of it is run.
+    """Write an OpenSCENARIO XML file, or each one in a folder, as a Scenic program. Nothing is run.
 
-    FILE is a scenario, or sets of parameter values for one: then there is a program for each set. Catalogs and the map
-    are those that FILE names by paths from its own folder. What cannot be said here is refused by its element and line.
+    FILE is a scenario (.xosc), or a file of parameter values, which gives a program for each set of values. Catalogs
+    and the map are found by the paths in FILE, seen from its own folder. An element that cannot be imported is refused
+    with its line. `run --program` and `verify` take the programs.
 
     \b
     chatscene import cut-in.xosc
@@ -74,17 +78,19 @@ def import_scenario(
     chatscene import variations.xosc --variant 3
     chatscene import theirs --out mine
 
-    Of a folder each .xosc file in it is written below --out, and a table says what each became, or why it did not.
+    FOLDER needs --out. Every .xosc file below FOLDER gives programs there, and a table shows what became of each.
     """
     from chatscene.imports.import_folder import import_folder
 
     if file.is_dir():
         if out is None or variant is not None or param:
-            raise click.UsageError("of a folder, give --out, a new folder, and neither --variant nor --param")
-        folder = import_folder(file, out, map_name=map_name, ego=ego)
+            raise click.UsageError(
+                "a folder needs --out, a new folder for its programs, and takes neither --variant nor --param"
+            )
+        folder = import_folder(file, out, map_name=map, ego=ego)
         say(json.dumps([one.as_dict() for one in folder.files]) if as_json else str(folder))
         return
-    done = chatscene.import_scenario(file, out=out, map=map_name, ego=ego, variant=variant, param=param)
+    done = chatscene.import_scenario(file, out=out, map=map, ego=ego, variant=variant, param=param)
     told = {
         "program": str(done.program),
         "programs": [str(one) for one in done.programs],

@@ -54,7 +54,7 @@ _SELDOM = 0.1  # of its drives: who crashes or leaves the road more often has no
 @SIMULATOR_OPTION
 @PHYSICS_OPTION
 @NEW_FOLDER
-def train(steps: int, round_: int, map_name: str, out: Path, **options: Any) -> None:
+def train(steps: int, round_: int, out: Path, **options: Any) -> None:
     """Train an ego on the ordinary drives of a map. Needs the extra 'train'.
 
     \b
@@ -64,7 +64,7 @@ def train(steps: int, round_: int, map_name: str, out: Path, **options: Any) -> 
     """
     if round_ > 0 and steps % round_:
         say(f"{-(-steps // round_) * round_} steps instead of {steps}: whole rounds of {round_} (--round)", err=True)
-    trained = chatscene.train(out, steps=steps, round=round_, map=map_name, progress=progress(), **options)
+    trained = chatscene.train(out, steps=steps, round=round_, progress=progress(), **options)
     say_trained(trained, as_json=False)
 
 

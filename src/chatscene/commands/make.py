@@ -89,7 +89,7 @@ def run(
     text: str | None,
     program: Path | None,
     report: Path | None,
-    map_name: str | None,
+    map: str | None,  # noqa: A002 - the name of the option
     out: Path | None,
     jobs: int | None,
     as_json: bool,
@@ -134,7 +134,7 @@ def run(
                 said,
                 folder or runs.free_folder(Path("runs"), title or name),
                 program=own,
-                map=map_name,
+                map=map,
                 jobs=at_a_time,
                 progress=progress(),
                 **options,

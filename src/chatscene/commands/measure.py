@@ -93,7 +93,14 @@ def evaluate(scenes: tuple[Path, ...], out: Path | None, as_json: bool, **option
 @WORKERS
 @JSON
 def benchmark(
-    egos: tuple[str, ...], avoidable: bool, out: Path, jobs: int, executor: str, as_json: bool, **options: Any
+    egos: tuple[str, ...],
+    map: str,  # noqa: A002 - the name of the option
+    avoidable: bool,
+    out: Path,
+    jobs: int,
+    executor: str,
+    as_json: bool,
+    **options: Any,
 ) -> None:
     """Search all eight base scenarios and measure egos on the scenes that are kept; the paper's main experiment.
 
@@ -109,6 +116,7 @@ def benchmark(
     outcome = benchmarks.benchmark(
         out,
         egos=egos or evaluation.EGOS,
+        map_name=map,
         avoidable_only=avoidable,
         workers=Workers(jobs, executor),
         progress=progress(),
@@ -132,6 +140,7 @@ def benchmark(
 @WORKERS
 def drive(
     egos: tuple[str, ...],
+    map: str,  # noqa: A002 - the name of the option
     simulator: str,
     physics: str,
     speed: float | None,
@@ -154,6 +163,7 @@ def drive(
 
     table = driving.drive(
         egos,
+        map_name=map,
         folder=out,
         simulation=SimulationSettings(simulator=simulator, physics=physics),
         speed=None if speed is None else KMH * speed,

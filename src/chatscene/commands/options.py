@@ -45,7 +45,6 @@ def usable_map(ctx: click.Context, option: click.Parameter, name: str | None) ->
 
 MAP = click.option(
     "--map",
-    "map_name",
     default="town",
     show_default=True,
     callback=usable_map,
@@ -53,7 +52,6 @@ MAP = click.option(
 )
 MAP_WITH_SITE = click.option(
     "--map",
-    "map_name",
     default=None,
     callback=usable_map,
     help="The packaged 'town', 'outskirts' or 'region', or an .xodr file.  "

@@ -23,7 +23,13 @@ from chatscene.errors import RunError
 @SEED
 @READING
 def view(
-    folder: Path, port: int, map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpack[Reading]
+    folder: Path,
+    port: int,
+    map: str | None,  # noqa: A002 - the name of the option
+    ego: str,
+    scenes: int,
+    seed: int,
+    **reading: Unpack[Reading],
 ) -> None:
     """Show the runs below DIR, or runs/, in a page, in which a situation can be said, changed and run.
 
@@ -36,7 +42,7 @@ def view(
     """
     from chatscene.view.server import Server
 
-    search = {"map": map_name, "ego": ego, "scenes": scenes, "seed": seed}
+    search = {"map": map, "ego": ego, "scenes": scenes, "seed": seed}
     with Server(folder, port, reading, search) as server:
         say(f"the runs below {folder} are shown at {server.address} until this is interrupted (Ctrl+C)")
         try:

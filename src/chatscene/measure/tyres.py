@@ -13,7 +13,7 @@ from functools import lru_cache
 import numpy as np
 
 from chatscene.terms.actors import AIR_DRAG, BY_CLASS, LIMITS
-from chatscene.terms.episode import Array, Episode, Track
+from chatscene.terms.episode import Array, Episode, Track, fixed
 from chatscene.terms.surroundings import DRY, GRAVITY
 
 FAST = 50.0 / 3.6  # [m/s]
@@ -28,7 +28,7 @@ def friction_demand(episode: Episode) -> float | None:
 
     Up to the step before the first contact. Above 1 it is more than tyres hold. None where nobody on wheels moved.
     """
-    most = [float(np.hypot(along, across).max()) for along, across, _ in _taken(episode) if along.size]
+    most = [float(np.hypot(along, across).max()) for along, across, _ in taken(episode) if along.size]
     return max(most) / (_friction(episode) * GRAVITY) if most else None
 
 
@@ -37,7 +37,7 @@ def beyond_tyres(episode: Episode) -> tuple[str, ...]:
     told: list[str] = []
     if (friction_demand(episode) or 0.0) > GRIPPIEST:
         told.append(f"somebody brakes, speeds up or turns harder than tyres hold, {COMPARE}")
-    if any(((np.abs(across) > ACROSS) & (speed > FAST)).any() for _, across, speed in _taken(episode)):
+    if any(((np.abs(across) > ACROSS) & (speed > FAST)).any() for _, across, speed in taken(episode)):
         told.append(f"somebody turns with more than {ACROSS:g} m/s² at more than 50 km/h, where tyres lag, {COMPARE}")
     return tuple(told)
 
@@ -56,10 +56,10 @@ def _on_wheels(track: Track) -> bool:
 
 
 @lru_cache(maxsize=1)
-def _taken(episode: Episode) -> list[tuple[Array, Array, Array]]:
+def taken(episode: Episode) -> tuple[tuple[Array, Array, Array], ...]:
     """What tyres did in a drive, as `_taken_by` has it, of everybody on wheels."""
     until = _until(episode)
-    return [_taken_by(track, episode.dt, until) for track in episode.tracks if _on_wheels(track)]
+    return tuple(_taken_by(track, episode.dt, until) for track in episode.tracks if _on_wheels(track))
 
 
 def _taken_by(track: Track, dt: float, until: int | None) -> tuple[Array, Array, Array]:
@@ -68,4 +68,4 @@ def _taken_by(track: Track, dt: float, until: int | None) -> tuple[Array, Array,
     change, mean = np.diff(speed) / dt, 0.5 * (speed[1:] + speed[:-1])
     # What air and rolling do is none of the tyres' doing.
     along = np.where(change < 0.0, np.minimum(change + limits.drag + AIR_DRAG * speed[:-1] ** 2, 0.0), change)
-    return along, mean * np.diff(heading) / dt, mean
+    return fixed(along), fixed(mean * np.diff(heading) / dt), fixed(mean)

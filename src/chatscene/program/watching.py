@@ -10,7 +10,7 @@ import numpy as np
 
 from chatscene.simulate.native.lines import follow
 from chatscene.terms.conclusions import LANE_CHANGES
-from chatscene.terms.episode import Array, Episode, SignalTrack, Track
+from chatscene.terms.episode import Array, Episode, SignalTrack, Track, fixed
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Maneuver, Place, includes
@@ -65,7 +65,7 @@ class Seen:
     @cached_property
     def lead(self) -> Array:
         """(T,) [m], how far along the route it is ahead of the ego."""
-        return self.at - follow(self.line, self.ego.x, self.ego.y)[0]
+        return fixed(self.at - follow(self.line, self.ego.x, self.ego.y)[0])
 
 
 def watch(episode: Episode, route: Route, track: Track, until: int | None = None, *, of: Track | None = None) -> Seen:
@@ -114,13 +114,7 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
 def headings(line: Polyline) -> Array:
     """(N - 1,) [rad], where each piece of a line leads, without jumps."""
     step = np.diff(line.points, axis=0)
-    return _fixed(np.unwrap(np.arctan2(step[:, 1], step[:, 0])))
-
-
-def _fixed(array: Array) -> Array:
-    """An array that is given out more than once."""
-    array.setflags(write=False)
-    return array
+    return fixed(np.unwrap(np.arctan2(step[:, 1], step[:, 0])))
 
 
 @lru_cache(maxsize=64)
@@ -129,7 +123,7 @@ def moved_over(line: Polyline) -> Array:
     heading = headings(line)
     along = np.hypot(*np.diff(line.points, axis=0).T)
     even = heading[0] + (heading[-1] - heading[0]) * np.cumsum(along) / along.sum()
-    return _fixed(np.cumsum(np.sin(heading - even) * along))
+    return fixed(np.cumsum(np.sin(heading - even) * along))
 
 
 def _left_by_route(route: Route, at: Array) -> Array:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from chatscene.simulate.native.engine import boxes_of
 from chatscene.simulate.native.lines import engine
-from chatscene.terms.episode import Array, Track
+from chatscene.terms.episode import Array, Track, fixed
 
 Steps = NDArray[np.int64]
 
@@ -42,7 +42,8 @@ class Boxes:
             rows = np.arange(len(x))
             moments = np.arange((len(x) - 1) * parts + 1) / parts
             x, y, heading = (np.interp(moments, rows, values) for values in (x, y, heading))
-        return Boxes(x, y, np.cos(heading), np.sin(heading), track.length / 2, track.width / 2)
+        x, y, cos, sin = map(fixed, (x, y, np.cos(heading), np.sin(heading)))
+        return Boxes(x, y, cos, sin, track.length / 2, track.width / 2)
 
     def at(self, moments: Steps | int | slice) -> Boxes:
         """At some of them."""
@@ -135,7 +136,7 @@ def between(ego: Track, other: Track) -> Between:
     if native is None:
         return in_numpy(a, b, ego.speed, other.speed)
     found = native.between(_told(a, ego.speed), _told(b, other.speed), len(ego.x))
-    return Between(*_fixed(found))
+    return Between(*fixed(found))
 
 
 def in_numpy(a: Boxes, b: Boxes, speed: Array, other_speed: Array) -> Between:
@@ -151,10 +152,10 @@ def in_numpy(a: Boxes, b: Boxes, speed: Array, other_speed: Array) -> Between:
     gap = along - a.half_length - b.half_length * np.abs(c) - b.half_width * s
     beside = np.abs(across) - a.half_width - b.half_length * s - b.half_width * np.abs(c)
     return Between(
-        gaps=_fixed(np.where(pair.touching, 0.0, apart)),
-        times=_fixed(np.where(meets, np.maximum(begin, 0.0), np.inf)),
-        ahead=_fixed(np.where((gap > 0.0) & (beside < 0.0), gap, -np.inf)),
-        closing=_fixed(speed - other_speed * c),
+        gaps=fixed(np.where(pair.touching, 0.0, apart)),
+        times=fixed(np.where(meets, np.maximum(begin, 0.0), np.inf)),
+        ahead=fixed(np.where((gap > 0.0) & (beside < 0.0), gap, -np.inf)),
+        closing=fixed(speed - other_speed * c),
     )
 
 
@@ -162,12 +163,6 @@ def _told(boxes: Boxes, speed: Array | None = None) -> Any:
     """Boxes in the engine's terms."""
     columns = [column.ravel() for column in (boxes.x, boxes.y, boxes.cos, boxes.sin)]
     return boxes_of(columns if speed is None else [*columns, speed], boxes.half_length, boxes.half_width)
-
-
-def _fixed(array: Array) -> Array:
-    """An array that is given out more than once."""
-    array.setflags(write=False)
-    return array
 
 
 def times_to_collision(ego: Track, other: Track) -> Array:

@@ -19,7 +19,7 @@ from chatscene.errors import MapError
 from chatscene.maps.junctions import StopLine, junction_control, junction_signals
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.limits import limits_along
-from chatscene.terms.episode import Event, EventKind, SignalTrack, Track
+from chatscene.terms.episode import Event, EventKind, SignalTrack, Track, fixed
 from chatscene.terms.profile import allowed_speeds
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Control
@@ -71,12 +71,12 @@ class RouteSurroundings:
             there = np.stack((x[:, None] - side * hy[:, None] * away, y[:, None] + side * hx[:, None] * away), axis=-1)
             off = self._lane_map.off_road(there.reshape(-1, 2)).reshape(len(x), len(away))
             beside.append(_ROOM_STEP * np.logical_and.accumulate(~off, axis=1).sum(axis=1))
-        return np.stack(beside, axis=1)
+        return fixed(np.stack(beside, axis=1))
 
     @cached_property
     def limits(self) -> NDArray[np.float64]:
         """(segments,): the speed [m/s] that the map, or the kind of its roads, allows on each segment of the route."""
-        return limits_along(self._network, self._route.line, self._route.lane_ids)
+        return fixed(limits_along(self._network, self._route.line, self._route.lane_ids))
 
     def allowed(self, *, keeps_limits: bool, grip: float) -> NDArray[np.float64]:
         """(segments,): the speed [m/s] at which each segment of the route may be driven.
@@ -87,7 +87,7 @@ class RouteSurroundings:
         """
         if (asked := (keeps_limits, grip)) not in self._allowed:
             limits = self.limits if keeps_limits else None
-            self._allowed[asked] = allowed_speeds(self._route.line, limits, grip)
+            self._allowed[asked] = fixed(allowed_speeds(self._route.line, limits, grip))
         return self._allowed[asked]
 
     def _own(self, line: StopLine) -> bool:

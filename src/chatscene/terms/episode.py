@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,14 @@ from numpy.typing import NDArray
 from chatscene.terms.surroundings import Surroundings
 
 Array = NDArray[np.float64]
+Kept = TypeVar("Kept", bound=NDArray[Any])
+
+
+def fixed(array: Kept) -> Kept:
+    """An array as it is kept and given out more than once: nobody can write to it, but who made it."""
+    view = array.view()
+    view.setflags(write=False)
+    return view
 
 
 class Role(StrEnum):

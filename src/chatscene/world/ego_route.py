@@ -17,6 +17,7 @@ from chatscene.maps.lane_runs import centre_line
 from chatscene.maps.limits import limits_along
 from chatscene.maps.onward import route_through
 from chatscene.maps.routes import TO_LINE, find_routes, from_line
+from chatscene.terms.episode import fixed
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.profile import allowed_speeds
 from chatscene.terms.route import Beside, Equipment, Route, RouteQuery
@@ -56,7 +57,7 @@ class EgoRoute:
     @cached_property
     def limits(self) -> NDArray[np.float64]:
         """(segments,): the speed [m/s] that the map, or the kind of its roads, allows on each segment of its line."""
-        return limits_along(self.network, self.line, self.route.lane_ids)
+        return fixed(limits_along(self.network, self.line, self.route.lane_ids))
 
     def allowed(self, *, keeps_limits: bool, grip: float = math.inf) -> NDArray[np.float64]:
         """(segments,): the speed [m/s] at which each segment may be driven, as the preset `traffic` shows it.
@@ -66,7 +67,7 @@ class EgoRoute:
             grip: What the road holds [m/s²].
         """
         if (asked := (keeps_limits, grip)) not in self._allowed:
-            self._allowed[asked] = allowed_speeds(self.line, self.limits if keeps_limits else None, grip)
+            self._allowed[asked] = fixed(allowed_speeds(self.line, self.limits if keeps_limits else None, grip))
         return self._allowed[asked]
 
 

@@ -27,6 +27,7 @@ from chatscene.files.caches import cache_folder, keep
 from chatscene.models.encoders.onnx_cut import OnnxFile
 from chatscene.models.encoders.wordpiece import tokenize
 from chatscene.plugins import Kind, make
+from chatscene.terms.episode import fixed
 
 Vectors = NDArray[np.float32]
 
@@ -227,7 +228,7 @@ class _SharedLayers:
         """(1, tokens, D) states of a text below the upper layers."""
         if self._lower is None:
             self._lower = _Layers(self.file.part(_MIDDLE, (_WORDS,)))
-        return self._lower.run({_WORDS: self.words(tokens)})
+        return fixed(self._lower.run({_WORDS: self.words(tokens)}))
 
     def words(self, tokens: tuple[int, ...]) -> Vectors:
         """(1, tokens, D) vectors of the words of a text: as numbers of four bytes, those of all would take 47 MB."""

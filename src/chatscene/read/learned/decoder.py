@@ -20,6 +20,7 @@ from chatscene.read.learned.numbers import Found
 from chatscene.read.learned.sequence import Step
 from chatscene.read.learned.text import Read
 from chatscene.read.learned.weights import Weights
+from chatscene.terms.episode import fixed
 
 Floats = NDArray[np.float32]
 
@@ -98,7 +99,7 @@ class Decoder:
         for (place, token), there in self._next.items():
             if place in self._places and there in self._places:
                 made[self._places[place], token] = True
-        return made
+        return fixed(made)
 
     def written(self, read: Read) -> tuple[Written, ...]:
         """The likeliest sequences of a text, the likeliest first.
