@@ -77,17 +77,16 @@ SITUATIONS = {
 }
 HEAD = """# Gallery
 
-**What can I say, and what does it look like?** Forty sentences, each run once with the ego `sac`: ten scenes on one
-route. `sac` sees only vehicles ahead in its lane, so it crashes often. `planner`, the default ego of `run`,
-avoids many of these crashes ([egos](egos.md)). Each picture is the first scene of the report: the ego blue, adversaries
-orange, occluders and blockers brown, a star at the contact. The hardest crashes come first.
-`python benchmarks/gallery.py --out runs/gallery` makes this page (seed 0).
-[Coverage](coverage.md) has longer lists.
+**What can I say, and what does it look like?** Each sentence was run once with the ego `sac`: ten scenes on one route.
+`sac` sees only vehicles ahead in its lane, so it crashes often; `planner`, the default ego of `run`, avoids many of
+these crashes. Each picture is the first scene of the report: the ego blue, adversaries orange, occluders and blockers
+brown, a star at the contact. The hardest crashes come first.
+`python benchmarks/gallery.py --out runs/gallery` made this page (seed 0).
 
 [All of these scenes as OpenSCENARIO](gallery/openscenario.zip), with the maps, for esmini or another
 [player](exports.md#openscenario)."""
 FIGURE = """<figure>
-<img src="gallery/{picture}" alt="{sentence}" width="426" height="240" loading="lazy">
+<img src="gallery/{picture}" alt="">
 <figcaption>{sentence} <small>{what}</small></figcaption>
 </figure>"""
 
@@ -122,7 +121,7 @@ def figure(sentence: str, out: Path, files: zipfile.ZipFile) -> tuple[float, str
     picture.write_bytes(still(episode, drawing))
     pack(files, name, folder, run.best.id)
     crash = episode.collision
-    what = f"contact after {crash.step * episode.dt:.1f} s, at {crash.impact_speed:.1f} m/s" if crash else "no contact"
+    what = f"crash at {crash.impact_speed:.1f} m/s" if crash else "no contact"
     print(f"{sentence}  {what}", flush=True)
     shown = FIGURE.format(sentence=sentence, picture=picture.name, what=what)
     return crash.impact_speed if crash else 0.0, shown

@@ -27,7 +27,7 @@ from notebooks import TUTORIALS, held
 from places import ROOT
 
 DOCS = ROOT / "docs"
-GALLERY = re.findall(r'<img src="(gallery/[^"]*)" alt="([^"]*)"', (DOCS / "gallery.md").read_text())
+GALLERY = re.findall(r'<img src="(gallery/[^"]*)"[^>]*>\n<figcaption>(.*?) <small>', (DOCS / "gallery.md").read_text())
 
 
 def leaves(nav: object) -> Iterator[str]:

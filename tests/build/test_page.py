@@ -16,6 +16,9 @@ from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RoadKind, Setting
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "words.md"
 BEGINS, ENDS = "<!-- tried: UPDATE_GOLDEN=1 pytest tests/build/test_page.py writes this -->\n", "<!-- end of it -->\n"
 LEAD: dict[str, Any] = {"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": [{"act": "brake"}]}
+ANYWHERE = "anywhere"
+ON_FOOT = (UserKind.PEDESTRIAN,)
+WHEELS = (UserKind.CAR, UserKind.MOTORCYCLE)
 HIDERS = (Where.KERB, Where.ROADSIDE, Where.AHEAD, Where.AHEAD_BESIDE, Where.ONCOMING)
 
 
@@ -42,7 +45,7 @@ def from_where(act: Act, *kinds: UserKind) -> str:
     cannot = [where for where in there if where not in can]
     if len(can) <= len(cannot):
         return listed(can)
-    return f"anywhere but {listed(cannot)}" if cannot else "anywhere"
+    return f"anywhere but {listed(cannot)}" if cannot else ANYWHERE
 
 
 def hidden(kind: str, where: Where, by: Where) -> bool:
@@ -99,15 +102,18 @@ def waited_for(act: Act) -> bool:
     return False
 
 
+def begun() -> Iterator[tuple[Act, str, str]]:
+    """Every act with where it can begin, on wheels and on foot."""
+    yield from ((act, from_where(act, *WHEELS), from_where(act, *ON_FOOT)) for act in Act)
+
+
 def page() -> str:
     """What the page says of what is built."""
     kinds, _ = of_road("kind", RoadKind)
     _, features = of_road("has", Feature, several=True)
     _, settings = of_road("setting", Setting)
-    on_foot = (UserKind.PEDESTRIAN,)
-    wheels = (UserKind.CAR, UserKind.MOTORCYCLE)
-    nobody = [where for where in Where if not any(tried(kind, where, "stand") for kind in wheels)]
-    walks = [where for where in Where if tried(on_foot[0], where, "stand")]
+    nobody = [where for where in Where if not any(tried(kind, where, "stand") for kind in WHEELS)]
+    walks = [where for where in Where if tried(ON_FOOT[0], where, "stand")]
     refused = by_field({"ego.route": routes(), "road.kind": kinds, "starts.where": nobody})
     left = by_field({"road.has": features, "road.setting": settings})
     lines = [
@@ -123,12 +129,12 @@ def page() -> str:
         *who_is_hidden(),
         "",
         "An act can begin in these places, if it is the first, concerns only the ego, and the ego goes straight on. "
-        "Elsewhere it is refused. An earlier deed may lead to another place: a car `ahead-beside` that does `cut-in` "
-        "is ahead afterwards.",
+        "Elsewhere it is refused. Acts without a row can begin anywhere. An earlier deed may lead to another place: a "
+        "car `ahead-beside` that does `cut-in` is ahead afterwards.",
         "",
         "| act | on wheels | on foot |",
         "|---|---|---|",
-        *(f"| `{act}` | {from_where(act, *wheels)} | {from_where(act, *on_foot)} |" for act in Act),
+        *(f"| `{act}` | {there} | {on_foot} |" for act, there, on_foot in begun() if {there, on_foot} - {ANYWHERE, ""}),
     ]
     return "\n".join(lines) + "\n"
 

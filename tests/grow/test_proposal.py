@@ -253,7 +253,7 @@ def test_the_prompt_shows_the_language_and_examples_that_are_drafts() -> None:
 
 def test_the_snippet_of_the_documents_keeps_its_contract(tmp_path: Path) -> None:
     page = (ROOT / "docs" / "library.md").read_text(encoding="utf-8")
-    shown, _ = re.findall(r"```scenic\n(.*?)```", page, re.DOTALL)
+    (shown,) = re.findall(r"```scenic\n(.*?)```", page, re.DOTALL)
     path = tmp_path / "behavior" / "drop-and-fetch.scenic"
     path.parent.mkdir()
     path.write_text(shown, encoding="utf-8")

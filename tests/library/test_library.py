@@ -1,8 +1,6 @@
 from __future__ import annotations
 
-import re
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -17,7 +15,7 @@ from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Component, Place
 from chatscene.terms.snippet import Snippet
 from chatscene.world.compilation import compile_program
-from places import FIXTURES, ROOT
+from places import FIXTURES
 
 SMALL = FIXTURES / "library"
 GOOD = (SMALL / "behavior" / "cross.scenic").read_text(encoding="utf-8")
@@ -165,17 +163,6 @@ def test_a_fault_in_a_family_names_the_line_or_the_row(tmp_path: Path, old: str,
         load_library(tmp_path)
     assert str(path) in str(error.value)
     assert named in str(error.value)
-
-
-def test_the_family_on_the_page_about_snippets_is_the_packaged_one(tmp_path: Path) -> None:
-    page = (ROOT / "docs" / "library.md").read_text(encoding="utf-8")
-    _, rows = re.findall(r"```scenic\n(#: .*?)```", page, re.DOTALL)
-    path = tmp_path / "geometry" / "road.scenic"
-    path.parent.mkdir()
-    path.write_text(rows, encoding="utf-8")
-    packaged = tuple(s for s in load_library() if s.file == "geometry/road.scenic")
-    found = load_library(tmp_path).of(Component.GEOMETRY)
-    assert tuple(replace(s, rephrasings=()) for s in packaged) == found
 
 
 def test_two_files_of_a_folder_cannot_hold_the_same_snippet(tmp_path: Path) -> None:

@@ -314,7 +314,13 @@ def write(folder: Path, catalogues: Sequence[Catalogue], asked: Asked, rows: Seq
 
 
 def as_json(catalogues: Sequence[Catalogue], asked: Asked, rows: Sequence[Covered]) -> dict[str, Any]:
-    """Every entry with what became of it, for a script; `docs/coverage.md` lists the keys."""
+    """Every entry with what became of it, for a script.
+
+    Returns:
+        `map`, `seed`, `scenes`, `egos`, and `catalogues`: each with `name`, `title`, the counts `entries`, `in_reach`,
+        `served` and `shown` (in at least 90 % of the drives; null if nothing was driven), and `rows`, which have the
+        fields of `Covered`, with `name` and `sentence` in place of the entry.
+    """
     return {
         "map": asked.map_name,
         "seed": asked.settings.search.seed,
