@@ -20,7 +20,7 @@ TEXT = "A lorry from the left jumps its red light as we turn right."
 
 @pytest.fixture(autouse=True)
 def _no_replies_of_before(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("chatscene.interpret.asked.cache_folder", tmp_path.joinpath)
+    monkeypatch.setattr("chatscene.interpret.readers.cache_folder", tmp_path.joinpath)
 
 
 def settings(tmp_path: Path, *replies: Any) -> RetrievalSettings:

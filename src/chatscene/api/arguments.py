@@ -6,13 +6,13 @@ import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from chatscene.errors import SettingsError
-from chatscene.interpret.stated import in_text
-from chatscene.maps.network import check_opendrive, resolve_map
-from chatscene.runs.trust import Repeated
 from chatscene.settings import RetrievalSettings, VerifySettings
+
+if TYPE_CHECKING:
+    from chatscene.runs.trust import Repeated
 
 Name = str | Path
 Names = Name | Sequence[Name]
@@ -33,6 +33,8 @@ def read_by(
     stated: Mapping[str, object] | None = None,
 ) -> RetrievalSettings:
     """Settings of how a text is read, with those replaced that were given."""
+    from chatscene.interpret.stated import in_text
+
     own = str(path_of(library)) if library else None
     facts = in_text(stated) if stated else None
     return changed(
@@ -48,6 +50,8 @@ def read_by(
 
 def again(**named: Names) -> Repeated:
     """What the user names beside a record, by the fields of `Repeated`."""
+    from chatscene.runs.trust import Repeated
+
     return Repeated(**{field: names_of(names) for field, names in named.items()})
 
 
@@ -93,6 +97,8 @@ def judging(
         MapError: The map is none, or cannot be used.
     """
     if map_name is not None:
+        from chatscene.maps.network import check_opendrive, resolve_map
+
         check_opendrive(resolve_map(str(map_name)))
     return changed(
         VerifySettings(trust=trust),

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any, overload
 
 from chatscene import runs
 from chatscene.api.arguments import Name, Names, again, changed, folder_for, names_of, path_of, read_by
-from chatscene.api.results import Run
 from chatscene.errors import SettingsError
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
@@ -22,6 +21,7 @@ from chatscene.terms.scene import ScenicProgram, at_speed
 from chatscene.terms.situation import Situation
 
 if TYPE_CHECKING:
+    from chatscene.api.results import Run
     from chatscene.learn.finetune import Finetuned
     from chatscene.learn.train import Trained
     from chatscene.report.stated import Stated
@@ -163,6 +163,8 @@ def run(
         edits=edits,
     )
     pipeline.run(asked, where, workers=Workers(jobs, executor), progress=progress)
+    from chatscene.api.results import Run
+
     return Run(where, ego=ego, simulator=simulation.simulator, library=chosen.library or ())
 
 
@@ -347,6 +349,8 @@ def resume(
     go_on: Callable[..., Any] = import_module(_RESUMES[kind]).resume
     done = go_on(where, workers=Workers(jobs, executor), progress=progress, repeated=repeated)
     if kind is runs.Kind.RUN:
+        from chatscene.api.results import Run
+
         return Run(where, ego=ego, generator=generator, simulator=simulator, library=library)
     return done
 

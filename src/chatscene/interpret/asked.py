@@ -5,44 +5,23 @@ Who chooses snippets (the paper's way, a library of one's own) takes a frame, wh
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
 from chatscene.errors import NothingFits
-from chatscene.files.caches import cache_folder
 from chatscene.interpret.decide import understand
 from chatscene.interpret.known import SURE, offered, taken
+from chatscene.interpret.readers import reader_of
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.interpret.stated import facts_stated, in_text, with_named
-from chatscene.models.language.protocol import load_language_model
-from chatscene.read.by_model import LIMITS, ModelReader
 from chatscene.read.canonical import canonical
 from chatscene.read.clauses import cut
-from chatscene.read.learned.reader import LearnedReader
 from chatscene.read.quotes import unread, words_of
-from chatscene.read.reader import Reader, in_one_line
+from chatscene.read.reader import in_one_line
 from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.frame import About, Frame, Note
 from chatscene.terms.scenario import Measure, Scenario, Unused, Why
 from chatscene.terms.situation import Situation
-
-
-def reader_of(settings: RetrievalSettings, cannot_build: Callable[[Situation], str] = lambda _: "") -> Reader:
-    """Who reads texts: the language model that the settings name, or the project's own reader.
-
-    Args:
-        settings: Which.
-        cannot_build: Says a language model why a situation cannot be built; empty if it can.
-
-    Raises:
-        SettingsError: There is no such model.
-        MissingExtra: Its package is missing.
-    """
-    if settings.language_model == OFFLINE:
-        return LearnedReader()
-    model = load_language_model(settings.language_model, limits=LIMITS, cache=cache_folder("replies"))
-    return ModelReader(model, cannot_build)
 
 
 def heard(text: str, settings: RetrievalSettings) -> Frame:

@@ -9,12 +9,9 @@ from typing import Any
 from chatscene.build.build import Built, build
 from chatscene.errors import EditRefused, NotBuilt, NothingFits, OfferedReading, SettingsError, SituationError, no_such
 from chatscene.files.caches import cache_folder
-from chatscene.interpret.asked import reader_of
 from chatscene.interpret.known import SURE, WithFacts, offered, taken
+from chatscene.interpret.readers import reader_of
 from chatscene.interpret.stated import FACTS, facts_stated, in_text, with_named
-from chatscene.models.language.protocol import load_language_model
-from chatscene.read.by_model import LIMITS
-from chatscene.read.edit_by_model import edited_by
 from chatscene.read.quotes import words_of
 from chatscene.report.stated import Editor, Stated, built_of, stated, with_edits
 from chatscene.report.understood import NO_EDITS, Understood, understand
@@ -132,6 +129,10 @@ def editor_of(language_model: str) -> Editor | None:
     """Who applies edits in words; None where no language model does."""
     if language_model == OFFLINE:
         return None
+    from chatscene.models.language.protocol import load_language_model
+    from chatscene.read.by_model import LIMITS
+    from chatscene.read.edit_by_model import edited_by
+
     model = load_language_model(language_model, limits=LIMITS, cache=cache_folder("replies"))
 
     def edited(situation: Situation, text: str) -> tuple[Edited, Built]:
