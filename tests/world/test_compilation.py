@@ -74,7 +74,7 @@ def test_code_is_taken_from_no_folder_that_others_can_write_to(folder: Path, par
     assert parsed == [TEXT, TEXT]
 
 
-def test_code_with_requirements_or_outside_of_the_library_is_not_kept(folder: Path) -> None:
+def test_code_with_requirements_is_not_kept(folder: Path) -> None:
     compilation._kept("require True\n", "place")
     assert not folder.exists() or not list(folder.iterdir())
 

@@ -12,7 +12,7 @@ from platformdirs import user_cache_path
 from chatscene.files.atomic import write_whole
 
 
-def cache_folder(kind: Literal["code", "engines", "maps", "replies", "vectors", "words"]) -> Path:
+def cache_folder(kind: Literal["code", "engines", "maps", "programs", "replies", "vectors", "words"]) -> Path:
     """The folder of one kind of kept files, where this operating system has such; it need not exist."""
     return user_cache_path("chatscene", appauthor=False) / kind
 
@@ -34,3 +34,11 @@ def keep(path: Path, content: bytes) -> None:
     """Write a whole file of a cache for this user alone, or none: a read-only or full disk must not stop a run."""
     with suppress(OSError):
         write_whole(path, content, mode=0o600)
+
+
+def keep_latest(folder: Path, most: int, ending: str = "") -> None:
+    """Keep so many files of a cache with an ending, those that were written last."""
+    with suppress(OSError):  # another process may do the same
+        files = sorted(folder.glob(f"*{ending}"), key=lambda file: file.stat().st_mtime_ns)
+        for old in files[:-most]:
+            old.unlink()

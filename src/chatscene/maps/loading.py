@@ -7,7 +7,7 @@ from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 
-from chatscene.files.caches import cache_folder, keep, only_mine
+from chatscene.files.caches import cache_folder, keep, keep_latest, only_mine
 from chatscene.maps.network import load_network, map_digest
 from chatscene.maps.roads import Roads
 from chatscene.maps.roads_file import made_by, read, written
@@ -40,9 +40,7 @@ def kept_roads(digest: str, path: Path) -> Roads:
     content = written(load_network(path))
     if folder is not None:
         keep(folder / named, content)
-        with suppress(OSError):
-            for old in sorted(folder.glob(f"*{ENDING}"), key=lambda file: file.stat().st_mtime)[:-VERSIONS]:
-                old.unlink()
+        keep_latest(folder, VERSIONS, ENDING)
     made = read(content)
     assert made is not None
     return made

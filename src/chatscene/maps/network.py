@@ -358,17 +358,23 @@ def _private_copy(path: Path, digest: str) -> Path | None:
     return copy
 
 
-def install_network_memo() -> None:
+def install_network_memo(*, light: bool = False) -> None:
     """Make Scenic's driving model, which loads the map in every program, use `load_network`.
 
     Stock ``scenic`` works without it, only slower.
+
+    Args:
+        light: Whether the network is made only once something is asked of it (`chatscene.maps.light_network`).
     """
     from scenic.domains.driving.roads import Network
 
+    from chatscene.maps.light_network import light_network
+
     _scenic_from_file()
+    load = light_network if light else load_network
 
     def from_file(path: Any, *_: Any, **_options: Any) -> Any:
-        return load_network(path)
+        return load(path)
 
     setattr(Network, "fromFile", staticmethod(from_file))  # noqa: B010 - a class of somebody else's
 

@@ -19,12 +19,13 @@ from scenic.core.distributions import RejectionException, needsSampling
 from scenic.core.sample_checking import SampleChecker
 
 from chatscene.errors import MapError, ProgramError
+from chatscene.maps.loading import load_roads
 from chatscene.maps.network import load_network
 from chatscene.simulate.heading_for import route_of_ego
 from chatscene.simulate.placing import NoFunction, Placement
 from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.simulate.watchdog import time_limit
-from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.terms.scene import OWN_MODEL, Rejected, Scene, ScenicProgram
 from chatscene.world.compilation import compile_program
 from chatscene.world.ego_route import EgoRoute
 
@@ -89,7 +90,8 @@ class Stage:
         """
         key = (program.digest, 0 if program.drawn else route)
         if key not in self._compiled:
-            load_network(self._map_path)  # a large map takes its time, which is not the program's
+            # A large map takes its time, which is not the program's.
+            (load_network if program.own or program.model != OWN_MODEL else load_roads)(self._map_path)
             with time_limit(f"{program.called}, being compiled,"):
                 scenario = compile_program(
                     program.source,

@@ -2,7 +2,7 @@
 
 Scenic parses the driving library anew for every program, which takes most of a second. Here the parsed code of
 each source text is kept for the life of the process, and the road network of each map likewise; the code of the library
-itself is kept in the user's cache folder, too, for the next process.
+itself, and that of the programs that were compiled last, is kept in the user's cache folder, too, for the next process.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from importlib.metadata import version
 from importlib.util import MAGIC_NUMBER
 from pathlib import Path
 from types import CodeType
-from typing import Any
+from typing import Any, Literal
 
 import scenic
 from scenic.core import object_types
@@ -27,7 +27,7 @@ from scenic.core.specifiers import PropertyDefault
 from scenic.syntax import translator, veneer
 
 from chatscene.errors import ChatSceneError, DoesNotCompile
-from chatscene.files.caches import cache_folder, keep, only_mine
+from chatscene.files.caches import cache_folder, keep, keep_latest, only_mine
 from chatscene.maps.network import install_network_memo
 from chatscene.terms.pointing import fault, place_in, pointed
 from chatscene.terms.scene import OWN_MODEL
@@ -36,6 +36,7 @@ from chatscene.world.models import STANDS_IN
 
 _LIBRARY = (Path(str(scenic.__file__)).parent, Path(__file__).parents[1])
 _SEAL = 16  # bytes; `marshal` may break the interpreter with what is damaged
+PROGRAMS = 256  # whose code is kept between processes, some 20 kB each
 
 keeping = True
 """Whether code is kept between processes; a confined one, which may touch no such folder, sets it off."""
@@ -67,7 +68,7 @@ def _compile_stream(stream: Any, namespace: dict[str, Any], options: Any, filena
         key = (hashlib.blake2b(source, digest_size=16).digest(), str(filename))
         if key not in _code:
             of_library = any(folder in Path(filename).parents for folder in _LIBRARY)
-            _code[key] = (_kept if of_library else _translate)(source.decode("utf-8"), filename)
+            _code[key] = _kept(source.decode("utf-8"), filename, "code" if of_library else "programs")
         code, requirements, digest = _code[key]
         translator.executeCodeIn(code, namespace)
         translator.storeScenarioStateIn(namespace, requirements, digest, options)
@@ -76,9 +77,9 @@ def _compile_stream(stream: Any, namespace: dict[str, Any], options: Any, filena
     return code, ""
 
 
-def _kept(source: str, filename: str) -> tuple[Any, Any, bytes]:
-    """`_translate` for a text of the library, which is the same for every process: its code is kept between them."""
-    if not keeping or (folder := only_mine(cache_folder("code"))) is None:
+def _kept(source: str, filename: str, kind: Literal["code", "programs"] = "code") -> tuple[Any, Any, bytes]:
+    """`_translate` for a text whose code is kept between processes: that of the library, and programs."""
+    if not keeping or (folder := only_mine(cache_folder(kind))) is None:
         return _translate(source, filename)
     named = hashlib.blake2b(repr((source, str(filename))).encode() + _translator(), digest_size=_SEAL)
     path = folder / named.hexdigest()
@@ -93,6 +94,8 @@ def _kept(source: str, filename: str) -> tuple[Any, Any, bytes]:
     if isinstance(code, CodeType) and not requirements:  # these are trees, which `marshal` does not know
         content = marshal.dumps((code, digest))
         keep(path, hashlib.blake2b(content, digest_size=_SEAL).digest() + content)
+        if kind == "programs":
+            keep_latest(folder, PROGRAMS)
     return code, requirements, digest
 
 

@@ -10,7 +10,7 @@ if 'map' not in globalParameters:
     param map = str(_resolve_map('town'))
 
 from chatscene.maps.network import install_network_memo as _install_network_memo
-_install_network_memo()  # no parsed copy of the map beside the map itself
+_install_network_memo(light=True)  # no parsed copy of the map beside the map itself, and none in memory
 
 from scenic.domains.driving.model import *
 
