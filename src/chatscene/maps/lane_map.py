@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -32,6 +32,7 @@ class LaneMap:
         self._index = {uid: i for i, uid in enumerate(self.lane_ids)}
         self._areas = shapely.buffer([lane.polygons for lane in lanes], _SEAM)
         self._bounds: Array = shapely.bounds(self._areas)
+        self._boxes: list[list[float]] = self._bounds.tolist()
         self._drivable = shapely.buffer(network.drivableRegion.polygons, OFF_ROAD_TOLERANCE)
         shapely.prepare(self._areas)
         shapely.prepare(self._drivable)
@@ -67,11 +68,16 @@ class LaneMap:
                 break
         return found
 
-    def _candidates(self, xy: Array, along: Sequence[str]) -> list[int]:
+    def _candidates(self, xy: Array, along: Sequence[str]) -> Iterator[int]:
         """Lanes whose bounding box meets that of the points, the preferred ones first."""
         if not len(xy):
-            return []
+            return
         low, high = xy.min(axis=0), xy.max(axis=0)
+        (low_x, low_y), (high_x, high_y) = low.tolist(), high.tolist()
+        first = dict.fromkeys(self._index[uid] for uid in along if uid in self._index)
+        for lane in first:
+            x0, y0, x1, y1 = self._boxes[lane]
+            if not (x0 > high_x or x1 < low_x or y0 > high_y or y1 < low_y):
+                yield lane
         near = np.flatnonzero((self._bounds[:, :2] <= high).all(axis=1) & (self._bounds[:, 2:] >= low).all(axis=1))
-        first = [self._index[uid] for uid in along if uid in self._index]
-        return [*dict.fromkeys(first), *(int(lane) for lane in near if lane not in first)]
+        yield from (lane for lane in near.tolist() if lane not in first)

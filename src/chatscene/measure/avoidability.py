@@ -13,6 +13,7 @@ adversary reacts to that as its program says.
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -182,15 +183,21 @@ class CarefulDriver:
         return acceleration, steering
 
 
+@lru_cache(maxsize=64)
+def _course(route: Polyline) -> tuple[Array, Array]:
+    """(N,) Arc length [m] of each point of a line, and (N - 1,) where each piece of it leads [rad], without jumps."""
+    along = np.diff(route.points, axis=0).T
+    return np.concatenate(([0.0], np.cumsum(np.hypot(*along)))), np.unwrap(np.arctan2(*along[::-1]))
+
+
 def _predicted(episode: Episode, other: Track, route: Polyline) -> NDArray[np.bool_]:
     """(T,) Whether, at each step, the ego along its route and the other straight on will touch within `HORIZON`."""
     ego = episode.ego_track
     ahead = np.arange(0.0, HORIZON + 1e-9, episode.dt)
     along, _ = follow(route, ego.x, ego.y, whole=True)
-    arc = np.concatenate(([0.0], np.cumsum(np.hypot(*np.diff(route.points, axis=0).T))))
+    arc, heading = _course(route)
     stops = along[:, None] + np.maximum(ego.speed, 0.0)[:, None] * ahead
     beyond = np.maximum(stops - arc[-1], 0.0)
-    heading = np.unwrap(np.arctan2(*np.diff(route.points, axis=0).T[::-1]))
     toward = heading[np.clip(np.searchsorted(arc, stops, side="right") - 1, 0, len(heading) - 1)]
     ex = np.interp(stops, arc, route.points[:, 0]) + beyond * np.cos(toward)
     ey = np.interp(stops, arc, route.points[:, 1]) + beyond * np.sin(toward)

@@ -10,7 +10,7 @@ import numpy as np
 from chatscene.measure.criticality import fault, part_struck, severity_of
 from chatscene.simulate.boxes import least_gap
 from chatscene.terms.braking import STANDSTILL
-from chatscene.terms.episode import QUIET, Ending, Episode, Track
+from chatscene.terms.episode import QUIET, Ending, Episode, Track, paces
 
 PLACE = 10.0  # [m] of the ego's way within which two crashes are in one place
 HEADED = ("same way", "to the left", "oncoming", "to the right")  # the other, as the ego sees it, by quarter turns
@@ -30,7 +30,7 @@ def crash_type(episode: Episode) -> str:
         return ""
     ego = episode.ego_track
     other = next(track for track in episode.tracks if track.actor == crash.other)
-    driven = float(np.hypot(np.diff(ego.x[: crash.step + 1]), np.diff(ego.y[: crash.step + 1])).sum())
+    driven = float(paces(ego.x[: crash.step + 1], ego.y[: crash.step + 1]).sum())
     turned = float(other.heading[crash.step] - ego.heading[crash.step])
     struck = f"{other.kind} {part_struck(other, ego, crash)}".strip()
     headed = HEADED[round(turned / (math.pi / 2)) % 4]

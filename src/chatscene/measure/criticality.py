@@ -118,6 +118,8 @@ def headways(ego: Track, other: Track, *, lately: int | None = None) -> Array:
     """
     found = between(ego, other)
     ahead = found.ahead > 0.0
+    if not ahead.any():
+        return np.full(len(ahead), math.inf)
     moves = ahead & (ego.speed > CRAWL)
     if lately is not None:
         steps = np.arange(len(ahead))
@@ -130,6 +132,8 @@ def _following(ego: Track, other: Track) -> tuple[float, float]:
     """Least time headway [s] and greatest deceleration required [m/s²] behind another ahead; inf and 0 without."""
     found = between(ego, other)
     ahead = found.ahead > 0.0
+    if not ahead.any():
+        return math.inf, 0.0
     closing, gap = found.closing[ahead], found.ahead[ahead]
     braking = np.where(closing > NOTHING, closing, 0.0) ** 2 / (2.0 * gap)
     return float(headways(ego, other).min()), float(braking.max(initial=0.0))

@@ -25,11 +25,13 @@ def happened(episode: Episode) -> Happened:
     before which that one has come; gaps in length are those between the boxes.
     """
     ego, others = episode.ego_track, episode.adversaries
-    far = np.full(len(ego.x), math.inf)
-    apart = np.min([far, *(gaps(ego, other) for other in others)], axis=0)
-    times = [far, *(times_to_collision(ego, one) for one in others)]
+    apart = seconds = np.full(len(ego.x), math.inf)
     lately = round(LATELY / episode.dt)
-    seconds = np.min([*times, *(headways(ego, one, lately=lately) for one in others)], axis=0)
+    for other in others:
+        apart = np.minimum(apart, gaps(ego, other))
+        seconds = np.minimum(seconds, times_to_collision(ego, other))
+    for other in others:
+        seconds = np.minimum(seconds, headways(ego, other, lately=lately))
     nearest, soonest = int(np.flatnonzero(apart <= apart.min() + AS_NEAR)[-1]), int(seconds.argmin())
     least = float(seconds[soonest])
     kind, step = _kind(episode, least, float(apart.min())), nearest

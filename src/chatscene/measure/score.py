@@ -13,7 +13,7 @@ from itertools import combinations
 import numpy as np
 
 from chatscene.errors import SettingsError
-from chatscene.terms.episode import Array, Episode, EventKind, Track
+from chatscene.terms.episode import Array, Episode, EventKind, Track, changes, paces
 from chatscene.terms.metrics import Measurements, Metrics, Mode
 
 MOST_OFF_ROAD = 50.0  # [m]
@@ -52,8 +52,11 @@ def measure(episode: Episode) -> Measurements:
 def _metres_off_road(episode: Episode) -> float:
     """Length [m] of the steps that begin or end off the road: the reference carries the flag one frame on."""
     ego, off = episode.ego_track, episode.off_road
-    steps = np.hypot(np.diff(ego.x), np.diff(ego.y))
-    return float(steps[off[1:] | off[:-1]].sum())
+    beside = off[1:] | off[:-1]
+    if not beside.any():
+        return 0.0
+    steps = paces(ego.x, ego.y)
+    return float(steps[beside].sum())
 
 
 def _mean_acceleration(ego: Track, dt: float) -> float:
@@ -61,12 +64,12 @@ def _mean_acceleration(ego: Track, dt: float) -> float:
     if len(ego.speed) < 2:
         return 0.0
     vx, vy = ego.speed * np.cos(ego.heading), ego.speed * np.sin(ego.heading)
-    return float(np.hypot(np.diff(vx), np.diff(vy)).mean() / dt)
+    return float(paces(vx, vy).mean() / dt)
 
 
 def _turned(heading: Array) -> float:
     """Sum [rad] of the changes of heading."""
-    return float(np.abs(np.diff(heading)).sum())
+    return float(np.abs(changes(heading)).sum())
 
 
 def _reference_yaw(heading: Array) -> Array:

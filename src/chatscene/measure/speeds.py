@@ -11,7 +11,7 @@ from chatscene.measure.criticality import line_of_contact, part_struck
 from chatscene.measure.severity import Found, Hurt, curves_for
 from chatscene.simulate.boxes import gaps
 from chatscene.terms.actors import BY_CLASS, LOOSE
-from chatscene.terms.episode import Array, Episode, Event, Track
+from chatscene.terms.episode import Array, Episode, Event, Track, changes, changes_at
 from chatscene.terms.speeds import Speeds
 
 REACTS = 1.0  # [m/s²] of speed that is lost: more than rolling out
@@ -96,13 +96,13 @@ def _begins(mine: Array, theirs: Array, dt: float, *, same_way: bool) -> int:
 
 def _brakes(speed: Array, dt: float) -> NDArray[np.bool_]:
     """(T,) Whether somebody loses speed in the step that led to each row, or stands there after having moved."""
-    loses = -np.diff(speed, prepend=speed[:1]) > REACTS * dt
+    loses = -changes_at(speed) > REACTS * dt
     return loses | ((speed < STILL) & (np.maximum.accumulate(speed) >= STILL))
 
 
 def _hardest(speed: Array, dt: float) -> float:
     """The hardest loss of speed over a step [m/s²]; 0 of who loses none."""
-    return abs(float(np.diff(speed).min(initial=0.0))) / dt
+    return abs(float(changes(speed).min(initial=0.0))) / dt
 
 
 def _impact(episode: Episode, other: Track, crash: Event) -> dict[str, float | None]:

@@ -13,7 +13,7 @@ from functools import lru_cache
 import numpy as np
 
 from chatscene.terms.actors import AIR_DRAG, BY_CLASS, LIMITS
-from chatscene.terms.episode import Array, Episode, Track, fixed
+from chatscene.terms.episode import Array, Episode, Track, changes, fixed
 from chatscene.terms.surroundings import DRY, GRAVITY
 
 FAST = 50.0 / 3.6  # [m/s]
@@ -65,7 +65,7 @@ def taken(episode: Episode) -> tuple[tuple[Array, Array, Array], ...]:
 def _taken_by(track: Track, dt: float, until: int | None) -> tuple[Array, Array, Array]:
     """What tyres did along and across [m/s²] over each step, and the speed [m/s] in it."""
     limits, speed, heading = LIMITS[track.kind], np.abs(track.speed[:until]), track.heading[:until]
-    change, mean = np.diff(speed) / dt, 0.5 * (speed[1:] + speed[:-1])
+    change, mean = changes(speed) / dt, 0.5 * (speed[1:] + speed[:-1])
     # What air and rolling do is none of the tyres' doing.
     along = np.where(change < 0.0, np.minimum(change + limits.drag + AIR_DRAG * speed[:-1] ** 2, 0.0), change)
-    return fixed(along), fixed(mean * np.diff(heading) / dt), fixed(mean)
+    return fixed(along), fixed(mean * changes(heading) / dt), fixed(mean)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
-from chatscene.program.deeds import STANDING, Act
+from chatscene.program.deeds import STANDING, Act, runs
 from chatscene.program.watching import Seen
-from chatscene.terms.episode import Array
+from chatscene.terms.episode import Array, changes
 from chatscene.terms.seeing import loss_of
 from chatscene.terms.vocabulary import Act as Said
 
@@ -28,23 +29,19 @@ Values = Callable[[Seen, Act], Array]
 
 def losing_run(speed: Array, dt: float) -> tuple[int, int]:
     """The first step and the one after the last of the first time that speed is seen to be lost; 0 and 1 for never."""
-    falls = np.concatenate(([False], -np.diff(speed) > ROLLS * dt, [False])).astype(int)
-    return _first_run(falls, speed, 1.0)
+    return _first_run(-changes(speed) > ROLLS * dt, speed, 1.0)
 
 
 def gaining_run(speed: Array, dt: float) -> tuple[int, int]:
     """The same of speed that is gained, up to where most of that is."""
-    rises = np.concatenate(([False], np.diff(speed) > 0.2 * ROLLS * dt, [False])).astype(int)
-    first, end = _first_run(rises, speed, -1.0)
+    first, end = _first_run(changes(speed) > 0.2 * ROLLS * dt, speed, -1.0)
     there = speed[first] + MOST * (speed[end] - speed[first])
     return first, first + max(1, int(np.argmax(speed[first : end + 1] >= there)))
 
 
-def _first_run(changes: Array, speed: Array, sign: float) -> tuple[int, int]:
-    edges = np.diff(changes)
-    runs = zip(np.flatnonzero(edges == 1).tolist(), np.flatnonzero(edges == -1).tolist(), strict=True)
+def _first_run(condition: NDArray[np.bool_], speed: Array, sign: float) -> tuple[int, int]:
     least = min(loss_of(max(float(speed.max()), 1.0)), 1.0)
-    seen = (run for run in runs if sign * (speed[run[0]] - speed[run[1]]) >= least)
+    seen = (run for run in runs(condition) if sign * (speed[run[0]] - speed[run[1]]) >= least)
     return next(seen, (0, 1))
 
 

@@ -19,7 +19,7 @@ from chatscene.program.watching import Seen, in_frame, percentile
 from chatscene.simulate.roadside import crossing_step
 from chatscene.terms.actors import BY_CLASS, AdversaryKind, RoadUser
 from chatscene.terms.acts import Action
-from chatscene.terms.episode import Array
+from chatscene.terms.episode import Array, changes, changes_at
 from chatscene.terms.seeing import GAIN
 
 STANDING = 0.3  # [m/s]
@@ -64,8 +64,10 @@ def _last(condition: NDArray[Any]) -> int:
 
 def runs(condition: NDArray[Any]) -> Iterator[tuple[int, int]]:
     """Every time a condition holds: the first step, and the one after the last."""
-    edges = np.diff(np.concatenate(([0], condition.astype(int), [0])))
-    yield from zip(np.flatnonzero(edges == 1).tolist(), np.flatnonzero(edges == -1).tolist(), strict=True)
+    padded = np.zeros(len(condition) + 2, bool)
+    padded[1:-1] = condition
+    edges = (padded[1:] != padded[:-1]).nonzero()[0].tolist()
+    yield from zip(edges[::2], edges[1::2], strict=True)
 
 
 def _lasting(condition: NDArray[Any], steps: int) -> Iterator[Act]:
@@ -96,7 +98,7 @@ def _speed(s: Seen) -> Array:
 
 def _slowing_since(s: Seen, step: int) -> int:
     """Since when it has lost speed at every step up to one, and more than by rolling out."""
-    losing = np.diff(_speed(s)[: step + 1]) < -min(LOSING, OF_GRIP * s.grip) * s.dt
+    losing = changes(_speed(s)[: step + 1]) < -min(LOSING, OF_GRIP * s.grip) * s.dt
     return _last(~losing) + 1 if not losing.all() else 0
 
 
@@ -145,7 +147,7 @@ def _hesitates(s: Seen) -> Iterator[Act]:
 
 def braking(s: Seen) -> NDArray[np.bool_]:
     """At which steps a watcher says that somebody brakes."""
-    return np.diff(_speed(s), prepend=_speed(s)[:1]) / s.dt < -min(BRAKING, OF_GRIP * s.grip)
+    return changes_at(_speed(s)) / s.dt < -min(BRAKING, OF_GRIP * s.grip)
 
 
 def _brakes(s: Seen) -> Iterator[Act]:
@@ -154,7 +156,7 @@ def _brakes(s: Seen) -> Iterator[Act]:
 
 def _accelerates(s: Seen) -> Iterator[Act]:
     speed = _speed(s)
-    for first, end in runs(np.diff(speed, prepend=speed[:1]) > -0.5 * s.dt):
+    for first, end in runs(changes_at(speed) > -0.5 * s.dt):
         rising = speed[max(first - 1, 0) : end]
         ahead = np.lib.stride_tricks.sliding_window_view(np.pad(rising, (0, GAINING), mode="edge"), GAINING + 1)
         for low, high in runs(ahead.max(axis=1) - rising >= GAIN):
@@ -192,7 +194,7 @@ def _reverses(s: Seen) -> Iterator[Act]:
 def comes_in(aside: Array, *, outside: float, there: NDArray[Any], dt: float) -> Iterator[Act]:
     """Every time it sets out from beside a line toward it, until it is there; under way once it is 0.3 m nearer."""
     away = np.abs(aside)
-    nearer = -np.diff(away, prepend=away[:1]) > 0.05 * dt
+    nearer = -changes_at(away) > 0.05 * dt
     for first, _ in runs(nearer):
         began = max(first - 1, 0)
         if away[began] <= outside:

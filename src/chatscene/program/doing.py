@@ -11,12 +11,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, TURNED, TURNED_MIDWAY, Act, before, comes_in
+from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, TURNED, TURNED_MIDWAY, Act, before, comes_in, runs
 from chatscene.program.lateral import LANE
 from chatscene.program.watching import Seen
 from chatscene.terms.actors import BY_CLASS, AdversaryKind, Manner, manner_of
 from chatscene.terms.acts import Action
-from chatscene.terms.episode import Array
+from chatscene.terms.episode import Array, changes
 from chatscene.terms.seeing import gain_of, loss_of
 from chatscene.terms.vocabulary import Act as Said
 
@@ -48,9 +48,7 @@ def _stands_at_first(s: Seen) -> Iterable[Act]:
 
 def standing(s: Seen, since: int = 0) -> Iterator[Act]:
     """Every time somebody stands, also after a step at which a deed began that was done before."""
-    still = np.concatenate(([False], _speed(s) < STANDING, [False])).astype(int)
-    edges = np.diff(still)
-    for first, end in zip(np.flatnonzero(edges == 1).tolist(), np.flatnonzero(edges == -1).tolist(), strict=True):
+    for first, end in runs(_speed(s) < STANDING):
         if end == len(s.track.x) or (end - first >= HALT and end - 1 >= since + HALT * (since > 0)):
             yield Act(first, end - 1)
 
@@ -154,8 +152,8 @@ def _brakes(s: Seen) -> Iterable[Act]:
     for step in range(1, len(speed)):
         if speed[step] < STANDING <= speed[step - 1] and speed[max(step - 3, 0)] > MOVING:
             began = max(step - 3, 0)
-            began += int(np.argmax(np.diff(speed[began : step + 1]) < 0.0))
-            if not any(once.began <= step and (np.diff(speed[once.began : step + 1]) <= 0.0).all() for once in found):
+            began += int(np.argmax(changes(speed[began : step + 1]) < 0.0))
+            if not any(once.began <= step and (changes(speed[once.began : step + 1]) <= 0.0).all() for once in found):
                 yield Act(began, step)
 
 

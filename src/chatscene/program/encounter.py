@@ -20,7 +20,7 @@ from chatscene.program.finding import Finding
 from chatscene.program.meaning import TOGETHER
 from chatscene.simulate.boxes import Boxes, gaps, near_any, overlaps, times_to_collision
 from chatscene.simulate.native.lines import follow
-from chatscene.terms.episode import Array, Episode, Track
+from chatscene.terms.episode import Array, Episode, Track, paces
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
@@ -200,12 +200,11 @@ def meeting(ego: Track, way: Way, other: Track, dt: float, since: int) -> Meetin
     there = since + np.flatnonzero(_within(way, other, since, far))
     if not there.size:
         return Meeting()
-    x, y, heading = _goes_on(ego, way, dt, len(other.x) - len(ego.x) + lags + 1)
-    own = Boxes(x, y, np.cos(heading), np.sin(heading), ego.length / 2, ego.width / 2)
+    own = _goes_on(ego, way, dt, len(other.x) - len(ego.x) + lags + 1)
     places, moments = overlaps(own, Boxes.of(other).at(there), there, lags)
     if not places.size:
         return Meeting()
-    rows, steps = np.divmod(places, x.shape[1])
+    rows, steps = np.divmod(places, own.x.shape[1])
     lag = steps - there[moments]
     first = np.lexsort((moments, rows, lag > 0, np.abs(lag)))[0]
     step = int(there[moments[first]])
@@ -215,17 +214,18 @@ def meeting(ego: Track, way: Way, other: Track, dt: float, since: int) -> Meetin
 def _within(way: Way, other: Track, since: int, far: float) -> Flags:
     """(T - since,) Whether somebody is so near [m] to the ego's way, of which a point in a metre is enough."""
     along, x, y, _ = way
-    points = np.unique(np.searchsorted(along, np.arange(along[0], along[-1], 1.0)).clip(max=len(x) - 1))
+    points = np.searchsorted(along, np.arange(along[0], along[-1], 1.0)).clip(max=len(x) - 1)
+    points = points[np.append(True, points[1:] != points[:-1])] if points.size else points
     return near_any(other.x[since:], other.y[since:], x[points], y[points], far + 1.0)
 
 
-def _goes_on(ego: Track, way: Way, dt: float, more: int) -> tuple[Array, Array, Array]:
-    """(K, T + more) X, y and heading: as it went, then as it would go on from each moment at which it goes evenly.
+def _goes_on(ego: Track, way: Way, dt: float, more: int) -> Boxes:
+    """(K, T + more) Its boxes: as it went, then as it would go on from each moment at which it goes evenly.
 
     Before that moment it is nowhere (nan), as those of it are compared that lie before it.
     """
     steps = len(ego.x)
-    gone = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(ego.x), np.diff(ego.y)))))
+    gone = np.concatenate(([0.0], np.cumsum(paces(ego.x, ego.y))))
     rows = [np.concatenate((gone, gone[-1] + ego.speed[-1] * dt * np.arange(1, more + 1)))]
     time = np.arange(steps + more)
     for k in _even(ego, dt):
@@ -235,7 +235,8 @@ def _goes_on(ego: Track, way: Way, dt: float, more: int) -> tuple[Array, Array, 
     along = np.array(rows)
     x, y, heading = (np.interp(along, way[0], values) for values in way[1:])
     beyond = (along - way[0][-1]).clip(min=0.0)
-    return x + beyond * np.cos(heading), y + beyond * np.sin(heading), heading
+    cos, sin = np.cos(heading), np.sin(heading)
+    return Boxes(x + beyond * cos, y + beyond * sin, cos, sin, ego.length / 2, ego.width / 2)
 
 
 def _even(ego: Track, dt: float) -> list[int]:
@@ -247,7 +248,7 @@ def _even(ego: Track, dt: float) -> list[int]:
 
 def way_of(ego: Track, line: Polyline) -> Way:
     """Arc length, x, y and heading of where the ego came from, where it went, and of the rest of its way."""
-    moved = np.concatenate(([True], np.hypot(np.diff(ego.x), np.diff(ego.y)) > 1e-3))
+    moved = np.concatenate(([True], paces(ego.x, ego.y) > 1e-3))
     x, y, heading = ego.x[moved], ego.y[moved], ego.heading[moved]
     there, aside, _ = line.project(float(ego.x[-1]), float(ego.y[-1]))
     rest = np.arange(there + 2.0, line.length, 2.0) if abs(aside) < 3.0 else np.empty(0)
@@ -256,4 +257,4 @@ def way_of(ego: Track, line: Polyline) -> Way:
     x = np.concatenate((x[0] + back * math.cos(behind), x, points[:, 0]))
     y = np.concatenate((y[0] + back * math.sin(behind), y, points[:, 1]))
     heading = np.unwrap(np.concatenate((np.full(len(back), behind), heading, turned)))
-    return np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y))))) - BACK, x, y, heading
+    return np.concatenate(([0.0], np.cumsum(paces(x, y)))) - BACK, x, y, heading

@@ -35,15 +35,17 @@ class Boxes:
 
     @staticmethod
     @lru_cache(maxsize=KEPT)
-    def of(track: Track, parts: int = 1) -> Boxes:
-        """At every step, and at as many moments between two steps as make `parts` of it."""
-        x, y, heading = track.x, track.y, track.heading
-        if parts > 1:
-            rows = np.arange(len(x))
-            moments = np.arange((len(x) - 1) * parts + 1) / parts
-            x, y, heading = (np.interp(moments, rows, values) for values in (x, y, heading))
-        x, y, cos, sin = map(fixed, (x, y, np.cos(heading), np.sin(heading)))
+    def of(track: Track) -> Boxes:
+        """At every step."""
+        x, y, cos, sin = map(fixed, (track.x, track.y, np.cos(track.heading), np.sin(track.heading)))
         return Boxes(x, y, cos, sin, track.length / 2, track.width / 2)
+
+    @staticmethod
+    def within(track: Track, moments: Array) -> Boxes:
+        """At moments between steps, in steps."""
+        rows = np.arange(len(track.x))
+        x, y, heading = (np.interp(moments, rows, values) for values in (track.x, track.y, track.heading))
+        return Boxes(x, y, np.cos(heading), np.sin(heading), track.length / 2, track.width / 2)
 
     def at(self, moments: Steps | int | slice) -> Boxes:
         """At some of them."""
@@ -135,8 +137,7 @@ def between(ego: Track, other: Track) -> Between:
     native = engine()
     if native is None:
         return in_numpy(a, b, ego.speed, other.speed)
-    found = native.between(_told(a, ego.speed), _told(b, other.speed), len(ego.x))
-    return Between(*fixed(found))
+    return Between(*fixed(native.between(_told(a), ego.speed, _told(b), other.speed)))
 
 
 def in_numpy(a: Boxes, b: Boxes, speed: Array, other_speed: Array) -> Between:
@@ -159,10 +160,10 @@ def in_numpy(a: Boxes, b: Boxes, speed: Array, other_speed: Array) -> Between:
     )
 
 
-def _told(boxes: Boxes, speed: Array | None = None) -> Any:
+@lru_cache(maxsize=KEPT)
+def _told(boxes: Boxes) -> Any:
     """Boxes in the engine's terms."""
-    columns = [column.ravel() for column in (boxes.x, boxes.y, boxes.cos, boxes.sin)]
-    return boxes_of(columns if speed is None else [*columns, speed], boxes.half_length, boxes.half_width)
+    return boxes_of(boxes.x, boxes.y, boxes.cos, boxes.sin, boxes.half_length, boxes.half_width)
 
 
 def times_to_collision(ego: Track, other: Track) -> Array:
@@ -188,7 +189,7 @@ def post_encroachment(ego: Track, other: Track) -> float:
     parts = np.arange(FINENESS + 1)[:, None]
     moments = i * FINENESS + toward * parts
     back = j - toward
-    pair = Pair.of(Boxes.of(ego, FINENESS).at(moments), b.at(np.broadcast_to(j, moments.shape)))
+    pair = Pair.of(Boxes.within(ego, moments / FINENESS), b.at(np.broadcast_to(j, moments.shape)))
     enter, leave = pair.overlap(b.x[back] - b.x[j], b.y[back] - b.y[j])
     begin, end = enter.max(axis=0), leave.min(axis=0)
     meets = (begin <= end) & (begin <= 1.0) & (end >= 0.0)

@@ -152,9 +152,10 @@ class RouteSurroundings:
 
     def events(self, ego: Track, signals: tuple[SignalTrack, ...]) -> tuple[NDArray[np.bool_], list[Event]]:
         """Whether the ego was off the road at each step, and everything it did wrong but collide."""
-        off_road = self._lane_map.off_road(np.column_stack((ego.x, ego.y)))
+        xy = np.array((ego.x, ego.y)).T
+        off_road = self._lane_map.off_road(xy)
         events = [Event(kind=EventKind.OFF_ROAD, step=step) for step in _onsets(off_road)]
-        events += self._lane_invasions(ego)
+        events += self._lane_invasions(xy)
         events += [
             Event(kind=EventKind.RED_LIGHT, step=step, other="signal")
             for signal in signals
@@ -164,11 +165,13 @@ class RouteSurroundings:
             events += self._stop_signs(ego)
         return off_road, events
 
-    def _lane_invasions(self, ego: Track) -> list[Event]:
+    def _lane_invasions(self, xy: NDArray[np.float64]) -> list[Event]:
         """A change of lane outside junctions, or onto no lane at all."""
-        lane = self._lane_map.lane_index(np.column_stack((ego.x, ego.y)), self._route.lane_ids)
+        lane = self._lane_map.lane_index(xy, self._route.lane_ids)
         changed = np.flatnonzero((lane[1:] != lane[:-1]) & (lane[:-1] >= 0))
-        inside = [shapely.contains_xy(self._junctions, ego.x[at], ego.y[at]) for at in (changed, changed + 1)]
+        if not changed.size:
+            return []
+        inside = [shapely.contains_xy(self._junctions, xy[at]) for at in (changed, changed + 1)]
         left = changed[~np.logical_or(*inside)].tolist()
         return [Event(kind=EventKind.LANE_INVASION, step=step + 1) for step in left]
 

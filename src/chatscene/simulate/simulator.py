@@ -201,6 +201,11 @@ def simulate(
         StuckBehavior: The program does not come to its end.
     """
     ego = fitted(ego, program)
+    alone = getattr(simulator, "alone", None)
+    session: Session | Rejected | None
+    session = None if alone is None else alone(program, scene, ego, through_collisions=through_collisions)
+    if session is not None:  # nobody in it needs a clock: neither the program's code nor an ego of Python's
+        return _driven(simulator, scene, ego, session, placed)
     with time_limit(f"scene {scene.id!r}"):
         session = simulator.open(
             program,
@@ -209,20 +214,31 @@ def simulate(
             pedals=pedals_of(ego),
             through_collisions=through_collisions,
         )
-        if isinstance(session, Rejected):
-            return session
-        if placed is not None:
-            placed(getattr(session, "draws", 1))
-        try:
-            drive(session, ego)
-            if session.rejection:
-                return Rejected(scene=scene, reason=session.rejection)
-            episode = session.episode(scene.id, name_of(ego))
-            if (tell := _TELL.get()) is not None:
-                tell()
-            return episode if episode.stepped.by else replace(episode, stepped=Stepped(by=simulator.identity.name))
-        finally:
-            session.close()
+        return _driven(simulator, scene, ego, session, placed)
+
+
+def _driven(
+    simulator: Simulator,
+    scene: Scene,
+    ego: EgoPolicy,
+    session: Session | Rejected,
+    placed: Callable[[int], None] | None,
+) -> Episode | Rejected:
+    """What comes of a scene that was opened."""
+    if isinstance(session, Rejected):
+        return session
+    if placed is not None:
+        placed(getattr(session, "draws", 1))
+    try:
+        drive(session, ego)
+        if session.rejection:
+            return Rejected(scene=scene, reason=session.rejection)
+        episode = session.episode(scene.id, name_of(ego))
+        if (tell := _TELL.get()) is not None:
+            tell()
+        return episode if episode.stepped.by else replace(episode, stepped=Stepped(by=simulator.identity.name))
+    finally:
+        session.close()
 
 
 def fails_in_its_scene(error: ChatSceneError) -> bool:

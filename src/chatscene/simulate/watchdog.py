@@ -44,18 +44,19 @@ def time_limit(what: str) -> Generator[None]:
         (signal.ITIMER_PROF, signal.SIGPROF, computed, PATIENCE),
         (signal.ITIMER_REAL, signal.SIGALRM, waited, BACKSTOP),
     )
-    outer = [(signal.setitimer(clock, 0.0), signal.signal(number, end)) for clock, number, end, _ in clocks]
-    for clock, _, _, limit in clocks:
-        # Again and again: an exception raised while Python runs a finaliser is lost, and its block would run on.
-        signal.setitimer(clock, limit, limit)
+    # Again and again: an exception raised while Python runs a finaliser is lost, and its block would run on.
+    outer = [
+        (signal.signal(number, end), signal.setitimer(clock, limit, limit)) for clock, number, end, limit in clocks
+    ]
     try:
         yield
     finally:
         for clock, *_ in clocks:
             signal.setitimer(clock, 0.0)
-        for (clock, number, _, _), (left, end) in zip(clocks, outer, strict=True):
+        for (clock, number, _, _), (end, left) in zip(clocks, outer, strict=True):
             signal.signal(number, end)
-            signal.setitimer(clock, *left)
+            if left != (0.0, 0.0):
+                signal.setitimer(clock, *left)
 
 
 @contextmanager

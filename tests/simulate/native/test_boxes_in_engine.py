@@ -84,7 +84,7 @@ def test_what_is_near_any_is_the_same(engine: Engine, monkeypatch: pytest.Monkey
 
 def test_columns_of_different_lengths_are_no_boxes() -> None:
     with pytest.raises(ValueError, match="no boxes"):
-        boxes_of([np.zeros(3), np.zeros(4)], 1.0, 1.0)
+        boxes_of(np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(4), 1.0, 1.0)
 
 
 def test_an_encounter_is_the_same_without_the_engine(engine: Engine, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -192,15 +192,11 @@ typedef struct {
 } Policy;
 
 const char *source_digest(void) { return SOURCE_DIGEST; }
-/* Of judging: the boxes of one body at some moments, and how two lie to each other at each step. */
+/* Of judging: the boxes of one body at some moments. */
 typedef struct {
-    const double *x, *y, *cos, *sin, *speed;
+    const double *x, *y, *cos, *sin;
     double half_length, half_width;
 } Boxes;
-
-typedef struct {
-    double *gap, *time, *ahead, *closing;  /* ahead: from front to the other, -inf where it is not ahead */
-} Between;
 
 int64_t size_of(int64_t what) {
     switch (what) {
@@ -214,7 +210,6 @@ int64_t size_of(int64_t what) {
     case 7: return sizeof(Policy);
     case 8: return sizeof(Foot);
     case 9: return sizeof(Boxes);
-    case 10: return sizeof(Between);
     default: return -1;
     }
 }
@@ -1784,18 +1779,19 @@ static double time_to_collision(const Apart *p, double vx, double vy) {
     return begin <= end && end >= 0.0 ? greater(begin, 0.0) : INFINITY;
 }
 
-/* `boxes.between`: how two bodies lie to each other at each step. */
-void compare_boxes(int64_t steps, const Boxes *a, const Boxes *b, const Between *out) {
+/* `boxes.between`: how two bodies lie to each other at each step; `ahead` is -inf where the second is not ahead. */
+void compare_boxes(int64_t steps, const Boxes *a, const double *speed, const Boxes *b, const double *other, double *found) {
+    double *gaps = found, *times = gaps + steps, *ahead = times + steps, *closing = ahead + steps;
     for (int64_t i = 0; i < steps; i++) {
         Apart p;
         apart_at(a, i, b, i, &p);
-        out->gap[i] = overlapping(&p) ? 0.0 : lesser(corner_gap(a, b, i), corner_gap(b, a, i));
-        out->time[i] = time_to_collision(
-            &p, b->speed[i] * b->cos[i] - a->speed[i] * a->cos[i], b->speed[i] * b->sin[i] - a->speed[i] * a->sin[i]);
+        gaps[i] = overlapping(&p) ? 0.0 : lesser(corner_gap(a, b, i), corner_gap(b, a, i));
+        times[i] = time_to_collision(
+            &p, other[i] * b->cos[i] - speed[i] * a->cos[i], other[i] * b->sin[i] - speed[i] * a->sin[i]);
         double gap = p.offset[0] - a->half_length - b->half_length * fabs(p.c) - b->half_width * p.s;
         double beside = fabs(p.offset[1]) - a->half_width - b->half_length * p.s - b->half_width * fabs(p.c);
-        out->ahead[i] = gap > 0.0 && beside < 0.0 ? gap : -INFINITY;
-        out->closing[i] = a->speed[i] - b->speed[i] * p.c;
+        ahead[i] = gap > 0.0 && beside < 0.0 ? gap : -INFINITY;
+        closing[i] = speed[i] - other[i] * p.c;
     }
 }
 

@@ -255,24 +255,17 @@ class Boxes(Structure):
     kept: list[Any]
 
     _fields_ = (
-        *((name, c_void_p) for name in ("x", "y", "cos", "sin", "speed")),
+        *((name, c_void_p) for name in ("x", "y", "cos", "sin")),
         *((name, c_double) for name in ("half_length", "half_width")),
     )
 
 
-class Between(Structure):
-    """Where to put how two bodies lie to each other at each step."""
-
-    _fields_ = tuple((name, c_void_p) for name in ("gap", "time", "ahead", "closing"))
-
-
-def boxes_of(columns: Sequence[Array], half_length: float, half_width: float) -> Boxes:
-    """Boxes by the columns of their moments: x, y, cosine and sine of the heading and, where it counts, the speed."""
-    kept = [np.ascontiguousarray(column, np.float64) for column in columns]
-    if len({column.size for column in kept}) > 1:
+def boxes_of(x: Array, y: Array, cos: Array, sin: Array, half_length: float, half_width: float) -> Boxes:
+    """Boxes by the columns of their moments; cosine and sine are of the heading."""
+    kept = [np.ascontiguousarray(column, np.float64) for column in (x, y, cos, sin)]
+    if not x.size == y.size == cos.size == sin.size:
         raise ValueError(f"columns of {[column.size for column in kept]} moments are no boxes")
-    pointers = [column.ctypes.data for column in kept]
-    found = Boxes(*pointers, *[None] * (5 - len(pointers)), half_length, half_width)
+    found = Boxes(*(column.ctypes.data for column in kept), half_length, half_width)
     found.kept = kept
     return found
 
@@ -307,7 +300,7 @@ class Engine:
         library.follow.restype = None
         library.follow.argtypes = (POINTER(Line), c_int64, c_int32, *[c_void_p] * 4)
         library.compare_boxes.restype = None
-        library.compare_boxes.argtypes = (c_int64, POINTER(Boxes), POINTER(Boxes), POINTER(Between))
+        library.compare_boxes.argtypes = (c_int64, *(POINTER(Boxes), c_void_p) * 2, c_void_p)
         library.overlaps.restype = c_int64
         library.overlaps.argtypes = (
             *(c_int64, c_int64, POINTER(Boxes), c_int64, POINTER(Boxes), c_void_p),
@@ -316,7 +309,7 @@ class Engine:
         library.near_any.restype = None
         library.near_any.argtypes = (c_int64, c_void_p, c_void_p, c_int64, c_void_p, c_void_p, c_double, c_void_p)
         self._library = library
-        structures = (Line, Body, Instruction, Phase, Agent, World, Layer, Policy, Foot, Boxes, Between)
+        structures = (Line, Body, Instruction, Phase, Agent, World, Layer, Policy, Foot, Boxes)
         for i, structure in enumerate(structures):
             if library.size_of(i) != ctypes.sizeof(structure):
                 raise NoEngine(f"its {structure.__name__} has another size than is expected")
@@ -363,12 +356,15 @@ class Engine:
         self._library.follow(ctypes.byref(line), len(x), whole, *columns)
         return arc, offset
 
-    def between(self, a: Boxes, b: Boxes, steps: int) -> Array:
+    def between(self, a: Boxes, speed: Array, b: Boxes, other_speed: Array) -> Array:
         """(4, T) How two bodies lie to each other at each step; see `chatscene.simulate.boxes.between`."""
-        found = np.empty((4, steps))
-        first, apart = found.ctypes.data, found.strides[0]
-        rows = Between(*(first + apart * i for i in range(4)))
-        self._library.compare_boxes(steps, ctypes.byref(a), ctypes.byref(b), ctypes.byref(rows))
+        one, other = np.ascontiguousarray(speed, np.float64), np.ascontiguousarray(other_speed, np.float64)
+        if not len(one) == len(other) == a.kept[0].size == b.kept[0].size:
+            raise ValueError(f"tracks of {len(one)} and {len(other)} steps are not beside each other")
+        found = np.empty((4, len(one)))
+        self._library.compare_boxes(
+            len(one), ctypes.byref(a), one.ctypes.data, ctypes.byref(b), other.ctypes.data, found.ctypes.data
+        )
         return found
 
     def overlaps(

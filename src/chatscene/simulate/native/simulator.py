@@ -47,6 +47,17 @@ class _Senses(TypedDict):
     through_collisions: bool
 
 
+def _like(program: ScenicProgram, scene: Scene, senses: _Senses) -> tuple[object, ...]:
+    """What scenes have in common of which one can be made of another."""
+    return program.digest, scene.route, senses["observation"], senses["through_collisions"]
+
+
+def _key_of(program: ScenicProgram, scene: Scene, senses: _Senses) -> tuple[object, ...]:
+    """What tells a scene from any other."""
+    of = program.scenario_id, program.model, program.as_written
+    return (scene.id, scene.seed, tuple(scene.values.items()), *of, *_like(program, scene, senses))
+
+
 class NativeSession:
     """A scene in the engine; see `chatscene.simulate.simulator.Session` for the contract.
 
@@ -262,11 +273,11 @@ class NativeSimulator:
         through_collisions: bool = False,
     ) -> Session | Rejected:
         """Start a session: Scenic places the scene, the engine steps it if it can, and the episode says why if not."""
-        key = (program, scene.id, scene.route, scene.seed, tuple(scene.values.items()), observation, through_collisions)
+        senses: _Senses = {"observation": observation, "pedals": pedals, "through_collisions": through_collisions}
+        key = _key_of(program, scene, senses)
         if key in self._placed:
             self._placed.move_to_end(key)
             return self._session(pedals, *self._placed[key])
-        senses: _Senses = {"observation": observation, "pedals": pedals, "through_collisions": through_collisions}
         if self._engine is not None and (found := self._unscenic(key, program, scene, senses)) is not None:
             return found
         opened = self._embedded.open(program, scene, **senses)
@@ -284,15 +295,35 @@ class NativeSimulator:
         self._embedded.learn(program, scene, opened)
         return self._keep(key, pedals, opened, bound, bool)
 
+    def alone(
+        self, program: ScenicProgram, scene: Scene, ego: EgoPolicy, *, through_collisions: bool
+    ) -> Session | Rejected | None:
+        """A scene that is made of another one of its program, of an ego that the engine drives; None if it is not."""
+        senses: _Senses = {
+            "observation": observation_of(ego),
+            "pedals": pedals_of(ego),
+            "through_collisions": through_collisions,
+        }
+        if self._engine is None or policy_of(ego, self._engine) is None:
+            return None
+        return self._made_again(_key_of(program, scene, senses), program, scene, senses)
+
+    def _made_again(
+        self, key: tuple[object, ...], program: ScenicProgram, scene: Scene, senses: _Senses
+    ) -> Session | Rejected | None:
+        if (again := self._again.get(_like(program, scene, senses))) is None:
+            return None
+        found = again.scene(scene)
+        if found is None or isinstance(found, Rejected):
+            return found
+        return self._keep(key, senses["pedals"], again.session, found, partial(again.be, scene))
+
     def _unscenic(
         self, key: tuple[object, ...], program: ScenicProgram, scene: Scene, senses: _Senses
     ) -> Session | Rejected | None:
         """A scene that is made of another one of its program, or placed as that was; None where Scenic has to."""
-        like = program.digest, scene.route, senses["observation"], senses["through_collisions"]
-        if (again := self._again.get(like)) is not None and (found := again.scene(scene)) is not None:
-            if isinstance(found, Rejected):
-                return found
-            return self._keep(key, senses["pedals"], again.session, found, partial(again.be, scene))
+        if (found := self._made_again(key, program, scene, senses)) is not None:
+            return found
         placed = self._embedded.place(program, scene, **senses)
         if placed is None or isinstance(placed, Rejected):
             return placed
@@ -303,7 +334,7 @@ class NativeSimulator:
             return None  # which the embedded simulator says
         again = _Again(self._embedded, placed, bound, program, scene)
         if differs is not None:
-            self._again[like] = again
+            self._again[_like(program, scene, senses)] = again
             while len(self._again) > AGAIN:
                 self._again.popitem(last=False)
         return self._keep(key, senses["pedals"], placed, bound, partial(again.be, scene))
