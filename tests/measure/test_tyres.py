@@ -115,8 +115,8 @@ def test_what_is_kept_of_a_drive_for_the_next_measure_cannot_be_written_to() -> 
     episode = driven(VehicleBody, 8.0, 0.1, 0.2)
     ego = episode.ego_track
     found = between(ego, ego)
-    boxes = [Boxes.of(ego, parts) for parts in (1, 4)]
-    kept = [array for one in boxes for array in (one.x, one.y, one.cos, one.sin)]
+    boxes = Boxes.of(ego)
+    kept = [boxes.x, boxes.y, boxes.cos, boxes.sin]
     kept += [found.gaps, found.times, found.ahead, found.closing, *taken(episode)[0]]
     for array in kept:
         with pytest.raises(ValueError, match="read-only"):
