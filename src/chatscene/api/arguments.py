@@ -97,9 +97,9 @@ def judging(
         MapError: The map is none, or cannot be used.
     """
     if map_name is not None:
-        from chatscene.maps.network import check_opendrive, resolve_map
+        from chatscene.maps.network import check_given, resolve_map
 
-        check_opendrive(resolve_map(str(map_name)))
+        check_given(resolve_map(str(map_name)))
     return changed(
         VerifySettings(trust=trust),
         map_name=None if map_name is None else str(map_name),

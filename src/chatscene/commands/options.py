@@ -37,9 +37,9 @@ def usable_map(ctx: click.Context, option: click.Parameter, name: str | None) ->
         MapError: It is none, or cannot be used.
     """
     if name is not None and ctx.get_parameter_source(option.name or "") is ParameterSource.COMMANDLINE:
-        from chatscene.maps.network import check_opendrive, resolve_map
+        from chatscene.maps.network import check_given, resolve_map
 
-        check_opendrive(resolve_map(name))
+        check_given(resolve_map(name))
     return name
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from chatscene.errors import ChatSceneError, MapError, RunError, SettingsError
 from chatscene.exports.exporter import Exporter, KeptScene, MapFile, load_exporter
 from chatscene.files.atomic import write_whole
-from chatscene.maps.network import check_opendrive
+from chatscene.maps.network import check_given
 from chatscene.runs import (
     RunRecord,
     open_run,
@@ -97,7 +97,7 @@ def kept_scenes(folder: Path, scene_ids: Sequence[str] = ()) -> Iterator[KeptSce
         raise RunError(f"{run.path} keeps no scene; name one, scenes.parquet lists them")
     path = map_of(record)
     try:
-        check_opendrive(path)  # whoever wrote run.json chose the path, and only a map is to be copied
+        check_given(path)  # whoever wrote run.json chose the path, and only a map is to be copied
         where = MapFile(name=path.name, content=path.read_bytes())
     except OSError as error:
         raise MapError(f"map {path.name!r} cannot be read: {error.strerror} ({path})") from error

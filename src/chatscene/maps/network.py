@@ -245,6 +245,16 @@ def check_opendrive(path: Path) -> Xml.Element:
     return root
 
 
+def check_given(path: Path) -> None:
+    """`check_opendrive` for those who want nothing that the file holds; a packaged map is one.
+
+    Raises:
+        MapError: As there.
+    """
+    if path not in PACKAGED.values():
+        check_opendrive(path)
+
+
 def put_right(path: Path) -> tuple[str, ...]:
     """What is wrong with the links and pieces of a map, and is read as it must be meant; in words."""
     root = _read(path)

@@ -182,30 +182,31 @@ def read_table(path: Path, columns: Any, **filters: str) -> Table:
     Raises:
         RunError: It is not there, not readable, or not such a table.
     """
-    chosen = [(name, "==", value) for name, value in filters.items()] or None
     try:
-        # No partitioning: the file has all columns, and a folder named `seed=1` is only a name.
-        options: dict[str, Any] = {"partitioning": None, "page_checksum_verification": True}
-        _check_size(path)
-        table = pq.read_table(path, filters=chosen, **options)
-        table = table.drop_columns([field.name for field in table.schema if _is_unknown(field, columns)])
+        with pq.ParquetFile(path, page_checksum_verification=True) as file:
+            _check_size(file.metadata)
+            table = file.read()
+        for name, value in filters.items():
+            table = rows_with(table, name, value)
+        if unknown := [field.name for field in table.schema if _is_unknown(field, columns)]:
+            table = table.drop_columns(unknown)
         _check_columns(table, columns)
+        there = frozenset(table.column_names)
         for field in columns:
-            if field.name not in table.column_names:
+            if field.name not in there:
                 table = table.append_column(field, _as_before(field, table))
-    except (OSError, ValueError, pa.ArrowException) as error:
+    except (OSError, ValueError, KeyError, pa.ArrowException) as error:
         raise RunError(f"cannot read {path}: {error}; it is missing or was changed or damaged") from error
     return table
 
 
 def rows_with(table: Table, column: str, value: str) -> Table:
     """The rows of a table in which a column has a value."""
-    return table.filter(pc.field(column) == value)
+    return table.filter(pc.equal(table.column(column), value))
 
 
-def _check_size(path: Path) -> None:
+def _check_size(told: Any) -> None:
     """Refuse a table that would not fit into memory, before it is unpacked."""
-    told = pq.read_metadata(path)
     if told.num_rows * told.num_columns > _MOST_VALUES:
         raise ValueError(f"it unpacks to {told.num_rows:,} rows, more than any work leaves")
 
@@ -225,16 +226,18 @@ def _as_before(field: Any, table: Table) -> Any:
 
 def _check_columns(table: Table, columns: Any) -> None:
     """Refuse a table that lacks what no drive is without, or values that a column always has, or holds others."""
-    there = [field for field in columns if field.name in table.column_names]
-    if lacking := [name for name in columns.names if name in _NEEDED and name not in table.column_names]:
+    types = {field.name: field.type for field in table.schema}
+    there = [field for field in columns if field.name in types]
+    if lacking := [name for name in columns.names if name in _NEEDED and name not in types]:
         raise ValueError(f"it has no column {lacking[0]!r}")
     for field in there:
-        found = table.schema.field(field.name).type
+        found = types[field.name]
         if found != field.type:
             raise ValueError(f"its column {field.name!r} holds {found} and not {field.type}")
-    driven = table.filter(pc.field("status") == "ran") if "status" in columns.names else table
+    driven = rows_with(table, "status", "ran") if "status" in columns.names else table
+    head = frozenset(_SCENE_HEAD.names)
     for field in there:
-        always = table if field.name in _SCENE_HEAD.names else driven
+        always = table if field.name in head else driven
         if field.name not in _OPTIONAL and always.column(field.name).null_count:
             raise ValueError(f"its column {field.name!r} lacks values")
 
