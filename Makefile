@@ -25,13 +25,16 @@ demo: .venv/core
 test: .venv/test
 	$(MAKE) --no-print-directory -j 2 check suite
 
+# Module by module, in the order of tests/conftest.py: by itself, xdist begins with the modules of most tests.
+SPREAD := -n auto --dist loadscope --no-loadscope-reorder
+
 # For while one works: the folders whose tests neither build nor drive.
 FAST := terms situations read interpret library measure
 fast: .venv/test
-	$(PY) -m pytest -n auto --dist loadscope $(FAST:%=tests/%)
+	$(PY) -m pytest $(SPREAD) $(FAST:%=tests/%)
 
 suite: .venv/test
-	$(PY) -m pytest -n auto --dist loadscope
+	$(PY) -m pytest $(SPREAD)
 
 # Pyright makes much that is soon gone; with room for it, it takes a tenth less.
 check: .venv/test

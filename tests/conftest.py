@@ -10,6 +10,35 @@ from hypothesis import HealthCheck, settings
 import chatscene
 from chatscene.ego.policy import cut_off
 
+# What takes longest: begun first, or one core of two waits at the end for the other. The others follow in any order.
+LONG = [
+    "test_pages",
+    "test_docs",
+    "runs/test_working_folder",
+    "simulate/confined/test_sandbox",
+    "report/test_sql",
+    "models/language/test_language_models",
+    "simulate/confined/test_red_team",
+    "simulate/carla/test_lost_servers",
+    "learn/test_finetune",
+    "commands/test_end_to_end",
+    "studies/test_evaluation",
+    "grow/test_lint",
+    "build/test_page",
+    "report/test_report",
+    "view/test_in_a_browser",
+    "simulate/test_threads",
+    "test_pipeline",
+    "ego/test_ego_files",
+    "simulate/native/test_native",
+    "test_site",
+    "studies/test_reproduce",
+    "runs/test_rate",
+    "verdict/test_verify",
+    "imports/test_foreign_scenarios",
+    "agents/test_protocol",
+]
+
 settings.register_profile("any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("any machine")
 
@@ -22,14 +51,22 @@ def pytest_configure(config: pytest.Config) -> None:
     """
     if config.getoption("numprocesses", None) and not hasattr(config, "workerinput"):
         return
+    gc.disable()  # what is loaded stays: nothing is to be found in it
     for found in pkgutil.walk_packages(chatscene.__path__, "chatscene."):
         try:
             importlib.import_module(found.name)
         except ModuleNotFoundError:  # an extra that is not installed, or a module of Scenic's
             continue
     gc.collect()
-    gc.freeze()  # what is loaded stays
+    gc.freeze()
+    gc.enable()
     gc.set_threshold(20_000, 20, 5)  # maps and libraries, which stay too, are looked through less often
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Put the tests that take longest first, without another order among themselves."""
+    order = {f"tests/{name}.py": place for place, name in enumerate(LONG)}
+    items.sort(key=lambda item: order.get(item.nodeid.partition("::")[0], len(order)))
 
 
 @pytest.fixture(autouse=True)

@@ -202,7 +202,7 @@ def read_table(path: Path, columns: Any, **filters: str) -> Table:
 
 def rows_with(table: Table, column: str, value: str) -> Table:
     """The rows of a table in which a column has a value."""
-    return table.filter(pc.equal(table.column(column), value))
+    return table.filter(pc.call_function("equal", [table.column(column), pa.scalar(value)]))
 
 
 def _check_size(told: Any) -> None:
