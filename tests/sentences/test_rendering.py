@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from chatscene.read.inflection import Form, conjugated
 from chatscene.sentences.grammar import deed_pairs, deeds, roads, where, who
 from chatscene.sentences.grammar.quoting import predicate
 from chatscene.sentences.rendering import implied, render
+from chatscene.situations.inflection import Form, conjugated
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.description import Style

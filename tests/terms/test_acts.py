@@ -11,8 +11,8 @@ import pytest
 
 from chatscene.program.deeds import ACTIONS
 from chatscene.read import lexicon
-from chatscene.read.inflection import Form, conjugated
 from chatscene.sentences.grammar.deeds import DEEDS, phrases
+from chatscene.situations.inflection import Form, conjugated
 from chatscene.terms.actors import Manner
 from chatscene.terms.acts import TURNS, Action, reordered
 from places import ROOT

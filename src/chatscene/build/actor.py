@@ -19,7 +19,7 @@ from chatscene.build.lateral import placed
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
-from chatscene.build.paces import AT_ONE_SPEED, SIDEWAYS, check_held
+from chatscene.build.paces import AT_ONE_SPEED, check_held
 from chatscene.build.phases import Phases
 from chatscene.build.place import (
     AT_CROSSWALKS,
@@ -39,7 +39,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.rolling import rolls
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other
-from chatscene.terms.vocabulary import Act, Breach, Role, Where
+from chatscene.terms.vocabulary import SIDEWAYS, Act, Breach, Role, Where
 from chatscene.world.places import ownLane, speedOn
 
 HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast

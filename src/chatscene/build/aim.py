@@ -22,7 +22,7 @@ from chatscene.errors import NotBuilt
 from chatscene.situations.facts import is_said
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.situation import Contact
-from chatscene.terms.vocabulary import COMES_IN, SIDES_OF, Act, Part, Role, Side, Striker
+from chatscene.terms.vocabulary import COMES_IN, SIDES_OF, STOPS, Act, Heads, Part, Role, Side, Striker, acts_of
 from chatscene.world.control import curve_speeds
 
 if TYPE_CHECKING:
@@ -308,4 +308,4 @@ def _other(actor: Actor) -> Moving | None:
 
 def _stays(actor: Actor) -> bool:
     """Whether somebody stops in the ego's lane."""
-    return bool(actor.deeds) and actor.deeds[-1].act in (Act.ENTER, Act.STOP, Act.BRAKE)
+    return bool(actor.deeds) and actor.deeds[-1].act in STOPS | acts_of(Heads.IN)

@@ -14,17 +14,16 @@ from chatscene.build.coming import goes_over
 from chatscene.build.contact import misses
 from chatscene.build.deeds import GO, OWN
 from chatscene.build.flank import level_as_said, parts_at_flank
-from chatscene.build.gaps import GOES_ON, LOSES
 from chatscene.build.numbers import MOST
 from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
-from chatscene.terms.vocabulary import CHANGES, Act, Role, Where
+from chatscene.terms.vocabulary import CHANGES, GOES_ON, LOSES, Act, Heads, Role, Tempo, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
-_ANSWERS = LOSES | {Act.FALL, Act.SWERVE, Act.WEAVE, Act.ACCELERATE}
+_ANSWERS = LOSES | acts_of(Tempo.LIES, Tempo.GAINS, Heads.ASIDE, Heads.SWINGS)
 """What somebody does then over whose way the ego comes."""
 _HAS_COME = {True: f"abs(offsetFrom({OWN}, ego)) > 0.3", False: "progressOn(egoRoute, ego)[0] > egoRoute.eventAt"}
 """What is seen of an ego that comes over, by whether it changes lanes."""

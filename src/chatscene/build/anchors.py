@@ -9,11 +9,11 @@ from chatscene.build.place import NEXT_LANE
 from chatscene.build.relations import AGAINST, AHEAD, BEHIND
 from chatscene.build.towards import passes
 from chatscene.terms.situation import Other
-from chatscene.terms.vocabulary import Act, Role, Where
+from chatscene.terms.vocabulary import COMES_IN, Act, Heads, Role, Where, acts_of
 
 OUT = (2.0, 6.0)  # [m] between who has swung out and whom it passes, from and to
 _CLEAR = 1.5  # [m] between who crosses and who stands before it
-_COMES_ACROSS = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT, Act.MERGE, Act.LANE_CHANGE))
+_COMES_ACROSS = COMES_IN | acts_of(Heads.MERGES, Heads.OVER)
 _FROM_SIDE = frozenset((Where.ROADSIDE, Where.DRIVEWAY, Where.KERB))
 _GROUPS = (AGAINST, AHEAD, BEHIND)
 

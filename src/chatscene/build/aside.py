@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, stands_first, stops_ahead
 from chatscene.build.contact import touches
-from chatscene.build.gaps import LOSES
 from chatscene.build.naming import name_of
 from chatscene.build.place import NEXT_LANE
 from chatscene.terms.situation import Other
-from chatscene.terms.vocabulary import Act, Facing, Part, Side, Striker, Where
+from chatscene.terms.vocabulary import LOSES, Act, Facing, Part, Side, Striker, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor

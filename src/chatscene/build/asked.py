@@ -15,7 +15,18 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Deed, Other, Situation
-from chatscene.terms.vocabulary import NOSE_TO_TAIL, Act, Manner, UserKind, Where
+from chatscene.terms.vocabulary import (
+    GOES_ON,
+    NOSE_TO_TAIL,
+    STOPS,
+    Act,
+    Heads,
+    Manner,
+    Tempo,
+    UserKind,
+    Where,
+    acts_of,
+)
 
 ANIMALS = frozenset((UserKind.ANIMAL, UserKind.DEER, UserKind.DOG))
 ROOM = 3.0  # [m] between who stand in a row
@@ -227,9 +238,7 @@ def between(one: Other, speed: float) -> float:
     return max(ROOM, APART * speed) if drives else ROOM
 
 
-STOPS = frozenset((Act.STOP, Act.BRAKE))
-HALTS = frozenset((Act.STAND, Act.STOP))
-FROM_A_STAND = frozenset((Act.STAND, Act.SET_OFF))
+FROM_A_STAND = acts_of(Tempo.STANDS, Tempo.SETS_OFF)
 """What is begun standing, wherever somebody is."""
 
 
@@ -243,19 +252,19 @@ def stands_first(one: Other) -> bool:
     """Whether somebody stands when it begins."""
     first = one.does[0].act if one.does else None
     still = one.starts.speed is not None and one.starts.speed.high <= 0.0
-    return still or first in FROM_A_STAND | {Act.PULL_OUT} or one.kind.moves is Moves.LIES
+    return still or first in FROM_A_STAND | acts_of(Heads.FROM_EDGE) or one.kind.moves is Moves.LIES
 
 
 def goes_slowly(one: Other) -> bool:
     """Whether somebody goes along slowly from the first, as was said without a number."""
     first = one.does[0] if one.does else None
-    along = first is not None and first.act in (Act.GO_ALONG, Act.FOLLOW)
+    along = first is not None and first.act in GOES_ON
     return along and first is not None and first.manner is Manner.SLOW and first.speed is None
 
 
 _OVER = {
-    Meets.ACROSS: (frozenset((Act.CROSS, Act.ENTER)), frozenset((Act.STOP, Act.BRAKE, Act.FALL))),
-    Meets.THROUGH: (frozenset((Act.GO_STRAIGHT, Act.CROSS)), frozenset((Act.STOP, Act.BRAKE, Act.FALL))),
+    Meets.ACROSS: (acts_of(Heads.ACROSS, Heads.IN), STOPS | acts_of(Tempo.LIES)),
+    Meets.THROUGH: (acts_of(Heads.THROUGH, Heads.ACROSS), STOPS | acts_of(Tempo.LIES)),
 }
 """What leads somebody over the ego's way, and what ends that in it."""
 

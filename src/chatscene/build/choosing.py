@@ -32,7 +32,7 @@ from chatscene.build.deeds import (
     turning_round,
     yielding_to,
 )
-from chatscene.build.gaps import GOES_ON, eases, stops_before
+from chatscene.build.gaps import eases, stops_before
 from chatscene.build.local import check_round, way_to_turn_round
 from chatscene.build.naming import name_of
 from chatscene.build.over_lanes import lane_after
@@ -44,16 +44,16 @@ from chatscene.build.sideways import takes_long
 from chatscene.build.towards import done_to
 from chatscene.errors import NothingBuilds
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import COMES_IN, Act, Role, Where
+from chatscene.terms.vocabulary import ASIDE, COMES_IN, GOES_ON, Act, Heads, Role, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 CLEAR, OUT = 0.2, 2.8  # [m] between two of whom one has pulled out; that it is aside at most for that
 TURNS_AT = 3.0  # [m/s²], sideways, of who turns round
-_ASIDE = frozenset((Act.WEAVE, Act.DRIFT, Act.SWERVE, Act.LANE_CHANGE, Act.CUT_OUT))
+_ASIDE = ASIDE | acts_of(Heads.SWINGS, Heads.OVER, Heads.OUT)
 _ON_THE_ROAD = NEXT_LANE | {Where.AHEAD}
-_COMES_BACK = frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE))
+_COMES_BACK = acts_of(Heads.BEFORE, Heads.OVER, Heads.MERGES)
 
 
 def steps_of(actor: Actor, k: int) -> Steps:
@@ -150,7 +150,7 @@ def _goes_by_itself(actor: Actor, deed: Deed) -> bool:
 def is_in_ours(actor: Actor, k: int) -> bool:
     """Whether somebody who comes against the ego is in its lane before a deed."""
     ours = actor.one.starts.where is Where.ONCOMING_IN_OUR_LANE
-    return ours or any(one.act in _COMES_BACK or one.act in (Act.OVERTAKE, Act.ENTER) for one in actor.deeds[:k])
+    return ours or any(one.act in _COMES_BACK | acts_of(Heads.BY, Heads.IN) for one in actor.deeds[:k])
 
 
 def _back(actor: Actor, k: int) -> Steps:

@@ -8,13 +8,30 @@ from dataclasses import replace
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Length
 from chatscene.terms.situation import Lateral, Other, Situation
-from chatscene.terms.vocabulary import COMES_IN, SIDES_OF, Act, EgoRoute, Part, Role, Side, Striker, Where
+from chatscene.terms.vocabulary import (
+    COMES_IN,
+    GOES_ON,
+    HALTS,
+    LOSES,
+    SIDES_OF,
+    STOPS,
+    Act,
+    EgoRoute,
+    Heads,
+    Part,
+    Role,
+    Side,
+    Striker,
+    Tempo,
+    Where,
+    acts_of,
+)
 
-_LOSES = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP, Act.HESITATE, Act.REVERSE))
-_STANDS = frozenset((Act.STAND, Act.STOP, Act.FALL))
+_LOSES = LOSES | acts_of(Tempo.BACKS)
+_STANDS = HALTS | acts_of(Tempo.LIES)
 _PASSES = frozenset((EgoRoute.BYPASS, EgoRoute.OVERTAKE, EgoRoute.LANE_CHANGE_LEFT, EgoRoute.LANE_CHANGE_RIGHT))
 """Ways on which the ego goes round whoever stands in its lane."""
-_COMES_OVER = frozenset((*COMES_IN, Act.REVERSE))
+_COMES_OVER = COMES_IN | acts_of(Tempo.BACKS)
 _BESIDE = frozenset(
     (Where.ROADSIDE, Where.KERB, Where.DRIVEWAY, Where.CROSSING, Where.MEDIAN, Where.BUS_BAY, Where.AHEAD)
 )
@@ -68,10 +85,10 @@ _IN_LINE = {
     Where.ONCOMING_IN_OUR_LANE: (Part.FRONT, Part.FRONT),
 }
 """Of who is in the ego's lane and stays in it: which part of the ego it touches, and with which of its own."""
-_STAYS = frozenset((Act.STAND, Act.GO_ALONG, Act.FOLLOW, Act.TAILGATE, Act.ACCELERATE, Act.SET_OFF)) | _LOSES
+_STAYS = _LOSES | GOES_ON | acts_of(Tempo.STANDS, Tempo.GAINS, Tempo.SETS_OFF, Heads.CLOSE)
 
 
-_KEEPS_ON_FOOT = frozenset((Act.STAND, Act.GO_ALONG, Act.STOP, Act.FALL, Act.HESITATE))
+_KEEPS_ON_FOOT = acts_of(Tempo.STANDS, Tempo.HALTS, Tempo.LIES, Tempo.PAUSES, Heads.ALONG)
 """What somebody on foot, or an animal, does who stays in line with the ego."""
 _CORNERS = {
     Part.LEFT_REAR: (Part.REAR, Side.LEFT),
@@ -165,7 +182,7 @@ def _backs_first(one: Other) -> bool:
 
 def _halts(situation: Situation) -> bool:
     """Whether it was said that the ego stands, or comes to stand."""
-    return any(deed.act in (Act.STAND, Act.STOP, Act.YIELD) for deed in situation.ego.does)
+    return any(deed.act in HALTS | acts_of(Tempo.WAITS) for deed in situation.ego.does)
 
 
 def parts_of_door(situation: Situation, one: Other) -> Iterator[str]:
@@ -205,7 +222,7 @@ def comes_to_stand(situation: Situation) -> bool:
     if does and does[0].act is Act.STAND:
         return False
     ordered = {deed.act for deed in does if situation.answered(deed) is None}
-    return not {Act.STOP, Act.BRAKE}.isdisjoint(ordered) or _stands_ahead(situation)
+    return not STOPS.isdisjoint(ordered) or _stands_ahead(situation)
 
 
 def _stands_ahead(situation: Situation) -> bool:

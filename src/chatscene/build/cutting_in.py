@@ -13,7 +13,7 @@ from chatscene.build.timing import Body
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Other, Situation
-from chatscene.terms.vocabulary import CHANGES, Act, Part, Role, Striker, Where
+from chatscene.terms.vocabulary import CHANGES, Act, Heads, Part, Role, Striker, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -46,7 +46,7 @@ def _is_to(situation: Situation, one: Other, k: int) -> bool:
     """The same, as far as what was said tells it."""
     deed = one.does[k]
     over = deed.act in COMES_OVER and (deed.act is not Act.LANE_CHANGE or lane_after(one, one.does, k) == 0)
-    first = not any(before.act in COMES_OVER | {Act.OVERTAKE, Act.CUT_OUT} for before in one.does[:k])
+    first = not any(before.act in COMES_OVER | acts_of(Heads.BY, Heads.OUT) for before in one.does[:k])
     meets = one.role is Role.ADVERSARY and done_to(deed) == EGO and situation.ego.route not in CHANGES
     there = one.starts.where in _LEVEL and not stands_first(one)
     return over and first and meets and there and not _strikes_side(situation, one)

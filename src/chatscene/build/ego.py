@@ -6,6 +6,7 @@ import math
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 
+from chatscene.build.asked import FROM_A_STAND
 from chatscene.build.awaiting import awaited, waiting
 from chatscene.build.coming import Coming, coming, keeps_limits, wanted_by
 from chatscene.build.ledger import Ledger
@@ -24,7 +25,20 @@ from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.scene import CAR
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import CHANGES, Act, Breach, EgoLight, EgoRoute, Manner, Side, UserKind
+from chatscene.terms.vocabulary import (
+    CHANGES,
+    GOES_ON,
+    Act,
+    Breach,
+    EgoLight,
+    EgoRoute,
+    Heads,
+    Manner,
+    Side,
+    Tempo,
+    UserKind,
+    acts_of,
+)
 
 LINE = 3.5  # [m] before the junction the centre of a car stands whose nose is at the line
 STAND = 4.0  # [s] that somebody stands who sets off again
@@ -33,8 +47,8 @@ SLOW = 3.0  # [m/s]
 GOES_THROUGH, THROUGH = 5.0, 14.0  # [m/s], [m] before and beyond where it is to give way, that an ego goes on
 OVER_LANE, INTO_TURN = 3.0, 9.0  # [m] on its way into a lane, or through a turn, that an ego is across a lane
 BACKS = 20.0  # [m] at most that an ego backs, if only a bound was said
-_DRIVES = frozenset((Act.SET_OFF, Act.GO_ALONG, Act.FOLLOW, Act.ACCELERATE))
-_SETS_OFF = frozenset((Act.SET_OFF, Act.GO_ALONG, Act.ACCELERATE, Act.LANE_CHANGE))
+_DRIVES = GOES_ON | acts_of(Tempo.SETS_OFF, Tempo.GAINS)
+_SETS_OFF = acts_of(Tempo.SETS_OFF, Tempo.GAINS, Heads.ALONG, Heads.OVER)
 """What an ego does that has stood."""
 EASILY = 0.9  # of a brake, the most that an ego is braked with of which it was not said how hard
 
@@ -88,7 +102,7 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
         ledger.assume(kmh + (f", since at {3.6 * usual:.0f} this cannot be built here" if speed < usual - 0.01 else ""))
     wanted = f", with wantedSpeed {speed:.4g}" + (", with keepsLimits True" if keeps else "")
     longer = 0.5 * (body.length - LIMITS[CAR].length)  # its nose is so much nearer than a car's
-    stands = bool(ego.does) and ego.does[0].act in (Act.STAND, Act.SET_OFF)
+    stands = bool(ego.does) and ego.does[0].act in FROM_A_STAND
     at_line = stands and junction
     stop = found.route.eventAt - (LINE + longer if junction else 0.0)
     if at_line:  # it begins there, and stops again with its nose in the junction
@@ -132,7 +146,7 @@ def _across(found: Found, *, junction: bool) -> float | None:
 def stops_across(deeds: tuple[Deed, ...]) -> bool:
     """Whether an ego stops after it had waited: on its way, and not where it waits."""
     acts = [deed.act for deed in deeds]
-    begins = next((k for k, act in enumerate(acts) if act in (Act.SET_OFF, Act.YIELD)), None)
+    begins = next((k for k, act in enumerate(acts) if act in acts_of(Tempo.SETS_OFF, Tempo.WAITS)), None)
     return begins is not None and Act.STOP in acts[begins:] and Act.STOP not in acts[:begins]
 
 
@@ -171,7 +185,7 @@ def _orders(
     stops = [k for k, deed in enumerate(deeds) if deed.act is Act.STOP]
     for k, deed in enumerate(deeds):
         at = f"ego.does.{k}"
-        if (waits := awaited(deed)) is not None and deed.act in (Act.SET_OFF, Act.GO_ALONG):
+        if (waits := awaited(deed)) is not None and deed.act in acts_of(Tempo.SETS_OFF, Heads.ALONG):
             name, reference = waits
             if k == 0 and deed.act is Act.GO_ALONG:
                 ledger.assume(f"the ego goes along before {reference} as well")
@@ -291,7 +305,7 @@ def _in_a_row(deed: Deed, at: str) -> Iterator[str]:
     for name in ("after", "during"):
         if deed.when is not None and (getattr(deed.when, name) or "").startswith(f"{EGO}."):
             yield f"{at}.when.{name}"
-    if deed.act in (Act.FOLLOW, Act.YIELD) and deed.whom not in (None, EGO):
+    if deed.act in acts_of(Tempo.WAITS, Heads.BEHIND) and deed.whom not in (None, EGO):
         yield f"{at}.whom"  # to whoever is there it does so anyway
 
 

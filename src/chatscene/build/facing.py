@@ -9,9 +9,9 @@ from dataclasses import replace
 from chatscene.build.asked import Asked, Meets, Stand
 from chatscene.situations.check import COMES_OVER
 from chatscene.terms.situation import Other
-from chatscene.terms.vocabulary import Act, Facing, Manner, Side, Where
+from chatscene.terms.vocabulary import Act, Facing, Heads, Manner, Side, Where, acts_of
 
-OVER = frozenset((Act.CROSS, Act.ENTER, Act.GO_STRAIGHT))
+OVER = acts_of(Heads.ACROSS, Heads.IN, Heads.THROUGH)
 """What is done at a slant, if it is."""
 LONGER = 1.25  # times as far as straight over is a way at the middle slant
 _TURNS = {Facing.ALONG: 0.0, Facing.AGAINST: math.pi, Facing.ACROSS: math.pi / 2}

@@ -37,7 +37,19 @@ from chatscene.terms.pace import NOMINAL
 from chatscene.terms.routing import MANEUVERS
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Road, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, RightOfWay, RoadKind, Role, Side, Where
+from chatscene.terms.vocabulary import (
+    ASIDE,
+    HALTS,
+    Act,
+    EgoRoute,
+    Heads,
+    RightOfWay,
+    RoadKind,
+    Role,
+    Side,
+    Where,
+    acts_of,
+)
 from chatscene.world.ego_route import EgoRoute as Route
 from chatscene.world.ego_route import choose_route, has_route
 from chatscene.world.places import lanesBeside, timetable
@@ -257,7 +269,7 @@ def _out_of_the_way(situation: Situation, one: Other) -> Side | None:
     """On which side somebody beside the ego is who is not met, if the ego goes over to one side."""
     if one.role is not Role.SUPPORTING or one.starts.where is not Where.BESIDE:
         return None
-    over = [deed.to for deed in situation.ego.does if deed.act in (Act.LANE_CHANGE, Act.DRIFT, Act.SWERVE)]
+    over = [deed.to for deed in situation.ego.does if deed.act in ASIDE | acts_of(Heads.OVER)]
     over.append(GOES_OVER.get(situation.ego.route) if situation.ego.route is not None else None)
     to = next((side for side in over if side is not None), None)
     return {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT, None: None}[to]
@@ -343,7 +355,7 @@ def _take(ledger: Ledger, found: Found) -> None:
         ledger.assume(f"{name} is on the {own}, which was not said")
     if only_others_stop(situation):
         ledger.assume("no sign is seen where others do not stop, since no map has one that only others have")
-    stops = any(deed.act in (Act.STOP, Act.STAND) for deed in situation.ego.does)
+    stops = any(deed.act in HALTS for deed in situation.ego.does)
     if found.query.get("control") == Control.STOP_SIGN and not stops:
         ledger.assume("the ego has a stop sign as well, since no map has a junction where only others have one")
     if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):

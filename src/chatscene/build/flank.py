@@ -9,7 +9,20 @@ from chatscene.build.asked import Meets
 from chatscene.build.contact import touches
 from chatscene.build.place import GOES_OVER, LANE, NEXT_LANE
 from chatscene.terms.situation import Contact, Deed, Other, Situation
-from chatscene.terms.vocabulary import NOSE, SIDES_OF, Act, EgoRoute, Part, Side, Striker, Where
+from chatscene.terms.vocabulary import (
+    ASIDE,
+    GOES_ON,
+    NOSE,
+    SIDES_OF,
+    Act,
+    EgoRoute,
+    Heads,
+    Part,
+    Side,
+    Striker,
+    Where,
+    acts_of,
+)
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -20,9 +33,9 @@ AT_CORNER = 1.0  # [m] of where somebody is level with a corner, next to where i
 CORNER = 0.3  # of half its length ahead of its middle, or behind: from there on it is a corner that is touched
 Level = tuple[float, float]
 """How far [m] ahead of the ego's middle that of the other is, from and to."""
-_COMES_OVER = frozenset((Act.LANE_CHANGE, Act.CUT_IN, Act.MERGE, Act.DRIFT, Act.SWERVE, Act.ENTER))
+_COMES_OVER = ASIDE | acts_of(Heads.OVER, Heads.BEFORE, Heads.MERGES, Heads.IN)
 _TURNS_OVER = {Side.LEFT: Act.TURN_RIGHT, Side.RIGHT: Act.TURN_LEFT}
-_GOES_ON = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW, Act.KEEP_LEVEL))
+_GOES_ON = GOES_ON | acts_of(Heads.THROUGH, Heads.LEVEL)
 _TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.ENTER_DRIVEWAY))
 
 

@@ -16,17 +16,15 @@ from chatscene.build.sideways import seconds_over
 from chatscene.build.timing import Body
 from chatscene.build.towards import done_to, to_whom
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import SLOWS, Act, Manner, Role, Side, Where
+from chatscene.terms.vocabulary import ASIDE, GOES_ON, LOSES, Act, Heads, Manner, Role, Side, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 _MIDDLES = "(ego.length + self.length) / 2 + "
 """What is between the middles of two who leave so much room."""
-_COMES_BEFORE = frozenset((Act.CUT_IN, Act.TURN_LEFT, Act.TURN_RIGHT))
-LOSES = SLOWS | {Act.HESITATE}
-_OVER = frozenset((Act.LANE_CHANGE, Act.MERGE, Act.ENTER))
-GOES_ON = frozenset((Act.GO_ALONG, Act.FOLLOW))
+_COMES_BEFORE = acts_of(Heads.BEFORE, Heads.TURNS)
+_OVER = acts_of(Heads.OVER, Heads.MERGES, Heads.IN)
 WAITS = 0.6  # of its speed, the least of who lets the ego come near again
 BACK_OVER = 0.5  # [s] in which who comes against the ego goes back to its lane before it
 HALF_BY = 0.6  # of its time beside whom it passes, in which somebody meets the ego that it does not miss
@@ -190,7 +188,7 @@ def stops_before(actor: Actor, k: int) -> bool:
     """Whether somebody leaves its line for the ego's lane, in which it loses speed before the ego then."""
     deed, one = actor.deeds[k], actor.one
     there = one.starts.where in NEXT_LANE and deed.to in (None, *(side for side in Side if side is not one.starts.side))
-    over = deed.act in (Act.DRIFT, Act.SWERVE) and deed.distance is None and actor.stand.meets is Meets.ALONG
+    over = deed.act in ASIDE and deed.distance is None and actor.stand.meets is Meets.ALONG
     return over and there and any(then.act in LOSES for then in actor.deeds[k + 1 :])
 
 

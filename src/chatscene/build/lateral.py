@@ -13,15 +13,14 @@ from chatscene.terms.actors import Limits
 from chatscene.terms.amount import Amount
 from chatscene.terms.lateral import PLACED, PLACED_IN_OURS, aside_of_ego
 from chatscene.terms.situation import LATERALS, Lateral, Other
-from chatscene.terms.vocabulary import Act, Side, Where
+from chatscene.terms.vocabulary import ASIDE, Act, Heads, Side, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 _MOVED = re.compile(r"\.offset\([-\d.]+\)$")
 _ON_FOOT = "pointOn(egoRoute, level{i})"
-_INTO_OURS = frozenset((Act.CUT_IN, Act.MERGE, Act.ENTER, Act.PULL_OUT, Act.LANE_CHANGE))
-_ASIDE = frozenset((Act.DRIFT, Act.SWERVE))
+_INTO_OURS = acts_of(Heads.BEFORE, Heads.MERGES, Heads.IN, Heads.FROM_EDGE, Heads.OVER)
 _LEAST, _MOST = {"overlap": 0.05, "clearance": 0.2}, {"overlap": 0.95, "clearance": 2.0}
 """Where a bound of a number is left open: from and to; of a length within the lane, from 0 to its edge."""
 _FARTHEST = 10.0  # [m] beside the lanes that somebody is, where only a least was said
@@ -95,7 +94,7 @@ def led_aside(actor: Actor, k: int, steps: Steps) -> Steps:
 def goes_aside(actor: Actor, k: int) -> tuple[float, float] | None:
     """How far [m] from its line somebody drifts or swerves who was said to go on elsewhere across the road."""
     deed = actor.deeds[k]
-    if deed.lateral is None or deed.act not in _ASIDE or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD):
+    if deed.lateral is None or deed.act not in ASIDE or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD):
         return None
     side, _ = _side(deed.lateral, actor.one)
     start = actor.one.starts

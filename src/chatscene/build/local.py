@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 import shapely
 
-from chatscene.build.asked import HALTS, Meets
+from chatscene.build.asked import Meets
 from chatscene.build.place import LANE, only_others_stop, ring_arms
 from chatscene.errors import MapError, NotBuilt, NothingBuilds
 from chatscene.terms.actors import Limits
 from chatscene.terms.situation import Deed
-from chatscene.terms.vocabulary import COMES_IN, Act, Breach, EgoLight, Where
+from chatscene.terms.vocabulary import COMES_IN, HALTS, Act, Breach, EgoLight, Heads, Where, acts_of
 from chatscene.world.control import curve_speeds
 from chatscene.world.places import lanes_beside, line_of, ownLane, ringTraffic
 
@@ -26,7 +26,7 @@ WIDER = 1.15  # times its smallest circle, which it does not reach at once
 NEAR_EDGE = 0.2  # [m] from the edge of the road that somebody stands who turns round in three
 BACKS = 6.0  # [m] at most that it backs
 _TURNS = tuple(math.radians(turn) for turn in range(100, 30, -5))
-_INTO_THE_WAY = COMES_IN | {Act.TURN_LEFT, Act.TURN_RIGHT, Act.U_TURN, Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE}
+_INTO_THE_WAY = COMES_IN | acts_of(Heads.TURNS, Heads.ROUND, Heads.BEFORE, Heads.OVER, Heads.MERGES)
 """What comes into the way of others, whoever does it."""
 
 

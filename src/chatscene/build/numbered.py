@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets
 from chatscene.build.deeds import Steps
-from chatscene.build.gaps import GOES_ON, backs_by
+from chatscene.build.gaps import backs_by
 from chatscene.build.lateral import goes_aside
 from chatscene.build.numbers import FIRM, PACES
 from chatscene.build.paces import Pace, Speed
@@ -17,7 +17,7 @@ from chatscene.build.relations import speed_of
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Manner, Side, Where
+from chatscene.terms.vocabulary import GOES_ON, Act, Manner, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases

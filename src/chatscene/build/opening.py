@@ -9,11 +9,10 @@ from dataclasses import dataclass, replace
 from chatscene.build.alongside import goes_on_beside, until_it_comes
 from chatscene.build.arriving import back_by_deeds
 from chatscene.build.aside import avoids, must_avoid
-from chatscene.build.asked import STOPS, Meets, stands_first, stops_ahead
+from chatscene.build.asked import Meets, stands_first, stops_ahead
 from chatscene.build.chain import in_terms_of
 from chatscene.build.contact import touches
 from chatscene.build.deeds import GO, MOVE
-from chatscene.build.gaps import GOES_ON, LOSES
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, at_junction, room_against
@@ -29,7 +28,7 @@ from chatscene.maps.crossings import MEETING
 from chatscene.terms.amount import Length
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import EGO, Other
-from chatscene.terms.vocabulary import Act, Facing, Role, Where
+from chatscene.terms.vocabulary import GOES_ON, LOSES, STOPS, Act, Facing, Role, Where
 
 EGO_FIRST = 1.0  # [s] before somebody that the ego is by at most where it still meets it
 BEHIND_IT = 3.0  # [m] behind whom it stops somebody stands

@@ -12,13 +12,13 @@ import shapely
 from chatscene.build.place import LANE, NEXT_LANE, lane_beside
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import Deed, Other, Situation
-from chatscene.terms.vocabulary import Act, Side, Where
+from chatscene.terms.vocabulary import Heads, Side, Where, acts_of
 from chatscene.world.ego_route import EgoRoute as Route
 from chatscene.world.places import ownLane
 
 _SIGN = {Side.LEFT: 1, Side.RIGHT: -1}
-_INTO_OURS = frozenset((Act.CUT_IN, Act.MERGE, Act.ENTER))
-_CHANGES = frozenset((Act.LANE_CHANGE, Act.CUT_OUT))
+_INTO_OURS = acts_of(Heads.BEFORE, Heads.MERGES, Heads.IN)
+_CHANGES = acts_of(Heads.OVER, Heads.OUT)
 _ALONG = NEXT_LANE | {Where.AHEAD, Where.BEHIND}
 
 

@@ -18,7 +18,7 @@ from chatscene.build.relations import AGAINST, falls_behind, speed_of
 from chatscene.terms.amount import Length
 from chatscene.terms.order import Order
 from chatscene.terms.situation import EGO, Deed, Other, Situation, When
-from chatscene.terms.vocabulary import COMES_IN, Act, Role, Side, Where
+from chatscene.terms.vocabulary import COMES_IN, Act, Heads, Role, Side, Where, acts_of
 
 ASIDE = {Act.SWERVE: 2.6, Act.DRIFT: 1.7, Act.LANE_CHANGE: LANE, Act.PARK: 2.6}
 """How far [m] the ego leaves its line by a deed, if that was not said."""
@@ -117,7 +117,7 @@ def _aside(
         ledger.take(f"{at}.speed")
     if deed.speed is not None and aside is None:
         keeps = deed.speed.low if deed.speed.low > 0.0 else deed.speed.high
-    stays = deed.act in (Act.PARK, Act.LANE_CHANGE)
+    stays = deed.act in acts_of(Heads.EDGE, Heads.OVER)
     yield begins.order(aside=left, over=over, since=since, till=math.inf if stays else round(since + lasts, 2))
     if keeps:
         yield begins.order(at_least=keeps, since=since, till=round(since + lasts, 2))

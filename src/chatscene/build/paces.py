@@ -19,7 +19,7 @@ from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.seeing import LOST, SHARE_LOST, gain_of, loss_of
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.vocabulary import PLAIN, SIDEWAYS, Act, Heads, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -31,8 +31,7 @@ CREEPS = 0.3  # [m/s], nobody goes slower on purpose
 ABOUT = 0.85  # of a speed that was said, the least that a watcher takes for it
 FOLLOWS = 0.64  # of the ego's speed, the least of who goes with it
 CRAWLS = 1.0  # [m/s]: who must be slower before it gains speed gains it from a stand
-AT_ONE_SPEED = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS, Act.ENTER))
-SIDEWAYS = frozenset((Act.CUT_IN, Act.CUT_OUT, Act.LANE_CHANGE, Act.MERGE, Act.DRIFT, Act.SWERVE, Act.WEAVE))
+AT_ONE_SPEED = PLAIN | acts_of(Heads.TURNS, Heads.ACROSS, Heads.IN)
 """What is slow or fast in how it leads aside, and not along the road."""
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.aim import STOOD, set_offset
 from chatscene.build.aside import avoids, comes_aside, goes_by, grazes, line_aside, must_avoid, sign_of_side
-from chatscene.build.asked import STOPS, Meets, stands_first, stops_in_the_way, stops_on_its_way
+from chatscene.build.asked import Meets, stands_first, stops_in_the_way, stops_on_its_way
 from chatscene.build.choosing import is_in_ours, steps_of
 from chatscene.build.contact import misses, parts_of_door, touches
 from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, RESTS_THERE, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
@@ -37,7 +37,7 @@ from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt, NothingBuilds
-from chatscene.terms.vocabulary import Act, Manner, Role, Striker
+from chatscene.terms.vocabulary import HALTS, STOPS, Act, Heads, Manner, Role, Striker, Tempo, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -45,10 +45,10 @@ if TYPE_CHECKING:
 GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 AS_SAID, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
-ENDS_BACKING = STOPS | {Act.FALL}  # by which who backs comes to a stand: it does not set off forwards for that
-STAYS = frozenset((Act.ACCELERATE, Act.DRIFT))  # it goes on so, whatever time that took
+ENDS_BACKING = STOPS | acts_of(Tempo.LIES)  # by which who backs comes to a stand: it does not set off forwards for that
+STAYS = acts_of(Tempo.GAINS, Heads.DRIFTS)  # it goes on so, whatever time that took
 OPENS_BEFORE, OPENS_INTO = (-1.1, -0.5), (-1.4, -1.1)  # [s] later than one could stop for it that a door is opened
-OUT_AGAIN = frozenset((Act.U_TURN, Act.PULL_OUT, Act.SET_OFF, Act.LANE_CHANGE, Act.CUT_IN, Act.ENTER))
+OUT_AGAIN = acts_of(Tempo.SETS_OFF, Heads.ROUND, Heads.FROM_EDGE, Heads.OVER, Heads.BEFORE, Heads.IN)
 COMES_BY = "headway(egoRoute, self, ego) > -(self.length + ego.length) / 2 - 3 - 0.5 * ego.pose[3] or ego.pose[3] < 0.3"
 """When the ego is about to pass whoever has parked, or waits behind it."""
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
@@ -272,7 +272,7 @@ class Phases:
         deeds = self.actor.deeds
         across = self.actor.stand.meets is Meets.ACROSS
         stops = deeds[k].act is Act.STOP and k > 0 and deeds[k].when is None and not across
-        return stops and deeds[k - 1].act in (Act.BRAKE, Act.SLOW_DOWN)
+        return stops and deeds[k - 1].act in acts_of(Tempo.BRAKES, Tempo.SLOWS)
 
     def stands(self) -> bool:
         """Whether it stands before its first deed."""
@@ -293,11 +293,7 @@ class Phases:
             if metres > RUN_UP:
                 return
             actor.numbers.move("X", metres)
-        near = (
-            RESTS
-            if deed in (Act.STOP, Act.BRAKE, Act.FALL)
-            else f"{MOVE} until abs(offsetFrom(egoRoute, self)) < {OUTSIDE}"
-        )
+        near = RESTS if deed in ENDS_BACKING else f"{MOVE} until abs(offsetFrom(egoRoute, self)) < {OUTSIDE}"
         yield self._at(k, near, before=True)
 
     def _at(self, k: int, text: str, *, before: bool = False) -> str:
@@ -315,7 +311,7 @@ class Phases:
         own = steps.way or line_aside(actor, k, way) or way
         if last and not ends:
             phases = (*phases, GO.replace("{p}", own) if own and actor.stand.meets is not Meets.ACROSS else go)
-        if deed.act in (Act.STOP, Act.BRAKE, Act.STAND) and actor.then(k) is Act.STAND and deed.time is None:
+        if deed.act in STOPS | HALTS and actor.then(k) is Act.STAND and deed.time is None:
             phases = phases[:1]  # what comes then says how long
         if (
             deed.act is Act.STAND
@@ -345,7 +341,7 @@ class Phases:
     def _beside_ego(self, k: int, phases: tuple[str, ...], way: str) -> tuple[str, ...]:
         """The phases of a deed by how far before the ego somebody is to be in it."""
         actor, deed = self.actor, self.actor.deeds[k]
-        if deed.act in (Act.GO_ALONG, Act.FOLLOW) and goes_before(actor, k):
+        if deed.act in acts_of(Heads.ALONG, Heads.BEHIND) and goes_before(actor, k):
             return (keeps_before(actor, way),)
         if gap_is_said(deed) and deed.speed is None and not keeps_its_speed(actor, k):
             return (comes_in(actor, k), *phases[1:])
@@ -359,7 +355,7 @@ class Phases:
         beside = actor.one.starts.where in NEXT_LANE and deed.act is Act.OVERTAKE
         if beside and deed.to not in (None, actor.one.starts.side):
             raise NothingBuilds(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, of who is on the other side")
-        if deed.to is not None and deed.act in (Act.CUT_OUT, Act.LANE_CHANGE, Act.OVERTAKE):
+        if deed.to is not None and deed.act in acts_of(Heads.OUT, Heads.OVER, Heads.BY):
             into_ours = deed.act is Act.LANE_CHANGE and lane_after(actor.one, actor.deeds, k) == 0
             if not into_ours and actor.named.setdefault("side", str(deed.to)) != str(deed.to):
                 raise NothingBuilds(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, after the other side")

@@ -14,7 +14,20 @@ from chatscene.terms.route import Equipment
 from chatscene.terms.routing import BEGINS, ENDS
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Facing, Feature, RightOfWay, RoadKind, Side, Where
+from chatscene.terms.vocabulary import (
+    HALTS,
+    Act,
+    Breach,
+    EgoRoute,
+    Facing,
+    Feature,
+    RightOfWay,
+    RoadKind,
+    Side,
+    Tempo,
+    Where,
+    acts_of,
+)
 from chatscene.world.ego_route import EgoRoute as Route
 from chatscene.world.places import lanes_beside, neighbourPath, ownLane
 
@@ -27,7 +40,7 @@ AT_CROSSWALKS = frozenset((Where.CROSSING, Where.EXIT_CROSSING))
 ROUNDABOUT_PLACES = frozenset((Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
 WAYS = {Act.TURN_LEFT: Maneuver.LEFT_TURN, Act.TURN_RIGHT: Maneuver.RIGHT_TURN}
 PACKAGED = ("town", "outskirts", "region")
-_STOPS = frozenset((Act.STAND, Act.STOP, Act.SET_OFF, Act.YIELD))
+_STOPS = HALTS | acts_of(Tempo.SETS_OFF, Tempo.WAITS)
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
 GOES_OVER = _TO_SIDE | {
     EgoRoute.LANE_CHANGE_LEFT: Side.LEFT,

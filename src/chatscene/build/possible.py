@@ -12,7 +12,20 @@ from itertools import pairwise
 from chatscene.build.place import NEXT_LANE
 from chatscene.situations.faults import Fault
 from chatscene.terms.situation import EGO, Deed, Other, Situation
-from chatscene.terms.vocabulary import COMES_IN, LETS_GO, SLOWS, Act, Where
+from chatscene.terms.vocabulary import (
+    ASIDE,
+    COMES_IN,
+    HALTS,
+    LETS_GO,
+    PLAIN,
+    SLOWS,
+    Act,
+    Heads,
+    Tempo,
+    Where,
+    acts_of,
+    by_act,
+)
 
 OFF_ROAD = frozenset(
     (Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.EXIT_CROSSING, Where.MEDIAN, Where.KERB, Where.BUS_BAY)
@@ -21,41 +34,55 @@ _JOINS = frozenset((Where.ON_RAMP, Where.ROUNDABOUT_ENTRY))
 _AGAINST = frozenset((Where.ONCOMING,))
 _LANES = NEXT_LANE | _AGAINST | {Where.AHEAD, Where.BEHIND, Where.ARM, Where.ONCOMING_IN_OUR_LANE}
 
-FROM: dict[Act, frozenset[Where]] = {
-    Act.PULL_OUT: frozenset((Where.KERB, Where.DRIVEWAY, Where.BUS_BAY)),
-    Act.CUT_IN: NEXT_LANE | _JOINS | _AGAINST,
-    Act.MERGE: NEXT_LANE | _JOINS,
-    Act.ENTER: NEXT_LANE | _JOINS | OFF_ROAD | _AGAINST | {Where.ARM, Where.IN_ROUNDABOUT},
-    Act.OVERTAKE: frozenset((Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE, Where.ONCOMING)),
-    Act.TAILGATE: frozenset((Where.BEHIND,)),
-    Act.KEEP_LEVEL: NEXT_LANE,
-    Act.CROSS: OFF_ROAD | {Where.ARM},
-    Act.CUT_OUT: frozenset((Where.AHEAD,)),
-    Act.LANE_CHANGE: _LANES - {Where.ARM} | {Where.ON_RAMP},
-    Act.TURN_LEFT: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
-    Act.TURN_RIGHT: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
-    Act.YIELD: _JOINS | _AGAINST | {Where.ARM},
-    Act.TURN_BACK: OFF_ROAD | {Where.AHEAD, Where.ARM},
+_FROM: dict[Tempo | Heads | Act, frozenset[Where]] = {
+    Heads.FROM_EDGE: frozenset((Where.KERB, Where.DRIVEWAY, Where.BUS_BAY)),
+    Heads.BEFORE: NEXT_LANE | _JOINS | _AGAINST,
+    Heads.MERGES: NEXT_LANE | _JOINS,
+    Heads.IN: NEXT_LANE | _JOINS | OFF_ROAD | _AGAINST | {Where.ARM, Where.IN_ROUNDABOUT},
+    Heads.BY: frozenset((Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE, Where.ONCOMING)),
+    Heads.CLOSE: frozenset((Where.BEHIND,)),
+    Heads.LEVEL: NEXT_LANE,
+    Heads.ACROSS: OFF_ROAD | {Where.ARM},
+    Heads.OUT: frozenset((Where.AHEAD,)),
+    Heads.OVER: _LANES - {Where.ARM} | {Where.ON_RAMP},
+    Heads.TURNS: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
+    Tempo.WAITS: _JOINS | _AGAINST | {Where.ARM},
+    Heads.BACK: OFF_ROAD | {Where.AHEAD, Where.ARM},
     Act.OPEN_DOOR: frozenset((Where.KERB, Where.AHEAD, Where.AHEAD_BESIDE, Where.BESIDE, Where.ONCOMING)),
     Act.DROP_LOAD: frozenset((Where.AHEAD,)),
-    Act.DRIFT: frozenset(Where) - OFF_ROAD - {Where.ONCOMING_IN_OUR_LANE},
+    Heads.DRIFTS: frozenset(Where) - OFF_ROAD - {Where.ONCOMING_IN_OUR_LANE},
 }
+FROM = by_act(_FROM)
 """Where an act can be begun from; of one that is done to somebody, where it is done to the ego."""
-TO_ANOTHER: dict[Act, frozenset[Where]] = {
-    Act.OVERTAKE: _LANES,
-    Act.TAILGATE: _LANES,
-    Act.KEEP_LEVEL: _LANES,
-    Act.CUT_IN: NEXT_LANE | _JOINS | _AGAINST,
-}
+TO_ANOTHER = by_act(
+    {
+        Heads.BY: _LANES,
+        Heads.CLOSE: _LANES,
+        Heads.LEVEL: _LANES,
+        Heads.BEFORE: NEXT_LANE | _JOINS | _AGAINST,
+    }
+)
 """Where from to somebody else."""
-_TURNED = frozenset((Act.U_TURN, Act.TURN_BACK, Act.TURN_LEFT, Act.TURN_RIGHT, Act.EXIT))
-_STILL = frozenset((Act.STAND, Act.STOP, Act.PARK, Act.YIELD, Act.FALL))
-_MAY_STAND = _STILL | {Act.BRAKE, Act.REVERSE, Act.OPEN_DOOR}
-_GOES = SLOWS | {Act.GO_ALONG, Act.GO_STRAIGHT, Act.CROSS, Act.ACCELERATE, Act.FALL}
-_OFF = frozenset(
-    (Act.SET_OFF, Act.GO_ALONG, Act.GO_STRAIGHT, Act.ACCELERATE, Act.REVERSE, Act.CROSS, Act.ENTER, Act.PULL_OUT)
-) | {Act.TURN_LEFT, Act.TURN_RIGHT, Act.U_TURN, Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.TURN_BACK, Act.STAND}
-_UNDER_WAY = frozenset((Act.SWERVE, Act.DRIFT))
+_TURNED = acts_of(Heads.ROUND, Heads.BACK, Heads.TURNS, Heads.OFF)
+_STILL = HALTS | acts_of(Tempo.WAITS, Tempo.LIES, Heads.EDGE)
+_MAY_STAND = _STILL | acts_of(Tempo.BRAKES, Tempo.BACKS) | {Act.OPEN_DOOR}
+_GOES = SLOWS | PLAIN | acts_of(Tempo.GAINS, Tempo.LIES, Heads.ACROSS)
+_OFF = (
+    COMES_IN
+    | PLAIN
+    | acts_of(
+        Tempo.SETS_OFF,
+        Tempo.GAINS,
+        Tempo.BACKS,
+        Tempo.STANDS,
+        Heads.TURNS,
+        Heads.ROUND,
+        Heads.BEFORE,
+        Heads.OVER,
+        Heads.MERGES,
+        Heads.BACK,
+    )
+)
 _WHERE_IT_STANDS = frozenset(LETS_GO)
 """What is done standing, too."""
 
@@ -89,7 +116,7 @@ def _of_ego(situation: Situation) -> Iterator[Fault]:
     """Each deed of an ego that stands for which it would have to set off first."""
     for k, (before, after) in enumerate(pairwise(situation.ego.does), 1):
         stays = before.act in _STILL and before.time is None and situation.answered(before) is None
-        if stays and after.act in _UNDER_WAY:
+        if stays and after.act in ASIDE:
             yield Fault((f"ego.does.{k}.act",), f"who stands must set off before it can {after.act}")
 
 

@@ -30,7 +30,7 @@ from chatscene.terms.route import Beside, Equipment
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RoadKind, Setting, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Feature, Heads, RoadKind, Setting, Side, Where
 
 _CURVES = (RoadKind.CURVE, RoadKind.LEFT_CURVE, RoadKind.RIGHT_CURVE)
 
@@ -139,15 +139,15 @@ def _beside(situation: Situation) -> dict[str, Any]:
 
 
 _GOES_OVER = {
-    Act.CUT_OUT: frozenset((Where.AHEAD,)),
-    Act.LANE_CHANGE: frozenset((Where.AHEAD, Where.BEHIND)),
-    Act.OVERTAKE: frozenset((Where.BEHIND,)),
+    Heads.OUT: frozenset((Where.AHEAD,)),
+    Heads.OVER: frozenset((Where.AHEAD, Where.BEHIND)),
+    Heads.BY: frozenset((Where.BEHIND,)),
 }
 
 
 def _goes_over(one: Other) -> Side | None:
     """On which side of the ego's lane there must be one of its direction, since somebody goes over there."""
-    sides = (deed.to or Side.LEFT for deed in one.does if one.starts.where in _GOES_OVER.get(deed.act, ()))
+    sides = (deed.to or Side.LEFT for deed in one.does if one.starts.where in _GOES_OVER.get(deed.act.row.heads, ()))
     return next(sides, None) if one.kind.moves is not Moves.LIES else None
 
 

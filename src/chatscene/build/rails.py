@@ -6,9 +6,9 @@ from dataclasses import replace
 
 from chatscene.terms.amount import Speed
 from chatscene.terms.situation import Deed, Other, Situation
-from chatscene.terms.vocabulary import Act, RoadKind, Where
+from chatscene.terms.vocabulary import PLAIN, Act, Heads, RoadKind, Where, acts_of
 
-_GOES_ON = frozenset((Act.CROSS, Act.GO_STRAIGHT, Act.GO_ALONG))
+_GOES_ON = PLAIN | acts_of(Heads.ACROSS)
 _FROM = frozenset((Where.ARM, Where.ROADSIDE, Where.CROSSING, Where.DRIVEWAY))
 
 

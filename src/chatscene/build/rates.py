@@ -10,7 +10,7 @@ from chatscene.build.deeds import BRAKES_TO, GO, OWN, Steps
 from chatscene.errors import NotBuilt
 from chatscene.terms.actors import AIR_DRAG
 from chatscene.terms.amount import Amount, Duration, Length
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.vocabulary import Act, Heads, Tempo, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -24,8 +24,8 @@ GETS = 0.9  # of what it gains: the mean is up to there
 NEARLY_ALL = 0.98  # of a speed that is gained with a pedal that is held
 LEAST_GAINED = 1.5  # [m/s] over which a pedal is measured
 _STEP, _MOST = 0.1, 60.0  # [s] in which a pedal is followed, and for how long
-_LOSES = frozenset((Act.BRAKE, Act.SLOW_DOWN))
-_OFF = frozenset((Act.SET_OFF, Act.PULL_OUT))
+_LOSES = acts_of(Tempo.BRAKES, Tempo.SLOWS)
+_OFF = acts_of(Tempo.SETS_OFF, Heads.FROM_EDGE)
 _FLOORS = "ThrottleOnPath({p}, $THROTTLE, 0, $SPEED) until self.pose[3] > {held} * $SPEED"
 AT_A_RATE: dict[Act, Steps] = {
     Act.SET_OFF: Steps(

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from chatscene.build.contact import is_held_up
-from chatscene.build.gaps import LOSES
-from chatscene.terms.vocabulary import Act, Where
+from chatscene.terms.vocabulary import GOES_ON, LOSES, Act, Heads, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -15,7 +14,7 @@ REACTS = 0.85  # of the speed that the ego wants: who is behind it sees it brake
 REACTS_CLOSE = 0.93  # the same, of who is close to it
 LOCKS = (0.3, 0.5)  # [s] that somebody brakes who then swerves round an ego that brakes harder
 SLOWED = 0.5  # of its speed, that somebody has left who brakes and then swerves
-_ANSWERS = LOSES | {Act.SWERVE, Act.LANE_CHANGE}
+_ANSWERS = LOSES | acts_of(Heads.ASIDE, Heads.OVER)
 
 
 def ego_slows(actor: Actor) -> str:
@@ -41,5 +40,5 @@ def swerves_slowed(actor: Actor, k: int) -> bool:
 def goes_until_ego_slows(actor: Actor, k: int) -> bool:
     """Whether somebody goes on in its k-th deed until the ego loses speed, to which it answers by the next."""
     deed = actor.deeds[k]
-    goes = deed.act in (Act.TAILGATE, Act.FOLLOW, Act.GO_ALONG) and deed.time is None
+    goes = deed.act in GOES_ON | acts_of(Heads.CLOSE) and deed.time is None
     return goes and k + 1 < len(actor.deeds) and reacts(actor, k + 1)

@@ -20,7 +20,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Speed
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.situation import EGO, Deed, Other, Situation
-from chatscene.terms.vocabulary import SLOWS, Act, EgoRoute, Role, Where
+from chatscene.terms.vocabulary import PLAIN, SLOWS, Act, EgoRoute, Heads, Role, Where, acts_of
 
 PASSES = 1.5  # [m/s] that somebody is faster at least than whom it passes
 GAINS = (3.0, 5.5)  # [m/s] by which it is, where that was not said, so that it is past before the road ends
@@ -29,7 +29,7 @@ AGAINST = frozenset((Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE))
 AHEAD = frozenset((Where.AHEAD, Where.AHEAD_BESIDE))
 BEHIND = frozenset((Where.BEHIND, Where.BEHIND_BESIDE))
 ALONG = NEXT_LANE | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP}
-_WITH = frozenset((Act.KEEP_LEVEL, Act.FOLLOW, Act.TAILGATE))
+_WITH = acts_of(Heads.LEVEL, Heads.BEHIND, Heads.CLOSE)
 _BESIDE = 0.38  # of a swing, at its end, in which the ego is as far aside as it must be to pass
 _SLOWER = 0.85  # of the most that somebody may have, from which on its speed is drawn
 _ROOM = 2.0  # [m] between two of whom one has passed the other
@@ -129,7 +129,7 @@ def _passes(situation: Situation, one: Other) -> Iterator[Deed]:
 
 def said_speed(one: Other, ego: float) -> float | None:
     """The speed [m/s] that was said of somebody who goes on at it."""
-    deeds = (deed.speed for deed in one.does if deed.act in (Act.GO_ALONG, Act.GO_STRAIGHT) and deed.speed is not None)
+    deeds = (deed.speed for deed in one.does if deed.act in PLAIN and deed.speed is not None)
     said = one.starts.speed or next(deeds, None)
     return None if said is None else _least(said, ego)
 
@@ -150,7 +150,7 @@ def speed_of_traffic(situation: Situation) -> float:
         if one.starts.where not in ALONG or relation in (None, Relation.CAUGHT_UP, Relation.PASSED):
             continue
         passes = any(deed.act is Act.OVERTAKE and deed.whom in (None, EGO) for deed in one.does)
-        said = [one.starts.speed, *(deed.speed for deed in one.does if deed.act in (Act.GO_ALONG, Act.OVERTAKE))]
+        said = [one.starts.speed, *(deed.speed for deed in one.does if deed.act in acts_of(Heads.ALONG, Heads.BY))]
         fastest = max((_least(speed, 0.0) for speed in said if speed is not None and not speed.than_ego), default=0.0)
         faster = passes or relation in (Relation.COMES_UP, Relation.HAS_PASSED)
         most = max(most, fastest - GAINS[0] if faster else fastest)

@@ -20,7 +20,7 @@ from chatscene.terms.actors import LIMITS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import backs
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, Role, Side, Where
+from chatscene.terms.vocabulary import PLAIN, STOPS, Act, Role, Side, Tempo, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -39,9 +39,7 @@ EASES = (0.35, 0.5)  # of its brakes, from and to, that who was not said to brak
 _OUTSIDE = re.compile(r'besideRoad\((.*), "(left|right)", \$X\)')
 _NEXT = frozenset((Where.AHEAD_BESIDE, Where.BESIDE))
 _COMES_OVER = frozenset((Where.ROADSIDE, Where.CROSSING, Where.DRIVEWAY, Where.KERB))
-_STANDS = frozenset((Act.STAND, Act.YIELD))
-_STOPS = frozenset((Act.STOP, Act.BRAKE))
-_GOES = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT))
+_STANDS = acts_of(Tempo.STANDS, Tempo.WAITS)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -139,10 +137,10 @@ def _beside_lane(actor: Actor, hidden: Actor) -> Screen:
     )  # before the ego is there it comes out
     if acts <= _STANDS:
         return Screen(way=way, at=at, farther=farther, sign=sign)
-    if acts <= _STANDS | _STOPS | _GOES and acts & _STOPS:
+    if acts <= _STANDS | STOPS | PLAIN and acts & STOPS:
         _come_in_time(actor, hidden)
         return _comes_to_stand(actor, Screen(way=way, at=at, sign=sign), f"{seconds} - {lead} - {STOOD:g}")
-    if acts <= _GOES and against:
+    if acts <= PLAIN and against:
         aside = hidden.numbers.middle("X") + 1.5 * LANE
         by = f"{(1.0 - LANE / aside) * actor.ego_speed:.3g} * {lead}"  # on the line of sight as that comes out
         start = f"backFrom({there} + {by}, $SPEED * maximum(0, {seconds} - {lead}))"
@@ -156,7 +154,7 @@ def _at_junction(actor: Actor, hidden: Actor) -> Screen:
     half = 0.5 * actor.limits.length
     if hidden.one.starts.where is Where.ONCOMING and actor.one.starts.where is Where.ONCOMING:
         way = 'wayOf(trafficFrom(egoRoute, "oncoming"), "straight", "inner")'
-        lets = acts & (_STOPS | {Act.YIELD})
+        lets = acts & (STOPS | {Act.YIELD})
         at = f"way{one}.entry " + f"- {half - (OVER_LINE if lets else INTO_JUNCTION):.3g}"
     elif actor.one.starts.where in _NEXT and actor.one.starts.side is hidden.one.starts.side:
         way = lane_beside(str(actor.one.starts.side))
@@ -166,7 +164,7 @@ def _at_junction(actor: Actor, hidden: Actor) -> Screen:
     screen = Screen(way=way, at=at, sign="-")
     if acts <= _STANDS:
         return screen
-    if acts <= _STANDS | _STOPS | _GOES and acts & _STOPS:
+    if acts <= _STANDS | STOPS | PLAIN and acts & STOPS:
         return _comes_to_stand(actor, screen, f"{actor.ego.seconds(f'egoMeet{other}')} - {BEFORE_MET:g}")
     raise _refused(actor, hidden, "say that it stands or stops")
 
@@ -190,7 +188,7 @@ def _come_in_time(actor: Actor, hidden: Actor) -> None:
 def _comes_to_stand(actor: Actor, screen: Screen, when: str) -> Screen:
     """It comes driving, and has stopped there at a time [s]."""
     numbers = actor.numbers
-    braking = [deed for deed in actor.deeds if deed.act in _STOPS]
+    braking = [deed for deed in actor.deeds if deed.act in STOPS]
     said = next((k for k, deed in enumerate(actor.deeds) if deed in braking and deed.acceleration is not None), None)
     if said is None:
         numbers.narrow("BRAKE", *EASES)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from chatscene.build.arriving import comes_along, comes_back, roundabout, slow_enough, so_far_back, through
-from chatscene.build.asked import ROOM, STOPS, Asked, Meets, Stand, bolts, stands_first, stops_ahead
+from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, stands_first, stops_ahead
 from chatscene.build.backing import comes_by, out_of, parked_beside
 from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
 from chatscene.build.cutting_in import begins_beside, room_to_avoid
@@ -40,7 +40,21 @@ from chatscene.terms.conclusions import LANE_CHANGES
 from chatscene.terms.route import Beside
 from chatscene.terms.scenario import Site
 from chatscene.terms.situation import EGO, Situation
-from chatscene.terms.vocabulary import CHANGES, Act, EgoRoute, Facing, Feature, Role, Side, Striker, Where
+from chatscene.terms.vocabulary import (
+    CHANGES,
+    PLAIN,
+    STOPS,
+    Act,
+    EgoRoute,
+    Facing,
+    Feature,
+    Heads,
+    Role,
+    Side,
+    Striker,
+    Where,
+    acts_of,
+)
 from chatscene.world.places import lanes_beside
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
@@ -151,7 +165,7 @@ def _through_point(point: str) -> str:
 def _keeps_behind(asked: Asked) -> tuple[float, float] | None:
     """How far [m] behind the ego somebody keeps that follows it first, by what was said or as is usual."""
     first = asked.one.does[0] if asked.one.does else None
-    if first is None or first.act not in (Act.FOLLOW, Act.TAILGATE) or first.whom not in (None, EGO):
+    if first is None or first.act not in acts_of(Heads.BEHIND, Heads.CLOSE) or first.whom not in (None, EGO):
         return None
     if first.distance is not None:
         return first.distance.within(1.0, max(first.distance.low, 2.0))
@@ -237,7 +251,7 @@ def _filters(asked: Asked) -> bool:
     """Whether somebody goes between the lanes, since others are in the next one past whom it is to go."""
     others = (one for one in asked.situation.others if one.id != asked.one.id)
     lane = [one.starts for one in others if one.starts.where in NEXT_LANE]
-    goes_by = all(deed.act in (Act.OVERTAKE, Act.GO_ALONG, Act.GO_STRAIGHT) for deed in asked.one.does)
+    goes_by = all(deed.act in PLAIN | acts_of(Heads.BY) for deed in asked.one.does)
     taken = any((start.side or asked.one.starts.side) is asked.one.starts.side for start in lane)
     return filters(asked.one) and not asked.stands and goes_by and taken
 

@@ -10,9 +10,9 @@ from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import RANGES
 from chatscene.terms.situation import EGO, Deed, Other, Situation
-from chatscene.terms.vocabulary import Act, Role, Where
+from chatscene.terms.vocabulary import Act, Heads, Role, Tempo, Where, acts_of
 
-FROM_BEHIND = frozenset((Act.FOLLOW, Act.TAILGATE, Act.OVERTAKE))
+FROM_BEHIND = acts_of(Heads.BEHIND, Heads.CLOSE, Heads.BY)
 """What is done to somebody by who is behind."""
 _FARTHER = frozenset((Where.AHEAD, Where.AHEAD_BESIDE, Where.EXIT))
 """Places in which who stands farther from the ego has the others of its row behind it."""
@@ -72,7 +72,7 @@ def room_kept(one: Other, other: Other) -> float | None:
     """How far [m] two are apart, middle to middle, of whom one follows the other from the first; None if none does."""
     for who, whom in ((one, other), (other, one)):
         first = who.does[0] if who.does else None
-        if first is None or first.act not in (Act.FOLLOW, Act.TAILGATE) or first.whom != whom.id:
+        if first is None or first.act not in acts_of(Heads.BEHIND, Heads.CLOSE) or first.whom != whom.id:
             continue
         usual = RANGES["ROOM" if first.act is Act.FOLLOW else "GAP"][:2]
         said = first.distance
@@ -81,7 +81,7 @@ def room_kept(one: Other, other: Other) -> float | None:
     return None
 
 
-_WAITS = frozenset((Act.STAND, Act.SET_OFF, Act.YIELD))
+_WAITS = acts_of(Tempo.STANDS, Tempo.SETS_OFF, Tempo.WAITS)
 _GO_BY = frozenset((Where.ONCOMING, Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
 
 

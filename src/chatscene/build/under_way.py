@@ -15,13 +15,13 @@ from chatscene.build.gaps import passes_where_it_goes_over
 from chatscene.build.paces import CRAWLS, Pace
 from chatscene.build.place import LANE, NEXT_LANE, at_junction
 from chatscene.build.timing import Course, course
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.vocabulary import Act, Heads, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
 SOONER = 0.8  # [s] than the ego somebody comes over from a stand that is not to be struck
-_COMES_OVER = frozenset((Act.LANE_CHANGE, Act.CUT_IN, Act.MERGE, Act.PULL_OUT, Act.ENTER))
+_COMES_OVER = acts_of(Heads.BEFORE, Heads.MERGES, Heads.IN, Heads.FROM_EDGE, Heads.OVER)
 BEGUN = 0.8  # [s]: what is done so long before the ego is there is seen to begin
 LATEST = 12.0  # [s] that somebody goes with the ego before it does anything
 INSIDE = 3.0  # [m] before where the ways meet: who does something there does it in the ego's sight

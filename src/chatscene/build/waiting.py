@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import HALTS, stands_first
+from chatscene.build.asked import stands_first
 from chatscene.build.deeds import OWN
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, Numbers
@@ -16,7 +16,7 @@ from chatscene.build.possible import OFF_ROAD
 from chatscene.build.relations import AGAINST
 from chatscene.errors import NothingBuilds
 from chatscene.terms.situation import EGO, Deed, Other, When
-from chatscene.terms.vocabulary import CHANGES, NOSE_TO_TAIL, Act, Where
+from chatscene.terms.vocabulary import CHANGES, HALTS, NOSE_TO_TAIL, Act, Heads, Tempo, Where, acts_of, by_act
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -50,25 +50,26 @@ _ASIDE = Sign("abs(offsetFrom(way{who}, {who})) > 0.6", "abs(offsetFrom(way{who}
 _OVER = Sign("abs(offsetFrom(egoRoute, {who})) > 0.8", "abs(offsetFrom(egoRoute, {who})) > 2.2")
 _NEAR = "(ego.length + {who}.length) / 2"
 _STANDS = Sign("{who}.pose[3] < 0.1")
-SIGNS: dict[Act, Sign] = {
-    Act.STOP: Sign("{who}.pose[3] < 0.8 * {usual}", "{who}.pose[3] < 0.1"),
-    **dict.fromkeys((Act.STAND, Act.YIELD, Act.PARK, Act.FALL), _STANDS),
-    Act.BRAKE: Sign("{who}.pose[3] < 0.8 * {usual}", "{who}.pose[3] < 0.4 * {usual}"),
-    Act.SLOW_DOWN: Sign("{who}.pose[3] < 0.85 * {usual}", "{who}.pose[3] < 0.65 * {usual}"),
-    Act.HESITATE: Sign("{who}.pose[3] < 0.5"),
-    Act.ACCELERATE: Sign("{who}.pose[3] > {usual} + 0.5", "{who}.pose[3] > {usual} + 1.5"),
-    Act.REVERSE: Sign("{who}.pose[3] < -0.3"),
-    **dict.fromkeys((Act.SET_OFF, Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW), Sign("{who}.pose[3] > 0.5")),
-    **dict.fromkeys((Act.CROSS, Act.ENTER, Act.PULL_OUT, Act.CUT_IN, Act.MERGE, Act.TURN_LEFT, Act.TURN_RIGHT), _IN),
-    **dict.fromkeys((Act.SWERVE, Act.DRIFT, Act.WEAVE), _ASIDE),
-    Act.CUT_OUT: _OVER,
-    Act.OVERTAKE: Sign(
+_OF: dict[Tempo | Heads | Act, Sign] = {
+    Tempo.HALTS: Sign("{who}.pose[3] < 0.8 * {usual}", "{who}.pose[3] < 0.1"),
+    **dict.fromkeys((Tempo.STANDS, Tempo.WAITS, Tempo.LIES, Heads.EDGE), _STANDS),
+    Tempo.BRAKES: Sign("{who}.pose[3] < 0.8 * {usual}", "{who}.pose[3] < 0.4 * {usual}"),
+    Tempo.SLOWS: Sign("{who}.pose[3] < 0.85 * {usual}", "{who}.pose[3] < 0.65 * {usual}"),
+    Tempo.PAUSES: Sign("{who}.pose[3] < 0.5"),
+    Tempo.GAINS: Sign("{who}.pose[3] > {usual} + 0.5", "{who}.pose[3] > {usual} + 1.5"),
+    Tempo.BACKS: Sign("{who}.pose[3] < -0.3"),
+    **dict.fromkeys((Tempo.SETS_OFF, Heads.ALONG, Heads.THROUGH, Heads.BEHIND), Sign("{who}.pose[3] > 0.5")),
+    **dict.fromkeys((Heads.ACROSS, Heads.IN, Heads.FROM_EDGE, Heads.BEFORE, Heads.MERGES, Heads.TURNS), _IN),
+    **dict.fromkeys((Heads.ASIDE, Heads.DRIFTS, Heads.SWINGS), _ASIDE),
+    Heads.OUT: _OVER,
+    Heads.BY: Sign(
         f"headway(way{{who}}, {{whom}}, {{who}}) > -{_NEAR} - 3", f"headway(way{{who}}, {{whom}}, {{who}}) > {_NEAR}"
     ),
     Act.OPEN_DOOR: Sign("abs(offsetFrom(way{who}, {who}_door_{k})) > 0.7"),
     Act.DROP_LOAD: Sign("{who}_load_{k}.pose[3] < 0.9 * {who}.pose[3]"),
-    **dict.fromkeys((Act.TAILGATE, Act.KEEP_LEVEL), Sign(f"gap({{whom}}, {{who}}) < {_NEAR} + 8")),
+    **dict.fromkeys((Heads.CLOSE, Heads.LEVEL), Sign(f"gap({{whom}}, {{who}}) < {_NEAR} + 8")),
 }
+SIGNS = by_act(_OF)
 """Deeds of somebody else, or of the ego, that a plan can wait for."""
 
 
@@ -103,7 +104,7 @@ def when_of(actor: Actor, k: int, when: When, meanwhile: str) -> Iterator[str]:
 
 def _or_must(actor: Actor, k: int, when: When) -> str:
     """Who leaves the ego's lane before somebody who stands there does so in time, however the ego comes."""
-    leaves = actor.deeds[k].act in (Act.CUT_OUT, Act.LANE_CHANGE) and actor.one.starts.where is Where.AHEAD
+    leaves = actor.deeds[k].act in acts_of(Heads.OUT, Heads.OVER) and actor.one.starts.where is Where.AHEAD
     if when.of is None or not leaves or not stands_first(actor.ledger.situation[when.of]):
         return ""
     name = name_of(when.of)
@@ -218,7 +219,7 @@ def _sign_of(actor: Actor, who: str, deed: Deed) -> Sign | None:
     where = actor.ledger.situation[who].starts.where
     if deed.act is Act.STOP and stands_first(actor.ledger.situation[who]):
         return _STANDS  # before that it is slow as well
-    if deed.act in (Act.OVERTAKE, Act.LANE_CHANGE):
+    if deed.act in acts_of(Heads.BY, Heads.OVER):
         if where in AGAINST or (deed.act is Act.LANE_CHANGE and where in NEXT_LANE):
             return _IN
         return _OVER if deed.act is Act.LANE_CHANGE else SIGNS[deed.act]

@@ -37,7 +37,20 @@ from chatscene.terms.conclusions import JUNCTIONS
 from chatscene.terms.scenario import Control, Distance, EgoState, Measure, Quantity, Site, Slots
 from chatscene.terms.situation import Around, Deed, Ego, Other, Road, Situation, Start, When
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
-from chatscene.terms.vocabulary import Act, Breach, EgoLight, EgoRoute, Facing, Manner, Role, Side, UserKind, Where
+from chatscene.terms.vocabulary import (
+    Act,
+    Breach,
+    EgoLight,
+    EgoRoute,
+    Facing,
+    Heads,
+    Manner,
+    Role,
+    Side,
+    UserKind,
+    Where,
+    acts_of,
+)
 
 _ALL_ALONG = frozenset((*MANNERS, Action.RUN_LIGHT, Action.FOLLOW, Action.ONCOMING, Action.WRONG_WAY))
 """Acts that say how or where another is done, if there is another."""
@@ -191,7 +204,7 @@ def _deeds(slots: Slots, start: Start) -> tuple[Deed, ...]:
         at = next((i for i, one in enumerate(deeds) if one.act is not Act.STAND), 0)
         deeds[at] = replace(deeds[at], manner=manner)
     if runs:
-        through = (Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS)
+        through = acts_of(Heads.THROUGH, Heads.TURNS, Heads.ACROSS)
         at = next((i for i, one in enumerate(deeds) if one.act in through), None)
         if at is None:
             deeds.insert(0, Deed(act=Act.GO_STRAIGHT, breaks=Breach.RED_LIGHT))
@@ -212,7 +225,7 @@ _BEGINS = ((Action.BRAKE, Action.STOP), (Action.CHANGE_LANE, Action.CUT_IN))
 def _deed(action: Action, slots: Slots, start: Start) -> Deed:
     act, where = ACTS[action], start.where
     through = where is Where.ARM or (where is Where.ONCOMING and (slots.place in JUNCTIONS or slots.control))
-    if act in (Act.CROSS, Act.GO_ALONG) and through:
+    if act in acts_of(Heads.ACROSS, Heads.ALONG) and through:
         act = Act.GO_STRAIGHT
     if act is Act.LANE_CHANGE and where is Where.AHEAD:
         act = Act.CUT_OUT

@@ -44,7 +44,7 @@ from chatscene.terms.scenario import (
 from chatscene.terms.scenario import Side as Aside
 from chatscene.terms.situation import Deed, Ego, Other, Situation
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
-from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Manner, RightOfWay, RoadKind, Role, Where
+from chatscene.terms.vocabulary import PLAIN, Act, Breach, EgoRoute, Manner, RightOfWay, RoadKind, Role, Where
 
 POSITIONS: dict[Where, Position] = {
     **{where: position for position, where in STARTS.items()},
@@ -156,7 +156,6 @@ def _slots(one: Other, **more: object) -> Slots:
     )
 
 
-_UNSAID = (Act.GO_ALONG, Act.GO_STRAIGHT)
 """Acts that say no more than where somebody comes from, or how."""
 _AGAINST = {Where.ONCOMING_IN_OUR_LANE: Action.WRONG_WAY, Where.ONCOMING: Action.ONCOMING}
 _THROUGH = {Where.ARM: Action.CROSS}
@@ -166,7 +165,7 @@ def _actions(one: Other) -> Iterator[Action]:
     where = one.starts.where
     manners: dict[Manner | None, Action] = {manner: action for action, manner in MANNERS.items()}
     acts = [deed.act for deed in one.does]
-    if where is Where.ONCOMING_IN_OUR_LANE or (where is Where.ONCOMING and set(acts) <= set(_UNSAID)):
+    if where is Where.ONCOMING_IN_OUR_LANE or (where is Where.ONCOMING and set(acts) <= PLAIN):
         yield _AGAINST[where]
     for i, deed in enumerate(one.does):
         if deed.act is Act.STAND and i == 0 and len(acts) > 1:
@@ -174,9 +173,9 @@ def _actions(one: Other) -> Iterator[Action]:
         if deed.breaks is Breach.RED_LIGHT:
             yield Action.RUN_LIGHT  # which comes first, whatever else is done on the way through
         said = deed.manner in manners or deed.breaks is Breach.RED_LIGHT or where in _AGAINST
-        if deed.act in _UNSAID and where in _THROUGH and deed.breaks is not Breach.RED_LIGHT:
+        if deed.act in PLAIN and where in _THROUGH and deed.breaks is not Breach.RED_LIGHT:
             yield _THROUGH[where]
-        elif deed.act in ACTIONS and not (deed.act in _UNSAID and said):
+        elif deed.act in ACTIONS and not (deed.act in PLAIN and said):
             yield ACTIONS[deed.act]
         if deed.manner in manners:
             yield manners[deed.manner]

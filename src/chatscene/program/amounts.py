@@ -11,6 +11,7 @@ from chatscene.program.deeds import STANDING, Act, runs
 from chatscene.program.watching import Seen
 from chatscene.terms.episode import Array, changes
 from chatscene.terms.seeing import loss_of
+from chatscene.terms.vocabulary import GOES_ON, Heads, acts_of
 from chatscene.terms.vocabulary import Act as Said
 
 ROLLS = 0.5  # [m/s²] up to which speed is lost by rolling out, or gained by a hill
@@ -171,5 +172,5 @@ LONG: Mapping[Said, tuple[Values, str]] = {
     Said.WEAVE: (_swings_for, "swings for"),
 }
 """The same of how long."""
-LASTS = frozenset((Said.GO_ALONG, Said.FOLLOW, Said.TAILGATE, Said.KEEP_LEVEL))
+LASTS = GOES_ON | acts_of(Heads.CLOSE, Heads.LEVEL)
 """What is done until something else begins, so that it is seen only how long it was done at least."""

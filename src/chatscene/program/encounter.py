@@ -24,7 +24,7 @@ from chatscene.terms.episode import Array, Episode, Track, paces
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.vocabulary import LOSES, Heads, Tempo, acts_of
 
 LONGEST = 3.0  # [s] at most between the two at a place, or until two who both drive on would touch
 EVERY = 1.0  # [s] after which an ego that goes on evenly is followed anew
@@ -34,11 +34,11 @@ ASIDE = 1.0  # [m] beside its route an ego is that steers round somebody
 TO_COME = 150.0  # [m] that somebody may still have to come to where the ways meet at a junction
 THROUGH = 30.0  # [m] behind the entry of a junction at which a way has left it
 BACK = 80.0  # [m] behind its start that the ego's way is taken to lead straight
-LETS_BY = frozenset((Act.YIELD, Act.CUT_OUT, Act.EXIT, Act.PARK))
+LETS_BY = acts_of(Tempo.WAITS, Heads.OUT, Heads.OFF, Heads.EDGE)
 """What is done so that there is no encounter."""
-STAYS = frozenset((Act.STAND, Act.HESITATE, Act.TURN_BACK, Act.FALL))
+STAYS = acts_of(Tempo.STANDS, Tempo.PAUSES, Tempo.LIES, Heads.BACK)
 """What alone brings nobody into the ego's way who is not in it."""
-LOSES = frozenset((Act.STAND, Act.SLOW_DOWN, Act.BRAKE, Act.STOP, Act.REVERSE, Act.HESITATE))
+COMES_NEARER = LOSES | acts_of(Tempo.STANDS, Tempo.BACKS)
 """What brings whoever is ahead in the ego's own lane nearer to it."""
 
 
@@ -139,7 +139,7 @@ def _must_meet(
     near = int(np.argmin(np.hypot(x - track.x[0], y - track.y[0])))
     against = math.cos(float(track.heading[0] - heading[near])) < 0.0
     ahead = along[near] > 0.0
-    return bool(ahead) and (against or bool(acts & LOSES))
+    return bool(ahead) and (against or bool(acts & COMES_NEARER))
 
 
 def _on_its_way_in(way: Way, ego: Track, track: Track, route: Route) -> bool:

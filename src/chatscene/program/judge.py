@@ -36,7 +36,7 @@ from chatscene.program.meaning import TOGETHER, in_between, left_of_ego
 from chatscene.program.measured import SLACK_LENGTH, SLACK_SPEED, Measure, held_at_most
 from chatscene.program.own import of_ego
 from chatscene.program.roads import of_road
-from chatscene.program.said import ASIDE, due, gently, to_side, untold, waits_for_others
+from chatscene.program.said import due, gently, to_side, untold, waits_for_others
 from chatscene.program.starting import STARTS, faces
 from chatscene.program.unasked import of_somebody, unasked
 from chatscene.program.waits import Waiting
@@ -48,19 +48,31 @@ from chatscene.terms.episode import Episode, Track
 from chatscene.terms.rolling import as_it_rolls
 from chatscene.terms.route import Route
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation
-from chatscene.terms.vocabulary import COMES_IN, LETS_GO, Breach, EgoRoute, Manner, Side, Where
+from chatscene.terms.vocabulary import (
+    ASIDE,
+    COMES_IN,
+    LETS_GO,
+    SIDEWAYS,
+    SLOWS,
+    Breach,
+    EgoRoute,
+    Heads,
+    Manner,
+    Side,
+    Tempo,
+    Where,
+    acts_of,
+)
 from chatscene.terms.vocabulary import Act as Said
 
 __all__ = ["Finding", "failures", "judge"]
 
 
-AVOIDS = frozenset((Said.SLOW_DOWN, Said.BRAKE, Said.STOP, Said.SWERVE, Said.LANE_CHANGE))
+AVOIDS = SLOWS | acts_of(Heads.ASIDE, Heads.OVER)
 """What somebody behind the ego does so as not to run into it."""
-ALONGSIDE = frozenset((Said.LANE_CHANGE, Said.CUT_IN, Said.CUT_OUT, Said.MERGE, Said.SWERVE, Said.DRIFT, Said.WEAVE))
-"""What is done by moving aside."""
 ONCE_DONE = {
-    **dict.fromkeys(ALONGSIDE, ALONGSIDE | COMES_IN),  # of one movement not two are seen
-    **dict.fromkeys((Said.TURN_LEFT, Said.TURN_RIGHT, Said.U_TURN), frozenset((Said.SLOW_DOWN, Said.BRAKE))),
+    **dict.fromkeys(SIDEWAYS, SIDEWAYS | COMES_IN),  # of one movement not two are seen
+    **dict.fromkeys(acts_of(Heads.TURNS, Heads.ROUND), acts_of(Tempo.SLOWS, Tempo.BRAKES)),
 }
 """What follows a deed only once that is done: who slows for a turn does not slow after it."""
 _DRIVES_OUT = frozenset((Where.ARM, Where.ONCOMING))

@@ -13,8 +13,8 @@ from chatscene.terms.amount import Amount
 from chatscene.terms.episode import Array
 from chatscene.terms.lateral import seen_of_ego
 from chatscene.terms.situation import LATERALS, Deed, Lateral, Other, Start
+from chatscene.terms.vocabulary import ASIDE, Heads, Side, Where, acts_of
 from chatscene.terms.vocabulary import Act as Said
-from chatscene.terms.vocabulary import Side, Where
 
 SLACK, LEAST_ASIDE = 0.15, 0.2  # of a number that was said; [m], the least of it
 LEAST_SHARE = 0.1  # of the ego's width
@@ -22,7 +22,7 @@ LANE = 3.5  # [m], a lane's width
 STEADY = 5  # [steps] over which somebody keeps its line that goes on there
 KEEPS = 0.15  # [m] to a side in these, at most
 _BESIDE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE, Where.ONCOMING))
-_IN_ITS_OWN = frozenset((Said.DRIFT, Said.SWERVE, Said.GO_ALONG))
+_IN_ITS_OWN = ASIDE | acts_of(Heads.ALONG)
 _ALONG = frozenset((Where.AHEAD, Where.KERB))
 
 

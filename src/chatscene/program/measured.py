@@ -18,7 +18,7 @@ from chatscene.terms.amount import Amount
 from chatscene.terms.episode import Array
 from chatscene.terms.route import Route
 from chatscene.terms.situation import EGO, Deed, Start
-from chatscene.terms.vocabulary import BEYOND_JUNCTION, NOSE_TO_TAIL, Where
+from chatscene.terms.vocabulary import ASIDE, BEYOND_JUNCTION, HALTS, NOSE_TO_TAIL, Heads, Tempo, Where, acts_of
 from chatscene.terms.vocabulary import Act as Said
 
 SLACK = 0.15  # of a number that was said: what a watcher does not see
@@ -30,7 +30,7 @@ LEVEL = 2.0  # [s] about its highest speed, after which somebody is seen to gain
 OVER = 5  # [steps] over which somebody is seen to gain speed
 
 
-GAINING = frozenset((Said.ACCELERATE, Said.SET_OFF, Said.PULL_OUT))
+GAINING = acts_of(Tempo.GAINS, Tempo.SETS_OFF, Heads.FROM_EDGE)
 """By what speed is gained."""
 
 
@@ -110,7 +110,7 @@ class Measure:
         """The room that is left or the way that is covered, if that was said."""
         if deed.act is Said.REVERSE and deed.distance is not None:
             return self.number(f"{path}.distance", deed.distance, gone_back(seen, once), BACK_SLACK, "covers")
-        if deed.act in (Said.DRIFT, Said.SWERVE) and deed.distance is not None:
+        if deed.act in ASIDE and deed.distance is not None:
             aside = gone_aside(seen, once)
             over = aside - 0.5 * (LANE - seen.track.width)  # of the edge of its lane, if it comes to the ego's
             both = np.concatenate((aside, over)) if abs(seen.offset[once.began]) > HALF_LANE else aside
@@ -157,7 +157,7 @@ class Measure:
 
     def stand(self, path: str, deed: Deed, once: Act, seen: Seen) -> Finding | None:
         """How long somebody stands, if that was said."""
-        if deed.time is None or deed.act not in (Said.STOP, Said.STAND, Said.HESITATE):
+        if deed.time is None or deed.act not in HALTS | acts_of(Tempo.PAUSES):
             return None
         first, end = stood(seen, once)
         found = self.number(f"{path}.time", deed.time, np.array([(end - first) * seen.dt]), SLACK_TIME, "stands for")

@@ -9,10 +9,8 @@ from chatscene.program.doing import moved_left
 from chatscene.program.meaning import TOGETHER
 from chatscene.program.watching import Seen
 from chatscene.terms.situation import EGO, Deed, Other
-from chatscene.terms.vocabulary import Act as Said
-from chatscene.terms.vocabulary import Breach, Manner, Side
+from chatscene.terms.vocabulary import ASIDE, Breach, Manner, Side
 
-ASIDE = (Said.SWERVE, Said.DRIFT)
 HARD = 3.0  # [m/s²] of braking: whoever was said to brake by less is seen to slow down
 
 

@@ -19,7 +19,7 @@ from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import LETS_GO, SLOWS, Act, EgoLight, RightOfWay, Role, Where
+from chatscene.terms.vocabulary import LETS_GO, SLOWS, Act, EgoLight, Heads, RightOfWay, Role, Tempo, Where, acts_of
 
 DEEP = 0.3  # [m] that two bodies are in each other, from which one is seen to drive through the other
 LEFT_PLACE = 1.0  # [m] from where it stood, from which somebody stands there no more
@@ -28,9 +28,9 @@ STRAIGHT = 0.2  # [rad] that a road turns at most of which lanes are told by how
 INSIDE = 1.3  # [m] from the ego's line to the nearest of a body that stands in its way
 STAYS = 2.0  # [s] that somebody stands at least who does not just wait
 APART = 0.5  # [s] between two times that somebody brakes, or it is one
-IN_LANE = frozenset((Act.STAND, Act.GO_ALONG, Act.SET_OFF, Act.ACCELERATE, Act.KEEP_LEVEL, *SLOWS))
+IN_LANE = SLOWS | acts_of(Tempo.STANDS, Tempo.SETS_OFF, Tempo.GAINS, Heads.ALONG, Heads.LEVEL)
 """What is done without leaving the lane, and by its own will."""
-GOES_BACK = frozenset((Act.REVERSE, Act.TURN_BACK, Act.U_TURN, Act.PARK, Act.HESITATE, Act.YIELD))
+GOES_BACK = acts_of(Tempo.BACKS, Tempo.PAUSES, Tempo.WAITS, Heads.BACK, Heads.ROUND, Heads.EDGE)
 """What may be done by going back."""
 _SAID = {
     EventKind.RED_LIGHT: (EgoLight.RED, EgoLight.YELLOW, EgoLight.TURNS_RED, EgoLight.TURNS_GREEN),

@@ -20,10 +20,9 @@ from chatscene.terms.amount import Duration
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 from chatscene.terms.situation import EGO, Deed, Situation, When
-from chatscene.terms.vocabulary import COMES_IN
-from chatscene.terms.vocabulary import Act as Said
+from chatscene.terms.vocabulary import COMES_IN, Heads, acts_of
 
-_OVER = frozenset((Said.CUT_IN, Said.LANE_CHANGE, Said.CUT_OUT, Said.MERGE, Said.ENTER))
+_OVER = acts_of(Heads.BEFORE, Heads.OVER, Heads.OUT, Heads.MERGES, Heads.IN)
 EDGE = 4.0  # [m] from the ego's line: who is so near comes into its lane
 
 

@@ -6,7 +6,7 @@ Most of what it says is read whole again (`chatscene.read.parse`), and then as j
 
 from __future__ import annotations
 
-from chatscene.read.inflection import Form, conjugated, listed
+from chatscene.situations.inflection import Form, conjugated, listed
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import JUNCTIONS

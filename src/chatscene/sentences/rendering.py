@@ -12,10 +12,10 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from chatscene.read.inflection import Form, conjugated
 from chatscene.sentences.grammar.adversary_clause import Adversary, acts, adversary
 from chatscene.sentences.grammar.ego_clause import ego_clause, ego_does
 from chatscene.sentences.grammar.voice import Voice
+from chatscene.situations.inflection import Form, conjugated
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS

@@ -14,7 +14,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
 from chatscene.terms.pointing import meant
 from chatscene.terms.situation import EGO, LATERALS, Deed, Lateral, Other, Situation
-from chatscene.terms.vocabulary import Act, Breach, EgoRoute, RightOfWay, RoadKind, UserKind
+from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Heads, RightOfWay, RoadKind, UserKind, acts_of
 
 JUNCTIONS = frozenset(
     (
@@ -26,7 +26,7 @@ TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.TURN))
 MOST = 20  # of others, of one of them, and of the deeds of one: more is no situation that a person means
 RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.STOP_SIGN}
 """What rules a junction where somebody breaks such a rule."""
-COMES_OVER = frozenset((Act.CROSS, Act.CUT_IN))
+COMES_OVER = acts_of(Heads.ACROSS, Heads.BEFORE)
 """Acts that lead from where somebody is at first to the other side."""
 """What says where across the road somebody is, one at a time."""
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")

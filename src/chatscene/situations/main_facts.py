@@ -5,11 +5,10 @@ from __future__ import annotations
 from itertools import permutations
 
 from chatscene.terms.situation import Deed, Other, Situation
-from chatscene.terms.vocabulary import Act, Role, Where
+from chatscene.terms.vocabulary import PLAIN, Act, Role, Where
 
 MOST = 5
 """Others that are matched in every order; more are matched in their own."""
-UNSAID = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT))
 """What somebody does of whom no deed is said."""
 NEXT_TO_US = frozenset((Where.BESIDE, Where.AHEAD_BESIDE))
 """Where somebody is who comes from the next lane: texts seldom say which, and either is built to come in ahead."""
@@ -46,7 +45,7 @@ def _same_other(one: Other, other: Other) -> bool:
 
 
 def _acts(does: tuple[Deed, ...]) -> tuple[Act, ...]:
-    acts = tuple(one.act for one in does if one.act not in UNSAID)
+    acts = tuple(one.act for one in does if one.act not in PLAIN)
     return acts[1:] if len(acts) > 1 and acts[0] is Act.STAND else acts
 
 

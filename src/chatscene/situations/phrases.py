@@ -11,6 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
+from chatscene.situations.inflection import Form as InForm
+from chatscene.situations.inflection import inflected
 from chatscene.terms.surroundings import Light, Surface, Weather
 from chatscene.terms.vocabulary import (
     Act,
@@ -340,7 +342,7 @@ class Doing:
 _TO, _OVER, _BY = " to {speed}", " over {time}", " by {distance}"
 _GAP, _GAP_IN_TIME = " with a gap of {distance}", " with a gap of {time}"
 
-ACTS: Mapping[Act, Doing] = {
+_ACTS: Mapping[Act, Doing] = {
     Act.STAND: Doing(does="[stand/stands/standing] still"),
     Act.GO_ALONG: Doing(does="{goes} along the road"),
     Act.GO_STRAIGHT: Doing(does="[go/goes/going] straight on"),
@@ -376,6 +378,16 @@ ACTS: Mapping[Act, Doing] = {
     Act.DROP_LOAD: Doing(does="[drop/drops/dropping] something onto the road"),
     Act.FALL: Doing(does="[fall/falls/falling] over"),
 }
+
+
+def _as_named(act: Act) -> Doing:
+    """An act as it is named, such as *flashes lights* of ``flash-lights``: a verb, and what follows it."""
+    verb, *others = act.value.split("-")
+    forms = "/".join(inflected(verb, form) for form in (InForm.PLURAL, InForm.SINGULAR, InForm.ING))
+    return Doing(does=" ".join((f"[{forms}]", *others, *(("{whom}",) if act.row.whom else ()))))
+
+
+ACTS: Mapping[Act, Doing] = {act: _ACTS.get(act) or _as_named(act) for act in Act}
 
 PARTS: Mapping[Part, str] = {
     Part.FRONT: "front",

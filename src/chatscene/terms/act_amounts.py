@@ -11,20 +11,23 @@ from chatscene.terms.vocabulary import Act
 
 AMOUNTS = ("speed", "acceleration", "distance", "time")
 """The amounts of a deed, in the order in which they are told."""
-_USUAL = {"speed": "how fast it does that", "time": "how long it does that"}
-_GAINS = {"speed": "to which speed", "acceleration": "how hard", "time": "how long it takes"}
+_USUAL = {
+    "speed": "how fast it does that",
+    "acceleration": "how hard",
+    "distance": "how far it does that",
+    "time": "how long it does that",
+}
+_GAINS = {"speed": "to which speed", "time": "how long it takes"}
 _LOSES = _GAINS | {"speed": "down to which speed"}
 _ASIDE = {"distance": "how far to the side", "time": "how long it takes"}
 _BEHIND = {"distance": "how far behind it keeps"}
 _MEANS: Mapping[Act, Mapping[str, str]] = {
     Act.STAND: {"time": "how long it stands"},
-    Act.GO_ALONG: {"distance": "how far it does that"},
     Act.SET_OFF: _GAINS,
-    Act.PULL_OUT: {"acceleration": "how hard"},
     Act.ACCELERATE: _GAINS,
     Act.SLOW_DOWN: _LOSES,
     Act.BRAKE: _LOSES,
-    Act.STOP: {"acceleration": "how hard", "distance": "in what distance", "time": "how long it then stands"},
+    Act.STOP: {"distance": "in what distance", "time": "how long it then stands"},
     Act.HESITATE: {"time": "how long it pauses"},
     Act.REVERSE: {"distance": "how far back"},
     Act.CUT_IN: {

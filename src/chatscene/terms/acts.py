@@ -19,7 +19,7 @@ class Deed:
         words: Regular expression of the words that name it, in lower case; empty for what is only read where every
             word of a text is.
         drives: Phrases for somebody who drives, parted by `|` or lines. Verbs are marked for
-            `chatscene.read.inflection`; ``{from}`` is where somebody comes from and may be empty.
+            `chatscene.situations.inflection`; ``{from}`` is where somebody comes from and may be empty.
         rides: The same for somebody on two wheels; empty for who speaks like a driver.
         walks: The same for somebody on foot; empty for who speaks like a driver.
         brings: Acts that come along without a word: whoever cuts in changes lanes.

@@ -7,16 +7,22 @@ yet is refused there by name.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
-from typing import TYPE_CHECKING, Any, Self
+from enum import Enum, StrEnum
+from functools import cache
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.actors import Manner as Moves
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from pydantic import GetJsonSchemaHandler
     from pydantic.json_schema import JsonSchemaValue
     from pydantic_core import CoreSchema
+
+
+Fact = TypeVar("Fact")
 
 
 class Word(StrEnum):
@@ -328,9 +334,55 @@ class Breach(Word):
     RIGHT_OF_WAY = ("right-of-way", "does not give way")
 
 
+class Tempo(Enum):
+    """What comes of the speed of somebody by an act."""
+
+    ANY = "nothing that holds of every such act"
+    STANDS = "it stands from the beginning"
+    WAITS = "it stands until another has gone by"
+    HALTS = "it comes to a stand"
+    LIES = "it comes to lie"
+    BRAKES = "it loses speed hard, and may come to a stand"
+    SLOWS = "it loses speed, and drives on"
+    PAUSES = "it stands or nearly so for a while, and goes on"
+    BACKS = "it moves backwards"
+    GAINS = "it gains speed"
+    SETS_OFF = "it begins to move"
+
+
+class Heads(Enum):
+    """Where somebody heads by an act: along the road, or across its lanes."""
+
+    ANY = "where it was going"
+    ALONG = "along the road"
+    THROUGH = "straight on through a junction"
+    BEHIND = "behind another, at a distance"
+    CLOSE = "close behind another"
+    LEVEL = "level with another"
+    BY = "past another"
+    ACROSS = "from beside the ego's way to the other side of it"
+    IN = "from beside the ego's lane into that"
+    FROM_EDGE = "from where it stood at the edge into the ego's lane"
+    BEFORE = "from the next lane into the ego's, close in front"
+    MERGES = "from a ramp or a lane that ends into the ego's lane"
+    OVER = "from one lane into the next"
+    OUT = "out of the ego's lane"
+    OFF = "off the road"
+    EDGE = "to a stand at the edge of the road, or beside it"
+    ASIDE = "aside of its line, abruptly"
+    DRIFTS = "aside of its line, gradually"
+    SWINGS = "to one side of its line and to the other"
+    TURNS = "to a side, off the road or at a junction"
+    ROUND = "round, to the other direction"
+    BACK = "back to where it came from"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ActRow:
     """What holds of an act.
+
+    What holds of every act of a tempo or a heading holds of this one: what it is told from, where it can begin, what a
+    contact with it is like. `acts_of` gives them.
 
     Attributes:
         by: How those move who may do it.
@@ -340,6 +392,9 @@ class ActRow:
         takes: The amounts that it may have, by their names in `Deed`.
         placed: Whether it may be said where across the road it then goes on.
         lasting: Whether it goes on until something else begins, so that nothing shows when it is done.
+        tempo: What comes of its speed.
+        heads: Where somebody heads by it.
+        lets_go: Whether it lets go of a body of its own by it: what that is called. It is named so: ``A-door``.
     """
 
     by: frozenset[Moves]
@@ -349,6 +404,9 @@ class ActRow:
     takes: frozenset[str] = frozenset()
     placed: bool = False
     lasting: bool = False
+    tempo: Tempo = Tempo.ANY
+    heads: Heads = Heads.ANY
+    lets_go: str = ""
 
 
 _FEET = frozenset((Moves.WALKS,))
@@ -356,7 +414,9 @@ _ALL = _WHEELS | _FEET
 _THINGS = _ALL | {Moves.LIES}
 
 
-def _act(by: frozenset[Moves], takes: str = "", **flags: Any) -> ActRow:
+def _act(by: frozenset[Moves], takes: str, how: Tempo | Heads | None, **flags: Any) -> ActRow:
+    if how is not None:
+        flags["tempo" if isinstance(how, Tempo) else "heads"] = how
     return ActRow(by=by, takes=frozenset(takes.split()), **flags)
 
 
@@ -365,89 +425,163 @@ class Act(RowWord):
 
     row: ActRow
 
-    STAND = ("stand", "stands from the beginning", _act(_THINGS, "time", ego=True, lasting=True))
+    STAND = ("stand", "stands from the beginning", _act(_THINGS, "time", Tempo.STANDS, ego=True, lasting=True))
     GO_ALONG = (
         "go-along",
         "goes along the road: in its lane, at its edge, on foot as well",
-        _act(_ALL, "speed time distance", ego=True, lasting=True, placed=True),
+        _act(_ALL, "speed time distance", Heads.ALONG, ego=True, lasting=True, placed=True),
     )
-    GO_STRAIGHT = ("go-straight", "goes straight on through a junction", _act(_WHEELS, "speed", lasting=True))
-    TURN_LEFT = ("turn-left", "turns to its own left at a junction or off the road", _act(_WHEELS, "speed"))
-    TURN_RIGHT = ("turn-right", "turns to its own right at a junction or off the road", _act(_WHEELS, "speed"))
-    U_TURN = ("u-turn", "turns round on the road", _act(_WHEELS, "speed"))
-    CROSS = ("cross", "crosses the ego's way from beside the road to the other side", _act(_ALL, "speed", sided=True))
+    GO_STRAIGHT = (
+        "go-straight",
+        "goes straight on through a junction",
+        _act(_WHEELS, "speed", Heads.THROUGH, lasting=True),
+    )
+    TURN_LEFT = (
+        "turn-left",
+        "turns to its own left at a junction or off the road",
+        _act(_WHEELS, "speed", Heads.TURNS),
+    )
+    TURN_RIGHT = (
+        "turn-right",
+        "turns to its own right at a junction or off the road",
+        _act(_WHEELS, "speed", Heads.TURNS),
+    )
+    U_TURN = ("u-turn", "turns round on the road", _act(_WHEELS, "speed", Heads.ROUND))
+    CROSS = (
+        "cross",
+        "crosses the ego's way from beside the road to the other side",
+        _act(_ALL, "speed", Heads.ACROSS, sided=True),
+    )
     ENTER = (
         "enter",
         "comes into the ego's lane from beside the road, and stays in it",
-        _act(_ALL, "speed", placed=True),
+        _act(_ALL, "speed", Heads.IN, placed=True),
     )
-    SET_OFF = ("set-off", "starts to move after it stood", _act(_ALL, "speed acceleration", ego=True))
-    ACCELERATE = ("accelerate", "gains speed", _act(_ALL, "speed acceleration time", ego=True))
-    SLOW_DOWN = ("slow-down", "loses speed gently", _act(_ALL, "speed acceleration time", ego=True))
-    BRAKE = ("brake", "loses speed hard", _act(_ALL, "speed acceleration time", ego=True))
-    STOP = ("stop", "was moving, and comes to a standstill", _act(_ALL, "acceleration time distance", ego=True))
-    HESITATE = ("hesitate", "pauses, and goes on", _act(_ALL, "time"))
-    REVERSE = ("reverse", "moves backwards", _act(_ALL, "speed time distance", ego=True))
+    SET_OFF = ("set-off", "starts to move after it stood", _act(_ALL, "speed acceleration", Tempo.SETS_OFF, ego=True))
+    ACCELERATE = ("accelerate", "gains speed", _act(_ALL, "speed acceleration time", Tempo.GAINS, ego=True))
+    SLOW_DOWN = ("slow-down", "loses speed gently", _act(_ALL, "speed acceleration time", Tempo.SLOWS, ego=True))
+    BRAKE = ("brake", "loses speed hard", _act(_ALL, "speed acceleration time", Tempo.BRAKES, ego=True))
+    STOP = (
+        "stop",
+        "was moving, and comes to a standstill",
+        _act(_ALL, "acceleration time distance", Tempo.HALTS, ego=True),
+    )
+    HESITATE = ("hesitate", "pauses, and goes on", _act(_ALL, "time", Tempo.PAUSES))
+    REVERSE = ("reverse", "moves backwards", _act(_ALL, "speed time distance", Tempo.BACKS, ego=True))
     PULL_OUT = (
         "pull-out",
         "leaves where it stood at the edge for the ego's lane",
-        _act(_WHEELS, "speed acceleration", placed=True),
+        _act(_WHEELS, "speed acceleration", Heads.FROM_EDGE, placed=True),
     )
     CUT_IN = (
         "cut-in",
         "comes from the next lane into the ego's, close in front",
-        _act(_WHEELS, "speed distance time", sided=True, whom=True, placed=True),
+        _act(_WHEELS, "speed distance time", Heads.BEFORE, sided=True, whom=True, placed=True),
     )
     LANE_CHANGE = (
         "lane-change",
         "changes lanes in any other way",
-        _act(_WHEELS, "speed time", ego=True, sided=True, placed=True),
+        _act(_WHEELS, "speed time", Heads.OVER, ego=True, sided=True, placed=True),
     )
-    CUT_OUT = ("cut-out", "leaves the ego's lane, and so shows what is ahead", _act(_WHEELS, "speed time", sided=True))
-    MERGE = ("merge", "comes from a ramp or a lane that ends into the ego's lane", _act(_WHEELS, "speed", placed=True))
+    CUT_OUT = (
+        "cut-out",
+        "leaves the ego's lane, and so shows what is ahead",
+        _act(_WHEELS, "speed time", Heads.OUT, sided=True),
+    )
+    MERGE = (
+        "merge",
+        "comes from a ramp or a lane that ends into the ego's lane",
+        _act(_WHEELS, "speed", Heads.MERGES, placed=True),
+    )
     OVERTAKE = (
         "overtake",
         "passes somebody and is ahead then",
-        _act(_WHEELS, "speed distance", sided=True, whom=True, placed=True),
+        _act(_WHEELS, "speed distance", Heads.BY, sided=True, whom=True, placed=True),
     )
     DRIFT = (
         "drift",
         "leaves its line gradually, not meaning to",
-        _act(_WHEELS, "speed time distance", ego=True, sided=True, placed=True),
+        _act(_WHEELS, "speed time distance", Heads.DRIFTS, ego=True, sided=True, placed=True),
     )
     SWERVE = (
         "swerve",
         "leaves its line abruptly",
-        _act(_ALL, "speed time distance", ego=True, sided=True, placed=True),
+        _act(_ALL, "speed time distance", Heads.ASIDE, ego=True, sided=True, placed=True),
     )
-    WEAVE = ("weave", "swings from side to side", _act(_ALL, "speed time"))
-    KEEP_LEVEL = ("keep-level", "stays level with somebody", _act(_WHEELS, "time", whom=True, lasting=True))
+    WEAVE = ("weave", "swings from side to side", _act(_ALL, "speed time", Heads.SWINGS))
+    KEEP_LEVEL = (
+        "keep-level",
+        "stays level with somebody",
+        _act(_WHEELS, "time", Heads.LEVEL, whom=True, lasting=True),
+    )
     FOLLOW = (
         "follow",
         "drives behind somebody at a distance",
-        _act(_WHEELS, "speed distance time", ego=True, whom=True, lasting=True),
+        _act(_WHEELS, "speed distance time", Heads.BEHIND, ego=True, whom=True, lasting=True),
     )
-    TAILGATE = ("tailgate", "drives close behind somebody", _act(_WHEELS, "distance time", whom=True, lasting=True))
-    TURN_BACK = ("turn-back", "goes back to where it came from", _act(_ALL, "speed"))
-    PARK = ("park", "comes to a stand at the edge of the road or in a parking place", _act(_WHEELS, "speed", ego=True))
-    EXIT = ("exit", "leaves the road by a ramp, or a roundabout", _act(_WHEELS, "speed"))
-    YIELD = ("yield", "waits until somebody has gone by", _act(_ALL, "", ego=True, whom=True))
+    TAILGATE = (
+        "tailgate",
+        "drives close behind somebody",
+        _act(_WHEELS, "distance time", Heads.CLOSE, whom=True, lasting=True),
+    )
+    TURN_BACK = ("turn-back", "goes back to where it came from", _act(_ALL, "speed", Heads.BACK))
+    PARK = (
+        "park",
+        "comes to a stand at the edge of the road or in a parking place",
+        _act(_WHEELS, "speed", Heads.EDGE, ego=True),
+    )
+    EXIT = ("exit", "leaves the road by a ramp, or a roundabout", _act(_WHEELS, "speed", Heads.OFF))
+    YIELD = ("yield", "waits until somebody has gone by", _act(_ALL, "", Tempo.WAITS, ego=True, whom=True))
     OPEN_DOOR = (
         "open-door",
         "opens a door into somebody's way",
-        _act(frozenset((Moves.DRIVES,)), "", sided=True, whom=True),
+        _act(frozenset((Moves.DRIVES,)), "", None, sided=True, whom=True, lets_go="door"),
     )
-    DROP_LOAD = ("drop-load", "loses something onto the road", _act(frozenset((Moves.DRIVES,))))
-    FALL = ("fall", "falls, on foot or on two wheels, and lies there", _act(_FEET | {Moves.RIDES}))
+    DROP_LOAD = (
+        "drop-load",
+        "loses something onto the road",
+        _act(frozenset((Moves.DRIVES,)), "", None, lets_go="load"),
+    )
+    FALL = ("fall", "falls, on foot or on two wheels, and lies there", _act(_FEET | {Moves.RIDES}, "", Tempo.LIES))
 
 
-LETS_GO = {Act.OPEN_DOOR: "door", Act.DROP_LOAD: "load"}
+@cache
+def acts_of(*traits: Tempo | Heads) -> frozenset[Act]:
+    """The acts of which one of some traits holds."""
+    return frozenset(act for act in Act if act.row.tempo in traits or act.row.heads in traits)
+
+
+def by_act(rows: Mapping[Any, Fact]) -> dict[Act, Fact]:
+    """What holds of acts: of each what its own row says, else that of its heading, else that of its tempo.
+
+    Args:
+        rows: What holds of an act, a heading or a tempo. Acts of which no row says anything are left out.
+    """
+    found = ((act, next((key for key in (act, act.row.heads, act.row.tempo) if key in rows), None)) for act in Act)
+    return {act: rows[key] for act, key in found if key is not None}
+
+
+LETS_GO = {act: act.row.lets_go for act in Act if act.row.lets_go}
 """Acts by which somebody lets go of a body of its own, which is named after it: ``A-door``."""
-SLOWS = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
+SLOWS = acts_of(Tempo.SLOWS, Tempo.BRAKES, Tempo.HALTS)
 """What is done to be slower, or to stand."""
-ROLLING = frozenset((Act.CROSS, Act.ENTER))
+LOSES = SLOWS | acts_of(Tempo.PAUSES)
+"""The same, with what is done for a while."""
+STOPS = acts_of(Tempo.HALTS, Tempo.BRAKES)
+"""What may bring somebody to a stand who is under way."""
+HALTS = acts_of(Tempo.STANDS, Tempo.HALTS)
+"""By what somebody stands, and nothing else."""
+GOES_ON = acts_of(Heads.ALONG, Heads.BEHIND)
+"""What somebody does who drives on in its lane."""
+PLAIN = acts_of(Heads.ALONG, Heads.THROUGH)
+"""What somebody does of whom nothing else is said."""
+ASIDE = acts_of(Heads.ASIDE, Heads.DRIFTS)
+"""What leads somebody aside of its line."""
+SIDEWAYS = ASIDE | acts_of(Heads.BEFORE, Heads.MERGES, Heads.OVER, Heads.OUT, Heads.SWINGS)
+"""What is done by moving to a side on the road."""
+ROLLING = acts_of(Heads.ACROSS, Heads.IN)
 """What a thing does that rolls or is blown."""
-COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
+COMES_IN = acts_of(Heads.ACROSS, Heads.IN, Heads.FROM_EDGE)
 """What is done by whoever is outside the ego's lane and comes into it: begun before, and done when it is in."""
 
 

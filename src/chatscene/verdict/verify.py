@@ -15,14 +15,14 @@ from chatscene.situations.form import to_plain
 from chatscene.situations.words import told
 from chatscene.terms.episode import Episode, Role
 from chatscene.terms.situation import Situation
-from chatscene.terms.vocabulary import Act, EgoRoute
+from chatscene.terms.vocabulary import HALTS, EgoRoute, Tempo, acts_of
 from chatscene.verdict.said import Asked
 from chatscene.verdict.verdict import Draw, Verdict
 from chatscene.verdict.watched import Watched, Watching
 from chatscene.verdict.weighing import beside, facts_of, findings_of, with_what_is_seen
 from chatscene.verdict.who import Cast, Played, as_cast, cast_of
 
-STANDS = frozenset((Act.STAND, Act.STOP, Act.HESITATE))
+STANDS = HALTS | acts_of(Tempo.PAUSES)
 """What somebody may be said to do who then never moves."""
 
 

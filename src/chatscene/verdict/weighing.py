@@ -13,14 +13,14 @@ from chatscene.program.watching import watch
 from chatscene.situations.facts import said_in, within
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Situation
-from chatscene.terms.vocabulary import LETS_GO, Act
+from chatscene.terms.vocabulary import GOES_ON, LETS_GO, PLAIN
 from chatscene.verdict.verdict import Fact, Seen
 from chatscene.verdict.watched import Watched
 from chatscene.verdict.who import Played
 
 WITHOUT_MAP = ("road", "around")
 """What tracks alone do not tell, where there is no map, no light and nobody who says what surrounds them."""
-GENERAL = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW, *LETS_GO))
+GENERAL = PLAIN | GOES_ON | frozenset(LETS_GO)
 """What is seen of nearly everybody, or of a body that is let go: it tells nothing of whoever does another deed."""
 _BESIDE = ("encounter.", "unasked.")
 _MOST_INSTEAD = 5  # deeds that are told of somebody who does another than was said

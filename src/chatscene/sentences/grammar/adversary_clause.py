@@ -6,10 +6,10 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from chatscene.read.inflection import Form, conjugated
 from chatscene.sentences.grammar import deed_pairs, deeds, where, who
 from chatscene.sentences.grammar.quoting import predicate
 from chatscene.sentences.grammar.voice import Voice
+from chatscene.situations.inflection import Form, conjugated
 from chatscene.terms.actors import Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.description import Style

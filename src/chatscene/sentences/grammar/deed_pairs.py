@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from chatscene.read.inflection import listed
 from chatscene.sentences.grammar.deeds import Table
+from chatscene.situations.inflection import listed
 from chatscene.terms.actors import Manner
 from chatscene.terms.acts import Action
 

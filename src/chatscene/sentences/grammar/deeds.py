@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from chatscene.read.inflection import listed
+from chatscene.situations.inflection import listed
 from chatscene.terms.actors import Manner
 from chatscene.terms.acts import Action
 

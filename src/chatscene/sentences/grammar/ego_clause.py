@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from chatscene.read.inflection import Form, conjugated
 from chatscene.sentences.grammar import roads
 from chatscene.sentences.grammar.voice import Voice
+from chatscene.situations.inflection import Form, conjugated
 from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS
 from chatscene.terms.description import Style
 from chatscene.terms.nouns import with_article

@@ -6,7 +6,7 @@ In braces: ``{own}`` the ego's own possessive, ``{place}`` and ``{road}`` noun p
 
 from __future__ import annotations
 
-from chatscene.read.inflection import listed
+from chatscene.situations.inflection import listed
 from chatscene.terms.scenario import Control, Maneuver, Place
 
 JUNCTION_NOUNS: dict[Place, tuple[str, ...]] = {

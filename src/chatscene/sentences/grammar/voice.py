@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-from chatscene.read.inflection import Form, conjugated
+from chatscene.situations.inflection import Form, conjugated
 from chatscene.terms.conclusions import LANE_CHANGES
 from chatscene.terms.description import Style
 from chatscene.terms.scenario import Slots

@@ -7,7 +7,7 @@ or right.
 
 from __future__ import annotations
 
-from chatscene.read.inflection import listed
+from chatscene.situations.inflection import listed
 from chatscene.terms.scenario import Distance, Occluder, Position
 
 # By position: with a side, and without

@@ -5,7 +5,7 @@ Written by us, after the way crash reports, test protocols, driving schools and 
 
 from __future__ import annotations
 
-from chatscene.read.inflection import listed
+from chatscene.situations.inflection import listed
 from chatscene.terms.actors import AdversaryKind
 
 NOUNS: dict[AdversaryKind, tuple[str, ...]] = {kind: listed(kind.row.nouns) for kind in AdversaryKind}

@@ -31,7 +31,7 @@ _PAST = {
     "sit": "sat", "speed": "sped", "stand": "stood", "swing": "swung", "take": "took", "tear": "tore",
 }  # fmt: skip
 _DOUBLES = frozenset(
-    ("step", "stop", "run", "cut", "set", "hit", "get", "jam", "slam", "zigzag", "sit", "begin", "travel")
+    ("step", "stop", "run", "cut", "set", "hit", "get", "jam", "slam", "zigzag", "sit", "begin", "travel", "drop")
 )
 _BE = {Form.SINGULAR: "is", Form.PLURAL: "are", Form.PAST: "was", Form.ING: "being"}
 _MARKED = re.compile(r"\[([a-z]+)\]")

@@ -1,0 +1,104 @@
+"""What several acts of a situation have in common follows from their rows; no other file lists acts."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+
+import pytest
+
+from chatscene.situations.inflection import Form, inflected
+from chatscene.situations.phrases import ACTS
+from chatscene.terms.vocabulary import LETS_GO, LOSES, SLOWS, Act, Heads, Tempo, acts_of, by_act
+from places import ROOT
+
+SOURCE = ROOT / "src" / "chatscene"
+ELSEWHERE = {
+    "build/deeds.py": "how each is driven",
+    "build/rates.py": "how each is driven at a rate that was said",
+    "build/own.py": "how far and how long the ego is steered by each",
+    "build/parts.py": "what each is that somebody lets go of",
+    "build/possible.py": "from where a body is let go of",
+    "build/waiting.py": "what is seen of a body that was let go of",
+    "interpret/situation_rows.py": "which act of a situation each act of a snippet is",
+    "interpret/slots_of.py": "which act of a snippet each of these is, for an edit",
+    "program/amounts.py": "what is measured of an amount of each",
+    "program/doing.py": "a test on tracks for each",
+    "program/own.py": "what is seen of an ego that was told to",
+    "situations/phrases.py": "the phrases of those that are not said as they are named",
+    "terms/act_amounts.py": "what an amount says where the usual words do not fit",
+    "verdict/story.py": "which of those that look alike is told",
+}
+"""Where acts are listed, and why no trait could give the list."""
+EITHER_SIDE = {"TURN_LEFT", "TURN_RIGHT"}
+
+every_act = pytest.mark.parametrize("act", Act)
+
+
+def named(node: ast.expr | None) -> str:
+    """The act that an expression names, if it names one."""
+    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in ("Act", "Said"):
+        return node.attr
+    return ""
+
+
+def listed(source: str) -> Iterator[int]:
+    """The lines of a Python file where a list, a set or a table has more than one act in it."""
+    if not re.search(r"vocabulary import [^\n]*\bAct\b|^    Act,$", source, re.MULTILINE):
+        return
+    for node in ast.walk(ast.parse(source)):
+        elements = [*node.keys, *node.values] if isinstance(node, ast.Dict) else getattr(node, "elts", [])
+        names = {named(element) for element in elements} - {""}
+        if len(names) > 1 and names != EITHER_SIDE:
+            yield node.lineno  # type: ignore[attr-defined]
+
+
+def test_no_other_file_lists_acts() -> None:
+    found = {
+        str(path.relative_to(SOURCE)): list(lines)
+        for path in SOURCE.rglob("*.py")
+        if (lines := list(listed(path.read_text())))
+    }
+    said = (
+        "give the acts a trait in their rows (terms/vocabulary.py) and ask for it by acts_of, or name the reason here"
+    )
+    assert set(found) == set(ELSEWHERE), f"{said}: { ({one: found[one] for one in found if one not in ELSEWHERE}) }"
+
+
+def test_a_list_of_acts_is_recognised_as_one() -> None:
+    head = "from chatscene.terms.vocabulary import Act, Where\n"
+    for source in (
+        "X = frozenset((Act.STOP, Act.PARK))",
+        "x in (Act.STOP, Act.PARK)",
+        "X = {Act.STOP: 1, Act.PARK: 2}",
+    ):
+        assert list(listed(head + source)) == [2]
+    assert not list(listed(head + "f(Act.STOP, Act.PARK); x = [Act.STOP, Act.STOP, Where.ARM]"))
+
+
+@every_act
+def test_an_act_says_what_comes_of_its_speed_or_where_it_heads(act: Act) -> None:
+    said = act.row.tempo is not Tempo.ANY or act.row.heads is not Heads.ANY or act in LETS_GO
+    assert said, f"terms/vocabulary.py: the row of {act} has neither a Tempo nor a Heads: no rule of any of them holds"
+
+
+@pytest.mark.parametrize("trait", [one for one in (*Tempo, *Heads) if one.name != "ANY"])
+def test_a_trait_is_one_of_some_act(trait: Tempo | Heads) -> None:
+    assert acts_of(trait)
+
+
+def test_what_holds_of_acts_is_said_by_their_own_row_first_then_by_where_they_head() -> None:
+    assert acts_of(Tempo.PAUSES, Heads.BY) == {Act.HESITATE, Act.OVERTAKE}
+    assert {Act.HESITATE} == LOSES - SLOWS
+    rows = {Act.TURN_LEFT: 1, Heads.TURNS: 2, Tempo.HALTS: 3}
+    assert by_act(rows) == {Act.TURN_LEFT: 1, Act.TURN_RIGHT: 2, Act.STOP: 3}
+
+
+@every_act
+def test_a_phrase_begins_with_a_verb_in_its_three_forms(act: Act) -> None:
+    verb = re.match(r"\[(\w+)/(\w+)/(\w+)\]", ACTS[act].does)
+    assert verb or ACTS[act].does.startswith("{goes}")
+    if verb is not None:
+        forms = (Form.PLURAL, Form.SINGULAR, Form.ING)
+        assert verb.groups() == tuple(inflected(verb[1], form) for form in forms), "write its phrase in phrases.py"
