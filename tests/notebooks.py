@@ -6,19 +6,25 @@ import json
 import subprocess
 import sys
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 TUTORIALS = sorted((Path(__file__).parents[1] / "docs" / "tutorials").glob("*.ipynb"))
-# Each cell in one process, as in a notebook; what a last expression is worth is left to `print`.
+# Each notebook in its folder, with its own names; one process for all, since to begin takes seconds. What a last
+# expression is worth is left to `print`.
 _KERNEL = """
-import contextlib, io, json, sys
-shared, said = {"__name__": "__main__"}, []
-for cell in json.load(sys.stdin):
-    with contextlib.redirect_stdout(io.StringIO()) as out:
-        exec(cell, shared)
-    said.append(out.getvalue())
-print(json.dumps(said))
+import contextlib, io, json, os, sys
+told = []
+for folder, cells in json.load(sys.stdin):
+    os.chdir(folder)
+    shared, said = {"__name__": "__main__"}, []
+    for cell in cells:
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            exec(cell, shared)
+        said.append(out.getvalue())
+    told.append(said)
+print(json.dumps(told))
 """
 
 
@@ -27,16 +33,14 @@ def code_cells(notebook: dict[str, Any]) -> list[dict[str, Any]]:
     return [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
 
 
-def printed(notebook: dict[str, Any], folder: Path) -> list[str]:
-    """What each code cell of a notebook prints when it is run in a folder."""
-    cells = ["".join(cell["source"]) for cell in code_cells(notebook)]
+def printed(notebooks: Mapping[Path, dict[str, Any]]) -> list[list[str]]:
+    """What each code cell of some notebooks prints when they are run, each in a folder."""
+    given = [
+        (str(folder), ["".join(cell["source"]) for cell in code_cells(notebook)])
+        for folder, notebook in notebooks.items()
+    ]
     done = subprocess.run(
-        [sys.executable, "-c", _KERNEL],
-        input=json.dumps(cells),
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        check=False,
+        [sys.executable, "-c", _KERNEL], input=json.dumps(given), capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
@@ -51,9 +55,8 @@ if __name__ == "__main__":
     for path in TUTORIALS:
         notebook = json.loads(path.read_text())
         with tempfile.TemporaryDirectory() as folder:
-            for number, (cell, text) in enumerate(
-                zip(code_cells(notebook), printed(notebook, Path(folder)), strict=True), 1
-            ):
+            (said,) = printed({Path(folder): notebook})
+            for number, (cell, text) in enumerate(zip(code_cells(notebook), said, strict=True), 1):
                 output = {"name": "stdout", "output_type": "stream", "text": text.splitlines(keepends=True)}
                 cell |= {"execution_count": number, "outputs": [output] if text else []}
         path.write_text(json.dumps(notebook, indent=1, ensure_ascii=False) + "\n")

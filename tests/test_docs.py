@@ -117,12 +117,19 @@ def test_the_notebook_goes_from_a_sentence_to_a_step_in_ten_lines(failed: dict[s
     assert not failed[NOTEBOOK]
 
 
-@pytest.mark.parametrize("path", TUTORIALS, ids=lambda path: path.stem)
-def test_a_tutorial_holds_what_its_cells_print(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture(scope="module")
+def said(tmp_path_factory: pytest.TempPathFactory) -> dict[Path, list[str]]:
+    """For each tutorial what its cells print."""
     pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
-    monkeypatch.delenv("PYTEST_ADDOPTS", raising=False)  # a cell runs pytest, and what that prints is held
-    notebook = json.loads(path.read_text())
-    assert printed(notebook, tmp_path) == held(notebook)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.delenv("PYTEST_ADDOPTS", raising=False)  # a cell runs pytest, and what that prints is held
+        notebooks = {tmp_path_factory.mktemp(path.stem): json.loads(path.read_text()) for path in TUTORIALS}
+        return dict(zip(TUTORIALS, printed(notebooks), strict=True))
+
+
+@pytest.mark.parametrize("path", TUTORIALS, ids=lambda path: path.stem)
+def test_a_tutorial_holds_what_its_cells_print(path: Path, said: dict[Path, list[str]]) -> None:
+    assert said[path] == held(json.loads(path.read_text()))
 
 
 def test_pages_for_users_name_no_commit_of_ours() -> None:

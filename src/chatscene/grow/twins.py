@@ -94,10 +94,11 @@ def _deliberate(one: Snippet, other: Snippet) -> bool:
 
 def same_plan(one: Plan | Foreign, other: Plan | Foreign) -> bool:
     """Whether two plans are the same but for the names of parameters, whose ranges are the same."""
-    return isinstance(one, Plan) and isinstance(other, Plan) and _without_names(one) == _without_names(other)
+    return isinstance(one, Plan) and isinstance(other, Plan) and without_names(one) == without_names(other)
 
 
-def _without_names(plan: Plan) -> str:
+def without_names(plan: Plan) -> str:
+    """A plan as text, with the range of each parameter in the place of its name."""
     text = print_plan(replace(plan, parameters=()))
     for p in sorted(plan.parameters, key=lambda p: len(p.name), reverse=True):
         text = text.replace(f"{PARAMETERS}.{p.name}", f"({float(p.low)} to {float(p.high)})")
