@@ -270,6 +270,7 @@ def test_a_pupil_does_as_its_teacher_would_where_it_has_been(scenes: Path, monke
     lessons = kept_scenes([scenes])
     schedule = Schedule(scenes=lessons.scenes, ordinary=(), share=0.0, seed=0)
     monkeypatch.setattr(learning, "STEPS", 400)
+    monkeypatch.setattr(learning, "HIDDEN", 64)
     one = Pupil(Slow(), TINY, schedule, lessons.map_name, lessons.simulation)
     for number in range(2):
         one.learn(number, range(2 * number, 2 * number + 2))
@@ -284,6 +285,7 @@ def test_of_two_ways_a_pupil_takes_one_and_not_their_mean(scenes: Path, monkeypa
     lessons = kept_scenes([scenes])
     schedule = Schedule(scenes=lessons.scenes, ordinary=(), share=0.0, seed=0)
     monkeypatch.setattr(learning, "STEPS", 300)
+    monkeypatch.setattr(learning, "HIDDEN", 128)
     teacher = Planner(Caution(speed=5.5))
     one = Pupil(teacher, TINY, schedule, lessons.map_name, lessons.simulation)
     one.learn(0, range(2))
