@@ -16,9 +16,11 @@ from chatscene.commands.main import main
 from chatscene.ego.policy import EGOS
 from chatscene.errors import ChatSceneError, MissingExtra, SettingsError
 from chatscene.exports.exporter import EXPORTERS
+from chatscene.interpret.readers import is_model
 from chatscene.models.encoders.embedding import EMBEDDERS
 from chatscene.models.language.protocol import LANGUAGE_MODELS, load_language_model
 from chatscene.plugins import Kind, make, names
+from chatscene.read.reader import READERS
 from chatscene.runs.executor import EXECUTORS
 from chatscene.search.generator import GENERATORS
 from chatscene.search.sampler import SAMPLERS, load_sampler
@@ -27,7 +29,7 @@ from places import ROOT
 
 KINDS: tuple[Kind[Any], ...] = (
     *(EGOS, SAMPLERS, GENERATORS, LANGUAGE_MODELS, EMBEDDERS, SIMULATORS),
-    *(EXPORTERS, EXECUTORS),
+    *(EXPORTERS, EXECUTORS, READERS),
 )
 every_kind = pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.noun)
 
@@ -188,3 +190,34 @@ def test_every_built_in_name_leads_somewhere() -> None:
                 ChatSceneError, match=r"fails: TypeError|needs (carla|ray)"
             ):  # not in every test environment
                 make(kind, name, *range(9), no_such_argument=0)
+
+
+READS = """
+from chatscene.read.reader import check_text
+from chatscene.situations.form import from_plain
+from chatscene.terms.reading import Ranked, SituationReading, Verdict
+
+
+class Mine:
+    name = "mine"
+
+    def read(self, text):
+        check_text(text)
+        told = {"others": [{"id": "A", "kind": "bus", "starts": {"where": "ahead"}, "does": [{"act": "brake"}]}]}
+        told["evidence"] = {"quoted": {"others.A": text.split()[0]}}
+        ranked = (Ranked(situation=from_plain(told), probability=1.0),)
+        return SituationReading(text=text, reader=self.name, verdict=Verdict.SITUATION, ranked=ranked)
+"""
+
+
+def test_a_reader_of_another_package_reads_where_a_language_model_may(place: Path) -> None:
+    install(place, "reads_mine", "[chatscene.readers]\nmine = reads_mine:Mine\n", READS)
+    for name in ("mine", "reads_mine:Mine"):
+        done = CliRunner().invoke(main, ["explain", "Whatever is said", "--language-model", name])
+        assert done.exit_code == 0, done.output
+        assert "bus" in done.output
+
+
+def test_a_name_is_of_a_reader_or_of_a_language_model() -> None:
+    assert not any(map(is_model, ("offline", "mine", "my_stack:reader", "my_stack.reading:make")))
+    assert all(map(is_model, ("openai:gpt-4", "gguf", "opnai:gpt-4", "gguf:a.gguf", "my_stack.models:make:large")))

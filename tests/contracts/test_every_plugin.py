@@ -6,6 +6,8 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -16,9 +18,12 @@ from chatscene.exports.exporter import EXPORTERS
 from chatscene.models.language.checked import CheckedModel
 from chatscene.models.language.protocol import Limits
 from chatscene.models.language.scripted import Scripted
+from chatscene.read.reader import READERS, check_text
 from chatscene.runs.executor import EXECUTORS
 from chatscene.search.generator import GENERATORS
 from chatscene.search.sampler import SAMPLERS, Proposal
+from chatscene.situations.form import from_plain
+from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.snippet import ParameterRange
 from chatscene.testing import (
     ContractBroken,
@@ -27,6 +32,7 @@ from chatscene.testing import (
     check_exporter,
     check_generator,
     check_language_model,
+    check_reader,
     check_sampler,
 )
 from chatscene.testing.language_models import PROMPT
@@ -61,6 +67,52 @@ def test_every_executor_keeps_the_contract(name: str) -> None:
     if name == "ray":
         pytest.skip("a cluster takes longer than all other tests of plug-ins: python benchmarks/two_nodes.py")
     check_executor(name)
+
+
+@pytest.mark.parametrize("name", sorted(READERS.built_in))
+def test_every_reader_keeps_the_contract(name: str) -> None:
+    check_reader(name)
+
+
+def _read(text: str, differs: dict[str, Any]) -> SituationReading:
+    check_text(text)
+    none = SituationReading(text=text, reader="mine", verdict=Verdict.NO_SITUATION, tells=0.0)
+    return replace(none, **differs)
+
+
+BRAKES = from_plain(
+    {
+        "others": [{"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": [{"act": "brake"}]}],
+        "evidence": {"quoted": {"others.A.does.0.act": "stops dead"}},
+    }
+)
+
+
+@pytest.mark.parametrize(
+    ("differs", "rule"),
+    [
+        ({}, None),
+        ({"text": "x"}, "has its text"),
+        ({"reader": "yours"}, "the name of its reader"),
+        ({"tells": 1.5}, r"in \[0, 1\]"),
+        ({"verdict": Verdict.SITUATION}, "has situations if its verdict says so"),
+        ({"unread": ("nowhere",)}, "stands in the text"),
+        (
+            {"verdict": Verdict.SITUATION, "ranked": (Ranked(situation=BRAKES, probability=1.0),)},
+            "are words of the text.*'stops dead'",
+        ),
+        (
+            {"verdict": Verdict.SITUATION, "ranked": (Ranked(situation=BRAKES, probability=0.7),) * 2},
+            "all of them together",
+        ),
+    ],
+)
+def test_a_reader_that_breaks_a_rule_is_told_which(differs: dict[str, Any], rule: str | None) -> None:
+    one: Any = SimpleNamespace(name="mine", read=lambda text: _read(text, differs))
+    if rule is None:
+        return check_reader(lambda: one)
+    with pytest.raises(ContractBroken, match=rule):
+        check_reader(lambda: one)
 
 
 PROGRAMS = ("program", "program-as-written")

@@ -1,10 +1,12 @@
-"""Who fills situations from texts: one Protocol."""
+"""Who fills situations from texts: one Protocol, one table of names."""
 
 from __future__ import annotations
 
 from typing import Protocol
 
 from chatscene.errors import SettingsError
+from chatscene.plugins import Kind, make
+from chatscene.settings import OFFLINE
 from chatscene.terms.reading import SituationReading
 
 LONGEST = 2000  # characters; a situation fits into a paragraph
@@ -29,6 +31,26 @@ class Reader(Protocol):
             LanguageModelError: A reader that asks a language model got no usable reply.
         """
         ...
+
+
+READERS: Kind[Reader] = Kind(
+    noun="reader",
+    group="chatscene.readers",
+    method="read",
+    built_in={OFFLINE: "chatscene.read.learned.reader:LearnedReader"},
+    forms=("openai:MODEL", "gguf:FILE"),
+)
+"""Readers that need no language model; `chatscene.read.by_model.ModelReader` asks any of these."""
+
+
+def load_reader(name: str) -> Reader:
+    """A reader by the name a user types, if it is no language model.
+
+    Raises:
+        SettingsError: There is none of that name, or its code fails.
+        MissingExtra: Its package is missing.
+    """
+    return make(READERS, name)
 
 
 def check_text(text: str) -> None:

@@ -10,7 +10,7 @@ from chatscene.build.build import Built, build
 from chatscene.errors import EditRefused, NotBuilt, NothingFits, OfferedReading, SettingsError, SituationError, no_such
 from chatscene.files.caches import cache_folder
 from chatscene.interpret.known import SURE, WithFacts, offered, taken
-from chatscene.interpret.readers import reader_of
+from chatscene.interpret.readers import is_model, reader_of
 from chatscene.interpret.stated import FACTS, facts_stated, in_text, with_named
 from chatscene.read.quotes import words_of
 from chatscene.report.stated import Editor, Stated, built_of, stated, with_edits
@@ -126,16 +126,16 @@ def explain_text(
 
 
 def editor_of(language_model: str) -> Editor | None:
-    """Who applies edits in words; None where no language model does."""
-    if language_model == OFFLINE:
+    """Who applies edits in words; None where no language model does. The model is loaded when it is asked."""
+    if not is_model(language_model):
         return None
-    from chatscene.models.language.protocol import load_language_model
-    from chatscene.read.by_model import LIMITS
-    from chatscene.read.edit_by_model import edited_by
-
-    model = load_language_model(language_model, limits=LIMITS, cache=cache_folder("replies"))
 
     def edited(situation: Situation, text: str) -> tuple[Edited, Built]:
+        from chatscene.models.language.protocol import load_language_model
+        from chatscene.read.by_model import LIMITS
+        from chatscene.read.edit_by_model import edited_by
+
+        model = load_language_model(language_model, limits=LIMITS, cache=cache_folder("replies"))
         tried: list[tuple[Situation, Built]] = []
 
         def cannot_build(one: Situation) -> str:

@@ -18,6 +18,7 @@ from chatscene.testing.executors import check_executor
 from chatscene.testing.exporters import check_exporter
 from chatscene.testing.generators import check_generator
 from chatscene.testing.language_models import check_language_model
+from chatscene.testing.readers import check_reader
 from chatscene.testing.samplers import check_sampler
 from chatscene.testing.simulators import check_simulator
 
@@ -29,6 +30,7 @@ __all__ = [
     "check_exporter",
     "check_generator",
     "check_language_model",
+    "check_reader",
     "check_sampler",
     "check_simulator",
 ]
