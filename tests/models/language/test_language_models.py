@@ -322,7 +322,9 @@ def test_a_file_that_is_no_model_is_refused(tmp_path: Path, content: bytes | Non
 
 
 @pytest.mark.parametrize("words", [1, 3000])
-def test_a_local_model_stops_when_time_is_up_while_it_reads_too(words: int) -> None:
+def test_a_local_model_stops_when_time_is_up_while_it_reads_too(words: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    # It looks at the clock as often as it has read so many words, each of which takes it as long.
+    monkeypatch.setattr("chatscene.models.language.local_gguf._READ_AT_ONCE", 32)
     seconds = 0.01 if words == 1 else 0.5
     model = load_language_model(f"gguf:{model_file()}", limits=Limits(seconds=seconds))
     with pytest.raises(LanguageModelError, match="did not finish within"):
@@ -337,7 +339,8 @@ def test_a_schema_the_engine_cannot_take_is_an_error() -> None:
         model.complete([Message("user", "Who?")], {"type": "nonsense"})
 
 
-def test_a_local_model_can_be_interrupted(request: pytest.FixtureRequest) -> None:
+def test_a_local_model_can_be_interrupted(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("chatscene.models.language.local_gguf._READ_AT_ONCE", 32)
     before = signal.signal(signal.SIGINT, signal.default_int_handler)  # whoever starts the tests may ignore it
     request.addfinalizer(lambda: signal.signal(signal.SIGINT, before))
     model = load_language_model(f"gguf:{model_file()}")
