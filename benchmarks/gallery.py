@@ -80,7 +80,7 @@ HEAD = """# Gallery
 **What can I say, and what does it look like?** Each sentence was run once with the ego `sac`: ten scenes on one route.
 `sac` sees only vehicles ahead in its lane, so it crashes often; `planner`, the default ego of `run`, avoids many of
 these crashes. Each picture is the first scene of the report: the ego blue, adversaries orange, occluders and blockers
-brown, a star at the contact. The hardest crashes come first.
+brown, a star at the contact.
 `python benchmarks/gallery.py --out runs/gallery` made this page (seed 0).
 
 [All of these scenes as OpenSCENARIO](gallery/openscenario.zip), with the maps, for esmini or another
