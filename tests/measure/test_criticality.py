@@ -1,8 +1,10 @@
 import math
+import re
 from dataclasses import fields, replace
 from functools import cache
 
 import numpy as np
+import pyarrow as pa
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -10,8 +12,11 @@ from shapely import Polygon, box
 from shapely.affinity import rotate, translate
 
 from chatscene.measure.criticality import criticality, fault
-from chatscene.terms.criticality import Criticality, Fault, Severity
+from chatscene.report.index_columns import TABLES, Column
+from chatscene.report.measures import MEASURES, Measure
+from chatscene.terms.criticality import CRITICALITY, Criticality, Fault, Severity
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
+from places import ROOT
 
 DT = 0.1
 WEST, NORTH = math.pi, math.pi / 2
@@ -375,3 +380,22 @@ def test_the_post_encroachment_time_is_that_of_the_boxes(ego: Track, other: Trac
     assert (ours is None) == (not whole)
     # Whole steps see either end up to a step late.
     assert ours is None or min(whole) - 2 * DT - 1e-9 <= ours <= min(whole) + 1e-9
+
+
+def test_every_measure_has_its_words_and_its_definition_on_the_page() -> None:
+    page = (ROOT / "docs" / "metrics.md").read_text(encoding="utf-8").split("## Criticality")[1].split("\n## ")[0]
+    rows = set(re.findall(r"^\| `(\w+)` \|", page, re.MULTILINE))
+    lacking = {one.name for one in fields(Criticality)} - rows
+    assert not lacking, f"docs/metrics.md, Criticality: the table lacks {sorted(lacking)}"
+    assert {one.name for one in fields(Criticality)} == {*CRITICALITY, "impact_speed", "severity"}
+    for name, one in CRITICALITY.items():
+        assert one.more in ("better", "worse"), f"terms/criticality.py: {name}: more of it is better or worse"
+        assert one.name and one.meaning and one.unit, f"terms/criticality.py: {name} lacks words"
+        assert MEASURES[name][:3] == (one.name, one.more, one.unit)
+        assert Column(name, one.meaning, one.unit, pa.float64()) in TABLES["scenes"]
+
+
+def test_a_measure_of_which_no_more_is_said_is_told_without_a_gap() -> None:
+    assert Measure("least mean distance", "better", "m").in_one == "least mean distance; more is better"
+    assert Measure("friction demand", "", of="share").in_one == "friction demand: share"
+    assert Measure("speed", "").in_one == "speed"

@@ -13,7 +13,7 @@ from chatscene.report.measures import MEASURES
 from chatscene.runs.tables import EVENTS, SCENES
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.criticality import Fault, Happening, Severity
+from chatscene.terms.criticality import CRITICALITY, Fault, Happening, Severity
 from chatscene.terms.episode import Ending, EventKind
 from chatscene.terms.scenario import (
     BaseScenario,
@@ -176,11 +176,7 @@ _OF_SCENES: dict[str, tuple[str, str]] = {
     "light": (_one_of("light", Light), ""),
     "weather": (_one_of("weather", Weather), ""),
     "surface": (_one_of("road surface", Surface), ""),
-    "time_to_collision": ("least time until the ego and an adversary would touch if both carried on", "s"),
-    "post_encroachment_time": ("least time between one leaving a place and the other coming to it", "s"),
-    "time_headway": ("least time to the position of an adversary ahead", "s"),
-    "deceleration_required": ("greatest braking that just avoids an adversary ahead", "m/s²"),
-    "distance": ("least gap between the ego and an adversary; 0 at contact", "m"),
+    **{column: (one.meaning, one.unit) for column, one in CRITICALITY.items()},
     "encounter_time": ("when the encounter begins: just before either brakes for it", "s"),
     "ego_speed_before": ("the ego's speed then", "m/s"),
     "other_speed_before": ("the other's speed then", "m/s"),
@@ -222,7 +218,7 @@ _OF_SCENES: dict[str, tuple[str, str]] = {
 
 def _scenes() -> tuple[Column, ...]:
     metrics = {name: one for name, one in MEASURES.items() if name not in _OF_SCENES}
-    told = _OF_SCENES | {name: (f"{one.name}: {one.of}; more is {one.more}", one.unit) for name, one in metrics.items()}
+    told = _OF_SCENES | {name: (one.in_one, one.unit) for name, one in metrics.items()}
     types = {field.name: field.type for field in SCENES}
     first = [name for name in told if not name.startswith("raw_")]
     ordered = [*first, *(name for name in told if name not in first)]

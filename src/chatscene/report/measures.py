@@ -14,9 +14,9 @@ from chatscene.measure.score import (
     MOST_TIME,
     MOST_YAW_RATE,
 )
+from chatscene.terms.criticality import CRITICALITY
 
 GRAVITY = 9.81  # [m/s²]; no tyre on a dry road brakes harder
-TOUCHED = ("time_to_collision", "post_encroachment_time", "distance")  # what a contact makes 0
 
 
 _CURVE = "by a published curve, MAIS 3+ or death; 0.5 stands for a half or more"
@@ -29,6 +29,12 @@ class Measure(NamedTuple):
     more: str
     unit: str = ""
     of: str = ""
+
+    @property
+    def in_one(self) -> str:
+        """All that is said of it but its unit, in one line."""
+        told = ": ".join(filter(None, (self.name, self.of)))
+        return "; ".join(filter(None, (told, self.more and f"more is {self.more}")))
 
 
 MEASURES: dict[str, Measure] = {
@@ -45,11 +51,7 @@ MEASURES: dict[str, Measure] = {
     ),
     "li": Measure("lane invasion (LI)", "worse", of=f"markings crossed, share of {MOST_INVASIONS:g}"),
     "overall_score": Measure("overall score (OS)", "better", of="at most 1"),
-    "time_to_collision": Measure("least time to collision", "better", "s"),
-    "post_encroachment_time": Measure("post-encroachment time", "better", "s"),
-    "time_headway": Measure("least time headway", "better", "s"),
-    "deceleration_required": Measure("deceleration required", "worse", "m/s²"),
-    "distance": Measure("least distance", "better", "m"),
+    **{column: Measure(one.name, one.more, one.unit) for column, one in CRITICALITY.items()},
     "encounter_time": Measure("the encounter begins at", "", "s", of="just before either brakes for it"),
     "ego_speed_before": Measure("the ego's speed then", "", "m/s"),
     "other_speed_before": Measure("the other's speed then", "", "m/s"),
@@ -89,7 +91,7 @@ def _note(column: str, value: float) -> str:
     measure = MEASURES[column]
     if column == "deceleration_required" and value > GRAVITY:
         said = "more than any tyre can do: at that time braking could not avoid it any more"
-    elif column in TOUCHED and value == 0.0:
+    elif column in CRITICALITY and CRITICALITY[column].touched and value == 0.0:
         said = "they touched"
     else:
         said = measure.of

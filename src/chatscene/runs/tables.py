@@ -19,7 +19,7 @@ import pyarrow.parquet as pq
 from chatscene.errors import RunError
 from chatscene.runs.atomic import write_bytes
 from chatscene.runs.rows import Part, SceneRow
-from chatscene.terms.criticality import Criticality
+from chatscene.terms.criticality import CRITICALITY
 from chatscene.terms.metrics import Measurements
 from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.terms.speeds import Speeds
@@ -109,7 +109,7 @@ _SCENE_TAIL = pa.schema(
 )
 RAW = "raw_"  # what the metrics are computed from, so that any set of scenes can be scored from the table alone
 _MEASUREMENTS = tuple(f"{RAW}{field.name}" for field in fields(Measurements))
-_CRITICALITY = tuple(field.name for field in fields(Criticality) if field.name not in ("impact_speed", "severity"))
+_CRITICALITY = tuple(CRITICALITY)
 _SPEEDS = tuple(field.name for field in fields(Speeds) if field.name not in ("ego_kind", "other_kind"))
 _NUMBERS = pa.schema([(name, pa.float64()) for name in (*_CRITICALITY, *_SPEEDS, *_MEASUREMENTS)])
 SCENES = pa.schema([*_SCENE_HEAD, *_SCENE_OUTCOME, *_NUMBERS, *_SCENE_TAIL])  # and those of parameters and metrics

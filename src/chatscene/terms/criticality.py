@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
 from enum import StrEnum
+from typing import Any, NamedTuple
 
 LONGEST = 10.0  # [s], beyond which a time to collision says nothing, and is not shown
 
@@ -58,9 +60,33 @@ class Happened:
     seconds: float | None
 
 
+class Measure(NamedTuple):
+    """A number of a drive, in words.
+
+    Attributes:
+        name: What it is called.
+        meaning: What it is, as the tables of `chatscene sql` have it.
+        unit: Its unit.
+        more: What more of it means for the ego, ``better`` or ``worse``.
+        touched: Whether a contact makes it 0.
+    """
+
+    name: str
+    meaning: str
+    unit: str
+    more: str
+    touched: bool = False
+
+
+def _measured(name: str, meaning: str, unit: str, more: str, *, touched: bool = False) -> Any:
+    return field(default=None, metadata={"measure": Measure(name, meaning, unit, more, touched)})
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Criticality:
     """The measures of one drive; `docs/metrics.md` defines each.
+
+    A field with words is a measure: columns, pages and the viewer are made from it. It may not apply to a drive.
 
     The first five compare the ego with the adversaries and are the worst over them and over time; all are None where
     there is no adversary. The last two are about the first collision, whoever it was with.
@@ -79,10 +105,32 @@ class Criticality:
         severity: Its class, by that speed and by what was struck. None without a collision.
     """
 
-    time_to_collision: float | None
-    post_encroachment_time: float | None
-    time_headway: float | None
-    deceleration_required: float | None
-    distance: float | None
-    impact_speed: float | None
-    severity: Severity | None
+    time_to_collision: float | None = _measured(
+        "least time to collision",
+        "least time until the ego and an adversary would touch if both carried on",
+        *("s", "better"),
+        touched=True,
+    )
+    post_encroachment_time: float | None = _measured(
+        "post-encroachment time",
+        "least time between one leaving a place and the other coming to it",
+        *("s", "better"),
+        touched=True,
+    )
+    time_headway: float | None = _measured(
+        "least time headway", "least time to the position of an adversary ahead", "s", "better"
+    )
+    deceleration_required: float | None = _measured(
+        "deceleration required", "greatest braking that just avoids an adversary ahead", "m/s²", "worse"
+    )
+    distance: float | None = _measured(
+        "least distance", "least gap between the ego and an adversary; 0 at contact", "m", "better", touched=True
+    )
+    impact_speed: float | None = None
+    severity: Severity | None = None
+
+
+CRITICALITY: Mapping[str, Measure] = {
+    one.name: one.metadata["measure"] for one in fields(Criticality) if "measure" in one.metadata
+}
+"""The measures, each by its column."""
