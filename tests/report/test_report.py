@@ -379,7 +379,7 @@ def _other(option: click.Option) -> list[str]:
     """An option with a value that is not its default."""
     if option.name == "language_model":  # else it is asked at once, and what it read is run as a situation
         return [option.opts[0], "some 'thing else", "--reader", "paper"]
-    if option.name == "map_name":  # else it is refused at once
+    if option.name == "map":  # else it is refused at once
         return [option.opts[0], "outskirts"]
     if option.is_flag:
         return [option.opts[0]]
