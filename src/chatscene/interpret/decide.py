@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import hashlib
 import re
 from dataclasses import replace
 from functools import lru_cache
 
 from chatscene.interpret.paper import read_as_in_paper
+from chatscene.interpret.scenario_names import named
 from chatscene.interpret.wording import parts_of
 from chatscene.library.compatibility import agree, compatibility
 from chatscene.library.load import library_with
@@ -16,7 +16,6 @@ from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import base_of, concluded
 from chatscene.terms.frame import About, Frame, Note
 from chatscene.terms.scenario import Component, Measure, Scenario, Slots
-from chatscene.terms.situation import Situation
 from chatscene.terms.slots import slots_of
 from chatscene.terms.snippet import Snippet
 
@@ -106,18 +105,3 @@ def _worded(frame: Frame, settings: RetrievalSettings) -> tuple[Snippet, ...]:
 def _words(text: str) -> str:
     """A text without case and punctuation."""
     return " ".join(re.findall(r"\w+", text.casefold()))
-
-
-STATED = "situation"
-"""What the scenario of a situation is called that was read in no text."""
-
-
-def scenario_id(situation: Situation) -> str:
-    """What the scenario of a situation is called: after the text that it was read in, or what it is."""
-    return named(situation.about) if situation.evidence.quoted else STATED
-
-
-def named(text: str) -> str:
-    """What the scenario of a text is called: readable, and the same whenever it is read."""
-    stem = "-".join(re.findall(r"[a-z0-9]+", text.lower())[:4]) or "scenario"
-    return f"{stem[:40]}-{hashlib.blake2b(text.encode(), digest_size=3).hexdigest()}"

@@ -196,7 +196,7 @@ def built_of(situation: Situation) -> Built:
     Raises:
         NotBuilt: A fact of it cannot be built.
     """
-    from chatscene.interpret.decide import scenario_id
+    from chatscene.interpret.scenario_names import scenario_id
 
     return build(situation, name=scenario_id(situation))
 

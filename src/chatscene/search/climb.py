@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, ServerError
-from chatscene.program.check import Checked, check
 from chatscene.search.generator import Generator, Written
 from chatscene.settings import RetrievalSettings, Settings
-from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import Simulator, load_simulator
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.snippet import Tried
+
+if TYPE_CHECKING:
+    from chatscene.program.check import Checked
 
 TRIES = 4  # how many choices climb the ladder before a sentence is refused
 
@@ -25,6 +27,8 @@ def simulator_of(generator: Generator, map_path: Path, settings: Settings) -> Si
     """
     if generator.is_trusted(settings.retrieval):
         return load_simulator(map_path, settings.simulation)
+    from chatscene.simulate.confined.simulator import ConfinedSimulator
+
     return ConfinedSimulator(map_path, settings.simulation)
 
 
@@ -51,6 +55,8 @@ def climb(
         MeansSomethingElse: Neither the first choice nor the next ones show it; this is about the first.
         ChatSceneError: The first choice fails in another way.
     """
+    from chatscene.program.check import check  # who drives a scene again climbs nothing
+
     written, tried = first, list[Tried]()
     refusal: MeansSomethingElse | None = None
     while True:

@@ -9,7 +9,7 @@ from functools import lru_cache
 from chatscene.build.build import NOBODY, Built, build
 from chatscene.build.place import PACKAGED
 from chatscene.errors import NotBuilt
-from chatscene.interpret.decide import scenario_id
+from chatscene.interpret.scenario_names import scenario_id
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.read.quotes import not_in_words
 from chatscene.search.generator import Choice, Written

@@ -9,14 +9,16 @@ from __future__ import annotations
 import ctypes
 import hashlib
 import math
+import operator
 import os
 import random
 import stat
 import tempfile
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from ctypes import POINTER, Structure, c_double, c_float, c_int32, c_int64, c_uint64, c_void_p
 from functools import lru_cache
+from itertools import repeat
 from pathlib import Path
 from typing import Any
 
@@ -397,25 +399,29 @@ class Engine:
         found: dict[str, int] = {}
         for i, (name, of) in enumerate(_PYTHON.items()):
             self._library.evaluate(i, CHECKED, first, second, out)
-            found[name] = sum(of(x, y) != z for x, y, z in zip(a, b, out, strict=True))
+            found[name] = sum(map(operator.ne, of(a, b), out))
         return found
 
 
-_PYTHON: dict[str, Callable[[float, float], float]] = {
-    "sine": lambda x, _: math.sin(x),
-    "cosine": lambda x, _: math.cos(x),
-    "tangent": lambda x, _: math.tan(x),
-    "arc tangent": lambda x, _: math.atan(x),
-    "arc sine": lambda x, _: math.asin(math.sin(x)),
-    "arc tangent of two": math.atan2,
-    "hypotenuse": math.hypot,
-    "modulo": lambda x, y: x % y,
-    "square": lambda x, _: x**2,
-    "fourth power": lambda x, _: x**4,
-    "remainder": lambda x, _: math.remainder(x, 2.0 * math.pi),
-    "hyperbolic tangent": lambda x, _: math.tanh(x),
-    "rounding": lambda x, _: round(math.sin(x), 6),
-    "length": lambda x, y: float(np.hypot(x, y)),
+def _lengths(a: Sequence[float], b: Sequence[float]) -> Iterator[float]:
+    return map(float, map(np.hypot, a, b))
+
+
+_PYTHON: dict[str, Callable[[Sequence[float], Sequence[float]], Iterator[float]]] = {
+    "sine": lambda a, _: map(math.sin, a),
+    "cosine": lambda a, _: map(math.cos, a),
+    "tangent": lambda a, _: map(math.tan, a),
+    "arc tangent": lambda a, _: map(math.atan, a),
+    "arc sine": lambda a, _: map(math.asin, map(math.sin, a)),
+    "arc tangent of two": lambda a, b: map(math.atan2, a, b),
+    "hypotenuse": lambda a, b: map(math.hypot, a, b),
+    "modulo": lambda a, b: map(operator.mod, a, b),
+    "square": lambda a, _: map(pow, a, repeat(2)),
+    "fourth power": lambda a, _: map(pow, a, repeat(4)),
+    "remainder": lambda a, _: map(math.remainder, a, repeat(2.0 * math.pi)),
+    "hyperbolic tangent": lambda a, _: map(math.tanh, a),
+    "rounding": lambda a, _: map(round, map(math.sin, a), repeat(6)),
+    "length": _lengths,
 }  # in the order of `evaluate` in engine.c
 
 
