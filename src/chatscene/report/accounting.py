@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from chatscene.runs import RunRecord
 from chatscene.situations.facts import NAMED
+
+if TYPE_CHECKING:
+    from chatscene.runs import RunRecord
 
 _COLOURS = 8  # that the style sheet has for facts
 

@@ -8,16 +8,18 @@ from collections.abc import Iterator, Mapping
 from copy import deepcopy
 from dataclasses import is_dataclass
 from functools import cache
-from typing import Any, cast
-
-from pydantic import TypeAdapter, ValidationError
+from typing import TYPE_CHECKING, Any, cast
 
 from chatscene.errors import SituationError
 from chatscene.situations.check import faults_of
 from chatscene.situations.faults import Fault, Malformed, Path, by_name, listed
 from chatscene.situations.meant import field_meant, fields_at, word_meant, words_at
+from chatscene.situations.plain import NotPlain, plain, situation_in
 from chatscene.terms import situation as nouns
 from chatscene.terms.situation import VERSION, Situation
+
+if TYPE_CHECKING:
+    from pydantic import TypeAdapter, ValidationError
 
 
 def from_plain(written: object) -> Situation:
@@ -45,9 +47,9 @@ def parsed(written: object) -> Situation:
     if type(version) is not int or version != VERSION:
         raise Malformed([Fault(("version",), f"{version!r} is of another chatscene; this one reads version {VERSION}")])
     try:
-        situation = _form().validate_python(written)
-    except ValidationError as error:
-        raise Malformed(_faults(error)) from error
+        situation = situation_in(cast("Mapping[str, Any]", written))
+    except NotPlain:
+        situation = _validated(written)
     if faults := tuple(faults_of(situation)):
         raise Malformed(faults)
     return situation
@@ -55,7 +57,17 @@ def parsed(written: object) -> Situation:
 
 def to_plain(situation: Situation) -> dict[str, Any]:
     """The plain values of a situation; what was not said is left out."""
-    return {"version": situation.version, **_form().dump_python(situation, mode="json", exclude_defaults=True)}
+    return {"version": situation.version, **plain(situation)}
+
+
+def _validated(written: object) -> Situation:
+    """The situation of what is not plain to the last value, or what is wrong with it."""
+    from pydantic import ValidationError
+
+    try:
+        return _form().validate_python(written)
+    except ValidationError as error:
+        raise Malformed(_faults(error)) from error
 
 
 def schema() -> dict[str, Any]:
@@ -82,6 +94,8 @@ _EITHER = "function-plain[of()]"  # what pydantic calls each kind of amount that
 
 @cache
 def _form() -> TypeAdapter[Situation]:
+    from pydantic import TypeAdapter
+
     return TypeAdapter(Situation)
 
 
