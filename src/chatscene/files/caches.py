@@ -11,8 +11,10 @@ from platformdirs import user_cache_path
 
 from chatscene.files.atomic import write_whole
 
+Kind = Literal["code", "engines", "maps", "programs", "replies", "vectors", "weights", "words"]
 
-def cache_folder(kind: Literal["code", "engines", "maps", "programs", "replies", "vectors", "words"]) -> Path:
+
+def cache_folder(kind: Kind) -> Path:
     """The folder of one kind of kept files, where this operating system has such; it need not exist."""
     return user_cache_path("chatscene", appauthor=False) / kind
 
