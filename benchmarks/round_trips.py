@@ -1,11 +1,10 @@
 """Whether an exported scene comes back: exported as OpenSCENARIO, imported, driven, held against its tracks.
 
-    python benchmarks/round_trips.py RUN... [--most 30]
+    python benchmarks/round_trips.py RUN... [--most 30] [--ego planner]
 
-Each kept scene of each run is exported, imported again, and driven in the sandbox, parameters in the middle of their
-ranges. The ego of an imported file is left to an ego under test, here `planner`, so that it is not compared; each other
-road user is compared with the one nearest to its place at the start, until the shorter of the two drives ends.
-Distances are between the middles of bodies.
+Each kept scene of each run is exported, imported again, and driven in the sandbox as its file is written, the ego too.
+With `--ego` that ego drives, and is not compared. Each road user is compared with the one nearest to its place at the
+start, until the shorter of the two drives ends. Distances are between the middles of bodies.
 """
 
 from __future__ import annotations
@@ -37,10 +36,11 @@ from chatscene.terms.scene import Rejected
 NEAR = 0.05  # [m]
 
 
-def apart(was: Episode, now: Episode) -> Iterator[tuple[str, float, float]]:
-    """Each road user but the ego, how far [m] it is at most from where it was, and when [s]."""
-    left = list(now.adversaries)
-    for track in was.adversaries:
+def apart(was: Episode, now: Episode, *, with_ego: bool) -> Iterator[tuple[str, float, float]]:
+    """Each road user, how far [m] it is at most from where it was, and when [s]; the ego only where that is told."""
+    first = 0 if with_ego else 1
+    left = list(now.tracks[first:])
+    for track in was.tracks[first:]:
         if not left:
             yield track.actor, float("inf"), 0.0
             continue
@@ -55,18 +55,22 @@ def _apart(one: Track, other: Track, dt: float) -> tuple[float, float]:
     return float(gaps.max()), float(gaps.argmax() * dt)
 
 
-def played(xosc: Path, where: Path, simulators: dict[Path, ConfinedSimulator]) -> tuple[Episode, tuple[str, ...]]:
+def played(
+    xosc: Path, where: Path, simulators: dict[Path, ConfinedSimulator], ego: str
+) -> tuple[Episode, tuple[str, ...]]:
     """A drive of an imported file on the map of its run, of which a copy lies beside it, and what was noted of it.
+
+    Nobody by the name of the ego is that of the file.
 
     Raises:
         ChatSceneError: It does not come back, or does not run.
     """
     made = import_scenario(xosc, out=xosc.with_suffix(".scenic"), map_name=str(where))
-    own = read_foreign(made.program, searched_with=False)
+    own = read_foreign(made.program, searched_with=False, as_written=not ego)
     if where not in simulators:
         simulators[where] = ConfinedSimulator(where, SimulationSettings())
     scene = replace(scene_at(own.program, 0, 0.5, name="back"), seed=0)
-    episode = simulate(simulators[where], own.program, scene, load_ego("planner"))
+    episode = simulate(simulators[where], own.program, scene, load_ego(ego or "planner"))
     if isinstance(episode, Rejected):
         raise ChatSceneError(f"rejected: {episode.reason}")
     return episode, made.notes
@@ -75,7 +79,8 @@ def played(xosc: Path, where: Path, simulators: dict[Path, ConfinedSimulator]) -
 @click.command()
 @click.argument("folders", metavar="RUN...", nargs=-1, required=True, type=click.Path(path_type=Path, exists=True))
 @click.option("--most", default=1_000, show_default=True, help="Scenes.")
-def main(folders: tuple[Path, ...], most: int) -> None:
+@click.option("--ego", default="", help="Who drives in the place of the ego.  [default: as is written]")
+def main(folders: tuple[Path, ...], most: int, ego: str) -> None:
     """Print a line for each scene, and how many come back."""
     count, worst = Counter[str](), list[float]()
     simulators: dict[Path, ConfinedSimulator] = {}
@@ -90,13 +95,13 @@ def main(folders: tuple[Path, ...], most: int) -> None:
                     done = chatscene.export(folder, scene_id, to="openscenario", out=Path(name) / "out")
                     (xosc,) = (Path(name) / "out" / one for one in done.files[scene_id] if one.endswith(".xosc"))
                     count["exported"] += 1
-                    episode, notes = played(xosc, where, simulators)
+                    episode, notes = played(xosc, where, simulators, ego)
                 except ChatSceneError as error:
                     print(f"{scene_id}: {type(error).__name__}: {' '.join(str(error).split())[:200]}", flush=True)
                     continue
             count["played"] += 1
             was = read_episode(run, scene_id)
-            gaps = list(apart(was, episode))
+            gaps = list(apart(was, episode, with_ego=not ego))
             who, far, at = max(gaps, key=lambda one: one[1], default=("nobody", 0.0, 0.0))
             worst.append(far)
             count["near"] += far <= NEAR

@@ -139,6 +139,7 @@ class VerifySettings:
         ego: Who drives a program; empty for its own ego, or the usual one where it has none.
         map_name: The map of a program that names none; empty for the first packaged one that has what it asks for.
         trust: Whether a program may use all of Scenic and Python, in this process.
+        as_written: Whether a program's own ego drives, of an imported scenario as its file says.
         ego_id: Whose track of a recording is the ego's; empty for the one that is marked.
         scene_id: Which scene of a run; empty for those that it keeps.
         within: The folder in which every other file lies that a program names; empty for any.
@@ -157,6 +158,7 @@ class VerifySettings:
     ego: str = ""
     map_name: str = ""
     trust: bool = False
+    as_written: bool = False
     ego_id: str = ""
     scene_id: str = ""
     within: str = ""

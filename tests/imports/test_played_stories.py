@@ -230,14 +230,13 @@ def test_an_offset_from_somebody_is_kept_for_good_only_where_that_is_told(for_go
     world = Bodies(a=(0.0, 0.0, EAST, 10.0), b=(50.0, 2.0, EAST, 10.0))
     way = way_of(("aside", "sinusoidal", 0.0, ("mine", 1.0), for_good), world.entity("a"), world)
     assert way is not None
-    world.time = 30.0
-    assert way.left(30.0) == pytest.approx(1.0)
+    assert way.goes(300.0, 30.0)[:2] == pytest.approx((300.0, 1.0))
     assert way.done is not for_good
     world.entity("a").agent.isWalker = True  # whose left is no lane's
     way = way_of(("aside", "sinusoidal", 0.0, ("of", "b", 0.0), for_good), world.entity("a"), world)
     assert way is not None
-    world.entity("b").agent.pose = (50.0, 4.0, EAST, 10.0)
-    assert way.left(60.0) == pytest.approx(4.0 if for_good else 2.0)
+    world.entity("b").put(50.0, 4.0, EAST, 10.0)
+    assert way.goes(300.0, 30.0)[:2] == pytest.approx((300.0, 4.0 if for_good else 2.0))
 
 
 def test_a_line_is_followed_from_the_distance_along_it_that_is_told() -> None:
@@ -245,12 +244,12 @@ def test_a_line_is_followed_from_the_distance_along_it_that_is_told() -> None:
     world.time = 3.0
     table = ((2.0, 0.0), (4.0, 40.0), (10.0, 100.0))
     line = Polyline([(0.0, 0.0), (100.0, 0.0)])
-    for absolute, due in ((False, 10.0), (True, 0.0)):
+    for absolute, begins, goes_at in ((False, 40.0, 10.0), (True, 40.0, 20.0)):
         way = way_of(("line", line, (absolute, table), 40.0), world.entity("a"), world)
         assert way is not None
-        assert way.line.length == pytest.approx(60.0)
-        assert way.line.point_at(0.0) == pytest.approx((40.0, 0.0))
-        assert way.hastens(world.entity("a"), 0.1) == pytest.approx(due)
+        assert way.speed() == pytest.approx(goes_at)
+        assert way.goes(0.0, 0.0) == pytest.approx((begins, 0.0, 0.0))
+        assert way.goes(0.0, 2.0) == pytest.approx((60.0 if not absolute else 50.0, 0.0, 0.0))
 
 
 def test_a_distance_along_a_line_that_is_longer_than_it_is_refused(beside: Path) -> None:
@@ -280,11 +279,6 @@ def test_who_is_early_at_the_end_of_a_timed_line_stands_there(beside: Path) -> N
     track = driven(beside, scenario(events=event(way, TIME.format(1))), steps=75).adversaries[0]
     assert track.y[-1] == pytest.approx(track.y[60], abs=0.02)
     assert track.speed[-1] == pytest.approx(0.0, abs=0.01)
-
-
-def test_that_a_line_leads_back_over_itself_is_noted(beside: Path) -> None:
-    way = follows((-345, 0), (-325, 2), (-335, 6), timed=True)
-    assert any("leads back over itself" in note for note in read(beside, scenario(events=event(way))).notes)
 
 
 def test_that_a_plan_follows_its_line_from_where_somebody_is_is_noted(beside: Path) -> None:

@@ -86,6 +86,7 @@ def story(
     ego: Name | None = None,
     map: Name | None = None,  # noqa: A002 - the word of the command line
     trust: bool = False,
+    as_written: bool = False,
     ego_id: str | None = None,
     param: Mapping[str, object] | None = None,
     variant: int | None = None,
@@ -102,6 +103,7 @@ def story(
         ego: Who drives a program; None for its own ego, or the usual one where it has none.
         map: The map of a program that names none.
         trust: Whether a program may use all of Scenic and Python, in this process.
+        as_written: Whether the program's own ego drives; of an imported scenario, as its file says.
         ego_id: Whose track of a recording is the ego's; None for the one that is marked.
         param: As `verify`.
         variant: Which set of parameter values of a file of such sets, from 1; None for the first.
@@ -117,6 +119,7 @@ def story(
         map_name=map,
         ego=ego,
         within=within,
+        as_written=as_written or None,
         seed=seed,
         ego_id=ego_id,
         scene_id=scene,

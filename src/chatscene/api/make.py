@@ -73,7 +73,8 @@ def run(
         report: File of a report that tells one conflict, in place of the sentence; of several, see `conflicts`.
         program: File of a Scenic program of one's own, in place of the sentence.
         trust: Whether the program may use all of Scenic and Python, in this process; else it runs in the sandbox.
-        as_written: Whether the program's own ego drives; else `ego` does, on a route that follows from the program.
+        as_written: Whether the program's own ego drives, of an imported scenario as its file says; else `ego` does, on
+            a route that follows from the program.
         within: The folder in which the map lies that the program names, if it may lie nowhere else.
         param: Values, by name, of parameters that the program uses and does not define; only with a program.
         edit: What is to differ from the text or the situation, in words: one edit, or several that are applied one

@@ -32,6 +32,7 @@ def verify(
     ego: Name | None = None,
     map: Name | None = None,  # noqa: A002 - the word of the command line
     trust: bool = False,
+    as_written: bool = False,
     ego_id: str | None = None,
     scene: str | None = None,
     param: Mapping[str, object] | None = None,
@@ -58,6 +59,7 @@ def verify(
         ego: Who drives a program; None for its own ego, or the usual one where it has none.
         map: The map of a program that names none.
         trust: Whether a program may use all of Scenic and Python, in this process.
+        as_written: Whether the program's own ego drives; of an imported scenario, as its file says.
         ego_id: Whose track of a recording is the ego's; None for the one that is marked.
         scene: Which scene of a run; None for those that it keeps.
         param: Parameters that a program reads and does not state, or values of those that a file of OpenSCENARIO
@@ -87,6 +89,7 @@ def verify(
         map_name=map,
         ego=ego,
         within=within,
+        as_written=as_written or None,
         draws=draws,
         seed=seed,
         least=least,
@@ -179,6 +182,7 @@ def evaluate(
     folder: Name | None = None,
     *,
     ego: Names = (),
+    as_written: bool = False,
     all: bool = False,  # noqa: A002 - the word of the command line
     simulator: str | None = None,
     physics: str | None = None,
@@ -197,6 +201,8 @@ def evaluate(
         scenes: Runs, or folders with runs somewhere below; or one folder that was imported.
         folder: Folder of the evaluation, new or empty, or one to go on in.
         ego: Egos by name, file or ``package.module:factory``; `planner`, `idm` and `sac` if none is given.
+        as_written: Of an imported folder: whether each program is driven as its file says, too; alone, if no ego is
+            given.
         all: Whether every scene that ran is driven, not only the kept ones.
         simulator: What they are driven in; that of the runs if None.
         physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``; that of the runs if None.
@@ -224,10 +230,13 @@ def evaluate(
                 "an imported folder is evaluated by itself, in the sandbox: name no other folder, and no `all`, "
                 "`simulator`, `generator` or `library`"
             )
-        driving = Driving(egos=names_of(ego) or evaluation.COMPARED, physics=physics or "", speed=speed)
+        egos = names_of(ego) or (() if as_written else evaluation.COMPARED)
+        driving = Driving(egos=egos, as_written=as_written, physics=physics or "", speed=speed)
         return evaluate_collection(
             sources[0], folder_for(folder), driving, workers=Workers(jobs, executor), progress=progress
         )
+    if as_written:
+        raise SettingsError("`as_written` is about an imported folder; an ego of a run drives as it was run")
     return evaluation.evaluate(
         sources,
         folder_for(folder),

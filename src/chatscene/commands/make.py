@@ -16,6 +16,7 @@ from chatscene.commands.learn import say_finetuned, say_trained
 from chatscene.commands.measure import say_benchmarked, say_compared, say_evaluated
 from chatscene.commands.options import (
     AGAIN,
+    AS_WRITTEN,
     AVOIDABLE,
     CHOOSING,
     EDITS,
@@ -56,7 +57,7 @@ if TYPE_CHECKING:
 )
 @REPORT
 @TRUST
-@click.option("--as-written", is_flag=True, help="Let the program's own ego drive.")
+@AS_WRITTEN
 @param_option("Set a parameter that the program uses and does not define, such as town=Town05.")
 @EDITS
 @MAP_WITH_SITE

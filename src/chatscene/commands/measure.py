@@ -11,6 +11,7 @@ import click
 
 import chatscene
 from chatscene.commands.options import (
+    AS_WRITTEN,
     AVOIDABLE,
     GENERATOR_AGAIN,
     JSON,
@@ -43,6 +44,7 @@ if TYPE_CHECKING:
 @click.option(
     "--ego", multiple=True, help="By name, file or package.module:factory; repeat.  [default: planner, idm, sac]"
 )
+@AS_WRITTEN
 @SPEED
 @click.option("--all", is_flag=True, help="Every scene that ran, not only the kept ones.")
 @SIMULATOR_THERE
@@ -60,6 +62,7 @@ def evaluate(scenes: tuple[Path, ...], out: Path | None, as_json: bool, **option
     \b
     chatscene evaluate runs/cyclist --ego sac --ego idm
     chatscene evaluate imported --ego planner --ego idm
+    chatscene evaluate imported --as-written
     chatscene evaluate runs/* --ego my-policy.onnx --ego mypackage.stack:make_ego --out runs/my-stack
     """
     from chatscene import runs

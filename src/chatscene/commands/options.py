@@ -235,12 +235,18 @@ def param_option(told: str) -> Decorator:
 
 
 TRUST = click.option("--trust", is_flag=True, help="Run the program with all of Python, outside the sandbox.")
+AS_WRITTEN = click.option(
+    "--as-written",
+    is_flag=True,
+    help="The program's own ego drives; of an imported scenario, as its file says.",
+)
 JUDGED = together(
     click.option(
         "--ego", default=None, help="Who drives a program.  [default: its own ego; planner where it has none]"
     ),
     click.option("--map", default=None, help="The map of a program that names none: a packaged one, or a file."),
     TRUST,
+    AS_WRITTEN,
     click.option(
         "--ego-id", default=None, metavar="ID", help="Whose track of a recording is the ego's, if none is marked."
     ),

@@ -9,6 +9,7 @@ from chatscene.imports.given import DEEPEST, Given, Refused
 from chatscene.imports.stranger_xml import Element
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.storyboard import THING
+from chatscene.world.story.pace import UNBOUND
 
 _ALIKE = {"semitrailer": "Truck", "trailer": "Truck", "train": "Tram", "motorcycle": "Motorcycle"}
 _LEAST = 0.1  # [m] that anything is long and wide
@@ -175,3 +176,12 @@ class Entities:
         if not (0.1 <= length <= 30 and 0.1 <= width <= 10):
             raise Refused(body, f"a body of {length:g} m by {width:g} m is not made here")
         return kind, length, width, ahead
+
+    def bounds(self, one: Element) -> tuple[float, ...]:
+        """The largest speed [m/s], acceleration and deceleration [m/s²] of somebody; nothing where none is told."""
+        told = one.inside[0].find("Performance") if one.inside else None
+        if told is None:
+            return ()
+        names = ("maxSpeed", "maxAcceleration", "maxDeceleration")
+        found = [self._given.number(told, name, "0") for name in names]
+        return tuple(value if 0.0 < value < UNBOUND else UNBOUND for value in found)

@@ -217,7 +217,10 @@ def _program(read: Imported, path: Path, out: Path) -> _Program:
         ScenarioError: It is more than a program of a user's may be.
     """
     board = read.board
-    text = written_story(board, path.name) if isinstance(board, StoryProgram) else written(board, path.name)
+    if isinstance(board, StoryProgram):
+        text = written_story(board, path.name)
+    else:
+        text = written(board, path.name, read.as_written)
     try:
         foreign_program(out.stem, text)
     except ForeignCodeRefused as error:

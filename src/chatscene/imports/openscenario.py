@@ -25,6 +25,7 @@ from chatscene.terms.storyboard import Storyboard
 _T = TypeVar("_T")
 
 VERSIONS = (0, 1, 2, 3)  # of 1.x
+_Read = tuple[Storyboard | StoryProgram | None, Given, StoryProgram | None]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,6 +34,7 @@ class Imported:
 
     Attributes:
         board: What it says.
+        as_written: The same with what the ego does, event by event; None where the file says nothing of that.
         map_path: The map that it lies on.
         notes: What was taken otherwise than it is written, or left to others.
     """
@@ -40,6 +42,7 @@ class Imported:
     board: Storyboard | StoryProgram
     map_path: Path
     notes: tuple[str, ...]
+    as_written: StoryProgram | None = None
 
 
 class ScenarioFile:
@@ -107,26 +110,32 @@ class ScenarioFile:
             given = Given(fixed=fixed, told=told or {}, spans=spans or {}, within=self._within)
             given.declare(self._root)
             map_path = self._maps.of(given)
-            board, given = self._read(given, map_path)
+            board, given, whole = self._read(given, map_path)
             if given.wanted <= fixed:
                 break
             fixed |= given.wanted
         given.raise_refusals(self._path)
         assert board is not None
-        return Imported(board=board, map_path=map_path, notes=tuple(dict.fromkeys(given.notes)))
+        notes = tuple(dict.fromkeys(given.notes))
+        return Imported(board=board, map_path=map_path, notes=notes, as_written=whole)
 
-    def _read(self, given: Given, map_path: Path) -> tuple[Storyboard | StoryProgram | None, Given]:
+    def _read(self, given: Given, map_path: Path) -> _Read:
         """What a file says, and what was noted: as plans, where nothing of it is refused; else as a story."""
         whole = written_out(self._root, self._path, given, self._catalogs)
         as_story = given.copied()
+        plans: Storyboard | None = None
         if not given.refusals:
             plans = _unless_refused(lambda: PlanReader(whole, given, map_path, self._ego).board(), given)
-            if plans is not None and not given.refusals:
-                return plans, given
-        return (
-            _unless_refused(lambda: StoryReader(whole, as_story, map_path, self._ego).program(), as_story),
-            as_story,
-        )
+        reader = _unless_refused(lambda: StoryReader(whole, as_story, map_path, self._ego), as_story)
+        story = _unless_refused(reader.program, as_story) if reader is not None else None
+        said = story is not None and not as_story.refusals and story.members[0].acts
+        for_plans = plans is not None and not given.refusals
+        if reader is not None and reader.untold:
+            told = given if for_plans else as_story
+            told.notes += [f"{why}; so it cannot be driven with --as-written" for why in reader.untold]
+        if for_plans:
+            return plans, given, story if said else None
+        return story, as_story, story if said else None
 
 
 def read_openscenario(

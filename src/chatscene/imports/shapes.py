@@ -18,6 +18,7 @@ _MOST = 20_000  # points
 _HIGHEST = 12  # order of a NURBS
 _SHORTEST = 0.02  # [m] that a line is long at least: a program says its points to the centimetre
 _OFF = 0.02  # [m] that a line in a program may be beside the one that was read
+_TURNED = 0.01  # [rad] to which it is told which way somebody looks
 _EXACT = 0.001  # [m] to which ways are told
 _MOST_TIMES = 120  # of one road user; with eight of them a program is still short enough
 Pose = tuple[float, float, float]  # x, y [m], heading [rad]
@@ -32,11 +33,13 @@ class Shape:
         points: x and y of each [m], those at which somebody waits twice.
         times: When each is passed [s]; None where no time is told.
         line: The line through them.
+        faces: Which way somebody looks at each point [rad]; None where that is along the line.
     """
 
     points: tuple[tuple[float, float], ...]
     times: tuple[float, ...] | None
     line: Polyline
+    faces: tuple[float, ...] | None = None
 
 
 _Traced = tuple[tuple[tuple[float, float], ...], tuple[float, ...] | None]  # the points of a shape, and their times
@@ -57,7 +60,10 @@ def shape_of(trajectory: Element, given: Given, place: Places) -> Shape:
     inner = shape.inside[0] if shape is not None and shape.inside else None
     if inner is None:
         raise Refused(trajectory, "it has no shape")
-    read = {"Polyline": _polyline, "Clothoid": _clothoid, "ClothoidSpline": _spline, "Nurbs": _nurbs}.get(inner.tag)
+    if inner.tag == "Polyline":
+        points, times = _polyline(inner, given, place)
+        return Shape(points, times, line_through(inner, points), _faces(inner, points, place))
+    read = {"Clothoid": _clothoid, "ClothoidSpline": _spline, "Nurbs": _nurbs}.get(inner.tag)
     if read is None:
         raise Refused(inner, "such a shape is not read; write a Polyline")
     points, times = read(inner, given, place)
@@ -99,6 +105,25 @@ def _polyline(one: Element, given: Given, place: Places) -> _Traced:
         times.append(given.number(vertex, "time") if "time" in vertex.attributes else None)
     known = [time for time in times if time is not None]
     return tuple(points), tuple(known) if len(known) == len(points) else None
+
+
+def _faces(one: Element, points: tuple[tuple[float, float], ...], place: Places) -> tuple[float, ...] | None:
+    """Which way somebody looks at each vertex, where each says so and it is not along the line."""
+    positions = [found for vertex in one.all("Vertex") if (found := vertex.find("Position")) is not None]
+    if not all(_says_heading(position) for position in positions):
+        return None
+    faces = tuple(place(position)[2] for position in positions)
+    ways = (
+        (face, math.atan2(y1 - y0, x1 - x0))
+        for face, (x0, y0), (x1, y1) in zip(faces, points, points[1:], strict=False)
+        if math.hypot(x1 - x0, y1 - y0) > _SHORTEST
+    )
+    return faces if any(abs(math.remainder(face - way, math.tau)) > _TURNED / 2 for face, way in ways) else None
+
+
+def _says_heading(position: Element) -> bool:
+    inner = position.inside[0] if position.inside else position
+    return "h" in inner.attributes or any("h" in one.attributes for one in inner.all("Orientation"))
 
 
 def _start(one: Element, tag: str, place: Places) -> Pose:
@@ -214,6 +239,11 @@ def _on_nurbs(
 def thinned(points: Sequence[tuple[float, float]], off: float = _OFF) -> list[int]:
     """The indices of the points of a line that are needed to stay within a distance [m] of it (Douglas and Peucker)."""
     return _needed(points, off, _beside)
+
+
+def thinned_faces(faces: Sequence[tuple[float, float]]) -> list[int]:
+    """The indices of ways [m] and headings [rad, not wrapped] that are needed to look to a hundredth as is told."""
+    return _needed(faces, _TURNED, _late)
 
 
 def thinned_in_time(table: Sequence[tuple[float, float]]) -> list[int]:

@@ -9,16 +9,14 @@ from typing import Any
 from chatscene.imports.cast import Cast, told_number
 from chatscene.imports.given import Refused
 from chatscene.imports.opening import LEFT_ALONE
-from chatscene.imports.shapes import thinned_in_time
+from chatscene.imports.shapes import Shape, thinned_faces, thinned_in_time
 from chatscene.imports.story_conditions import text_or_number
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written_story import Told
+from chatscene.world.story.pace import UNBOUND
 
 _NOTHING: Told = ("nothing",)
 _SHAPES = frozenset(["linear", "cubic", "sinusoidal", "step"])
-_APART = 0.1  # [m] between points whose direction is looked at
-_BACK = -0.7  # the cosine of a turn between two of them in which nobody drives
-_UNBOUND = 1e3  # [m/s] and [m/s²], where no limit is told
 
 
 class StoryActions:
@@ -153,7 +151,7 @@ class StoryActions:
         limits = one.find("DynamicConstraints")
         told = {"leadingReferencedEntity": 1.0, "trailingReferencedEntity": -1.0}
         bounds = tuple(
-            self._cast.value(limits, name) if limits is not None and name in limits.attributes else _UNBOUND
+            self._cast.value(limits, name) if limits is not None and name in limits.attributes else UNBOUND
             for name in ("maxSpeed", "maxAcceleration", "maxDeceleration")
         )
         amount = self._cast.value(one, "timeGap" if unit == "s" else "distance", "0")
@@ -243,14 +241,13 @@ class StoryActions:
         start, length = self._given.number(one, "initialDistanceOffset", "0"), shape.line.length
         if not 0.0 <= start < length:
             raise Refused(one, f"its line is {length:.0f} m long, and {start:g} m is not on it")
-        if _turns_back(shape.points):
-            self._given.note(one, "its line leads back over itself, and no vehicle drives backwards along a line here")
+        faces = _faces(shape)
         timing = one.find("TimeReference", "Timing")
         if timing is None or shape.times is None:
-            return ("line", line, (), start)
+            return ("line", line, (), start, *faces)
         scale, shift = self._given.number(timing, "scale", "1"), self._given.number(timing, "offset", "0")
         absolute = self._given.text(timing, "domainAbsoluteRelative", "relative") == "absolute"
-        return ("line", line, (absolute, _table(shape.points, shape.times, scale, shift)), start)
+        return ("line", line, (absolute, _table(shape.points, shape.times, scale, shift)), start, *faces)
 
     def _way(self, one: Element, name: str | None) -> Told:
         if name is None:
@@ -260,14 +257,17 @@ class StoryActions:
         return ("way", self._cast.known(line))
 
 
-def _turns_back(points: tuple[tuple[float, float], ...]) -> bool:
-    """Whether somebody who goes along points comes back over where it went, as who reverses."""
-    apart = list[tuple[float, float]]()
-    for point in points:
-        if not apart or math.dist(apart[-1], point) > _APART:
-            apart.append(point)
-    ways = [math.atan2(y1 - y0, x1 - x0) for (x0, y0), (x1, y1) in pairwise(apart)]
-    return any(math.cos(after - before) < _BACK for before, after in pairwise(ways))
+def _faces(shape: Shape) -> tuple[Told, ...]:
+    """Which way somebody looks where on its line, without what lies between two others evenly; nothing for along it."""
+    if shape.faces is None:
+        return ()
+    gone, turned = 0.0, shape.faces[0]
+    table = [(0.0, turned)]
+    for (a, b), face in zip(pairwise(shape.points), shape.faces[1:], strict=True):
+        gone += math.dist(a, b)
+        turned += math.remainder(face - turned, math.tau)
+        table.append((gone, turned))
+    return (tuple((round(table[i][0], 3), round(table[i][1], 4)) for i in thinned_faces(table)),)
 
 
 def _table(

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 from chatscene.imports.cast import Cast
 from chatscene.imports.environment import surroundings_of
-from chatscene.imports.given import REFERENCE, Refused
+from chatscene.imports.given import REFERENCE, Given, Refused
 from chatscene.imports.names import Names
 from chatscene.imports.opening import EGO_DOES, Opening
 from chatscene.imports.story_actions import StoryActions
@@ -19,16 +21,26 @@ from chatscene.imports.written_story import Member, StoryProgram, Told
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.plan import Expression, Parameter, walk
 from chatscene.terms.storyboard import EGO_ROUTE
+from chatscene.terms.sums import valued
 from chatscene.terms.surroundings import Surroundings
+from chatscene.world.story.pace import SHORT, lasts
 from chatscene.world.story.places import AWAY
 
 _BACKS = 3.0  # [m/s] at which somebody drives backwards at most
-_SHORT = 3.0  # [s] that the ego's own events are taken to last where they do not say it
 _MOST_TIMES = 1_000  # that an event happens
 
 
 class StoryReader(Opening):
-    """Reads a story."""
+    """Reads a story; arguments are those of an `Opening`.
+
+    Attributes:
+        untold: Why the ego cannot do what the file says, each with its line.
+    """
+
+    def __init__(self, root: Element, given: Given, map_path: Path, ego: str | None) -> None:
+        super().__init__(root, given, map_path, ego)
+        self.untold: list[str] = []
+        self._begins = set[str]()
 
     def program(self) -> StoryProgram | None:
         """The story; None where the ego is not known. What else is refused, is among the refusals."""
@@ -40,7 +52,7 @@ class StoryReader(Opening):
         ahead = self._entities.body(self._objects[ego])[3]
         first = Member(
             name="ego", kind=host.kind, length=host.length, width=host.width, x=x, y=y, heading=heading, ahead=ahead,
-            speed=self._wanted(ego, host.speed), acts=False,
+            speed=self._wanted(ego, host.speed), acts=False, bounds=self._entities.bounds(self._objects[ego]),
         )  # fmt: skip
         called = Names({ego: "ego"})
         others = self._others(ego, called)
@@ -59,12 +71,14 @@ class StoryReader(Opening):
         )
         variables: dict[str, Any] = {}
         story = _Story(self, cast, variables)
-        acts = (*self._at_first(cast, others), *story.acts())
+        told_first = {ego: first, **others}
+        acts = (*self._at_first(cast, told_first, self._begins_at(ego, host.speed)), *story.acts())
         stop = self._attempt(story.stop)
-        acting = story.acting | {name for name, one in others.items() if one.speed}
-        members = [first, *(replace(one, acts=name in acting) for name, one in others.items())]
+        acting = story.acting | self._begins | {name for name, one in others.items() if one.speed}
+        drives = not self.untold and (ego in acting or bool(host.speed))
+        members = [replace(first, acts=drives), *(replace(one, acts=n in acting) for n, one in others.items())]
         surroundings = self._attempt(lambda: surroundings_of(self._actions(), self._given)) or Surroundings()
-        if not any(one.acts for one in members):
+        if not any(one.acts for one in members[1:]):
             self._given.note(self._root, "nobody but the ego does anything; everybody else stands")
         if stop is not None and len(members) == 1:
             self._given.note(self._root, "there is nobody but the ego, and its drive ends as any does, not as is told")
@@ -156,7 +170,7 @@ class StoryReader(Opening):
         return Member(
             name=called.of(name), kind=kind, length=length, width=width,
             x=x + ahead * math.cos(heading) + away, y=y + ahead * math.sin(heading) + away, heading=heading,
-            ahead=ahead, speed=speed, acts=False,
+            ahead=ahead, speed=speed, acts=False, bounds=self._entities.bounds(one),
         )  # fmt: skip
 
     def _added_later(self, name: str) -> Element | None:
@@ -171,7 +185,7 @@ class StoryReader(Opening):
         """How fast somebody is at first [m/s]."""
         for action in self._inits.get(name, []):
             speed = action.find("SpeedAction") if action.tag == "LongitudinalAction" else None
-            if speed is None:
+            if speed is None or self._is_gradual(speed):
                 continue
             absolute = speed.find("SpeedActionTarget", "AbsoluteTargetSpeed")
             relative = speed.find("SpeedActionTarget", "RelativeTargetSpeed")
@@ -204,18 +218,30 @@ class StoryReader(Opening):
                 return self._given.number(target, "value")
         return 0.0
 
-    def _at_first(self, cast: Cast, others: dict[str, Member]) -> Iterator[Told]:
-        """What everybody but the ego begins to do at once, beyond having a place and a speed."""
+    def _at_first(self, cast: Cast, members: dict[str, Member], speed: float) -> Iterator[Told]:
+        """What everybody begins to do at once, beyond having a place and a speed.
+
+        Args:
+            cast: Whom the story may speak of.
+            members: Who is there, the ego first, by their names in the file.
+            speed: That of the ego at first [m/s].
+        """
         actions = StoryActions(cast)
         groups: list[Told] = []
-        for name, member in others.items():
+        for name, member in members.items():
             told: list[Told] = []
+            stood = name == cast.ego and member.speed != speed
+            if stood:
+                told.append(("", "speed", "step", "time", 0.0, ("to", speed)))
             for action in self._inits.get(name, []):
-                if action.tag == "TeleportAction" or self._only_speed(action):
+                if action.tag == "TeleportAction" or self._only_speed(action) or self._is_its_route(name, cast, action):
                     continue
-                found = self._attempt(lambda action=action, name=name: actions.of(name, action, at_first=True))
+                does = partial(actions.of, name, action, at_first=True)
+                found = self.of_ego(does) if name == cast.ego else self._attempt(does)
                 if found is not None and found != ("nothing",):
                     told.append(("", *found))
+            if len(told) > stood:
+                self._begins.add(name)
             if told:
                 if not _moves(member.kind):
                     self._given.refusals.append(str(Refused(self._objects[name], "a thing does nothing here")))
@@ -224,11 +250,42 @@ class StoryReader(Opening):
         if groups:
             yield ("", None, None, tuple(groups))
 
+    def _is_its_route(self, name: str, cast: Cast, action: Element) -> bool:
+        """Whether an action of Init gives the ego its route, which it has."""
+        return name == cast.ego and action.find("FollowTrajectoryAction") is None and action.tag == "RoutingAction"
+
+    def of_ego(self, does: Callable[[], Told]) -> Told | None:
+        """What the ego is told; None where that cannot be said, so that it is not driven as written."""
+        try:
+            return does()
+        except Refused as reason:
+            self.untold.append(str(reason))
+            return None
+
     def _only_speed(self, action: Element) -> bool:
         """Whether an action of Init is told by a speed at first."""
         speed = action.find("SpeedAction") if action.tag == "LongitudinalAction" else None
         relative = speed.find("SpeedActionTarget", "RelativeTargetSpeed") if speed is not None else None
-        return speed is not None and (relative is None or not self._given.flag(relative, "continuous"))
+        return (
+            speed is not None
+            and not self._is_gradual(speed)
+            and (relative is None or not self._given.flag(relative, "continuous"))
+        )
+
+    def _is_gradual(self, speed: Element) -> bool:
+        """Whether a speed is not there at once."""
+        dynamics = speed.find("SpeedActionDynamics")
+        return (
+            dynamics is not None
+            and self._given.text(dynamics, "dynamicsShape", "step") != "step"
+            and "value" in dynamics.attributes
+            and self._given.sum(dynamics, "value").number != 0
+        )
+
+    def _begins_at(self, ego: str, speed: float) -> float:
+        """How fast the ego is at first [m/s], of which a speed is told."""
+        told = [action.find("SpeedAction") for action in self._inits.get(ego, [])]
+        return 0.0 if any(one is not None and self._is_gradual(one) for one in told) else speed
 
     # What the story reader asks
 
@@ -330,31 +387,30 @@ class _Story:
             return ("nothing",)
         if inner.tag != "PrivateAction" or not inner.inside:
             raise Refused(inner, "it is no action of a road user")
+        return self._done_by(inner, names)
+
+    def _done_by(self, inner: Element, names: tuple[str, ...]) -> Told:
+        """What a PrivateAction has somebody do."""
         (kind,) = inner.inside[:1]
-        ego = self._cast.ego
-        others = tuple(name for name in names if name != ego)
-        told = self._actions.of(others[0] if len(others) == 1 else None, kind) if others else None
-        if ego in names:
-            if told is not None:
-                raise Refused(inner, "the ego and others do it together; write it of each")
-            seconds, why = self._lasts(kind)
-            self._given.note(inner, f"{EGO_DOES}; what waits for it, goes on after {seconds:g} s, {why}")
-            return ("wait", seconds)
-        if told is None:
+        if not names:
             raise Refused(inner, "nobody does it; name its actors")
+        does = partial(self._actions.of, names[0] if len(names) == 1 else None, kind)
+        told = self._opening.of_ego(does) if names == (self._cast.ego,) else does()
+        if self._cast.ego in names:
+            seconds = lasts(told) if told is not None else None
+            if isinstance(seconds, Expression):
+                seconds = valued(seconds, self._given.nominal)
+            why = "as no time is told" if seconds is None else "as is told"
+            seconds = SHORT if seconds is None else abs(seconds)
+            self._given.note(inner, f"{EGO_DOES}; what waits for it, goes on after {seconds:g} s, {why}")
+        if told is None:
+            return ("wait", SHORT)
         if told != ("nothing",):
-            self.acting.update(others)
-            still = [name for name in others if name in self._cast.things]
+            self.acting.update(names)
+            still = [name for name in names if name in self._cast.things]
             if still:
                 raise Refused(inner, f"{still[0][:40]} is a thing, which does nothing here")
         return told
-
-    def _lasts(self, kind: Element) -> tuple[float, str]:
-        """How long something that the ego does takes [s], and where that is from."""
-        for one in kind.walk():
-            if one.tag.endswith("Dynamics") and self._given.text(one, "dynamicsDimension", "") == "time":
-                return abs(self._given.number(one, "value", "0")), "as is told"
-        return _SHORT, "as no time is told"
 
 
 def _moves(kind: str) -> bool:

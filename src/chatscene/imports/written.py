@@ -7,20 +7,23 @@ from dataclasses import asdict, replace
 
 from chatscene.errors import ScenarioError
 from chatscene.imports.names import labels
+from chatscene.imports.written_story import StoryProgram, as_written, played, told_line
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.plan_text import BEHAVIOR, print_expression, print_plan
 from chatscene.terms.polyline import Polyline
+from chatscene.terms.scene import AS_WRITTEN
 from chatscene.terms.storyboard import EGO_ROUTE, Actor, Storyboard
 
 _COLUMNS = 100
 
 
-def written(board: Storyboard, name: str) -> str:
+def written(board: Storyboard, name: str, whole: StoryProgram | None = None) -> str:
     """The program of a storyboard.
 
     Args:
         board: What it says.
         name: Of what it was made, for its first line.
+        whole: The same with what the ego does, event by event, if the file says that.
 
     Raises:
         ScenarioError: Nobody in it but the ego does anything.
@@ -32,20 +35,24 @@ def written(board: Storyboard, name: str) -> str:
     around = ", ".join(f"{key} = '{value}'" for key, value in asdict(board.surroundings).items())
     ego, *others = board.actors
     _, *called = labels(actor.name for actor in board.actors)
+    own = {p.name: p for p in (*board.parameters, *(whole.parameters if whole is not None else ()))}
     blocks = [
         f"# Made of {' '.join(''.join(c if c.isprintable() else ' ' for c in name).split())[:80]}.",
         "\n".join(
             (
                 "model chatscene.world.model",
                 *([f"param {around}"] if str(board.surroundings) else []),
-                *(f"param {p.name} = Range({p.low!r}, {p.high!r})" for p in board.parameters),
+                *(f"param {p.name} = Range({p.low!r}, {p.high!r})" for p in own.values()),
             )
         ),
         *(_line(line, path) for line, path in board.lines.items()),
         *(_behavior(actor, behaviors[actor.name]) for actor in acting),
+        *(told_line(name, line) for name, line in (whole.lines.items() if whole is not None else ())),
+        *([as_written(played(whole))] if whole is not None else []),
         f"ego = new {ego.kind} {_at(ego)}, with route {EGO_ROUTE}"
         + _properties(ego)
-        + (f", with wantedSpeed {ego.speed:g}" if ego.speed >= 1e-3 else ""),
+        + (f", with wantedSpeed {ego.speed:g}" if ego.speed >= 1e-3 else "")
+        + (f", with behavior {AS_WRITTEN}()" if whole is not None else ""),
         *(_placed(actor, behaviors.get(actor.name, ""), i, called[i]) for i, actor in enumerate(others)),
     ]
     return "\n\n".join(blocks) + "\n"

@@ -12,6 +12,7 @@ from chatscene.terms.actors import LIMITS
 from chatscene.terms.plan import Expression
 from chatscene.terms.plan_text import BEHAVIOR, print_expression
 from chatscene.terms.polyline import Polyline
+from chatscene.terms.scene import AS_WRITTEN
 from chatscene.terms.snippet import ParameterRange
 from chatscene.terms.storyboard import EGO_ROUTE
 from chatscene.terms.surroundings import Surroundings
@@ -44,7 +45,8 @@ class Member:
         heading: [rad, 0 = +x].
         ahead: How far its centre lies before its origin [m].
         speed: [m/s] at first.
-        acts: Whether it does anything.
+        acts: Whether it does anything; of the ego, whether the file says what.
+        bounds: Its largest speed [m/s], acceleration and deceleration [m/s²], where the file says them.
     """
 
     name: str
@@ -57,6 +59,7 @@ class Member:
     ahead: float
     speed: float
     acts: bool
+    bounds: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,6 +98,7 @@ def written_story(story: StoryProgram, name: str) -> str:
     acting = [one for one in story.members[1:] if one.acts]
     other = next(iter(acting or story.members[1:]), None)
     plays = other is not None and (other.acts or story.stop is not None)  # somebody is to play it to its end
+    ego = story.members[0]
     called = labels(one.name for one in story.members)
     blocks = [
         f"# Made of {' '.join(''.join(c if c.isprintable() else ' ' for c in name).split())[:80]}.",
@@ -105,9 +109,10 @@ def written_story(story: StoryProgram, name: str) -> str:
                 *(f"param {p.name} = Range({p.low!r}, {p.high!r})" for p in story.parameters),
             )
         ),
-        *(_line(line, path) for line, path in {EGO_ROUTE: story.route, **story.lines}.items()),
-        *([_behavior(story)] if plays else []),
-        _ego(story.members[0], story.route),
+        *(told_line(line, path) for line, path in {EGO_ROUTE: story.route, **story.lines}.items()),
+        *([f"behavior {BEHAVIOR}():\n    {played(story)}"] if plays else []),
+        *([as_written(f"do {BEHAVIOR}()" if plays else played(story))] if ego.acts else []),
+        _ego(ego, story.route),
         *(
             _placed(one, i, called[i], adversary=one is other, plays=one is other and plays)
             for i, one in enumerate(story.members)
@@ -117,22 +122,29 @@ def written_story(story: StoryProgram, name: str) -> str:
     return "\n\n".join(blocks) + "\n"
 
 
-def _line(name: str, line: Polyline) -> str:
+def told_line(name: str, line: Polyline) -> str:
+    """A line, as it stands in a program: the ego's route, or points that are followed as they are."""
     points: list[tuple[float, float]] = [(x, y) for x, y in line.points.tolist()]
     told = ", ".join(f"({points[i][0]:.2f}, {points[i][1]:.2f})" for i in thinned(points))
-    made = "routeThrough" if name == EGO_ROUTE else "lineThrough"
+    made = "routeThrough" if name == EGO_ROUTE else ""
     return f"{name} = {made}(\n{textwrap.fill(told, _COLUMNS, initial_indent='    ', subsequent_indent='    ')})"
 
 
-def _behavior(story: StoryProgram) -> str:
-    names: Told = tuple((one.name, round(one.ahead, 3)) for one in story.members)
+def played(story: StoryProgram) -> str:
+    """What plays a story, as it stands in a behavior."""
+    names: Told = tuple((one.name, round(one.ahead, 3), *one.bounds) for one in story.members)
     parts = [told(names, 8), told(story.acts, 8)]
     if story.stop is not None or story.variables:
         parts.append(told(story.stop, 8))
     if story.variables:
         parts.append(told(story.variables, 8))
     inner = ",\n        ".join(parts)
-    return f"behavior {BEHAVIOR}():\n    do PlayStory(\n        {inner})"
+    return f"do PlayStory(\n        {inner})"
+
+
+def as_written(does: str) -> str:
+    """The behavior of an ego that does what the file says, where no ego under test drives it."""
+    return f"behavior {AS_WRITTEN}():\n    {does}"
 
 
 def told(value: Told | Line | Expression | str | float | bool | None, indent: int) -> str:  # noqa: PLR0911
@@ -177,9 +189,10 @@ def _ego(one: Member, route: Polyline) -> str:
     beside = f", {left:.3f}" if abs(left) >= 5e-4 else ""
     turned = f", {turn:.4f}" if abs(turn) >= 5e-5 else ""
     wants = f", with wantedSpeed {one.speed:g}" if one.speed >= 1e-3 else ""
+    does = f", with behavior {AS_WRITTEN}()" if one.acts else ""
     return (
         f"ego = new {one.kind} at pointOn({EGO_ROUTE}, {along:.3f}{beside}), "
-        f"facing directionOn({EGO_ROUTE}, {along:.3f}{turned}), with route {EGO_ROUTE}{_properties(one)}{wants}"
+        f"facing directionOn({EGO_ROUTE}, {along:.3f}{turned}), with route {EGO_ROUTE}{_properties(one)}{wants}{does}"
     )
 
 

@@ -27,7 +27,7 @@ from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Ste
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.pointing import fault
 from chatscene.terms.route import Route
-from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.scene import AS_WRITTEN, ScenicProgram
 from chatscene.world.bodies import Body, Vehicle
 
 ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCompletionTest)
@@ -92,15 +92,7 @@ class SteppedSession:
         draws: int,
     ) -> None:
         objects, bodies = simulation.objects, simulation.bodies
-        body, own = bodies[0], objects[0].behavior
-        if not isinstance(body, Vehicle):
-            raise ProgramError(f"{label} fails: the ego must be a vehicle, not a {type(objects[0]).__name__}")
-        if own is not None and not program.as_written:
-            raise ProgramError(
-                f"{label} fails: the ego has a behavior of its own, {type(own).__name__}, and the ego under test is to "
-                "drive it; leave its `with behavior …` away"
-            )
-        self._ego = body
+        self._ego = body = _vehicle(objects[0], bodies[0], program, label)
         self.orders = () if program.as_written else orders_of(objects[0], label)
         self._obedience = Obedience(self.orders)
         self.awaited = awaited_by(self.orders, objects, bodies, label)
@@ -120,7 +112,11 @@ class SteppedSession:
         self._followed = FollowedPlans(program.source, simulation)
         self._phases: dict[int, int] = {}
         self._names: list[tuple[str, Role]] = []
-        self.limit = min(settings.max_steps, int(route.length * SECONDS_PER_METRE / settings.dt))
+        self._is_told = (
+            type(objects[0].behavior).__name__ == AS_WRITTEN
+        )  # then the file says when it is over, not the ego's route
+        longest = math.inf if self._is_told else int(route.length * SECONDS_PER_METRE / settings.dt)
+        self.limit = int(min(settings.max_steps, longest))
         self.preset = check_preset(observation)
         self.allowed, self._view = view_of(observation, route, around, program, body.grip)
         self._see = {
@@ -339,7 +335,7 @@ class SteppedSession:
     def _ended(self) -> Ending | None:
         if self._collides() and not self.through:
             return Ending.COLLISION
-        if self._view.along >= ARRIVAL * self.route.length:
+        if self._view.along >= ARRIVAL * self.route.length and not self._is_told:
             return Ending.ARRIVED
         if self.simulation.done is not None:
             return Ending.SCENARIO_DONE
@@ -443,3 +439,19 @@ class SteppedSession:
             settled=self.around.settled(str(params["signals"])),
             wanted=NOMINAL.speed if program.wanted_speed is None else program.wanted_speed,
         )
+
+
+def _vehicle(ego: Any, body: Body, program: ScenicProgram, label: str) -> Vehicle:
+    """The ego's body.
+
+    Raises:
+        ProgramError: It is no vehicle, or has a behavior in a drive in which the ego under test is to drive it.
+    """
+    if not isinstance(body, Vehicle):
+        raise ProgramError(f"{label} fails: the ego must be a vehicle, not a {type(ego).__name__}")
+    if ego.behavior is not None and not program.as_written:
+        raise ProgramError(
+            f"{label} fails: the ego has a behavior of its own, {type(ego.behavior).__name__}, and the ego under test "
+            "is to drive it; leave its `with behavior …` away"
+        )
+    return body

@@ -25,7 +25,7 @@ from chatscene.simulate.heading_for import route_of_ego
 from chatscene.simulate.placing import NoFunction, Placement
 from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.simulate.watchdog import time_limit
-from chatscene.terms.scene import OWN_MODEL, Rejected, Scene, ScenicProgram
+from chatscene.terms.scene import AS_WRITTEN, OWN_MODEL, Rejected, Scene, ScenicProgram
 from chatscene.world.compilation import compile_program
 from chatscene.world.ego_route import EgoRoute
 
@@ -151,9 +151,13 @@ class Stage:
         random.seed(scene.seed)  # nothing of ours draws from it; a stranger's program might
         scenario.checker.reason = NO_PLACE
         try:
-            return scenario.generate(maxIterations=1)[0]
+            placed = scenario.generate(maxIterations=1)[0]
         except RejectionException:
             return Rejected(scene=scene, reason=scenario.checker.reason)
+        ego = placed.egoObject
+        if not program.as_written and type(ego.behavior).__name__ == AS_WRITTEN:  # the ego under test drives
+            object.__setattr__(ego, "behavior", None)
+        return placed
 
     def _draw(self, program: ScenicProgram, scenario: Any, scene: Scene) -> Any | Rejected:
         """A scene whose places Scenic draws; the same for the same seed and values."""

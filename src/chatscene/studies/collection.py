@@ -21,6 +21,7 @@ from chatscene.ego.policy import EgoPolicy, in_words, load_ego, senses_of, wanti
 from chatscene.errors import (
     ChatSceneError,
     EgoError,
+    ForeignCodeRefused,
     MapError,
     ProgramError,
     ProgramStopped,
@@ -44,13 +45,15 @@ from chatscene.runs.tables import RAW
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import going_on
 from chatscene.search.generators.foreign import read_foreign
-from chatscene.settings import DRAWS, SimulationSettings
+from chatscene.settings import DRAWS, EGO, SimulationSettings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import fails_in_its_scene
 from chatscene.terms.results import Cell, ResultTable
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import Scene, ScenicProgram, at_speed
 
+AS_TOLD = "as-written"
+"""What the file's own ego is called, where it drives."""
 _DRIVES = "drives.jsonl"
 _RESULT = "evaluation.json"
 _OF_A_PROGRAM = (MapError, ProgramError, StuckBehavior, ProgramStopped)
@@ -62,6 +65,7 @@ class Driving:
 
     Attributes:
         egos: Who drives: by name, file or ``package.module:factory``.
+        as_written: Whether each is driven as its file says, too.
         scenes: How many scenes of a program with parameters.
         seed: What their values are drawn by.
         physics: How bodies answer; empty for the usual way.
@@ -69,10 +73,16 @@ class Driving:
     """
 
     egos: tuple[str, ...]
+    as_written: bool = False
     scenes: int = DRAWS
     seed: int = 0
     physics: str = ""
     speed: float | None = None
+
+    @property
+    def every(self) -> tuple[str, ...]:
+        """Who drives, the file's own ego last."""
+        return (*self.egos, *((AS_TOLD,) if self.as_written else ()))
 
     @property
     def simulation(self) -> SimulationSettings:
@@ -127,10 +137,13 @@ class Driver:
         scenes = [drawn_scene(found, n, seed=self._driving.seed) for n in range(self._scenes(found))]
         rows, stopped = list[dict[str, Any]](), dict[str, Any]()
         for scene in scenes:
-            for ego in self._driving.egos:
+            for ego in self._driving.every:
                 row = {"program": program.name, "scene_id": scene.id, "values": dict(scene.values), "ego": ego}
                 try:
-                    rows.append(row | (stopped or self._drive(found, scene, ego, simulator)))
+                    driven = self._told(program) if ego == AS_TOLD else found
+                    rows.append(row | (stopped or self._drive(driven, scene, ego, simulator)))
+                except ForeignCodeRefused as error:
+                    rows.append(row | _failed(error))
                 except _OF_A_PROGRAM as error:
                     told = _failed(error)
                     stopped = {} if fails_in_its_scene(error) else told
@@ -144,6 +157,14 @@ class Driver:
         found = read_foreign(program.path, searched_with=False).program
         return found if self._driving.speed is None else at_speed(found, self._driving.speed / 3.6)
 
+    def _told(self, program: CollectedProgram) -> ScenicProgram:
+        """A program whose own ego drives as its file says.
+
+        Raises:
+            ForeignCodeRefused: The file tells the ego nothing.
+        """
+        return read_foreign(program.path, searched_with=False, as_written=True).program
+
     def _simulator_on(self, map_path: Path) -> ConfinedSimulator:
         if self._simulator is None or self._map != map_path:
             self.close()
@@ -154,7 +175,7 @@ class Driver:
         if ego not in self._given_up:
             try:
                 if ego not in self._egos:
-                    self._egos[ego] = load_ego(ego)
+                    self._egos[ego] = load_ego(EGO if ego == AS_TOLD else ego)
                 outcome = drive(program, Slots(), scene, simulator=simulator, ego=self._egos[ego])
                 return _ran(outcome) if isinstance(outcome, Ran) else {"status": "rejected", "reason": outcome.reason}
             except EgoError as error:
@@ -206,7 +227,7 @@ def evaluate_collection(folder: Path, out: Path, driving: Driving, *, workers: W
         SettingsError: There is no ego, or one is named twice; or nothing was imported.
     """
     began = time.monotonic()
-    egos = driving.egos
+    egos = driving.every
     if not egos or len(set(egos)) != len(egos):
         raise SettingsError(f"name each ego once, and at least one: {', '.join(egos) or 'none given'}")
     collection = read_collection(folder)
@@ -313,13 +334,15 @@ def _written(
 ) -> Compared:
     """The folder's tables, page and JSON."""
     failures = {row["ego"]: row["reason"] for row in rows if row["status"] == "ego failed"}
-    egos = [ego for ego in asked.egos if ego not in failures]
+    every_ego = (*asked.egos, *((AS_TOLD,) if asked.settings.get("as_written") else ()))
+    egos = [ego for ego in every_ego if ego not in failures]
     drives: Drives = {ego: {} for ego in egos}
     for row in rows:
         if row["status"] == "ran" and row["ego"] in drives:
             drives[row["ego"]].setdefault(row["program"], []).append(row)
     every = {ego: [row for own in by_program.values() for row in own] for ego, by_program in drives.items()}
-    fared = [fared_of(ego, in_words(asked.senses[ego]), every[ego]) for ego in egos if every[ego]]
+    senses = {**{ego: in_words(asked.senses[ego]) for ego in asked.egos}, AS_TOLD: "nothing: it does as is written"}
+    fared = [fared_of(ego, senses[ego], every[ego]) for ego in egos if every[ego]]
     lost, partly = _not_driven(rows)
     tables = {"collisions": _collisions(collection, drives)}
     write_tables(work.file("tables"), tables)

@@ -19,6 +19,8 @@ _PLACED = re.compile(r"^ego\s*=\s*new\s+(\w+)", re.MULTILINE)
 
 CAR = AdversaryKind.CAR.row.scenic
 """The class of an ego of which nothing else is said."""
+AS_WRITTEN = "AsWritten"
+"""The behavior of an ego that does what an imported file says: only where that is asked for, and no ego under test."""
 OWN_MODEL = "chatscene.world.model"
 """The world model of programs whose scenes are their parameters, no more: Scenic draws nothing in them."""
 

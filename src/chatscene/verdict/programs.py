@@ -13,20 +13,28 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from chatscene.ego.policy import fitted, load_ego
-from chatscene.errors import ChatSceneError, MapError, ProgramError, StuckBehavior
+from chatscene.errors import (
+    ChatSceneError,
+    ForeignCodeRefused,
+    MapError,
+    ProgramError,
+    ScenarioError,
+    SettingsError,
+    StuckBehavior,
+)
 from chatscene.imports.collection import map_beside
 from chatscene.maps.network import PACKAGED, TOWN, resolve_map
 from chatscene.measure.avoidability import avoidable
 from chatscene.measure.unplayed import unplayed
 from chatscene.program.sample import drawn_scene
-from chatscene.search.generators.foreign import ForeignProgram, drives_itself, read_foreign
+from chatscene.search.generators.foreign import ForeignProgram, read_foreign
 from chatscene.search.generators.left_out import left_out
 from chatscene.search.generators.their_map import their_map
 from chatscene.settings import EGO, SimulationSettings, VerifySettings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import Simulator, fails_in_its_scene, load_simulator, simulate
 from chatscene.simulate.watchdog import PATIENCE
-from chatscene.terms.scene import OWN_MODEL, Rejected, Scene
+from chatscene.terms.scene import Rejected, Scene
 from chatscene.verdict.watched import Watched, Watching
 
 
@@ -43,14 +51,12 @@ def watch_program(path: Path, settings: VerifySettings) -> Watching:
         SettingsError: Its map lies where it may not.
     """
     own = read_foreign(
-        path, trusted=settings.trust, as_written=not settings.ego, searched_with=False, given=settings.given
+        path, trusted=settings.trust, as_written=_as_written(settings), searched_with=False, given=settings.given
     )
     if settings.within:
         own.check_map(Path(settings.within))
     elif not settings.map_name and own.map_path is None:
         settings = replace(settings, map_name=map_beside(path) or "")
-    if own.program.as_written and own.program.model == OWN_MODEL and not drives_itself(own.program.source):
-        own = replace(own, program=replace(own.program, as_written=False))
     driver = "its own ego drives" if own.program.as_written else f"{settings.ego or EGO} drives the ego"
     notes = (*own.changed(), driver, *left_out(own.program))
     return _watched([_Part(own, range(settings.draws))], "Scenic program", settings, notes, _Variants())
@@ -67,7 +73,7 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
     """
     from chatscene.imports.import_file import import_scenario
 
-    within = Path(settings.within) if settings.within else None
+    within, as_written = Path(settings.within) if settings.within else None, _as_written(settings) is True
     with TemporaryDirectory(prefix="chatscene-") as folder:
         made = import_scenario(
             path,
@@ -84,17 +90,38 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
         for program, lies, numbers, variant in zip(
             made.programs, made.maps, shares, made.variants or (0,), strict=True
         ):
-            own = read_foreign(program, searched_with=False)
+            try:
+                own = read_foreign(program, searched_with=False, as_written=as_written)
+            except ForeignCodeRefused as error:  # all else was held against it when it was imported
+                raise ScenarioError(_tells_nothing(path, made.notes)) from error
             # Resolved, since it is read in a process that works elsewhere.
             parts.append(_Part(replace(own, map_path=lies.resolve()), numbers, variant))
     notes = (
         *map(_not_judged, made.refused),
-        f"{settings.ego or EGO} drives the ego",
+        "its own ego drives" if as_written else f"{settings.ego or EGO} drives the ego",
         *made.notes,
     )
     left = made.count - len(parts) - len(made.refused)
     variants = _Variants() if settings.variant else _Variants(made.count, left)
     return _watched(parts, "OpenSCENARIO file", settings, notes, variants)
+
+
+def _as_written(settings: VerifySettings) -> bool | None:
+    """Whether the program's own ego drives; None where that is not asked for.
+
+    Raises:
+        SettingsError: Another ego is named, too.
+    """
+    if settings.as_written and settings.ego:
+        raise SettingsError("with --as-written the program's own ego drives; name no other with --ego")
+    return settings.as_written or (False if settings.ego else None)
+
+
+def _tells_nothing(path: Path, notes: Sequence[str]) -> str:
+    """That a file cannot be driven as it is written, and why."""
+    why = [note for note in notes if note.endswith("--as-written")]
+    told = "\n  ".join(("", *why)) if why else ": it gives its ego no speed and no action"
+    return f"{path} does not say what its ego does{told}; leave --as-written away"
 
 
 @dataclass(frozen=True, slots=True)

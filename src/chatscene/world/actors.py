@@ -24,21 +24,22 @@ class Placed:
         """X [m], y [m], heading [rad, 0 = +x, counter-clockwise], speed [m/s]."""
         return self.position.x, self.position.y, self.heading + QUARTER, self.speed
 
-    def jumpTo(self: Any, x: float, y: float, heading: float, speed: float = 0.0) -> None:  # noqa: N802
-        """Be at another place [m, rad] at once, at a speed [m/s]; only the story of a drive may ask for that.
+    def lead(self: Any, x: float, y: float, heading: float, speed: float) -> None:
+        """Be at a place [m, rad] at a speed [m/s] after this step; only the story of a drive may ask for that.
+
+        A thing is there at once.
 
         Raises:
             ValueError: Its simulator keeps elsewhere where it is, so that it cannot be put there.
         """
         body = self.body
-        if body.moves and not hasattr(body, "limits"):
-            raise ValueError("nothing jumps in this simulator; choose the embedded one, or leave the jump away")
-        body.x, body.y, body.heading, body.speed = x, y, heading, speed
-        body.cos, body.sin = math.cos(heading), math.sin(heading)
-        if not self.isWalker and body.moves:
-            body.wheel = 0.0
-        elif body.moves:
-            body.vx, body.vy = speed * body.cos, speed * body.sin
+        if not body.moves:
+            body.x, body.y, body.heading = x, y, heading
+            body.cos, body.sin = math.cos(heading), math.sin(heading)
+            return
+        if not hasattr(body, "limits"):
+            raise ValueError("in this simulator nobody is moved as a story tells; choose the embedded one")
+        body.led = x, y, heading, speed
 
     def setPosition(self, position: Any, elevation: Any) -> None:  # noqa: N802, ARG002 - Scenic's name
         """Refuse to jump.

@@ -16,6 +16,8 @@ from functools import cache
 
 from chatscene.terms.actors import LIMITS
 
+Led = tuple[float, float, float, float]  # x, y [m], heading [rad], speed [m/s] of a centre
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Placement:
@@ -109,9 +111,10 @@ class Vehicle(Body):
         target_speed: A speed asked for directly [m/s], to be reached within the pedals' limits; None obeys pedals.
         backs: Whether it drives backwards. It is then carried as it goes: its heading is where it goes to, its speed
             positive, its nose behind, and the wheels that steer are the rear ones of its way.
+        led: Where it is after the next step, and how fast, whatever it could do; None where it moves by itself.
     """
 
-    __slots__ = ("backs", "brake", "reverse", "steer", "target_speed", "throttle")
+    __slots__ = ("backs", "brake", "led", "reverse", "steer", "target_speed", "throttle")
 
     moves = True
 
@@ -123,6 +126,7 @@ class Vehicle(Body):
         self.reverse = False
         self.backs = False
         self.target_speed: float | None = None
+        self.led: Led | None = None
 
 
 class Walker(Body):
@@ -131,9 +135,10 @@ class Walker(Body):
     Attributes:
         course: The direction to walk in [rad, 0 = +x, counter-clockwise].
         target_speed: The speed to walk at [m/s].
+        led: Where it is after the next step, and how fast, whatever it could do; None where it moves by itself.
     """
 
-    __slots__ = ("course", "target_speed")
+    __slots__ = ("course", "led", "target_speed")
 
     moves = True
 
@@ -141,6 +146,7 @@ class Walker(Body):
         super().__init__(x, y, heading, length, width, speed)
         self.course = heading
         self.target_speed = speed
+        self.led: Led | None = None
 
 
 def become(body: Body, other: Body) -> None:

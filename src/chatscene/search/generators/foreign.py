@@ -24,7 +24,7 @@ from chatscene.simulate.confined.plain_text import MAX_CHARACTERS, Refusal, chec
 from chatscene.simulate.confined.rules import OTHERS
 from chatscene.simulate.confined.scenic_2 import UNCHANGED, Rewritten, rewrite
 from chatscene.terms.episode import Role
-from chatscene.terms.scene import OWN_MODEL, ScenicProgram
+from chatscene.terms.scene import AS_WRITTEN, OWN_MODEL, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
 from chatscene.world.models import STANDS_IN
 from chatscene.world.searched import searched
@@ -109,7 +109,7 @@ def read_foreign(
     path: Path,
     *,
     trusted: bool = False,
-    as_written: bool = False,
+    as_written: bool | None = False,
     searched_with: bool = True,
     given: Mapping[str, object] | None = None,
 ) -> ForeignProgram:
@@ -118,7 +118,8 @@ def read_foreign(
     Args:
         path: Its file.
         trusted: Whether it may use all of Scenic and Python; else it is held against the allow-list.
-        as_written: Whether its own ego drives.
+        as_written: Whether its own ego drives; None for whether it does where nothing is asked: where it is for another
+            world model, or has a behavior of its own that was not imported.
         searched_with: Whether it must say who is the adversary, which a search asks for; else there may be none.
         given: Parameters that it reads and does not state, by name.
 
@@ -173,7 +174,7 @@ def foreign_program(name: str, source: str, *, trusted: bool = False, as_written
 
 
 def _made(
-    name: str, source: str, trusted: bool, as_written: bool, *, own: str, searched_with: bool = True
+    name: str, source: str, trusted: bool, as_written: bool | None, *, own: str, searched_with: bool = True
 ) -> tuple[ScenicProgram, str, str | None]:
     """The program, what its adversary's behavior was called if it was renamed, and the map that it asks for."""
     called = f"your program {own}"
@@ -193,6 +194,8 @@ def _made(
             else f"{called} does not say what it is written for; begin it with `model {OWN_MODEL}`, {OTHERS}"
         )
     behavior = ADVERSARY_BEHAVIOR
+    if as_written is None:
+        as_written = model != OWN_MODEL or _driver(tree) not in ("", AS_WRITTEN)
     if model != OWN_MODEL:
         _check_ego(called, tree)
     else:
@@ -242,16 +245,11 @@ def _slug(name: str) -> str:
     return "-".join(re.findall(r"[a-z0-9]+", name.lower()))[:60].strip("-") or "foreign"
 
 
-def drives_itself(source: str) -> bool:
-    """Whether the ego of a program has a behavior of its own; False of what is no program."""
-    tree = parse_foreign(source)
-    nodes: Iterator[Any] = iter(()) if isinstance(tree, Refusal) else ast.walk(tree)
-    return any(
-        type(node).__name__ == "TrackedAssign"
-        and type(node.target).__name__ == "Ego"
-        and "behavior" in dict(_properties(node.value))
-        for node in nodes
-    )
+def _driver(tree: Any) -> str:
+    """The behavior of a program's own ego; empty where it has none."""
+    nodes: Iterator[Any] = ast.walk(tree)
+    egos = (n for n in nodes if type(n).__name__ == "TrackedAssign" and type(n.target).__name__ == "Ego")
+    return next((name for node in egos for name in _behaviors(node.value)), "")
 
 
 def _adversary_behavior(called: str, tree: Any, as_written: bool, searched_with: bool) -> str:
@@ -264,7 +262,13 @@ def _adversary_behavior(called: str, tree: Any, as_written: bool, searched_with:
     ego = [n for n in tree.body if type(n).__name__ == "TrackedAssign"]
     if not ego:
         raise ForeignCodeRefused(f"{called} has no ego; add: {_EGO_LINE}")
-    if not as_written and "behavior" in dict(_properties(ego[0].value)):
+    does = _driver(tree)
+    if as_written and not does:
+        raise ForeignCodeRefused(
+            f"{called} does not say what its ego does: the ego at line {ego[0].lineno} has no behavior, as it has if "
+            "an imported file tells its ego something; leave --as-written away"
+        )
+    if not as_written and does not in ("", AS_WRITTEN):
         raise ForeignCodeRefused(
             f"{called}: the ego at line {ego[0].lineno} has a behavior of its own, and the ego under test is "
             "to drive it; leave its `with behavior …` away"
@@ -275,7 +279,7 @@ def _adversary_behavior(called: str, tree: Any, as_written: bool, searched_with:
             f'line `egoRoute = selectRoute(maneuver="straight")` and place it like this: {_EGO_LINE}'
         )
     own = {node.name for node in tree.body if type(node).__name__ == "BehaviorDef"}
-    used = {behavior for node in _things(tree) if node is not ego[0].value for behavior in _behaviors(node)}
+    used = {name for node in _things(tree) if node is not ego[0].value for name in _behaviors(node)} - {AS_WRITTEN}
     if ADVERSARY_BEHAVIOR in used & own:
         return ADVERSARY_BEHAVIOR
     if len(used) == 1 and used <= own and ADVERSARY_BEHAVIOR not in own:

@@ -8,7 +8,7 @@ from typing import Any
 
 from chatscene.simulate.confined.allow_list import model_of, parse_foreign
 from chatscene.simulate.confined.plain_text import Refusal
-from chatscene.terms.scene import OWN_MODEL, ScenicProgram
+from chatscene.terms.scene import AS_WRITTEN, OWN_MODEL, ScenicProgram
 
 _LONGEST = 60  # characters of code in a line
 _READ = frozenset(("map", "simulator", "signals", "time_step", "timestep"))  # by our world models, whichever is named
@@ -59,6 +59,9 @@ def _driver(program: ScenicProgram, tree: Any) -> Iterator[str]:
             for part in getattr(node.value, "specifiers", ()):
                 if type(part).__name__ == "WithSpecifier" and part.prop == "behavior":
                     does = _code(program.source, part.value)
+                    if does == f"{AS_WRITTEN}()":
+                        yield "the ego under test drives; --as-written has the ego do what the file says"
+                        continue
                     yield (
                         f"the ego under test replaces the program's ego, so its behavior {does} is not used; "
                         "--as-written keeps it"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -12,7 +13,7 @@ from chatscene.simulate.embedded.lagged import LaggedVehicle
 from chatscene.simulate.stepped import SteppedSimulator
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.simulator import SimulatorIdentity
-from chatscene.world.bodies import Body, Placement
+from chatscene.world.bodies import Body, Led, Placement
 
 VERSION = "1"  # another one whenever a step gives other numbers
 KINEMATIC = "kinematic bicycles and walkers within actuator limits"
@@ -40,10 +41,26 @@ class EmbeddedPhysics:
     def step(self, dt: float) -> None:
         """Move every body by `dt` [s]."""
         for body in self._moving:
-            body.step(dt)
+            if body.led is None:
+                body.step(dt)
+            else:
+                _leads(body, body.led)
 
     def close(self) -> None:
         """Nothing is held."""
+
+
+def _leads(body: VehicleBody | WalkerBody, to: Led) -> None:
+    """Put a body where it is led to."""
+    x, y, heading, speed = to
+    body.led, body.before = None, body.speed
+    body.x, body.y, body.speed = x, y, speed
+    body.heading += math.remainder(heading - body.heading, math.tau)
+    body.cos, body.sin = math.cos(heading), math.sin(heading)
+    if isinstance(body, WalkerBody):
+        body.vx, body.vy = speed * body.cos, speed * body.sin
+    else:
+        body.wheel = 0.0
 
 
 def make_simulator(map_path: Path, settings: SimulationSettings) -> SteppedSimulator:

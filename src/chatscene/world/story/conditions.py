@@ -105,12 +105,13 @@ def _about(kind: str, who: Entity, told: list[Any], world: World) -> Callable[[]
         case "stands":
             return lambda: who.rests >= max(told[0], 1e-9)
         case "lost":
+            who.is_watched = True
             return lambda: who.lost > told[0]
         case "faster":
             rule, than = RULES[told[0]], world.entity(told[2])
             return lambda: rule(who.speed - than.speed, told[1])
         case "turned":
-            return lambda: abs(math.remainder(who.agent.pose[2] - told[0], math.tau)) <= told[1]
+            return lambda: abs(math.remainder(who.pose[2] - told[0], math.tau)) <= told[1]
         case "touches":
             others = [world.entity(name) for name in told[0]]
             return lambda: any(other is not who and who.box().intersects(other.box()) for other in others)

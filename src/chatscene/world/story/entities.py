@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import Any
 
 import shapely
@@ -17,6 +18,21 @@ Motion = tuple[tuple[float, float], tuple[float, float]]  # x, y [m]; velocity a
 _ACROSS = math.pi / 4  # [rad] from a lane's direction, beyond which somebody follows no lane
 
 
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """How fast somebody is at most, as the file says of the body.
+
+    Attributes:
+        top: Speed [m/s].
+        up: Acceleration [m/s²].
+        down: Deceleration [m/s²].
+    """
+
+    top: float = math.inf
+    up: float = math.inf
+    down: float = math.inf
+
+
 class Entity:
     """A road user or a thing of a story.
 
@@ -25,52 +41,67 @@ class Entity:
         name: As the story calls it.
         ahead: How far its centre lies before its origin [m].
         network: Scenic's road network.
+        led: Whether the story says where it is; else something else drives it, and the story looks on.
+        bounds: What its body can do.
 
     Attributes:
         line: The line that it follows, in the order in which it goes along it.
+        pose: X [m], y [m], heading [rad], speed [m/s] of its centre now.
+        speed: [m/s].
         travelled: How far it has gone since the beginning [m].
         rests: How long it has stood [s].
-        lost: How long it has been on no road [s].
+        lost: How long it has been on no road [s]; counted once `is_watched`.
         gained: Its acceleration [m/s²].
     """
 
-    def __init__(self, agent: Any, name: str, ahead: float, network: Any) -> None:
+    def __init__(
+        self, agent: Any, name: str, ahead: float, network: Any, *, led: bool = False, bounds: Bounds | None = None
+    ) -> None:
         self.agent, self.name, self.ahead, self._network = agent, name, ahead, network
+        self.led, self.bounds, self.is_watched = led, bounds or Bounds(), False
+        self.pose: tuple[float, float, float, float] = agent.pose
+        self.speed = self.pose[3]
         self.line: Polyline = agent.route.line if getattr(agent, "route", None) is not None else self.own_line()
         self.travelled = self.rests = self.lost = self.gained = 0.0
-        self._before = agent.pose
+        self._before = self.pose
 
     @property
     def origin(self) -> tuple[float, float, float]:
         """X [m], y [m], heading [rad] of its origin."""
-        x, y, heading, _ = self.agent.pose
+        x, y, heading, _ = self.pose
         return x - self.ahead * math.cos(heading), y - self.ahead * math.sin(heading), heading
-
-    @property
-    def speed(self) -> float:
-        """[m/s]."""
-        return self.agent.pose[3]
 
     @property
     def velocity(self) -> tuple[float, float]:
         """Along x and y [m/s]."""
-        _, _, heading, speed = self.agent.pose
-        return speed * math.cos(heading), speed * math.sin(heading)
+        heading = self.pose[2]
+        return self.speed * math.cos(heading), self.speed * math.sin(heading)
+
+    def put(self, x: float, y: float, heading: float, speed: float) -> None:
+        """Have its origin at a place, at a speed [m/s]."""
+        self.pose = x + self.ahead * math.cos(heading), y + self.ahead * math.sin(heading), heading, speed
+        self.speed = speed
+
+    def sees(self) -> None:
+        """Take over where whatever drives it has brought it."""
+        self.pose = self.agent.pose
+        self.speed = self.pose[3]
 
     def passes(self, dt: float) -> None:
         """Count a step of time."""
-        x, y, _, speed = pose = self.agent.pose
+        x, y, _, speed = pose = self.pose
         bx, by, _, before = self._before
         if (gone := math.hypot(x - bx, y - by)) < 2.0 * max(abs(speed), abs(before), 1.0) * dt:  # it may have jumped
             self.travelled += gone
         self.rests = self.rests + dt if abs(speed) < STANDS else 0.0
-        self.lost = self.lost + dt if self._network.roadAt((x, y)) is None else 0.0
+        if self.is_watched:
+            self.lost = self.lost + dt if self._network.roadAt((x, y)) is None else 0.0
         self.gained = (speed - before) / dt
         self._before = pose
 
     def own_line(self) -> Polyline:
         """The line of the lane that it stands on and of those it leads to; straight ahead where it follows no lane."""
-        x, y, heading, _ = self.agent.pose
+        x, y, heading = self.origin
         section = None if self.agent.isWalker else self._network.laneSectionAt((x, y))
         if section is not None:
             line = laneLine(section.lane, 0.0)
@@ -88,7 +119,7 @@ class Entity:
         Raises:
             ValueError: There is no such lane beside its own.
         """
-        x, y, heading, _ = self.agent.pose
+        x, y, heading = self.origin
         section = self.section()
         found = numbered_beside(section, number)
         if found is None:
@@ -102,7 +133,7 @@ class Entity:
 
     def section(self) -> Any:
         """Scenic's lane section that it is on, or the nearest one."""
-        x, y, _, _ = self.agent.pose
+        x, y, _ = self.origin
         found = self._network.laneSectionAt((x, y))
         return found if found is not None else min(self._network.laneSections, key=lambda s: s.distanceTo((x, y)))
 
@@ -110,7 +141,7 @@ class Entity:
         """The number of its lane, and 1 where its left is that of the road's line; -1 where it faces against that."""
         section = self.section()
         number = int(section.openDriveID)
-        x, y, heading, _ = self.agent.pose
+        x, y, heading = self.origin
         line = laneLine(section.lane, 0.0)
         along = math.cos(heading - line.heading_at(line.project(x, y)[0])) >= 0.0
         return number, 1 if along == (number < 0) else -1
@@ -118,7 +149,7 @@ class Entity:
     def box(self) -> Any:
         """Its outline."""
         agent = self.agent
-        x, y, heading, _ = agent.pose
+        x, y, heading, _ = self.pose
         c, s, a, b = math.cos(heading), math.sin(heading), agent.length / 2, agent.width / 2
         return shapely.Polygon(
             [(x + u * c - v * s, y + u * s + v * c) for u, v in ((a, b), (-a, b), (-a, -b), (a, -b))]
@@ -145,7 +176,7 @@ def apart(one: Entity, other: Entity, how: str, frame: str, *, freespace: bool) 
 
 def offset(one: Entity, other: Entity, frame: str, *, of_centres: bool = False) -> tuple[float, float]:
     """How far another is ahead of somebody and to the left [m]."""
-    here, there = (e.agent.pose[:3] if of_centres else e.origin for e in (one, other))
+    here, there = (e.pose[:3] if of_centres else e.origin for e in (one, other))
     return seen(here, one.line, there[:2], frame)
 
 

@@ -10,31 +10,39 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import Any, Protocol
+from typing import Any
 
 from chatscene.world.story.conditions import World
 from chatscene.world.story.entities import Entity, along, offset
 
-_LATE = 5.0  # [s] after which a change of speed that a body cannot follow counts as over
-_NEAR = 0.2  # [m/s] and [m]
-_PULLS = 0.5  # [1/s] with which a distance is corrected
+_NEAR = 0.1  # [m] within which a distance is reached
+_SPRING = 0.4  # of the largest acceleration, per metre: how hard a distance is pulled to, with no swinging past it
+_STANDS = 1e-6  # [m/s]
+UNBOUND = 1e3  # [m/s] and [m/s²], from which on a limit is none
 
 
-class Pace(Protocol):
-    """Says how fast somebody is to be."""
+class Pace:
+    """Says how fast somebody is.
 
-    done: bool
+    Attributes:
+        done: Whether it is over.
+        jump: How far ahead somebody is put at once [m].
+    """
+
+    done = False
+    jump = 0.0
 
     def speed(self, dt: float) -> float:
-        """The speed [m/s] that it is to have after the next step."""
-        ...
+        """The speed [m/s] that it has after the next step; after none, as it begins."""
+        raise NotImplementedError
 
 
-class Steady:
+class Steady(Pace):
     """Keeps a speed."""
 
+    done = True
+
     def __init__(self, speed: float) -> None:
-        self.done = True
         self._speed = speed
 
     def speed(self, dt: float) -> float:
@@ -43,12 +51,11 @@ class Steady:
         return self._speed
 
 
-class Waits:
+class Waits(Pace):
     """Takes some time, whoever drives meanwhile."""
 
     def __init__(self, world: World, seconds: float) -> None:
         self._world, self._until = world, world.time + seconds
-        self.done = False
 
     def passes(self) -> bool:
         """Whether the time has passed."""
@@ -83,38 +90,54 @@ def target_of(told: tuple[Any, ...], world: World) -> Any:
     return (lambda: other.speed + value if kind == "delta" else other.speed * value), bool(continuous)
 
 
-class Change:
-    """Brings a speed to another within a time, over a distance or at a rate; a step is held for as long as is told."""
+class Change(Pace):
+    """Brings a speed to another within a time, over a distance or at a rate; a step is held for as long as is told.
+
+    It takes longer where the body is said to be slower.
+    """
 
     def __init__(self, who: Entity, world: World, shape: str, dimension: str, amount: float, target: Any) -> None:
         self._who, self._world = who, world
         self._target, self._for_good = target_of(target, world)
-        self._shape = shape
         self._from, self._began, self._at = who.speed, world.time, who.travelled
         self._holds, self._in_metres = (abs(amount) if shape == "step" else 0.0), dimension == "distance"
-        change, mean = abs(self._target() - self._from), abs(self._target() + self._from) / 2
-        amount = abs(amount)
-        if shape == "step" or amount == 0.0:
-            self._lasts, self._shape = 0.0, "step"
-        elif dimension == "rate":
-            self._lasts = change / amount * STEEPEST.get(shape, 1.0)
-        else:
-            self._lasts = amount if dimension == "time" else amount / max(mean, 0.1)
-        self.done = False
+        change, wish = self._wish() - self._from, self._wish()
+        self._shape, self._lasts = shape, 0.0
+        if shape != "step" and amount != 0.0 and change != 0.0:
+            self._lasts = _lasts(dimension, abs(amount), self._from, wish, shape)
+            most = who.bounds.up if change > 0.0 else who.bounds.down
+            self._lasts = max(self._lasts, abs(change) * STEEPEST.get(shape, 1.0) / most)
 
     def speed(self, dt: float) -> float:
         """Where the change has come to."""
         since = self._world.time + dt - self._began
         share = since / self._lasts if self._lasts > 0.0 else 1.0
-        wish = self._target()
+        wish, bounds = self._wish(), self._who.bounds
         now = self._from + (wish - self._from) * shaped(self._shape, share)
-        reached = share >= 1.0 and (abs(self._who.speed - wish) < _NEAR or since > self._lasts + _LATE)
+        if self._lasts and dt:
+            now = min(max(now, self._who.speed - bounds.down * dt), self._who.speed + bounds.up * dt)
         held = self._who.travelled - self._at if self._in_metres else since
-        self.done = reached and not self._for_good and held >= self._holds
+        self.done = share >= 1.0 - 1e-9 and not self._for_good and held >= self._holds - 1e-9
         return now
 
+    def _wish(self) -> float:
+        top = self._who.bounds.top
+        return min(max(self._target(), -top), top)
 
-class Profile:
+
+def _lasts(dimension: str, amount: float, begin: float, end: float, shape: str) -> float:
+    """How long a change of speed takes [s]."""
+    if dimension == "rate":
+        return abs(end - begin) / amount * STEEPEST.get(shape, 1.0)
+    if dimension == "time":
+        return amount
+    if begin * end < 0.0:  # over standstill: each part at its own mean
+        share = begin**2 / (begin**2 + end**2)
+        return 2.0 * amount * (share / abs(begin) + (1.0 - share) / abs(end))
+    return 2.0 * amount / abs(begin + end)
+
+
+class Profile(Pace):
     """Goes through speeds that are told with their times, each reached from the one before."""
 
     def __init__(self, who: Entity, world: World, entries: Any, most: float, base: Entity | None) -> None:
@@ -124,7 +147,6 @@ class Profile:
             at, before = self._points[-1]
             lasts = time if time > 0.0 else abs(speed - before) / most
             self._points.append((at + lasts, speed))
-        self.done = False
 
     def speed(self, dt: float) -> float:
         """Where it has come to."""
@@ -137,33 +159,39 @@ class Profile:
         return own + self._points[-1][1]
 
 
-class Distance:
-    """Keeps a distance to somebody along its way, or comes to it."""
+class Distance(Pace):
+    """Keeps a distance to somebody along its way or comes to it: at once where nothing bounds it; else as a spring."""
 
     def __init__(self, who: Entity, other: Entity, told: tuple[Any, ...]) -> None:
         self._who, self._other = who, other
         self._amount, self._unit, side, self._freespace, self._for_good, self._limits = told
         ahead, _ = offset(who, other, "road")
         self._side = side or (1.0 if ahead <= 0.0 else -1.0)
-        self.done = False
 
     def speed(self, dt: float) -> float:
         """The other's, corrected by how far off the distance is."""
         who, other = self._who, self._other
         ahead, _ = offset(who, other, "road", of_centres=self._freespace)
         room = (who.agent.length + other.agent.length) / 2 if self._freespace else 0.0
-        want = (
-            self._amount if self._unit == "m" else self._amount * max(other.speed if self._side > 0 else who.speed, 0.0)
-        )
+        want = self._amount if self._unit == "m" else self._amount * abs(other.speed)
         off = self._side * (want + room) + ahead  # how far on it has still to come
         top, up, down = self._limits
         self.done = not self._for_good and abs(off) < _NEAR
-        wish = other.speed + math.copysign(min(_PULLS * abs(off), math.sqrt(2.0 * min(up, down, 3.0) * abs(off))), off)
-        return min(max(wish, 0.0, who.speed - down * dt), top, who.speed + up * dt)
+        if min(up, down) >= UNBOUND:
+            self.jump = off
+            return other.speed
+        spring = _SPRING * (up if off < 0.0 else down)
+        gains = min(max(off * spring - 2.0 * math.sqrt(spring) * (who.speed - other.speed), -down), up)
+        return min(max(who.speed + gains * dt, -top), top)
 
 
-class Meeting:
-    """Comes to a place when another comes to its place, at a speed that is told, if one is."""
+class Meeting(Pace):
+    """Comes to a place when another comes to its place, at a speed that is told, if one is.
+
+    Without one, it keeps the steady acceleration that takes the time. With one, its speed rises and then falls, or
+    falls and then rises, as steeply both times, so that both time and speed are met; where it would have to drive
+    backwards for that, it stands for a while.
+    """
 
     def __init__(self, who: Entity, other: Entity, world: World, told: tuple[Any, ...]) -> None:
         theirs, ours, final = told
@@ -171,32 +199,64 @@ class Meeting:
         self._ours, self._theirs = world.place(ours), world.place(theirs)
         self._final = target_of(final[0], world)[0] if final else None
         self._steady = final[1:] if final else (0.0, 0.0)
-        self._kept = who.speed
-        self.done = False
+        self._last, self._is_linear = (math.inf, math.inf), False
 
     def speed(self, dt: float) -> float:
-        """The speed from which a constant acceleration leads there in time."""
-        left, theirs = _left(self._who, self._ours.pose()), _left(self._other, self._theirs.pose())
-        pace = self._other.speed
-        if left <= _NEAR or theirs <= _NEAR:
-            self.done = True
-            self._kept = self._final() if self._final and left > _NEAR else self._kept
-            return self._kept
-        if pace < 0.1:
-            return self._kept
+        """Its speed after a step."""
+        if self.done or dt == 0.0:
+            return self._who.speed
+        left, theirs = abs(_left(self._who, self._ours.pose())), abs(_left(self._other, self._theirs.pose()))
+        pace, speed = abs(self._other.speed), self._who.speed
+        self.done = left > self._last[0] or theirs > self._last[1] or (pace > _STANDS and theirs / pace < dt)
+        self._last = left, theirs
+        if self.done:
+            return self._final() if self._final else speed
+        if pace < _STANDS:
+            return 0.0
         time = theirs / pace
         if self._final is None:
-            self._kept = left / time
-            return self._kept
-        final = max(self._final(), 0.1)
+            return max(speed + 2.0 * (left / time - speed) / time * dt, 0.0)
+        return self._toward(left, time, self._final(), dt)
+
+    def _toward(self, left: float, time: float, final: float, dt: float) -> float:
+        """The speed after a step, where a last speed [m/s] is told and so much is left [m, s]."""
+        speed = self._who.speed
         steady = max(self._steady[0], self._steady[1] * final)
-        left, time = left - steady, time - steady / final
-        if left <= 0.0 or time <= dt:
-            self._kept = final
-            return final
-        now = max(2.0 * left / time - final, 0.0)  # with which a steady change of speed to the last one takes the time
-        self._kept = now + (final - now) * dt / time if now > 0.0 else 0.0
-        return self._kept
+        if steady:
+            left, time = left - steady, time - steady / max(final, _STANDS)
+            if left <= 0.0 or time <= dt:
+                return final
+        straight = 2.0 * left / time - final  # from which a steady change of speed takes the time
+        if self._is_linear or abs(speed - straight) < 1e-3:
+            self._is_linear = True
+            return max(straight + (final - straight) * dt / time, 0.0)
+        turn, gains = _in_two(left, time, speed, final)
+        if turn < 0.0:  # it would have to drive backwards
+            if speed <= _STANDS:
+                self._is_linear = time < 2.0 * left / max(final, _STANDS)
+                return 0.0
+            halts = 2.0 * speed * left / (speed**2 + final**2)
+            gains = -speed / max(halts, dt)
+        if gains * (speed - straight) > 0.0:
+            self._is_linear = True
+        return max(speed + gains * dt, 0.0)
+
+
+def _in_two(left: float, time: float, speed: float, final: float) -> tuple[float, float]:
+    """The speed [m/s] at which a change of speed turns round, and its acceleration before that [m/s²].
+
+    So much is left [m, s], and it rises as steeply as it falls.
+    """
+    square = 4.0 * left**2 - 4.0 * (final + speed) * time * left + 2.0 * (final**2 + speed**2) * time**2
+    root = math.sqrt(max(square, 0.0))
+    for turn in ((2.0 * left - root) / (2.0 * time), (2.0 * left + root) / (2.0 * time)):
+        whole = 2.0 * turn - speed - final  # up and down, or down and up
+        if whole == 0.0:
+            continue
+        until = time * (turn - speed) / whole
+        if 0.0 < until < time:
+            return turn, (turn - speed) / until
+    return speed, 0.0
 
 
 def _left(who: Entity, place: tuple[float, ...]) -> float:
@@ -206,6 +266,18 @@ def _left(who: Entity, place: tuple[float, ...]) -> float:
     if abs(beside - aside) > 8.0:
         return math.dist((x, y), place[:2])
     return there - at
+
+
+SHORT = 3.0  # [s] that is waited for what somebody else does where it is not told how long that takes
+
+
+def lasts(told: tuple[Any, ...]) -> Any:
+    """How long what is told takes [s], where it says so; else None."""
+    match told:
+        case ("speed" | "lane", _, "time", amount, *_):
+            return amount
+        case _:
+            return None
 
 
 def pace_of(told: tuple[Any, ...], who: Entity, world: World) -> Pace | None:

@@ -11,12 +11,15 @@ from weakref import WeakKeyDictionary
 from scenic.core.simulators import Action
 
 from chatscene.world.story.conditions import truth_of
-from chatscene.world.story.entities import Entity
-from chatscene.world.story.pace import Pace, Steady, Waits, pace_of
+from chatscene.world.story.entities import Bounds, Entity, along
+from chatscene.world.story.pace import SHORT, Pace, Steady, Waits, lasts, pace_of
 from chatscene.world.story.places import AWAY, Place, place_of
-from chatscene.world.story.ways import Way, course, steering, way_of
+from chatscene.world.story.ways import Way, way_of
 
 _STOPPING = frozenset(("overwrite", "override"))
+_FINE = 0.01  # [s] at most between two looks at what is due, where an ego under test drives
+_FINEST = 0.001  # [s] the same where everybody is led: who brakes from 30 m/s stands within 0.03 m of its place
+_ENDS = 0.5  # [m] of lane before the end of a road, that are none to go on
 
 
 @dataclass(slots=True, eq=False)
@@ -135,14 +138,17 @@ class Story:
 
     def __init__(self, simulation: Any, names: Any, acts: Any, stop: Any, variables: Any) -> None:
         self._simulation = simulation
-        self.time, self._step, self.over = 0.0, -1, False
+        self.time, self._step, self._tick, self.over = 0.0, -1, -1, False
         self.variables: dict[str, Any] = dict(variables)
         network = simulation.scene.workspace.network
-        objects = list(simulation.objects)
-        self._entities = {
-            name: Entity(agent, name, ahead, network) for (name, ahead), agent in zip(names, objects, strict=True)
-        }
-        self._movers = {id(one.agent): Mover(one, self) for one in self._entities.values()}
+        ego, *others = simulation.objects
+        led = ego.behavior is not None
+        self._fine = _FINEST if led else _FINE
+        self._entities: dict[str, Entity] = {}
+        for (name, ahead, *bounds), agent in zip(names, (ego, *others), strict=True):
+            one = Entity(agent, name, ahead, network, led=led or agent is not ego, bounds=Bounds(*bounds))
+            self._entities[name] = one
+        self._movers = {name: Mover(one, self) for name, one in self._entities.items()}
         self._parts: list[Part] = []
         self._acts = [self._act(act) for act in acts]
         self._stop = Trigger(stop, self, empty=False)
@@ -168,9 +174,9 @@ class Story:
             case "standbyState":
                 return any(not one.running and not one.complete for one in found)
             case "startTransition":
-                return any(0 <= self._step - one.began <= 1 and one.count for one in found)
+                return any(0 <= self._tick - one.began <= 1 and one.count for one in found)
             case "endTransition" | "stopTransition":
-                just = [p for p in found if 0 <= self._step - p.ended <= 1 and p.ended >= 0]
+                just = [p for p in found if 0 <= self._tick - p.ended <= 1 and p.ended >= 0]
                 return any(one.stopped is (state == "stopTransition") for one in just)
             case _:
                 raise ValueError(f"a part of a story has no state {state!r}")
@@ -203,19 +209,27 @@ class Story:
     # What goes on
 
     def advance(self) -> None:
-        """Let what is due begin and end, once in each step of the drive."""
+        """Let what is due begin and end, and everybody move who is led: all that happens in a step of the drive."""
         step = self._simulation.currentTime
         if step == self._step:
             return
         dt = self._simulation.timestep
         for one in self._entities.values():
-            if self._step >= 0:
-                one.passes(dt)
-        self._step, self.time = step, step * dt
-        for act in self._acts:
-            self._run(act)
-        if self._stop.holds():
-            self.over = True
+            if not one.led:
+                one.sees()
+                if step:
+                    one.passes(dt)
+        self._step, parts = step, max(math.ceil(dt / self._fine - 1e-9), 1)
+        for part in range(parts):
+            self.time, self._tick = (step + part / parts) * dt, self._tick + 1
+            for act in self._acts:
+                self._run(act)
+            self.over = self.over or self._stop.holds()
+            for mover in self._movers.values():
+                mover.moves(dt / parts)
+        for one in self._entities.values():
+            if one.led:
+                one.agent.lead(*one.pose)
 
     def _run(self, act: _Act) -> None:
         if act.complete:
@@ -279,25 +293,24 @@ class Story:
             case ("nothing",):
                 pass
             case ("away", whom):
-                self._movers[id(self.entity(whom).agent)].leave()
+                self._movers[whom].leave()
             case ("come", whom, place):
-                self._movers[id(self.entity(whom).agent)].jump(*self.place(place).pose())
+                self._movers[whom].jump(*self.place(place).pose())
             case ("jump", place):
                 for name in actors:
-                    self._movers[id(self.entity(name).agent)].jump(*self.place(place).pose())
+                    self._movers[name].jump(*self.place(place).pose())
             case ("wait", seconds):
                 yield Waits(self, seconds)
             case _:
                 for name in actors:
-                    mover = self._movers[id(self.entity(name).agent)]
-                    yield mover.told(told)
+                    yield self._movers[name].told(told)
 
     def _begin(self, part: Part) -> None:
-        part.running, part.began = True, self._step
+        part.running, part.began = True, self._tick
         part.count += 1
 
     def _end(self, part: Part, *, stopped: bool = False) -> None:
-        part.running, part.ended, part.stopped = False, self._step, stopped
+        part.running, part.ended, part.stopped = False, self._tick, stopped
 
     def _end_all(self, act: _Act, *, stopped: bool = False) -> None:
         for part in (*act.groups, *act.maneuvers, act):
@@ -311,10 +324,6 @@ class Story:
                     self._end(action, stopped=True)
             self._end(event, stopped=True)
 
-    def mover(self, agent: Any) -> Mover:
-        """Who moves an agent."""
-        return self._movers[id(agent)]
-
 
 def _over(mode: Pace | Way) -> bool:
     return mode.passes() if isinstance(mode, Waits) else mode.done
@@ -323,13 +332,14 @@ def _over(mode: Pace | Way) -> bool:
 class Mover:
     """Moves one of a story, by what it was told last about its speed and about its way.
 
-    Whatever is told in the place of something ends that, so that nobody waits for it any longer.
+    Whatever is told in the place of something ends that, so that nobody waits for it any longer. Who is driven by
+    something else does nothing that is told, and it takes as long as is told.
     """
 
     def __init__(self, who: Entity, story: Story) -> None:
         self._who, self._story = who, story
         self._pace: Pace = Steady(who.speed)
-        self._way = self._onward()
+        self._way = Way(who, who.line)
 
     def told(self, what: tuple[Any, ...]) -> Pace | Way:
         """Begin to do something.
@@ -337,10 +347,14 @@ class Mover:
         Raises:
             ValueError: Nobody in a story does that.
         """
+        if not self._who.led:
+            seconds = lasts(what)
+            return Waits(self._story, SHORT if seconds is None else abs(seconds))
         pace = pace_of(what, self._who, self._story)
         if pace is not None:
             if self._way.timed:  # what tells speeds with its line, is over with either
-                self._goes(self._way.untimed())
+                self._way.done = True
+                self._way = self._way.untimed()
             self._paces(pace)
             return pace
         way = way_of(what, self._who, self._story)
@@ -352,66 +366,78 @@ class Mover:
     def _paces(self, pace: Pace) -> None:
         self._pace.done = True
         self._pace = pace
+        self._who.speed = pace.speed(0.0)
 
     def _goes(self, way: Way) -> None:
         if way.timed or self._way.timed:
-            self._paces(Steady(self._way.leaves_at(self._who)))
+            self._paces(Steady(self._who.speed))
         self._way.done = True
         self._way, self._who.line = way, way.line
 
-    def _onward(self) -> Way:
-        """The way along the line that it follows, as far beside that as it is."""
-        x, y, _ = self._who.origin
-        return Way(self._who.line, self._who.line.project(x, y)[1])
-
     def _along_its_lane(self) -> None:
         self._who.line = self._who.own_line()
-        self._goes(self._onward())
+        self._goes(Way(self._who, self._who.line))
 
     def jump(self, x: float, y: float, heading: float) -> None:
         """Be somewhere else at once, and go on along the lane there."""
-        ahead = self._who.ahead
-        x, y = x + ahead * math.cos(heading), y + ahead * math.sin(heading)
-        self._who.agent.jumpTo(x, y, heading, self._who.speed)
-        self._along_its_lane()
+        if self._who.led:
+            self._who.put(x, y, heading, self._who.speed)
+            self._along_its_lane()
 
     def leave(self) -> None:
         """Be gone: far from everything, standing."""
-        x, y, heading, _ = self._who.agent.pose
-        self._goes(Way(self._who.line))
-        self._paces(Steady(0.0))
-        self._who.agent.jumpTo(x + AWAY, y + AWAY, heading)
-
-    def drive(self, agent: Any, dt: float) -> None:
-        """Hand to the agent what it is to do in this step; a thing does nothing."""
-        if not agent.body.moves:
+        if not self._who.led:
             return
-        who, way, time = self._who, self._way, self._story.time
-        table = way.hastens(who, dt)
+        x, y, heading = self._who.origin
+        self._goes(Way(self._who, self._who.line))
+        self._paces(Steady(0.0))
+        self._who.put(x + AWAY, y + AWAY, heading, 0.0)
+        self._way = Way(self._who, self._who.line)
+
+    def moves(self, dt: float) -> None:
+        """Be moved for a time [s], if the story leads it."""
+        who = self._who
+        if not who.led:
+            return
+        before, table = who.speed, self._way.speed()
         speed = self._pace.speed(dt) if table is None else table
-        if agent.isWalker:
-            agent.setWalk(course(who, way, time), max(speed, 0.0))
-        else:
-            wheel = steering(who, way, time)  # asked of who backs straight, too: its way passes meanwhile
-            agent.setSpeed(speed, wheel if speed >= 0.0 else 0.0)
-        if way.done and way.ends:
+        gone = (before + speed) / 2.0 * dt + self._pace.jump
+        self._pace.jump = 0.0
+        way = self._way
+        who.put(*way.goes(gone, dt), speed)
+        if way.ends and way.done:
             self._along_its_lane()
+            if way.over > 0.0 and not way.timed:
+                who.put(*self._way.goes(way.over, dt), speed)
+        elif way.over > 0.0 and not way.ends:
+            self._goes_on(way)
+        who.passes(dt)
+
+    def _goes_on(self, way: Way) -> None:
+        """Go on by the lanes to which a line leads that is over; where there are none, somebody stands at its end."""
+        who = self._who
+        line = who.own_line()
+        if line.length - along(line, *who.origin[:2])[0] < _ENDS:
+            self._paces(Steady(0.0))
+            who.put(*way.goes(-way.over, 0.0), 0.0)
+        else:
+            way.goes_on_along(line)
+            who.line = line
 
 
 _stories: WeakKeyDictionary[Any, Story] = WeakKeyDictionary()
 
 
 def storyOf(simulation: Any, names: Any, acts: Any, stop: Any, variables: Any) -> Story:  # noqa: N802 - Scenic's naming
-    """The story of a drive, which begins with it."""
-    _stories[simulation] = story = Story(simulation, names, acts, stop, variables)
-    return story
+    """The story of a drive, which begins with it; the same for all who play it."""
+    if simulation not in _stories:
+        _stories[simulation] = Story(simulation, names, acts, stop, variables)
+    return _stories[simulation]
 
 
 class StoryAction(Action):
-    """What the story of the drive has somebody do in this step."""
+    """Let the story of the drive go on by a step."""
 
-    def applyTo(self, agent: Any, simulation: Any) -> None:  # noqa: N802 - Scenic's name
-        """Let the story go on, and hand over what it tells."""
-        story = _stories[simulation]
-        story.advance()
-        story.mover(agent).drive(agent, simulation.timestep)
+    def applyTo(self, agent: Any, simulation: Any) -> None:  # noqa: N802, ARG002 - Scenic's name
+        """Move everybody whom it leads."""
+        _stories[simulation].advance()

@@ -2,8 +2,9 @@
 
 ('lane', shape, dimension, amount, target, left)      target: ('to', number) or ('of', whom, lanes to its left)
 ('aside', shape, most lateral acceleration, target, for good)   target: ('to' or 'mine', left) or ('of', whom, left)
-('line', line or (place, points), times, start)       times: () or (absolute, ((s, m), …)); start: where on it [m]
-('way', line)                                         a route: followed from now on
+('line', points or (place, points), times, start, faces)   times: () or (absolute, ((s, m), …)); start: where on it [m];
+                                                      faces: none, or ((m, rad), …): which way it looks where
+('way', points)                                       a route: followed from now on
 ('beside', whom, distance, side, freespace, for good)
 """
 
@@ -11,164 +12,257 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from copy import copy
 from itertools import pairwise
 from typing import Any
 
 from chatscene.maps.neighbours import number_beside
 from chatscene.terms.polyline import Polyline
-from chatscene.world.control import LOOK_AHEAD, LOOK_AHEAD_TIME, wheel_to
 from chatscene.world.places import line_of
 from chatscene.world.story.conditions import World
 from chatscene.world.story.entities import Entity, along
-from chatscene.world.story.pace import shaped
+from chatscene.world.story.pace import STEEPEST, shaped
 from chatscene.world.story.places import moved
 
-_AT_END = 0.5  # [m] before the end of a line, where it is over
-_STEP_ASIDE = 1.0  # [s] that a change of lane takes at least, whatever is told: nothing jumps
-_PULLS = 1.0  # [1/s] with which a time table is kept
-_WALKS_AHEAD = 1.0  # [m] to the point of its line that somebody on foot goes to
+Pose = tuple[float, float, float]  # x, y [m], heading [rad]
+
+_STEP_ASIDE = 0.5  # [m/s²] across, with which somebody goes aside where nothing is told
+_ACROSS = 0.5  # [m] before and behind, between which the direction of a line is seen
 
 
 class Way:
-    """A line and how far beside it to go.
+    """A line that somebody goes along, some way beside it.
 
     Args:
+        who: Who goes.
         line: The line.
-        left: How far to the left of it [m].
+        left: How far to the left of it [m]; None for where somebody is.
 
     Attributes:
-        done: Whether it is over.
+        done: Whether what was told of it is over.
         timed: Whether it tells how fast, too.
         ends: Whether nothing is left of it once it is over, so that somebody goes on along the lane there.
         line: The line.
+        at: How far along it somebody is [m].
     """
 
     ends = timed = False
 
-    def __init__(self, line: Polyline, left: float = 0.0) -> None:
-        self.line, self._left, self.done = line, left, True
+    def __init__(self, who: Entity, line: Polyline, left: float | None = None) -> None:
+        x, y, heading = who.origin
+        self.at, beside = along(line, x, y)
+        self.line, self._left, self.done = line, beside if left is None else left, True
+        self._turn = math.remainder(heading - _bearing(line, self.at), math.tau)
 
     def untimed(self) -> Way:
         """The same, without speeds."""
         return self
 
-    def left(self, time: float) -> float:
-        """How far beside the line it is to be at a time [m]."""
-        del time
-        return self._left
+    def goes_on_along(self, line: Polyline) -> None:
+        """Go on as before, along another line that begins where this one ends."""
+        x, y = self.line.point_at(self.at)
+        self.line, self.at = line, along(line, x, y)[0]
 
-    def hastens(self, who: Entity, dt: float) -> float | None:
-        """The speed [m/s] that its time table asks for; None where it has none."""
-        del who, dt
+    def goes(self, gone: float, dt: float) -> Pose:
+        """Where somebody is who goes so far [m] in a time [s]: x [m], y [m], heading [rad]."""
+        del dt
+        self._onward(gone)
+        return self._pose(self._turn)
+
+    def _onward(self, gone: float) -> None:
+        """Go along the line; so far beside it that it bends, somebody goes less or more of it."""
+        bend = 0.0
+        if abs(self._left) > 0.01:
+            ends = (self.line.heading_at(self.at + d) for d in (_ACROSS, -_ACROSS))
+            bend = math.remainder(next(ends) - next(ends), math.tau) / (2.0 * _ACROSS)
+        self.at += gone / max(1.0 - bend * self._left, 0.1)
+
+    def _pose(self, turn: float) -> Pose:
+        heading = _bearing(self.line, self.at)
+        x, y = self.line.point_at(self.at)
+        left = self._left
+        return x - left * math.sin(heading), y + left * math.cos(heading), heading + turn
+
+    def speed(self) -> float | None:
+        """The speed [m/s] that its time table has somebody go at now; None where it has none."""
         return None
 
-    def leaves_at(self, who: Entity) -> float:
-        """The speed [m/s] that somebody keeps behind it."""
-        return who.speed
+    @property
+    def over(self) -> float:
+        """How far beyond the end of the line somebody is [m]."""
+        return self.at - self.line.length
 
 
 class Shift(Way):
-    """Goes over to another distance from a line in some time, and keeps it for good if that is told."""
+    """Goes over to another distance from a line: in a time, or on a distance.
+
+    Args:
+        who: Who goes.
+        line: The line.
+        after: How far to the left of it [m] it goes.
+        lasts: The time [s] or distance [m] that it takes.
+        shape: How it goes over.
+        in_metres: Whether that is a distance.
+        aside: Whether somebody goes as far along the line as without; else as far in all.
+        for_good: Whether it keeps to what `after` says, whatever that is, for good.
+    """
 
     def __init__(
-        self, world: World, line: Polyline, before: float, after: Callable[[], float], lasts: float, shape: str,
-        *, for_good: bool = False,
+        self, who: Entity, line: Polyline, after: Callable[[], float], lasts: float, shape: str, *,
+        in_metres: bool = False, aside: bool = False, for_good: bool = False,
     ) -> None:  # fmt: skip
-        super().__init__(line, after())
-        self._world, self._before, self._after, self._lasts, self._shape = world, before, after, lasts, shape
-        self._began, self._for_good = world.time, for_good
+        super().__init__(who, line)
+        self._turn, self._before, self._after, self._lasts, self._shape = 0.0, self._left, after, lasts, shape
+        self._in_metres, self._aside, self._for_good, self._passed, self._to = in_metres, aside, for_good, 0.0, after()
         self.done = False
 
-    def left(self, time: float) -> float:
-        """Where between the two it is at a time."""
+    def goes(self, gone: float, dt: float) -> Pose:
+        """Where it is after that."""
         if self._for_good:
-            self._left = self._after()  # of somebody who moves meanwhile
-        share = (time - self._began) / self._lasts
-        self.done = not self._for_good and self._world.time - self._began >= self._lasts
-        return self._before + (self._left - self._before) * shaped(self._shape, share)
+            self._to = self._after()  # of somebody who moves meanwhile
+        was, turn = self._left, self._turn
+        if self._lasts <= 0.0:
+            self._passed, self._left = 1.0, self._to
+            self._onward(gone)
+        elif gone or self._aside:
+            self._crosses(gone, dt)
+            slope = (self._left - was) / abs(gone) if gone else 0.0
+            turn = math.atan(slope / math.sqrt(max(1.0 - slope**2, 1e-6))) * (1.0 if gone >= 0.0 else -1.0)
+        self.done = self._share() >= 1.0 - 1e-9 and not self._for_good
+        return self._pose(0.0 if self.done else turn)
+
+    def _share(self) -> float:
+        return self._passed / self._lasts if self._lasts > 0.0 else 1.0
+
+    def _at(self, passed: float) -> float:
+        return self._before + (self._to - self._before) * shaped(self._shape, passed / self._lasts)
+
+    def _crosses(self, gone: float, dt: float) -> None:
+        """Go on across the line and along it; in all no farther than it goes."""
+        way, rest = abs(gone), self._lasts - self._passed
+        step = min(dt, rest)
+        if self._in_metres:
+            ahead = max(min(way, rest), 1e-9)
+            slope = (self._at(self._passed + ahead) - self._left) / ahead
+            step = min(way / math.hypot(1.0, slope), rest)
+        across = abs(self._at(self._passed + step) - self._left)
+        if across > way and not self._aside:  # it comes no farther aside than it goes
+            step *= way / across
+            across = abs(self._at(self._passed + step) - self._left)
+        self._passed += step
+        self._left = self._at(self._passed)
+        straight = way if self._aside else math.sqrt(max(way**2 - across**2, 0.0))
+        self._onward(math.copysign(straight, gone))
 
 
 class Beside(Way):
     """Keeps a distance to the side of somebody."""
 
     def __init__(self, who: Entity, other: Entity, told: tuple[Any, ...]) -> None:
-        super().__init__(who.line)
+        super().__init__(who, who.line)
         distance, side, freespace, self._for_good = told
-        self._other, self._who = other, who
+        self._other = other
         room = (who.agent.width + other.agent.width) / 2 if freespace else 0.0
-        mine, theirs = (along(who.line, *e.origin[:2])[1] for e in (who, other))
-        self._want = (side or (1.0 if mine >= theirs else -1.0)) * (distance + room)
+        theirs = along(who.line, *other.origin[:2])[1]
+        self._want = (side or (1.0 if self._left >= theirs else -1.0)) * (distance + room)
         self.done = False
 
-    def left(self, time: float) -> float:
+    def goes(self, gone: float, dt: float) -> Pose:
         """Beside the other."""
-        del time
-        want = along(self.line, *self._other.origin[:2])[1] + self._want
-        self.done = not self._for_good and abs(along(self.line, *self._who.origin[:2])[1] - want) < 0.1
-        return want
+        self._left = along(self.line, *self._other.origin[:2])[1] + self._want
+        self.done = not self._for_good
+        return super().goes(gone, dt)
 
 
 class Line(Way):
-    """Follows a line from a place on it to its end, by a time table if it has one."""
+    """Follows a line from a place on it to its end, by a time table if it has one.
+
+    Args:
+        who: Who follows it.
+        world: The story.
+        line: The line.
+        times: When how much of it is behind somebody: whether by the time of the story, and times [s] and ways [m].
+        start: Where on it somebody begins [m].
+        faces: Which way somebody looks where: ways [m] and headings [rad]; none for along the line.
+    """
 
     ends = True
 
-    def __init__(self, who: Entity, world: World, line: Polyline, times: Any, start: float) -> None:
-        start = min(start, max(line.length - _AT_END, 0.0))  # a program's line is the shorter by some millimetres
-        super().__init__(line.between(start, line.length) if start > 0.0 else line)
-        self._who, self._world = who, world
-        absolute, table = times or (False, ())
-        self._table: list[tuple[float, float]] = _onward(table, start) if start > 0.0 else list(table)
-        self.timed = bool(self._table)
-        self._began = 0.0 if absolute else world.time - (self._table[0][0] if start > 0.0 and table else 0.0)
-        self.done = False
+    def __init__(self, who: Entity, world: World, line: Polyline, times: Any, start: float, faces: Any = ()) -> None:
+        super().__init__(who, line, 0.0)
+        self.at, self._world, self._faces, self._start = min(start, line.length), world, tuple(faces), start
+        absolute, self._table = times or (False, ())
+        self.timed, self.done = bool(self._table), False
+        self._began = 0.0 if absolute else world.time - (_when(self._table, start) if start > 0.0 else 0.0)
+        backs = who.speed < 0.0 and not self.timed
+        self._turn = math.pi if backs else 0.0
+        self._way = -1.0 if backs or (self._faces and math.cos(self._looks() - _bearing(line, self.at)) < 0.0) else 1.0
 
     def untimed(self) -> Way:
         """The same line, without its time table."""
-        return Line(self._who, self._world, self.line, (), 0.0)
+        other = copy(self)
+        other._table, other.timed = (), False
+        return other
 
-    def left(self, time: float) -> float:
-        """On the line."""
-        del time
-        if self._table:  # who is at its end too soon waits there
-            self.done = self._world.time - self._began >= self._table[-1][0]
+    def goes(self, gone: float, dt: float) -> Pose:
+        """Where it is on the line after that."""
+        if self._table:
+            time = self._world.time + dt - self._began
+            self.at = max(_due(self._table, time), self._start)
+            self.done = time >= self._table[-1][0] - 1e-9
         else:
-            self.done = along(self.line, *self._who.origin[:2])[0] >= self.line.length - _AT_END
-        return 0.0
+            self.at += gone * self._way
+            self.done = self.at >= self.line.length - 1e-6 or (self.at <= 0.0 and gone * self._way < 0.0)
+        x, y, heading = self._pose(self._turn)
+        return (x, y, self._looks()) if self._faces else (x, y, heading)
 
-    def hastens(self, who: Entity, dt: float) -> float | None:
-        """The speed of the table at the end of the step, and more or less where it is late or early."""
+    def speed(self) -> float | None:
+        """The speed of the table, backwards where somebody looks back."""
         if not self._table:
             return None
         time = self._world.time - self._began
-        at, after = (self._due(one) for one in (time, time + 2.0 * dt))
-        behind = at - along(self.line, *who.origin[:2])[0]
-        return max((after - at) / (2.0 * dt) + _PULLS * behind, 0.0)
+        slope = _slope(self._table, time)
+        back = self._faces and math.cos(self._looks() - _bearing(self.line, self.at)) < 0.0
+        return -slope if back else slope
 
-    def leaves_at(self, who: Entity) -> float:
-        """That at which its table ends, if it has come so far: who is to stand there by then does not creep on."""
-        if not (self.done and len(self._table) > 1):
-            return who.speed
-        (t0, s0), (t1, s1) = self._table[-2:]
-        return min((s1 - s0) / max(t1 - t0, 1e-9), who.speed)
-
-    def _due(self, time: float) -> float:
-        table = self._table
-        if time <= table[0][0]:
-            return table[0][1]
-        for (t0, s0), (t1, s1) in pairwise(table):
-            if time < t1:
-                return s0 + (s1 - s0) * (time - t0) / max(t1 - t0, 1e-9)
-        return table[-1][1]
+    def _looks(self) -> float:
+        for (s0, h0), (s1, h1) in pairwise(self._faces):
+            if self.at < s1:
+                return h0 + math.remainder(h1 - h0, math.tau) * max(self.at - s0, 0.0) / max(s1 - s0, 1e-9)
+        return self._faces[-1][1]
 
 
-def _onward(table: Sequence[tuple[float, float]], start: float) -> list[tuple[float, float]]:
-    """A time table from a place on [m]: it begins at the time at which that place is passed."""
-    left = [(time, gone - start) for time, gone in table if gone > start]
+def _bearing(line: Polyline, at: float) -> float:
+    """The direction [rad] of a line at a place on it [m], without the corners of its pieces."""
+    (x0, y0), (x1, y1) = line.point_at(at - _ACROSS), line.point_at(at + _ACROSS)
+    return math.atan2(y1 - y0, x1 - x0)
+
+
+def _due(table: Sequence[tuple[float, float]], time: float) -> float:
+    """How much of a line is behind somebody at a time [m]."""
+    if time <= table[0][0]:
+        return table[0][1]
     for (t0, s0), (t1, s1) in pairwise(table):
-        if s0 <= start < s1:
-            return [(t0 + (t1 - t0) * (start - s0) / (s1 - s0), 0.0), *left]
-    return left or [(table[-1][0], 0.0)] if table else []
+        if time < t1:
+            return s0 + (s1 - s0) * (time - t0) / max(t1 - t0, 1e-9)
+    return table[-1][1]
+
+
+def _slope(table: Sequence[tuple[float, float]], time: float) -> float:
+    """How fast that grows at a time [m/s]; behind the last, as before it."""
+    if time < table[0][0] or len(table) < 2:
+        return 0.0
+    pairs = [(one, other) for one, other in pairwise(table) if time < other[0]] or [(table[-2], table[-1])]
+    (t0, s0), (t1, s1) = pairs[0]
+    return (s1 - s0) / max(t1 - t0, 1e-9)
+
+
+def _when(table: Sequence[tuple[float, float]], at: float) -> float:
+    """When somebody comes to a place on a line [s]."""
+    for (t0, s0), (t1, s1) in pairwise(table):
+        if s0 <= at < s1:
+            return t0 + (t1 - t0) * (at - s0) / (s1 - s0)
+    return table[-1][0] if table else 0.0
 
 
 def way_of(told: tuple[Any, ...], who: Entity, world: World) -> Way | None:
@@ -178,10 +272,10 @@ def way_of(told: tuple[Any, ...], who: Entity, world: World) -> Way | None:
             return _lane(who, world, shape, dimension, amount, target, left)
         case ("aside", shape, most, target, for_good):
             return _aside(who, world, shape, most, target, for_good)
-        case ("line", line, times, start):
-            return Line(who, world, _placed(line, world), times, start)
+        case ("line", line, times, start, *faces):
+            return Line(who, world, _placed(line, world), times, start, *faces)
         case ("way", line):
-            return Way(line_of(line))
+            return Way(who, _placed(line, world))
         case ("beside", whom, *rest):
             return Beside(who, world.entity(whom), tuple(rest))
         case _:
@@ -189,12 +283,14 @@ def way_of(told: tuple[Any, ...], who: Entity, world: World) -> Way | None:
 
 
 def _placed(told: Any, world: World) -> Polyline:
-    """A line of the program, or the points of one in the frame of a place as it is now."""
+    """The line through points, on the map or in the frame of a place as it is now; or the line of a route."""
     if not isinstance(told, tuple):
         return line_of(told)
-    place, points = told
-    frame = world.place(place).pose()
-    return Polyline([moved(frame, x, y, 0.0)[:2] for x, y in points])
+    if not isinstance(told[0][0], str):
+        return Polyline(told)  # type: ignore[reportUnknownArgumentType] - pairs of numbers
+    place, points = told  # type: ignore[reportUnknownVariableType]
+    frame = world.place(place).pose()  # type: ignore[reportUnknownArgumentType]
+    return Polyline([moved(frame, x, y, 0.0)[:2] for x, y in points])  # type: ignore[reportUnknownVariableType]
 
 
 def _lane(
@@ -206,16 +302,12 @@ def _lane(
         own, side = world.entity(target[1]).sides()
         number = number_beside(own, side * int(target[2]))
     line = who.lane_line(number)
-    before, after = along(line, *who.origin[:2])[1], left * _same_side(who)
-    far, amount = abs(after - before), abs(amount)
+    after, amount = left * _same_side(who), abs(amount)
+    far = abs(after - along(line, *who.origin[:2])[1])
     if dimension == "rate":
-        amount = (
-            far / amount * (math.pi / 2 if shape == "sinusoidal" else 1.5 if shape == "cubic" else 1.0) if amount else 0
-        )
-    elif dimension == "distance":
-        amount /= max(who.speed, 0.1)
-    shape = shape if shape != "step" else "sinusoidal"
-    return Shift(world, line, before, lambda: after, max(amount, _STEP_ASIDE), shape)
+        amount = far / amount * STEEPEST.get(shape, 1.0) if amount else 0.0
+    amount = 0.0 if shape == "step" else amount
+    return Shift(who, line, lambda: after, amount, shape, in_metres=dimension == "distance")
 
 
 def _same_side(who: Entity) -> int:
@@ -232,29 +324,7 @@ def _aside(who: Entity, world: World, shape: str, most: float, target: tuple[Any
         beside = along(line, *other.origin[:2])[1] if other is not None else 0.0
         return beside + target[-1] * side
 
-    before = along(line, *who.origin[:2])[1]
-    far = abs(after() - before)
-    peak = {"sinusoidal": math.pi**2 / 2, "cubic": 6.0}.get(shape, 4.0)  # of its second derivative
-    lasts = math.sqrt(peak * far / most) if most > 0.0 else _STEP_ASIDE
-    shape = shape if shape != "step" else "sinusoidal"
-    return Shift(world, line, before, after, max(lasts, _STEP_ASIDE), shape, for_good=for_good)
-
-
-def steering(who: Entity, way: Way, time: float) -> float:
-    """The wheel with which a vehicle follows its way: toward where it is to be once it has come as far as it looks."""
-    agent = who.agent
-    x, y, _, speed = pose = agent.pose
-    ahead = max(LOOK_AHEAD, LOOK_AHEAD_TIME * abs(speed))
-    left = way.left(time + ahead / max(abs(speed), 1.0))
-    at = way.line.project(x, y)[0]
-    return wheel_to(way.line, at, pose, left, agent.wheelbase, agent.wheelAngle)
-
-
-def course(who: Entity, way: Way, time: float) -> float:
-    """The direction [rad] in which somebody on foot follows a way."""
-    x, y, _, _ = who.agent.pose
-    left = way.left(time)
-    at = along(way.line, x, y)[0] + _WALKS_AHEAD
-    px, py = way.line.point_at(at)
-    heading = way.line.heading_at(at)
-    return math.atan2(py + left * math.cos(heading) - y, px - left * math.sin(heading) - x)
+    far = abs(after() - along(line, *who.origin[:2])[1])
+    peak = math.pi**2 / 2 if shape == "sinusoidal" else 6.0  # of its second derivative
+    lasts = 0.0 if shape == "step" else math.sqrt(peak * far / (most if most > 0.0 else _STEP_ASIDE))
+    return Shift(who, line, after, lasts, shape, aside=True, for_good=for_good)
