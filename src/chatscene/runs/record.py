@@ -336,7 +336,7 @@ class ComparisonRecord(Record):
         imported: The folder as seen from this one, so that both can be moved together.
         programs: SHA-256 of each program, by its path in that folder.
         maps: SHA-256 of each of their maps, by the path of the first program on it.
-        egos: Who drives, as they were given.
+        egos: Who drives, as they were given; none where each program is only driven as its file says.
         ego_digests: SHA-256 of each ego that is a file, by the ego as it was given.
         senses: What each ego sees and brakes with, by ego, as `chatscene.ego.policy.senses_of` names it.
         failures: Why an ego was given up, by ego.
@@ -346,7 +346,7 @@ class ComparisonRecord(Record):
     imported: str
     programs: dict[str, str]
     maps: dict[str, str]
-    egos: Annotated[list[str], Field(min_length=1)]
+    egos: list[str]
     ego_digests: dict[str, str]
     senses: dict[str, dict[str, str]]
     failures: dict[str, str] = {}
