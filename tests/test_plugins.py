@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 import tomllib
 from collections.abc import Iterator
@@ -11,6 +12,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
+import chatscene
 from chatscene import runs
 from chatscene.commands.main import main
 from chatscene.ego.policy import EGOS
@@ -122,6 +124,24 @@ def test_the_page_lists_every_kind() -> None:
     assert [row.split(" | ")[2] for row in PAGE.splitlines() if row.startswith("| ") and "`chatscene." in row] == [
         f"`{kind.group}`" for kind in KINDS
     ]
+
+
+@pytest.mark.parametrize(
+    ("kind", "command", "page"), [(SAMPLERS, "run", "search.md"), (EXPORTERS, "export", "exports.md")]
+)
+def test_a_help_and_a_page_name_all_that_is_built_in(kind: Kind[Any], command: str, page: str) -> None:
+    output = CliRunner().invoke(main, [command, "--help"]).output
+    helped = re.split(r"[\s,:]+", re.sub(r"-\s+", "-", output))  # lines break behind a hyphen
+    rows = re.findall(r"^\| `([\w-]+)`", (ROOT / "docs" / page).read_text(encoding="utf-8"), re.MULTILINE)
+    for name in kind.built_in:
+        assert name in helped, f"chatscene {command} --help does not name the {kind.noun} {name}"
+        assert name in rows, f"docs/{page}: the table of {kind.noun}s lacks `{name}`"
+
+
+def test_the_docstring_of_export_names_all_exporters() -> None:
+    (told,) = re.findall(r"An exporter by name: (.*?)\n\s+out:", chatscene.export.__doc__ or "", re.DOTALL)
+    named = set(re.findall(r"``([^`]+)``", told))
+    assert named == {*EXPORTERS.built_in, "package.module:factory"}, "api/exchange.py: export, to"
 
 
 def test_a_name_that_two_packages_bring_stands_for_neither(place: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 from scenic.simulators.carla import blueprints
@@ -71,9 +72,21 @@ def test_a_list_of_kinds_is_recognised_as_one(source: str) -> None:
 
 @every_kind
 def test_a_kind_has_a_class_in_the_world_and_a_blueprint_in_carla(kind: AdversaryKind) -> None:
-    assert kind.row.scenic in world_words()
+    size = f"length: _LIMITS['{kind.row.scenic}'].length; width: the same"
+    said = f"world/model.scenic: add `class {kind.row.scenic}(…)`, with {size}, as the others of its manner have it"
+    assert kind.row.scenic in world_words(), said
     known = {name for models in vars(blueprints).values() if isinstance(models, list) for name in models}
-    assert kind.row.blueprint in known
+    assert kind.row.blueprint in known, f"terms/actors.py: CARLA has no blueprint {kind.row.blueprint!r}"
+
+
+def test_a_row_that_lacks_what_its_manner_asks_for_says_what() -> None:
+    bicycle, dog = AdversaryKind.BICYCLE.row, AdversaryKind.DOG.row
+    with pytest.raises(ValueError, match=r"Bicycle rides, so its row in terms/actors.py needs wheel, the diameter"):
+        replace(bicycle, wheel=0.0)
+    with pytest.raises(ValueError, match=r"Bicycle rides, .* needs osi, its type of vehicle in OSI"):
+        replace(bicycle, osi="")
+    with pytest.raises(ValueError, match=r"Dog walks, .* has no wheel"):
+        replace(dog, wheel=0.3)
 
 
 @every_kind

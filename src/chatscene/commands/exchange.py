@@ -8,14 +8,20 @@ from pathlib import Path
 import click
 
 import chatscene
-from chatscene.commands.options import JSON, param_option, usable_map
+from chatscene.commands.options import JSON, NAMES, Named, param_option, usable_map
 from chatscene.commands.output import say
 
 
 @click.command()
 @click.argument("folder", metavar="RUN", type=click.Path(path_type=Path))
 @click.argument("scenes", metavar="[SCENE]...", nargs=-1)
-@click.option("--to", required=True, help="The format, as below, or package.module:factory.")
+@click.option(
+    "--to",
+    required=True,
+    cls=Named,
+    kind="chatscene.exports.exporter:EXPORTERS",
+    help=f"The format: {NAMES}, or package.module:factory.",
+)
 @click.option(
     "--out",
     type=click.Path(path_type=Path),

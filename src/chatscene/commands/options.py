@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from functools import reduce
+from importlib import import_module
 from pathlib import Path
 from typing import Any, TypedDict
 
@@ -14,6 +15,25 @@ from click.core import ParameterSource
 from chatscene.settings import EGO, EXECUTOR, MOST_READINGS, PHYSICS, READERS, SIMULATOR, SimulationSettings
 
 Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
+
+
+NAMES = "{names}"
+
+
+class Named(click.Option):
+    """An option that names a plug-in, whose help lists what is built in: the table is read when the help is shown."""
+
+    def __init__(self, *arguments: Any, kind: str, **named: Any) -> None:
+        """An option of click's, and where the table of its kind is: ``module:TABLE``."""
+        super().__init__(*arguments, **named)
+        self._kind = kind
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        """What click shows of it."""
+        module, _, table = self._kind.partition(":")
+        built_in = getattr(import_module(module), table).built_in
+        self.help = (self.help or "").replace(NAMES, ", ".join(built_in))
+        return super().get_help_record(ctx)
 
 
 def together(*options: Decorator) -> Decorator:
@@ -130,8 +150,9 @@ def sampler_option(default: str) -> Decorator:
         "--sampler",
         default=default,
         show_default=True,
-        help="How to search: paper, random, grid, policy-gradient, cross-entropy, tpe, cma-es, "
-        "quality-diversity, or package.module:factory.",
+        cls=Named,
+        kind="chatscene.search.sampler:SAMPLERS",
+        help=f"How to search: {NAMES}, or package.module:factory.",
     )
 
 

@@ -13,6 +13,7 @@ from enum import StrEnum
 
 from chatscene.situations.inflection import Form as InForm
 from chatscene.situations.inflection import inflected
+from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.surroundings import Light, Surface, Weather
 from chatscene.terms.vocabulary import (
     Act,
@@ -31,6 +32,7 @@ from chatscene.terms.vocabulary import (
     Striker,
     UserKind,
     Where,
+    with_article,
 )
 
 
@@ -211,12 +213,8 @@ class Noun:
 _DRIVES, _RIDES = "[drive/drives/driving]", "[ride/rides/riding]"
 _WALKS, _RUNS, _MOVES = "[walk/walks/walking]", "[run/runs/running]", "[move/moves/moving]"
 
-KINDS: Mapping[UserKind, Noun] = {
-    UserKind.CAR: Noun(one="a car", many="cars", goes=_DRIVES),
-    UserKind.VAN: Noun(one="a van", many="vans", goes=_DRIVES),
-    UserKind.TRUCK: Noun(one="a truck", many="trucks", goes=_DRIVES),
+_KINDS: Mapping[UserKind, Noun] = {
     UserKind.BUS: Noun(one="a bus", many="buses", goes=_DRIVES),
-    UserKind.TRACTOR: Noun(one="a tractor", many="tractors", goes=_DRIVES),
     UserKind.TRAM: Noun(one="a tram", many="trams", goes=_RUNS),
     UserKind.MOTORCYCLE: Noun(
         one="a motorcyclist", many="motorcyclists", goes=_RIDES, somebody=True, vehicle="a motorcycle"
@@ -245,6 +243,17 @@ KINDS: Mapping[UserKind, Noun] = {
     UserKind.BILLBOARD: Noun(one="a billboard", many="billboards", goes=_MOVES),
     UserKind.ROAD_USER: Noun(one="a road user", many="road users", goes=_MOVES, somebody=True),
 }
+_GOES = {Moves.DRIVES: _DRIVES, Moves.RIDES: _RIDES, Moves.WALKS: _WALKS, Moves.LIES: _MOVES}
+
+
+def _as_its_body(kind: UserKind) -> Noun:
+    """A kind as its body is called; who rides is a person."""
+    noun = kind.row.body.row.noun
+    rides = kind.moves is Moves.RIDES
+    return Noun(one=with_article(noun), many=f"{noun}s", goes=_GOES[kind.moves], somebody=rides)
+
+
+KINDS: Mapping[UserKind, Noun] = {kind: _KINDS.get(kind) or _as_its_body(kind) for kind in UserKind}
 
 ROLES: Mapping[Role, str | None] = {
     Role.ADVERSARY: None,  # as everybody is of whom nothing else is told

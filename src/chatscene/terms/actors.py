@@ -122,6 +122,26 @@ class RoadUser:
     fast: float = 11.0
     driven: float = math.inf
 
+    def __post_init__(self) -> None:
+        """Hold a row to what every format asks of who moves so.
+
+        Raises:
+            ValueError: It lacks what its manner asks for; the message says what.
+        """
+        rolls = self.manner in (Manner.DRIVES, Manner.RIDES)
+        row = f"{self.scenic} {self.manner}, so its row in terms/actors.py"
+        if rolls and not self.wheel > 0.0:
+            raise ValueError(f"{row} needs wheel, the diameter [m] that OpenSCENARIO asks for: nominal if it has none")
+        if rolls and not self.osi:
+            raise ValueError(f"{row} needs osi, its type of vehicle in OSI, such as OTHER")
+        if self.wheel and not rolls:
+            raise ValueError(f"{row} has no wheel: no format asks for one")
+
+    @property
+    def noun(self) -> str:
+        """What one is called, without an article."""
+        return self.nouns.replace("\n", "|").strip(" |").partition("|")[0].partition(":")[0].strip()
+
 
 def fading(holds: float, throttle: float, drag: float = 0.2) -> float:
     """The speed [m/s] towards which throttle fades of a body that holds a speed with its foot down.

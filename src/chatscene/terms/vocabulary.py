@@ -51,6 +51,11 @@ class Word(StrEnum):
         return made
 
 
+def with_article(noun: str) -> str:
+    """One of what a noun names: *a tram*, *an e-scooter*."""
+    return f"{'an' if noun[0].lower() in 'aeiou' else 'a'} {noun}"
+
+
 class RowWord(Word):
     """A word with its meaning and a row of what else holds of it."""
 
@@ -188,6 +193,11 @@ def _is(kind: AdversaryKind) -> KindRow:
     return KindRow(body=kind)
 
 
+def _as_body(kind: AdversaryKind) -> tuple[str, str, KindRow]:
+    """A kind that is called as its body is."""
+    return (kind.value, with_article(kind.row.noun), _is(kind))
+
+
 def _thing(prop: str) -> KindRow:
     return KindRow(body=AdversaryKind.BOX, prop=prop)
 
@@ -202,7 +212,7 @@ class UserKind(RowWord):
     TRUCK = ("truck", "a lorry of any size, with or without a trailer", _is(AdversaryKind.TRUCK))
     BUS = ("bus", "a bus or a coach", _is(AdversaryKind.BUS))
     TRACTOR = ("tractor", "a tractor of a farm, a harvester, with or without a trailer", _is(AdversaryKind.TRACTOR))
-    TRAM = ("tram", "a tram", _is(AdversaryKind.TRAM))
+    TRAM = _as_body(AdversaryKind.TRAM)
     MOTORCYCLE = ("motorcycle", "a motorcycle, a moped, a motor scooter", _is(AdversaryKind.MOTORCYCLE))
     BICYCLE = ("bicycle", "somebody on a bicycle, electric or not", _is(AdversaryKind.BICYCLE))
     E_SCOOTER = ("e-scooter", "somebody who stands on an electric scooter", _is(AdversaryKind.E_SCOOTER))
@@ -215,7 +225,7 @@ class UserKind(RowWord):
     PEDESTRIAN = ("pedestrian", "a grown-up on foot", _is(AdversaryKind.PEDESTRIAN))
     CHILD = ("child", "a child on foot", _is(AdversaryKind.CHILD))
     WHEELCHAIR = ("wheelchair", "somebody in a wheelchair", _is(AdversaryKind.WHEELCHAIR))
-    DOG = ("dog", "a dog", _is(AdversaryKind.DOG))
+    DOG = _as_body(AdversaryKind.DOG)
     DEER = ("deer", "a deer or another large wild animal", _is(AdversaryKind.DEER))
     ANIMAL = ("animal", "an animal, not said of which kind", KindRow(body=AdversaryKind.DEER, general=True))
     BALL = ("ball", "a ball that rolls", KindRow(body=AdversaryKind.DOG, prop="Ball"))
