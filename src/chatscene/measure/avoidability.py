@@ -21,12 +21,13 @@ from numpy.typing import NDArray
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import PEDALS, EgoPolicy, begin, pedals_of
 from chatscene.measure.instead import drive_instead
+from chatscene.simulate.boxes import Boxes
 from chatscene.simulate.native.lines import follow
 from chatscene.simulate.simulator import Simulator
 from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.actors import LIMITS, Limits, has_lamps
 from chatscene.terms.braking import Braking
-from chatscene.terms.episode import Array, Episode, Role, Track
+from chatscene.terms.episode import Array, Episode, Role, Track, fixed
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import CAR, Scene, ScenicProgram
 
@@ -183,11 +184,17 @@ class CarefulDriver:
         return acceleration, steering
 
 
+_Way = tuple[Array, Array]
+"""Cosine and sine of a heading."""
+
+
 @lru_cache(maxsize=64)
-def _course(route: Polyline) -> tuple[Array, Array]:
-    """(N,) Arc length [m] of each point of a line, and (N - 1,) where each piece of it leads [rad], without jumps."""
+def _course(route: Polyline) -> tuple[Array, Array, Array]:
+    """(N,) Arc length [m] of each point of a line, and (N - 1,) cosine and sine of where each piece of it leads."""
     along = np.diff(route.points, axis=0).T
-    return np.concatenate(([0.0], np.cumsum(np.hypot(*along)))), np.unwrap(np.arctan2(*along[::-1]))
+    heading = np.unwrap(np.arctan2(*along[::-1]))
+    arc = np.concatenate(([0.0], np.cumsum(np.hypot(*along))))
+    return fixed(arc), fixed(np.cos(heading)), fixed(np.sin(heading))
 
 
 def _predicted(episode: Episode, other: Track, route: Polyline) -> NDArray[np.bool_]:
@@ -195,24 +202,26 @@ def _predicted(episode: Episode, other: Track, route: Polyline) -> NDArray[np.bo
     ego = episode.ego_track
     ahead = np.arange(0.0, HORIZON + 1e-9, episode.dt)
     along, _ = follow(route, ego.x, ego.y, whole=True)
-    arc, heading = _course(route)
+    arc, cos, sin = _course(route)
     stops = along[:, None] + np.maximum(ego.speed, 0.0)[:, None] * ahead
     beyond = np.maximum(stops - arc[-1], 0.0)
-    toward = heading[np.clip(np.searchsorted(arc, stops, side="right") - 1, 0, len(heading) - 1)]
-    ex = np.interp(stops, arc, route.points[:, 0]) + beyond * np.cos(toward)
-    ey = np.interp(stops, arc, route.points[:, 1]) + beyond * np.sin(toward)
-    ox = other.x[:, None] + (other.speed * np.cos(other.heading))[:, None] * ahead
-    oy = other.y[:, None] + (other.speed * np.sin(other.heading))[:, None] * ahead
-    touching = _touching(ex, ey, toward, ego, ox, oy, other.heading[:, None], other)
+    piece = np.clip(np.searchsorted(arc, stops, side="right") - 1, 0, len(cos) - 1)
+    toward = cos[piece], sin[piece]
+    ex = np.interp(stops, arc, route.points[:, 0]) + beyond * toward[0]
+    ey = np.interp(stops, arc, route.points[:, 1]) + beyond * toward[1]
+    boxes = Boxes.of(other)
+    ox = other.x[:, None] + (other.speed * boxes.cos)[:, None] * ahead
+    oy = other.y[:, None] + (other.speed * boxes.sin)[:, None] * ahead
+    touching = _touching(ex, ey, toward, ego, ox, oy, (boxes.cos[:, None], boxes.sin[:, None]), other)
     return np.logical_or.reduce(touching, axis=1)
 
 
 def _touching(
-    ax: Array, ay: Array, a_heading: Array, a: Track, bx: Array, by: Array, b_heading: Array, b: Track
+    ax: Array, ay: Array, a_way: _Way, a: Track, bx: Array, by: Array, b_way: _Way, b: Track
 ) -> NDArray[np.bool_]:
     """Whether boxes overlap, where `b` is wider than it is by `WANDERING` on each side (separating axes)."""
     dx, dy = bx - ax, by - ay
-    ca, sa, cb, sb = np.cos(a_heading), np.sin(a_heading), np.cos(b_heading), np.sin(b_heading)
+    (ca, sa), (cb, sb) = a_way, b_way
     c, s = np.abs(ca * cb + sa * sb), np.abs(ca * sb - sa * cb)
     al, aw = a.length / 2, a.width / 2
     bl, bw = b.length / 2, b.width / 2 + (WANDERING if b.role is not Role.OCCLUDER else 0.0)

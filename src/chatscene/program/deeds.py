@@ -52,13 +52,13 @@ class Act:
 
 
 def _first(condition: NDArray[Any]) -> int | None:
-    found = np.flatnonzero(condition)
+    found = condition.nonzero()[0]
     return int(found[0]) if found.size else None
 
 
 def _last(condition: NDArray[Any]) -> int:
     """The last step at which a condition holds; the first of all if it never does."""
-    found = np.flatnonzero(condition)
+    found = condition.nonzero()[0]
     return int(found[-1]) if found.size else 0
 
 

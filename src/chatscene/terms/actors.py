@@ -18,6 +18,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import lru_cache
 
 AIR_DRAG = 0.0008  # [1/m] on top of `Limits.drag`: with both, a car coasts from 15 to 10 m/s in about 15 s
 
@@ -829,5 +830,10 @@ def has_lamps(kind: str) -> bool:
 
 def kind_of(thing: object) -> str:
     """The kind of road user that a thing is: the nearest of its classes in `LIMITS`; else its own class."""
-    names = [cls.__name__ for cls in type(thing).__mro__]
+    return _kind_of(type(thing))
+
+
+@lru_cache(maxsize=256)
+def _kind_of(kind: type) -> str:
+    names = [cls.__name__ for cls in kind.__mro__]
     return next((name for name in names if name in LIMITS), names[0])

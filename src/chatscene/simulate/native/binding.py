@@ -98,7 +98,7 @@ class Bound:
                     part(code)
             except FAILS as error:
                 raise NotCovered("something that cannot be computed before the drive") from error
-            world.code = ctypes.cast(code, ctypes.POINTER(engine.Instruction))
+            world.code = code
             world.kept.append(code)
         for number in moved:
             _pose(world.body[number], bodies[number])
@@ -117,9 +117,9 @@ class Bound:
             room = CONTACTS if name == "contact" else max(count, 1)
             array = (pointer._type_ * room)()
             ctypes.memmove(array, pointer, ctypes.sizeof(pointer._type_) * count)
-            setattr(world, name, ctypes.cast(array, ctypes.POINTER(pointer._type_)))
+            setattr(world, name, array)
             world.kept.append(array)
-        world.row, world.offsets = _pointer(rows), _pointer(offsets)
+        world.row, world.offsets = _shared(rows), _shared(offsets)
         return Bound(world, rows, offsets)
 
 
@@ -387,6 +387,11 @@ def _areas_of(around: RouteSurroundings) -> tuple[Any, Any, NDArray[np.float64]]
 
 def _kind_of(body: Any) -> int:
     return VEHICLE if isinstance(body, Vehicle) else WALKER if isinstance(body, Walker) else THING
+
+
+def _shared(array: NDArray[np.float64]) -> Any:
+    """An array as one of C's, which a structure takes in place of a pointer; sooner made than that."""
+    return (ctypes.c_double * array.size).from_buffer(array.data)
 
 
 def _pointer(array: NDArray[np.float64]) -> Any:
