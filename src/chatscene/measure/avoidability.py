@@ -23,8 +23,7 @@ from chatscene.ego.policy import PEDALS, EgoPolicy, begin, pedals_of
 from chatscene.measure.instead import drive_instead
 from chatscene.simulate.boxes import Boxes
 from chatscene.simulate.native.lines import follow
-from chatscene.simulate.simulator import Simulator
-from chatscene.simulate.watchdog import time_limit
+from chatscene.simulate.simulator import Simulator, limited
 from chatscene.terms.actors import LIMITS, Limits, has_lamps
 from chatscene.terms.braking import Braking
 from chatscene.terms.episode import Array, Episode, Role, Track, fixed
@@ -89,8 +88,10 @@ def avoidable(
     if risk is None:
         return False
     braking = braking_step(risk, episode.dt)
-    with time_limit(f"scene {scene.id!r}, driven again"):
-        return braking < crash.step and not crashes_braking_from(braking, ego, program, scene, simulator, episode.dt)
+    if braking >= crash.step:
+        return False
+    with limited(simulator, program, scene, ego, f"scene {scene.id!r}, driven again"):
+        return not crashes_braking_from(braking, ego, program, scene, simulator, episode.dt)
 
 
 def braking_step(risk: int, dt: float) -> int:

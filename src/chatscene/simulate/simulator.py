@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from contextvars import ContextVar
 from dataclasses import replace
 from pathlib import Path
@@ -215,6 +215,14 @@ def simulate(
             through_collisions=through_collisions,
         )
         return _driven(simulator, scene, ego, session, placed)
+
+
+def limited(
+    simulator: Simulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy, what: str
+) -> AbstractContextManager[None]:
+    """A time limit for another drive of a scene that was just driven, where one can run for ever."""
+    bounded = getattr(simulator, "bounded", None)
+    return nullcontext() if bounded is not None and bounded(program, scene, ego) else time_limit(what)
 
 
 def _driven(

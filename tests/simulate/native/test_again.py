@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import signal
+
 import pytest
 
+from chatscene.ego.observation import Observation
 from chatscene.ego.policy import load_ego, observation_of, pedals_of
 from chatscene.maps.network import resolve_map
 from chatscene.program.sample import scene_at
@@ -113,6 +116,32 @@ def test_scenes_side_by_side_keep_their_own_drives(native: NativeSimulator) -> N
     for session, scene, alone in zip(sessions, scenes, expected, strict=True):
         assert isinstance(alone, Episode)
         assert differences(session.episode(scene.id, "idm"), alone) == []
+
+
+class _Clocked:
+    """An ego of Python's that notes how much of its clock is left."""
+
+    name = "clocked"
+
+    def __init__(self) -> None:
+        self.left: list[float] = []
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        self.left.append(signal.getitimer(signal.ITIMER_PROF)[0])
+        return 0.2, 0.0
+
+
+def test_a_clock_runs_only_where_the_engine_does_not_drive_by_itself(native: NativeSimulator) -> None:
+    program, known, other = _program(DOES["a name of the plan"]), load_ego("idm"), _Clocked()
+    for scene in _scenes(program):
+        simulate(native, program, scene, known)
+        simulate(native, program, scene, other)
+        assert native.bounded(program, scene, other) is False
+    assert min(other.left) > 0.0
+    (last,) = _scenes(program)[-1:]
+    assert native.alone(program, last, other, through_collisions=False) is None
+    assert isinstance(native.alone(program, last, known, through_collisions=False), NativeSession)
+    assert native.bounded(program, last, known)
 
 
 def test_what_the_ego_sees_at_first_is_of_its_own_scene(native: NativeSimulator) -> None:

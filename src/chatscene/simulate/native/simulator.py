@@ -299,14 +299,16 @@ class NativeSimulator:
         self, program: ScenicProgram, scene: Scene, ego: EgoPolicy, *, through_collisions: bool
     ) -> Session | Rejected | None:
         """A scene that is made of another one of its program, of an ego that the engine drives; None if it is not."""
-        senses: _Senses = {
-            "observation": observation_of(ego),
-            "pedals": pedals_of(ego),
-            "through_collisions": through_collisions,
-        }
+        senses = _Senses(observation=observation_of(ego), pedals=pedals_of(ego), through_collisions=through_collisions)
         if self._engine is None or policy_of(ego, self._engine) is None:
             return None
         return self._made_again(_key_of(program, scene, senses), program, scene, senses)
+
+    def bounded(self, program: ScenicProgram, scene: Scene, ego: EgoPolicy) -> bool:
+        """Whether a scene is there as arrays, and the engine drives it by itself with such an ego."""
+        senses = _Senses(observation=observation_of(ego), pedals="", through_collisions=False)
+        there = _key_of(program, scene, senses) in self._placed
+        return there and self._engine is not None and policy_of(ego, self._engine) is not None
 
     def _made_again(
         self, key: tuple[object, ...], program: ScenicProgram, scene: Scene, senses: _Senses
