@@ -363,7 +363,7 @@ def _watch(world: engine.World, session: SteppedSession) -> None:
 
 def _until(array: NDArray[np.float64], step: int) -> NDArray[np.float64]:
     """A copy of what is kept of each state up to a step, with room for the rest."""
-    copied = np.empty(array.shape)
+    copied = np.zeros(array.shape)
     copied[: step + 1] = array[: step + 1]
     return copied
 
