@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from chatscene.errors import ChatSceneError, MissingExtra, SettingsError, no_such
+from chatscene.terms.nouns import with_article
 
 Plugin = TypeVar("Plugin")
 
@@ -85,7 +86,9 @@ def make(kind: Kind[Plugin], name: str, *arguments: Any, **named: Any) -> Plugin
         except (Exception, SystemExit) as error:
             raise kind.error(f"{kind.noun} {name!r}: {entry.attr!r} fails: {type(error).__name__}: {error}") from error
     if not callable(getattr(made, kind.method, None)):
-        raise kind.error(f"{kind.noun} {name!r} makes a {type(made).__name__}, which has no method {kind.method}")
+        raise kind.error(
+            f"{kind.noun} {name!r} makes {with_article(type(made).__name__)}, which has no method {kind.method}"
+        )
     return made
 
 
@@ -97,7 +100,9 @@ def _find(kind: Kind[Any], name: str) -> EntryPoint:
     found = list(entry_points(group=kind.group, name=name))
     if len(found) > 1:
         places = ", ".join(sorted(entry.value for entry in found))
-        raise kind.error(f"several packages bring a {kind.noun} {name!r} ({places}); name one as module:factory")
+        raise kind.error(
+            f"several packages bring {with_article(kind.noun)} {name!r} ({places}); name one as module:factory"
+        )
     if found:
         return found[0]
     module, colon, factory = name.partition(":")

@@ -140,11 +140,11 @@ def test_a_number_that_was_said_is_a_number_of_the_program() -> None:
 def test_a_number_that_no_body_can_do_is_refused_with_what_it_can() -> None:
     numbers = Numbers("A", AdversaryKind.BICYCLE.row)
     with pytest.raises(
-        NotBuilt, match=r"others\.A\.starts\.speed: 80 km/h is more than a bicycle can: 11\.4 m/s at most"
+        NotBuilt, match=r"others\.A\.starts\.speed: 80 km/h is more than a cyclist can: 11\.4 m/s at most"
     ):
         numbers.bind("SPEED", Speed.of("80 km/h"), 8.0, "others.A.starts.speed")
     with pytest.raises(
-        NotBuilt, match=r"others\.A\.does\.0\.acceleration: 9 m/s² is more than a bicycle can: 4\.5 m/s² at most"
+        NotBuilt, match=r"others\.A\.does\.0\.acceleration: 9 m/s² is more than a cyclist can: 4\.5 m/s² at most"
     ):
         numbers.bind("BRAKE", Acceleration.of(9), 0.0, "others.A.does.0.acceleration")
 

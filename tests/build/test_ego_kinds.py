@@ -163,7 +163,7 @@ def test_a_bus_needs_longer_than_a_car_to_get_under_way_and_to_stop() -> None:
 @pytest.mark.parametrize(
     ("ego", "why"),
     [
-        ({"kind": "bicycle", "speed": "60 km/h"}, r"ego\.speed: 60 km/h is more than a bicycle can: 41 km/h at most"),
+        ({"kind": "bicycle", "speed": "60 km/h"}, r"ego\.speed: 60 km/h is more than a cyclist can: 41 km/h at most"),
         (
             {"kind": "tram", "does": [{"act": "brake", "acceleration": "6 m/s²"}]},
             r"ego\.does\.0\.acceleration: 6 m/s² is more than a tram can: 3 m/s² at most",

@@ -92,7 +92,7 @@ def test_whatever_is_built_of_a_walker_is_seen(seed: int) -> None:
     [
         (
             somebody("bicycle", "behind", deed("overtake"), ego={"speed": "50 km/h"}),
-            "a bicycle at 36 km/h does not overtake an ego at 50 km/h",
+            "a cyclist at 36 km/h does not overtake an ego at 50 km/h",
         ),
         (
             somebody("pedestrian", "roadside", deed("cross", speed="5 km/h"), deed("slow-down", speed="6 km/h")),
@@ -100,7 +100,7 @@ def test_whatever_is_built_of_a_walker_is_seen(seed: int) -> None:
         ),
         (
             somebody("wheelchair", "roadside", deed("slow-down", speed="9 km/h")),
-            "slow-down to 9 km/h cannot be seen of a wheelchair, which goes at 10 km/h at most",
+            "slow-down to 9 km/h cannot be seen of a wheelchair user, which goes at 10 km/h at most",
         ),
         (
             somebody("bus", "driveway", deed("cross", speed="60 km/h")),

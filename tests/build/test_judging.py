@@ -66,7 +66,7 @@ def test_every_deed_that_tracks_can_tell_has_a_finding_with_its_moment(name: str
     [
         (BRAKES, "others.A.does.0.act", "accelerate", "said accelerate, but it never does"),
         (BRAKES, "others.A.does.0.acceleration", "8 m/s²", "said 8 m/s², it changes speed by"),
-        (BRAKES, "others.A.kind", "truck", "said truck, it is a Car"),
+        (BRAKES, "others.A.kind", "truck", "said truck, it is a car"),
         (BRAKES, "others.A.starts.distance", "40 m", "said 40 m, it starts this far:"),
         (BRAKES, "others.A.starts.where", "behind", "said behind, it starts"),
         (BRAKES, "ego.route", "left-turn", "said left-turn, its route goes straight"),

@@ -113,7 +113,7 @@ def test_what_is_refused_in_a_catalog_is_told_by_its_file(beside: Path) -> None:
     text = with_catalog(beside, '<CatalogReference catalogName="cars" entryName="v"/>')
     body = (beside / "cars" / "all.xosc").read_text()
     (beside / "cars" / "all.xosc").write_text(body.replace('"car"', '"submarine"'))
-    with pytest.raises(ScenarioError, match=r"all\.xosc, line 1: <Vehicle>: nobody here is a 'submarine'"):
+    with pytest.raises(ScenarioError, match=r"all\.xosc, line 1: <Vehicle>: no road user is known as 'submarine'"):
         read(beside, text)
 
 

@@ -34,6 +34,7 @@ from chatscene.build.relations import speed_beside
 from chatscene.build.sideways import COMES_OVER
 from chatscene.build.starts import start_of
 from chatscene.build.timing import Body
+from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import LIMITS, PROPS, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.rolling import rolls
@@ -124,8 +125,8 @@ class Actor:
         if told is not None and any(rolls(one) for one in told.others if one.id == self.one.id):
             self.ledger.assume(f"{self.one.id} rolls, and is built as a ball, which may be smaller")
         elif self.one.kind.row.general:
-            built = self.one.kind.row.body.row.scenic.lower()
-            self.ledger.assume(f"{self.one.id} is built as a {built}, since its kind was not said")
+            built = one_seen(self.one.kind.row.body.row.scenic)
+            self.ledger.assume(f"{self.one.id} is built as {built}, since its kind was not said")
         if self.one.count == SEVERAL:
             self.ledger.assume(f"of {self.one.id} there are {SOME}, since their number was not said")
 

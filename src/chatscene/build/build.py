@@ -32,6 +32,7 @@ from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, Nothin
 from chatscene.situations.faults import dotted
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import as_it_backs, backs
+from chatscene.terms.nouns import with_article
 from chatscene.terms.rolling import as_it_rolls
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Other, Situation
@@ -274,7 +275,7 @@ def _hides(situation: Situation, one: Other) -> str | None:
 
 def _title(situation: Situation) -> str:
     """What it is about, for a comment."""
-    who = "; ".join(f"{name_of(one.id)} is a {one.kind} {one.starts.where}" for one in situation.others)
+    who = "; ".join(f"{name_of(one.id)} is {with_article(one.kind)} {one.starts.where}" for one in situation.others)
     return f"the ego: {situation.ego.route or 'straight'}; {who}"
 
 

@@ -15,6 +15,7 @@ from chatscene.build.own import KEEPS, is_own, own_orders
 from chatscene.build.place import GOES_OVER, Found, at_junction
 from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.maps.routes import TO_LINE
+from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.backing import backs
 from chatscene.terms.conclusions import JUNCTIONS
@@ -89,8 +90,8 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     body = ego.body.row.limits
     if ego.speed is not None:
         if ego.speed.low > (most := MOST * body.top_speed):
-            what = ego.kind or UserKind.CAR
-            raise NotBuilt(f"ego.speed: {ego.speed} is more than a {what} can: {3.6 * most:.0f} km/h at most")
+            what = one_of(ego.kind or UserKind.CAR)
+            raise NotBuilt(f"ego.speed: {ego.speed} is more than {what} can: {3.6 * most:.0f} km/h at most")
         ledger.take("ego.speed")
     ledger.take("ego.kind")
     keeps = keeps_limits(situation)
@@ -338,13 +339,13 @@ def _seconds(ledger: Ledger, deed: Deed, at: str) -> float:
 
 
 def _braking(ledger: Ledger, deed: Deed, at: str, usual: float) -> float:
-    body, kind = ledger.situation.ego.body.row.limits, ledger.situation.ego.kind or UserKind.CAR
+    body, kind = ledger.situation.ego.body.row.limits, one_of(ledger.situation.ego.kind or UserKind.CAR)
     if deed.acceleration is None and deed.manner is not None and deed.manner in FIRM:
         ledger.take(f"{at}.manner")
         return min(max(usual, FIRM[deed.manner] * body.brake), EASILY * body.brake)
     if deed.acceleration is None:
         return min(usual, EASILY * body.brake)
     if deed.acceleration.low > body.brake + body.drag:
-        raise NotBuilt(f"{at}.acceleration: {deed.acceleration} is more than a {kind} can: {body.brake:g} m/s² at most")
+        raise NotBuilt(f"{at}.acceleration: {deed.acceleration} is more than {kind} can: {body.brake:g} m/s² at most")
     ledger.take(f"{at}.acceleration")
     return deed.acceleration.within(0.5, max(usual, deed.acceleration.low))[0]

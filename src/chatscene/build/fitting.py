@@ -13,6 +13,7 @@ from chatscene.errors import MapError
 from chatscene.maps.ring_ways import ring_ways
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import backs
+from chatscene.terms.nouns import with_article
 from chatscene.terms.scenario import Site
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Where
@@ -32,7 +33,7 @@ def lacking_for(situation: Situation, found: Found) -> str | None:
     ways = [(one, way_through(situation, found, one)) for one, _ in arms]
     unmet = [pair for pair, (_, way) in zip(arms, ways, strict=True) if way is None]
     if missing := {(arm, way_of(situation, one, arm)) for one, arm in unmet}:
-        who = ", ".join(f"from the {arm} in a {turn}" for arm, turn in sorted(missing))
+        who = ", ".join(f"from the {arm} in {with_article(turn)}" for arm, turn in sorted(missing))
         return f"nobody who comes {who} meets the ego's way there"
     if arms and abreast(situation) and not _comes_in_two_lanes(found):
         return "nobody comes against the ego there in two lanes"

@@ -12,6 +12,7 @@ import shapely
 from chatscene.build.asked import Meets
 from chatscene.build.place import LANE, only_others_stop, ring_arms
 from chatscene.errors import MapError, NotBuilt, NothingBuilds
+from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import Limits
 from chatscene.terms.situation import Deed
 from chatscene.terms.vocabulary import COMES_IN, HALTS, Act, Breach, EgoLight, Heads, Where, acts_of
@@ -82,7 +83,7 @@ def check_turn(actor: Actor, k: int) -> None:
     circle = 2.0 * limits.wheelbase / math.tan(limits.wheel_angle) if limits.wheelbase else 0.0
     if circle > LANE:
         raise NothingBuilds(
-            f"nothing builds yet: {actor.path}.does.{k}.act: {actor.deeds[k].act} of a {actor.one.kind} that "
+            f"nothing builds yet: {actor.path}.does.{k}.act: {actor.deeds[k].act} of {one_of(actor.one.kind)} that "
             f"turned back, since it takes {circle:.0f} m to turn round again"
         )
 
@@ -128,8 +129,8 @@ def way_to_turn_round(actor: Actor, k: int) -> Round:
     back = (circle - aside) / math.sin(over) if over else math.inf
     if back > BACKS:
         raise NotBuilt(
-            f"nothing builds yet: {at} of a {actor.one.kind}, which takes {circle + limits.width / 2:.0f} m of road to"
-            f" its left, of which there are {room:.0f} m"
+            f"nothing builds yet: {at} of {one_of(actor.one.kind)}, which takes {circle + limits.width / 2:.0f} m "
+            f"of road to its left, of which there are {room:.0f} m"
         )
     return Round(radius=circle / 2, first=over, back=back)
 

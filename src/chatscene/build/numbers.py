@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from chatscene.errors import NotBuilt
+from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import REVERSE_SPEED, RoadUser
 from chatscene.terms.amount import Amount
 from chatscene.terms.snippet import ParameterRange
@@ -110,7 +111,7 @@ class Numbers:
         if least > top + 1e-9:
             most_told = f"{top * scale:.3g} {unit if unit != '1' else 'm/s²'} at most"
             at = f"{path}: " if path else ""
-            raise NotBuilt(f"{at}{amount} is more than a {self.row.scenic.lower()} can: {most_told}")
+            raise NotBuilt(f"{at}{amount} is more than {one_seen(self.row.scenic)} can: {most_told}")
         self.ranges[name] = (least, min(most, top), unit, meaning)
         self.bound[name] = path
 

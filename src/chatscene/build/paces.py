@@ -17,6 +17,7 @@ from chatscene.build.relations import GAINS, GAINS_AGAINST, PASSES, speed_of
 from chatscene.build.timing import Body
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
+from chatscene.situations.phrases import one_of, one_seen
 from chatscene.terms.seeing import LOST, SHARE_LOST, gain_of, loss_of
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import PLAIN, SIDEWAYS, Act, Heads, acts_of
@@ -165,10 +166,8 @@ class Paces:
         if one.gains and after.high < was + least and was > CREEPS:
             raise NotBuilt(f"{name} {_told(was, after.high)}; say {_kmh(was + least)} at least")
         if before.low > MOST * self._numbers.row.limits.top_speed:
-            kind, most = self._numbers.row.scenic.lower(), MOST * self._numbers.row.limits.top_speed
-            raise NotBuilt(
-                f"{name} to {_kmh(after.low)} cannot be seen of a {kind}, which goes at {_kmh(most)} at most"
-            )
+            kind, most = one_seen(self._numbers.row.scenic), MOST * self._numbers.row.limits.top_speed
+            raise NotBuilt(f"{name} to {_kmh(after.low)} cannot be seen of {kind}, which goes at {_kmh(most)} at most")
         least = loss_of(before.high)
         if not one.gains and after.low > before.high - least:
             raise NotBuilt(f"{name} {_told(before.high, after.low)}; say {_kmh(before.high - least)} at most")
@@ -261,7 +260,7 @@ def check_held(actor: Actor, speed: float, said: str) -> None:
     """
     most = Body(actor.limits, actor.walks).fastest if actor.one.kind.row.body.row.motorised else speed
     if most < ABOUT * speed:
-        raise NotBuilt(f"{said} is more than a {actor.one.kind} holds: {_kmh(most)} at most")
+        raise NotBuilt(f"{said} is more than {one_of(actor.one.kind)} holds: {_kmh(most)} at most")
 
 
 def in_one_manner(actor: Actor) -> bool:
@@ -291,7 +290,7 @@ def set_passing_speed(actor: Actor, k: int) -> None:
         low, high, *_ = numbers.ranges["SPEED"]
     if most < least:
         raise NotBuilt(
-            f"{actor.path}.does.{k}: a {actor.one.kind} at {_kmh(most)} does not overtake "
+            f"{actor.path}.does.{k}: {one_of(actor.one.kind)} at {_kmh(most)} does not overtake "
             f"{'an ego' if whom == EGO else whom} at {_kmh(passed)}; say {_kmh(least)} at least, or a slower "
             f"{'ego' if whom == EGO else whom}"
         )

@@ -37,6 +37,7 @@ from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt, NothingBuilds
+from chatscene.situations.phrases import one_of
 from chatscene.terms.vocabulary import HALTS, STOPS, Act, Heads, Manner, Role, Striker, Tempo, acts_of
 
 if TYPE_CHECKING:
@@ -212,9 +213,9 @@ class Phases:
         if there.metres - here.metres > RUN_UP:
             most = self.body.reaches(RUN_UP)
             at = f"{self.actor.path}.does.{k}.speed: {self.actor.deeds[k].speed}"
-            kind = self.actor.one.kind
+            kind = one_of(self.actor.one.kind)
             raise NotBuilt(
-                f"{at} is more than a {kind} has that sets off beside our lane; say {3.6 * most:.0f} km/h at most"
+                f"{at} is more than {kind} has that sets off beside our lane; say {3.6 * most:.0f} km/h at most"
             )
         if self.actor.deeds[k].act is Act.ENTER:  # and stops in the lane
             return replace(there, metres=there.metres + there.speed**2 / (2.0 * self.actor.limits.brake))

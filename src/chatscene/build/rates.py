@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.deeds import BRAKES_TO, GO, OWN, Steps
 from chatscene.errors import NotBuilt
+from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import AIR_DRAG
 from chatscene.terms.amount import Amount, Duration, Length
 from chatscene.terms.vocabulary import Act, Heads, Tempo, acts_of
@@ -121,8 +122,8 @@ def throttles_by(actor: Actor, k: int, body: Body, before: Speed, after: Speed, 
         most = _mean(body, was, then, 1.0)
         said_so = deed.time if deed.time is not None and deed.acceleration is None else f"{rates[0]:.3g} m/s²"
         raise NotBuilt(
-            f"{path}: {said_so} is more than a {actor.one.kind} can from {3.6 * was:.0f} to {3.6 * then:.0f} km/h: "
-            f"{most:.2g} m/s² at most"
+            f"{path}: {said_so} is more than {one_of(actor.one.kind)} can from {3.6 * was:.0f} to {3.6 * then:.0f} "
+            f"km/h: {most:.2g} m/s² at most"
         )
     name = f"THROTTLE_{k}"
     actor.numbers.measure(name, pedals[0], min(pedals[1], 1.0), "1", "how far the pedal is pressed", path)
@@ -162,7 +163,9 @@ def _bind(actor: Actor, k: int, name: str, rates: tuple[float, float], path: str
         raise NotBuilt(f"{at}: {getattr(actor.deeds[k], path)}: it loses speed sooner if it only rolls out")
     if low > 1.0:
         said = getattr(actor.deeds[k], path)
-        raise NotBuilt(f"{at}: {said} is more than a {actor.one.kind} can: {rates[0]:.3g} m/s², and {most:.3g} at most")
+        raise NotBuilt(
+            f"{at}: {said} is more than {one_of(actor.one.kind)} can: {rates[0]:.3g} m/s², and {most:.3g} at most"
+        )
     actor.numbers.measure(f"{name}_{k}", low, min(high, 1.0), "1", "how hard it brakes", at)
 
 

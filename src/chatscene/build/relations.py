@@ -16,6 +16,7 @@ from chatscene.build.place import NEXT_LANE
 from chatscene.build.timing import HELD, Body
 from chatscene.errors import NotBuilt
 from chatscene.maps.open_road import PASSING, SWING
+from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Speed
 from chatscene.terms.pace import NOMINAL
@@ -189,8 +190,8 @@ def check_kept_up(situation: Situation, ego: float) -> None:
         if goes_with(one) and (most := _holds(one)) < HELD * ego:
             k = next(k for k, deed in enumerate(one.does) if deed.act in _WITH)
             raise NotBuilt(
-                f"others.{one.id}.does.{k}.act: {one.does[k].act}: a {one.kind}, which holds {3.6 * most:.0f} km/h, is"
-                f" left behind by an ego at {3.6 * ego:.0f} km/h; say an ego at {3.6 * most:.0f} km/h at most"
+                f"others.{one.id}.does.{k}.act: {one.does[k].act}: {one_of(one.kind)}, which holds {3.6 * most:.0f} "
+                f"km/h, is left behind by an ego at {3.6 * ego:.0f} km/h; say an ego at {3.6 * most:.0f} km/h at most"
             )
 
 
@@ -204,6 +205,6 @@ def check_passed_by_ego(situation: Situation, ego: float) -> None:
         said = said_speed(one, ego) if is_passed_by_ego(situation, one) else None
         if said is not None and said > (most := passed_share(situation, one) * ego):
             raise NotBuilt(
-                f"others.{one.id}: the ego at {3.6 * ego:.0f} km/h does not overtake a {one.kind} at "
+                f"others.{one.id}: the ego at {3.6 * ego:.0f} km/h does not overtake {one_of(one.kind)} at "
                 f"{3.6 * said:.0f} km/h before it comes back; say {3.6 * most:.0f} km/h at most, or a faster ego"
             )

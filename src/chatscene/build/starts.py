@@ -37,6 +37,7 @@ from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.terms.amount import Length
 from chatscene.terms.backing import backs
 from chatscene.terms.conclusions import LANE_CHANGES
+from chatscene.terms.nouns import with_article
 from chatscene.terms.route import Beside
 from chatscene.terms.scenario import Site
 from chatscene.terms.situation import EGO, Situation
@@ -527,7 +528,7 @@ ON_FOOT = frozenset(
     (Where.AHEAD, Where.AHEAD_BESIDE, Where.BESIDE, Where.ROADSIDE, Where.KERB, Where.DRIVEWAY, Where.CROSSING)
 ) | {Where.EXIT_CROSSING, Where.MEDIAN}
 """Where somebody on foot can be."""
-NEAREST = {Where.OFF_RAMP: f"{Where.AHEAD_BESIDE}, on the right, where the road has an {Feature.OFF_RAMP}"}
+NEAREST = {Where.OFF_RAMP: f"{Where.AHEAD_BESIDE}, on the right, where the road has {with_article(Feature.OFF_RAMP)}"}
 """For places where nobody is put yet: what can be said in their place."""
 
 

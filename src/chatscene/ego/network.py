@@ -59,7 +59,7 @@ class Network:
     def __post_init__(self) -> None:
         if self.hidden not in HIDDEN or self.output not in OUTPUTS:
             raise EgoError(
-                f"a network cannot have {self.hidden!r} layers and a {self.output!r} output; "
+                f"a network cannot have {self.hidden!r} layers and {self.output!r} output; "
                 f"known: {', '.join(HIDDEN)}; {', '.join(OUTPUTS)}"
             )
         if not self.layers:

@@ -22,6 +22,7 @@ from chatscene.library.snippet_file import MARK, tuned_in
 from chatscene.models.language.structured import printable
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
+from chatscene.terms.nouns import with_article
 from chatscene.terms.scenario import Component, Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots
 from chatscene.terms.snippet import ParameterRange, Snippet
 
@@ -162,14 +163,16 @@ def _roles(snippet: Snippet, library: Library) -> Iterator[Finding]:
     """Whether it defines what its component defines, and nothing of its partners'."""
     provides = set(snippet.provides)
     if missing := sorted(CORE[snippet.component] - provides):
-        yield Finding(snippet.id, "names", f"a {snippet.component} defines {', '.join(missing)}; this one does not")
+        yield Finding(
+            snippet.id, "names", f"{with_article(snippet.component)} defines {', '.join(missing)}; this one does not"
+        )
     theirs = {*partner_names(snippet.component, library), *HEADER_PROVIDES} - {
         name for s in library.of(snippet.component) for name in s.provides
     }
     if taken := sorted(provides & theirs):
         yield Finding(snippet.id, "names", f"{', '.join(taken)} is for a partner to define")
     if snippet.component is not Component.SPAWN and re.search(r"\bnew\b", re.sub(r"#.*", "", snippet.source)):
-        yield Finding(snippet.id, "names", f"a {snippet.component} places nothing; only a spawn does")
+        yield Finding(snippet.id, "names", f"{with_article(snippet.component)} places nothing; only a spawn does")
 
 
 def _said_faults(snippet: Snippet, library: Library) -> Iterator[Finding]:
@@ -183,10 +186,10 @@ def _said_faults(snippet: Snippet, library: Library) -> Iterator[Finding]:
         yield Finding(snippet.id, "text", f"the description is a wording of {said}")
     filled = snippet.slots.said().keys()
     if missing := [name for name in CLAIMS[snippet.component] if name not in filled]:
-        yield Finding(snippet.id, "slots", f"a {snippet.component} says its {', '.join(missing)}")
+        yield Finding(snippet.id, "slots", f"{with_article(snippet.component)} says its {', '.join(missing)}")
     usual = {name for s in library.of(snippet.component) for name in s.slots.said()}
     if odd := sorted(filled - usual):
-        yield Finding(snippet.id, "slots", f"a {snippet.component} does not fill {', '.join(odd)}")
+        yield Finding(snippet.id, "slots", f"{with_article(snippet.component)} does not fill {', '.join(odd)}")
     if not snippet.adversaries and snippet.component is not Component.GEOMETRY:
         yield Finding(snippet.id, "slots", "it names no kind of adversary")
 

@@ -17,6 +17,7 @@ from chatscene.library.snippet_file import ADVERSARY_CLASS
 from chatscene.models.language.protocol import Example
 from chatscene.sentences.describe import varied
 from chatscene.simulate.confined.words import world_words
+from chatscene.terms.nouns import with_article
 from chatscene.terms.scenario import BaseScenario, Component
 from chatscene.terms.snippet import Snippet
 from chatscene.world import places
@@ -111,7 +112,9 @@ def shots(component: Component, base: BaseScenario, library: Library) -> tuple[E
     axis = list(Component).index(component)
     several = dict.fromkeys(one[axis].id for one in varied(base, 4 * SHOTS, library=library, seed=0))
     compact = sorted((library.get(one) for one in several), key=lambda s: len(s.source) > SHORT)
-    return tuple(Example(f"Write a {component} for the base scenario {base}.", draft_of(s)) for s in compact[:SHOTS])
+    return tuple(
+        Example(f"Write {with_article(component)} for the base scenario {base}.", draft_of(s)) for s in compact[:SHOTS]
+    )
 
 
 def existing(component: Component, base: BaseScenario, library: Library) -> tuple[str, ...]:

@@ -7,7 +7,9 @@ from collections.abc import Iterator
 
 from chatscene.imports.given import DEEPEST, Given, Refused
 from chatscene.imports.stranger_xml import Element
+from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import BY_CLASS, LIMITS
+from chatscene.terms.nouns import with_article
 from chatscene.terms.storyboard import THING
 from chatscene.world.story.pace import UNBOUND
 
@@ -164,10 +166,10 @@ class Entities:
             fits = [name for name, row in known.items() if row.openscenario == category and not row.role]
             alike = _ALIKE.get(category)
             if not fits and alike is None:
-                raise Refused(body, f"nobody here is a {category[:40]!r}")
+                raise Refused(body, f"no road user is known as {category[:40]!r}")
             kind = alike or fits[0]
             if kind.lower() != category and (alike or category in _ONE_OF) and category != "motorcycle":
-                self._given.note(body, f"a {category} is shown as a {kind.lower()} of its size")
+                self._given.note(body, f"{with_article(category)} is shown as {one_seen(kind)} of its size")
         if kind in LIMITS and not (length and width):
             length, width = LIMITS[kind].length, LIMITS[kind].width
         if kind == THING and not (length >= _LEAST and width >= _LEAST):

@@ -7,6 +7,7 @@ import re
 
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.stranger_xml import Element
+from chatscene.terms.nouns import with_article
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
 _FOG = 200.0  # [m] of sight, below which it is foggy
@@ -87,5 +88,5 @@ def _surface(road: Element | None, given: Given) -> Surface:
         surface = Surface.WET
     friction = surface.row.friction if math.isfinite(surface.row.friction) else 1.0
     if abs(friction - grip) > _SAME and not (wetness and grip == 1.0):
-        given.note(road, f"a friction of {grip:g} is shown as a {surface.row.said}, of {friction:g}")
+        given.note(road, f"a friction of {grip:g} is shown as {with_article(surface.row.said)}, of {friction:g}")
     return surface

@@ -10,6 +10,7 @@ import numpy as np
 from chatscene.errors import ScenarioError
 from chatscene.terms.actors import BY_CLASS, LIMITS, PROPS
 from chatscene.terms.episode import Array, Role, Track
+from chatscene.terms.nouns import with_article
 from chatscene.terms.vocabulary import UserKind
 
 DT = 0.1  # [s], the step at which drives are judged
@@ -108,7 +109,9 @@ def _track(one: Poses, actor: str, role: Role | None, steps: Array, path: object
     limits = LIMITS.get(kind) or PROPS.get(kind)
     length, width = one.length or (limits.length if limits else None), one.width or (limits.width if limits else None)
     if length is None or width is None:
-        raise ScenarioError(f"{path}: {one.name} is a {one.kind}, whose size is not known; say its length and width")
+        raise ScenarioError(
+            f"{path}: {one.name} is {with_article(one.kind)}, whose size is not known; say its length and width"
+        )
     x, y, heading, speed = (
         np.interp(steps, one.time, values, left=np.nan, right=np.nan)
         for values in (one.x, one.y, np.unwrap(one.heading), one.speed)

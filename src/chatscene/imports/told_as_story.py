@@ -18,6 +18,7 @@ from chatscene.imports.story_actions import StoryActions
 from chatscene.imports.story_conditions import DEPTHS, StoryConditions
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written_story import Member, StoryProgram, Told
+from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.plan import Expression, Parameter, walk
 from chatscene.terms.storyboard import EGO_ROUTE
@@ -207,7 +208,7 @@ class StoryReader(Opening):
                 return 0.0
             kept = min(max(value, -_BACKS), LIMITS[kind].top_speed)
             if kept != value:
-                self._given.note(action, f"a {kind.lower()} goes at {kept:g} m/s at most, where it says {value:g} m/s")
+                self._given.note(action, f"{one_seen(kind)} goes at {kept:g} m/s at most, where it says {value:g} m/s")
             return kept
         return 0.0
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from chatscene.library.beside import others_of
 from chatscene.terms.acts import BRINGS, Action
+from chatscene.terms.nouns import with_article
 from chatscene.terms.scenario import Scenario, Slots
 from chatscene.terms.snippet import Retrieval
 
@@ -82,7 +83,11 @@ def _others(scenario: Scenario, retrieval: Retrieval) -> list[str]:
         if not getattr(said, name) and any(getattr(slots, name) for slots in built)
     ]
     if said.occluder is None:
-        told += [f"added: something that hides the adversary, a {s.occluder}" for s in built if s.occluder is not None]
+        told += [
+            f"added: something that hides the adversary, {with_article(s.occluder.replace('-', ' '))}"
+            for s in built
+            if s.occluder is not None
+        ]
     asked, there = len(said.others), max(len(slots.others) for slots in built)
     if there > asked:
         told.append(f"added: {there - asked} other road user{'s' * (there - asked > 1)}")
@@ -96,10 +101,10 @@ def _kind(scenario: Scenario, words: Sequence[Mapping[str, Any]]) -> list[str]:
         return []
     named = _named(words)
     if not named:
-        return [f"guessed: a {kind.noun}, which no word names"]
+        return [f"guessed: {with_article(kind.noun)}, which no word names"]
     if any(name in text for text in named for name in (kind.noun.lower(), kind.value.replace("-", " "))):
         return []
-    return [f"{', '.join(map(repr, named))} {'is' if len(named) == 1 else 'are'} shown as a {kind.noun}"]
+    return [f"{', '.join(map(repr, named))} {'is' if len(named) == 1 else 'are'} shown as {with_article(kind.noun)}"]
 
 
 def _named(words: Sequence[Mapping[str, Any]]) -> list[str]:

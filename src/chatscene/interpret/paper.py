@@ -24,6 +24,7 @@ from chatscene.library.compatibility import compatibility
 from chatscene.library.load import Library, library_with
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.settings import RetrievalSettings
+from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.frame import Frame
 from chatscene.terms.scenario import Component, SubDescriptions
@@ -65,7 +66,8 @@ def nearest_triple(
     joint = compatibility(library)
     at = highest(joint, [scores[c] for c in Component], joint.able(kind), tried)
     if at is None:
-        raise NothingFits(f"nothing {'else ' if tried else ''}in the library has a {kind} as adversary")
+        who = "an adversary" if kind is None else f"{one_seen(kind.row.scenic)} as adversary"
+        raise NothingFits(f"nothing {'else ' if tried else ''}in the library has {who}")
     behavior, geometry, spawn = (_match(library, c, scores[c], i) for c, i in zip(Component, at, strict=True))
     return Retrieval(
         behavior=behavior,

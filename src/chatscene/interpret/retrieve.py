@@ -22,6 +22,7 @@ from chatscene.library.bind import distances, out_of_reach, settable
 from chatscene.library.compatibility import compatibility, incompatibility
 from chatscene.library.load import Library
 from chatscene.settings import RetrievalSettings
+from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import BRINGS, Action, reordered
 from chatscene.terms.acts import TURNS as TURNING
@@ -132,7 +133,8 @@ def _best(
     free = tuple(ok & (ranked[component].conflicts == 0) for ok, component in zip(allowed, Component, strict=True))
     found = highest(joint, scores, free, tried) or highest(joint, scores, allowed, tried)
     if found is None:
-        raise NothingFits(f"nothing {'else ' if tried else ''}in the library has a {kind} as adversary")
+        who = "an adversary" if kind is None else f"{one_seen(kind.row.scenic)} as adversary"
+        raise NothingFits(f"nothing {'else ' if tried else ''}in the library has {who}")
     return tuple(ranked[component].match(i) for component, i in zip(Component, found, strict=True))
 
 

@@ -7,6 +7,7 @@ rather than in the many ways of users.
 from __future__ import annotations
 
 from chatscene.terms.frame import Frame
+from chatscene.terms.nouns import with_article
 from chatscene.terms.scenario import Control, Maneuver, Place, Position, Slots, SubDescriptions
 
 
@@ -66,7 +67,7 @@ def spawn_in_words(slots: Slots) -> str:
         if slots.position
         else f"ahead of the ego{side}"
     )
-    hidden = f", hidden behind a {slots.occluder.replace('-', ' ')}" if slots.occluder else ""
+    hidden = f", hidden behind {with_article(slots.occluder.replace('-', ' '))}" if slots.occluder else ""
     leader = ", and a slow car leads the ego" if slots.leader else ""
     blocked = ", beyond a car parked in the ego's lane" if slots.blocker else ""
     return f"The adversary is {where}{hidden}{leader}{blocked}."

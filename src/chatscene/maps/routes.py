@@ -30,6 +30,7 @@ from chatscene.maps.off_lane import TIGHTEST
 from chatscene.maps.open_road import CURVED_ROAD, SHORT_ROAD, on_road, turned, windows
 from chatscene.maps.settings import is_two_way, lies_in
 from chatscene.maps.sites import AT_JUNCTIONS, routes_at
+from chatscene.terms.nouns import with_article
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Beside, Equipment, Route, RouteQuery
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, includes
@@ -179,7 +180,7 @@ def _in_words(query: RouteQuery) -> list[str]:
     words += [f"the setting {query.setting}"] * (query.setting is not None) + ["a median"] * query.divided
     words += [_EQUIPMENT[one] for one in query.has]
     words += [f"lane {query.lane} from the outermost"] * (query.lane is not None)
-    words += [f"a {query.begins} to begin at" for _ in (query.begins,) if query.begins is not None]
+    words += [f"{with_article(query.begins)} to begin at" for _ in (query.begins,) if query.begins is not None]
     words += [_ENDS[query.ends] for _ in (query.ends,) if query.ends is not None]
     words += [f"{query.approach:.0f} m of road before it" for _ in (query.approach,) if query.approach is not None]
     if query.conflicting_from:

@@ -41,6 +41,7 @@ from chatscene.program.starting import STARTS, faces
 from chatscene.program.unasked import of_somebody, unasked
 from chatscene.program.waits import Waiting
 from chatscene.program.watching import Seen, percentile, watch
+from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.backing import as_it_backs, backs, drive_as_it_backs, turned_about
@@ -126,7 +127,9 @@ class _Judge:
         speed = self.episode.ego_track.speed[:until]
         if ego.kind is not None:
             kind = self.episode.ego_track.kind
-            yield Finding(path="ego.kind", shown=kind == ego.kind.scenic, told=f"said {ego.kind}, it is a {kind}")
+            yield Finding(
+                path="ego.kind", shown=kind == ego.kind.scenic, told=f"said {ego.kind}, it is {one_seen(kind)}"
+            )
         if ego.speed is not None:
             rises = self.contact is not None and not held_at_most(speed, self.episode.dt)
             yield self.measure.number("ego.speed", ego.speed, speed, SLACK_SPEED, "drives at", most=True, cut=rises)
@@ -179,7 +182,7 @@ class _Judge:
         body = one.kind.scenic
         kind = tracks[0].kind
         known = kind == body or (one.kind.row.general and manner_of(kind) in (one.kind.moves, None))
-        yield Finding(path=f"{at}.kind", shown=known, told=f"said {one.kind}, it is a {kind}")
+        yield Finding(path=f"{at}.kind", shown=known, told=f"said {one.kind}, it is {one_seen(kind)}")
         enough = len(tracks) > 1 if one.count == SEVERAL else len(tracks) == one.count
         yield Finding(path=f"{at}.count", shown=enough, told=f"said {one.count or 'several'}, there are {len(tracks)}")
         seen = watch(self.episode, self.route, tracks[0], self.contact)

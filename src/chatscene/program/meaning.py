@@ -13,11 +13,13 @@ import numpy as np
 
 from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING
 from chatscene.program.watching import Seen, headings, in_frame, moved_over, watch
+from chatscene.situations.phrases import ROADS, one_seen
 from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.episode import OTHER, Array, Episode, Role, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import WAITING, EgoState, Maneuver, Occluder, Place, Position, Side, Site, Slots, includes
+from chatscene.terms.vocabulary import RoadKind
 
 IN_LANE = 1.75  # [m] from the ego's line
 TOGETHER = 1.0  # [s]; acts that begin within this time begin together, to a watcher
@@ -139,7 +141,7 @@ def _route_failures(slots: Slots, route: Route) -> list[str]:
     if slots.site is not None and slots.site is not route.site:
         failures.append(f"site: said {slots.site}, the route was found for {route.site or 'none'}")
     if slots.place is not None and not is_place(slots.place, route):
-        failures.append(f"place: said {slots.place}, the route lies on a {route.place}")
+        failures.append(f"place: said {slots.place}, the route lies {ROADS[RoadKind(route.place)]}")
     return failures
 
 
@@ -203,7 +205,7 @@ def _start_failures(slots: Slots, seen: Seen, episode: Episode, route: Route) ->
     failures: list[str] = []
     track = seen.track
     if slots.adversary is not None and track.kind != slots.adversary.row.scenic:
-        failures.append(f"adversary: said {slots.adversary}, it is a {track.kind}")
+        failures.append(f"adversary: said {slots.adversary}, it is {one_seen(track.kind)}")
     if slots.side is not None:
         left = left_of_ego(seen, route)
         if (left > 0) != (slots.side is Side.LEFT):

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from chatscene.program.finding import Finding, not_judged
 from chatscene.program.meaning import is_place, maneuver_of
+from chatscene.situations.phrases import ROADS
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 from chatscene.terms.routing import CONTROLS, PLACES
@@ -47,7 +48,9 @@ def of_road(situation: Situation, episode: Episode, route: Route, until: int | N
         yield Finding(path="road.control", shown=right, told=f"said {road.control}, the junction has {route.control}")
     if road.kind is not None and road.kind in PLACES:
         right = is_place(PLACES[road.kind], route) or (road.kind is RoadKind.ROAD and route.junction is None)
-        yield Finding(path="road.kind", shown=right, told=f"said {road.kind}, the route lies on a {route.place}")
+        yield Finding(
+            path="road.kind", shown=right, told=f"said {road.kind}, the route lies {ROADS[RoadKind(route.place)]}"
+        )
     yield from _ego_light(road, episode, until)
     for name in ("setting", "lanes", "ego_lane", "two_way", "speed_limit"):
         if getattr(road, name) is not None:

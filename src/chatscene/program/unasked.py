@@ -17,6 +17,7 @@ from chatscene.program.watching import Seen, headings
 from chatscene.simulate.boxes import Boxes, Pair
 from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.episode import Episode, EventKind
+from chatscene.terms.nouns import with_article
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import LETS_GO, SLOWS, Act, EgoLight, Heads, RightOfWay, Role, Tempo, Where, acts_of
@@ -52,7 +53,7 @@ def unasked(situation: Situation, episode: Episode, until: int | None) -> Iterat
         broken = any(deed.breaks is not None and BROKEN.get(deed.breaks) is event.kind for deed in situation.ego.does)
         chosen = event.kind in rules and rules[event.kind] not in _SAID[event.kind] and not broken
         if chosen and (until is None or event.step < until):
-            told = f"the ego runs a {event.kind}, and nobody said that it has one"
+            told = f"the ego runs {with_article(event.kind.replace('-', ' '))}, and nobody said that it has one"
             yield Finding(path=f"unasked.{event.kind}", shown=False, told=told, at=event.step * episode.dt)
     yield from _let_go(situation, episode, until)
     yield from _through_others(situation, episode, until)

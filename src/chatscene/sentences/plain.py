@@ -124,7 +124,7 @@ def _where(slots: Slots) -> str:
         return f"{_PLACES[slots.place]}{control}"
     lanes = f" with {_LANES[slots.lanes]} in our direction" if slots.lanes else ""
     if slots.two_way is not None:
-        return f"down a {'two' if slots.two_way else 'one'}-way road{lanes}"
+        return f"down {'a two' if slots.two_way else 'a one'}-way road{lanes}"
     if slots.place is None and not lanes:
         return ""
     return f"{_PLACES[slots.place or Place.ROAD]}{lanes}"

@@ -24,6 +24,7 @@ from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.terms.actors import LIMITS, has_lamps, kind_of
 from chatscene.terms.backing import turned_about
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Stepped
+from chatscene.terms.nouns import with_article
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.pointing import fault
 from chatscene.terms.route import Route
@@ -448,7 +449,7 @@ def _vehicle(ego: Any, body: Body, program: ScenicProgram, label: str) -> Vehicl
         ProgramError: It is no vehicle, or has a behavior in a drive in which the ego under test is to drive it.
     """
     if not isinstance(body, Vehicle):
-        raise ProgramError(f"{label} fails: the ego must be a vehicle, not a {type(ego).__name__}")
+        raise ProgramError(f"{label} fails: the ego must be a vehicle, not {with_article(type(ego).__name__)}")
     if ego.behavior is not None and not program.as_written:
         raise ProgramError(
             f"{label} fails: the ego has a behavior of its own, {type(ego.behavior).__name__}, and the ego under test "

@@ -9,6 +9,7 @@ from contextlib import suppress
 
 from chatscene.situations.faults import Fault, Path
 from chatscene.situations.meant import word_meant
+from chatscene.situations.phrases import road_named
 from chatscene.terms.act_amounts import AMOUNTS, amounts_of
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
@@ -224,14 +225,14 @@ def _somebody(situation: Situation, name: str, at: Path, *, ego: bool) -> Iterat
 
 def _of_road(situation: Situation) -> Iterator[Fault]:
     road, route = situation.road, situation.ego.route
-    at_junction = road.kind in JUNCTIONS or road.kind is None
-    if road.kind is not None and road.kind not in JUNCTIONS and route in TURNS:
-        yield Fault(("ego", "route"), f"it cannot turn at a junction where the road is a {road.kind}")
+    elsewhere = None if road.kind is None or road.kind in JUNCTIONS else road_named(road.kind)
+    if elsewhere is not None and route in TURNS:
+        yield Fault(("ego", "route"), f"it cannot turn at a junction where the road is {elsewhere}")
     for i, one in enumerate(situation.others):
-        if one.starts.where.row.junction and not at_junction:
+        if one.starts.where.row.junction and elsewhere is not None:
             yield Fault(
                 ("others", i, "starts", "where"),
-                f"{one.starts.where!s} is at a junction, and the road is a {road.kind}",
+                f"{one.starts.where!s} is at a junction, and the road is {elsewhere}",
             )
     if road.ego_light is not None and road.control not in (None, RightOfWay.SIGNAL):
         yield Fault(("road", "ego_light"), f"there is no light where the control is {road.control}")

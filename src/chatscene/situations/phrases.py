@@ -14,6 +14,8 @@ from enum import StrEnum
 from chatscene.situations.inflection import Form as InForm
 from chatscene.situations.inflection import inflected
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.actors import one_of_class
+from chatscene.terms.nouns import with_article
 from chatscene.terms.surroundings import Light, Surface, Weather
 from chatscene.terms.vocabulary import (
     Act,
@@ -32,7 +34,6 @@ from chatscene.terms.vocabulary import (
     Striker,
     UserKind,
     Where,
-    with_article,
 )
 
 
@@ -254,6 +255,24 @@ def _as_its_body(kind: UserKind) -> Noun:
 
 
 KINDS: Mapping[UserKind, Noun] = {kind: _KINDS.get(kind) or _as_its_body(kind) for kind in UserKind}
+
+_BY_CLASS: Mapping[str, str] = {kind.scenic: noun.one for kind, noun in KINDS.items() if not kind.row.general}
+
+
+def one_of(kind: UserKind) -> str:
+    """One of a kind as messages call it: *a cyclist*, *an emergency vehicle*."""
+    return KINDS[kind].one
+
+
+def one_seen(kind: str) -> str:
+    """One of what a track is of, by its class, in the same words: *an emergency vehicle*, *a phone box*."""
+    return _BY_CLASS.get(kind) or one_of_class(kind)
+
+
+def road_named(kind: RoadKind) -> str:
+    """What a kind of road is called: *a motorway*, *a bend*."""
+    return ROADS[kind].partition(" ")[2]
+
 
 ROLES: Mapping[Role, str | None] = {
     Role.ADVERSARY: None,  # as everybody is of whom nothing else is told

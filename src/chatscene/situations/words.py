@@ -42,6 +42,7 @@ from chatscene.situations.wording import Form, Words, filled, joined, sentence
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
 from chatscene.terms.backing import backs
+from chatscene.terms.nouns import with_article
 from chatscene.terms.situation import EGO, SEVERAL, Contact, Deed, Lateral, Other, Road, Situation, When
 from chatscene.terms.vocabulary import Manner, Striker
 
@@ -231,8 +232,8 @@ class _Telling(Named):
         if self.voice is Voice.PROTOCOL:
             return Words(f"{target_of(one)}, {article} " if one.count == 1 else f"{target_of(one)}, ") + kind + ","
         if one.count == 1:
-            return Words(f"a {ordinal(rank)} " if rank else f"{article} ") + kind
-        return Words(f"a {ordinal(rank)} group of ") + kind if rank else kind
+            return Words(f"{with_article(ordinal(rank))} " if rank else f"{article} ") + kind
+        return Words(f"{with_article(ordinal(rank))} group of ") + kind if rank else kind
 
     def _subject(self, one: Other) -> str:
         """Somebody who was named in the sentence before."""

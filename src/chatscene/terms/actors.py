@@ -20,6 +20,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import lru_cache
 
+from chatscene.terms.nouns import with_article
+
 AIR_DRAG = 0.0008  # [1/m] on top of `Limits.drag`: with both, a car coasts from 15 to 10 m/s in about 15 s
 
 
@@ -802,6 +804,11 @@ def manner_of(kind: str) -> Manner | None:
 def noun_of(kind: str) -> str:
     """What a track is of in words, by its class: ``Pedestrian`` a pedestrian, ``BusStop`` a bus stop."""
     return BY_CLASS[kind].noun if kind in BY_CLASS else re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()
+
+
+def one_of_class(kind: str) -> str:
+    """One of what a track is of, by its class: ``Pedestrian`` *a pedestrian*, ``EScooter`` *an e-scooter*."""
+    return with_article(noun_of(kind))
 
 
 _ID = re.compile(r"[A-Za-z]\d*(?:-\d+)?")

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
+from chatscene.terms.nouns import with_article
 from chatscene.terms.pointing import nearest
 
 if TYPE_CHECKING:
@@ -64,7 +65,7 @@ class Amount:
         if not self.than_ego and (self.high < 0 or -math.inf < self.low < 0):
             raise ValueError(f"{self.QUANTITY} is never below 0")
         if self.than_ego and self.low < 0 < self.high:
-            raise ValueError(f"a {self.QUANTITY} cannot be more and less than the ego's")
+            raise ValueError(f"{with_article(self.QUANTITY)} cannot be more and less than the ego's")
         if math.isinf(self.low) and math.isinf(self.high):
             raise ValueError(f"{self.QUANTITY} without a number")
 
@@ -89,8 +90,7 @@ class Amount:
             named = ", ".join(unit for unit in cls.UNITS if unit)
             near = nearest(form["unit"], cls.UNITS)
             meant = f"; did you mean {near}?" if near else ""
-            article = "an" if cls.QUANTITY[0] in "aeiou" else "a"
-            raise ValueError(f"{form['unit']!r} is no unit of {article} {cls.QUANTITY}, which has {named}{meant}")
+            raise ValueError(f"{form['unit']!r} is no unit of {with_article(cls.QUANTITY)}, which has {named}{meant}")
         return cls._of_form(form, scale)
 
     @classmethod

@@ -1,11 +1,11 @@
-"""Nouns in messages: with their article, and more than one."""
+"""Nouns in messages and sentences: with their article, and more than one."""
 
 from __future__ import annotations
 
 import re
 from functools import lru_cache
 
-_AN = re.compile(r"(?:[aeio]|u(?!ni(?!n)|ti|se)|SUV|HGV|MPV|8)")
+_AN = re.compile(r"(?:[aiAI]|[eE](?!u)|[oO](?!ne\b)|[uU](?!ni(?!n)|ti|se)|SUV|HGV|MPV|8)")
 
 
 @lru_cache(maxsize=4096)

@@ -17,6 +17,7 @@ from functools import lru_cache
 from typing import NoReturn, cast
 
 from chatscene.errors import SnippetError
+from chatscene.terms.nouns import with_article
 from chatscene.terms.plan import (
     FUNCTIONS,
     PRIMITIVES,
@@ -56,7 +57,7 @@ PARAMETERS = "globalParameters"  # where Scenic keeps the values of parameters
 def plan_of(snippet: Snippet) -> Plan | Foreign:
     """The plan that a snippet is the text of, or why it is none."""
     if snippet.component is not Component.BEHAVIOR:
-        return Foreign(f"a {snippet.component} says where, not what is done")
+        return Foreign(f"{with_article(snippet.component)} says where, not what is done")
     return _plan_of(snippet.source)
 
 
@@ -239,7 +240,7 @@ def _read(line: _Line, node: ast.expr, kind: Kind) -> Expression:
     """What a node of Python's tree says, if it is of a kind."""
     found, gives = _meant(line, node, kind)
     if gives is not kind:
-        line.fail(f"{ast.unparse(node)!r} is a {gives}, where a {kind} is needed")
+        line.fail(f"{ast.unparse(node)!r} is {with_article(gives)}, where {with_article(kind)} is needed")
     return found
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.nouns import with_article
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -49,11 +50,6 @@ class Word(StrEnum):
             ((cls.__doc__ or "").split("\n", 1)[0], *(f"{word}: {word.meaning}" for word in cls if word.meaning))
         )
         return made
-
-
-def with_article(noun: str) -> str:
-    """One of what a noun names: *a tram*, *an e-scooter*."""
-    return f"{'an' if noun[0].lower() in 'aeiou' else 'a'} {noun}"
 
 
 class RowWord(Word):

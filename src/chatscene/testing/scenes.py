@@ -34,6 +34,7 @@ from chatscene.settings import Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, routes_of, simulate
 from chatscene.terms.actors import named
 from chatscene.terms.episode import Episode
+from chatscene.terms.nouns import with_article
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.testing.solvable import SLOW, Solvable, Unfit, hindered, solvable
@@ -235,7 +236,7 @@ def ego_of(ego: Ego) -> EgoPolicy:
         return load_ego(ego)
     made: Any = cast("Any", ego)() if isinstance(ego, type) or not hasattr(ego, "act") else ego
     if not callable(getattr(made, "act", None)):
-        raise EgoError(f"{ego!r} makes a {type(made).__name__}, which has no method act")
+        raise EgoError(f"{ego!r} makes {with_article(type(made).__name__)}, which has no method act")
     return made
 
 

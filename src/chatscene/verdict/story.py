@@ -66,6 +66,12 @@ _ENDINGS = {
     "scenario-done": "the program ends it",
     "over": "nothing is to come any more",
 }
+_EVENTS = {
+    EventKind.RED_LIGHT: "runs a red light",
+    EventKind.STOP_SIGN: "runs a stop sign",
+    EventKind.OFF_ROAD: "leaves the road",
+    EventKind.LANE_INVASION: "leaves its lane",
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -392,8 +398,7 @@ def _leaves(seen: Seen) -> Iterator[Told]:
 def _event(event: Event, episode: Episode, there: Sequence[Met]) -> Told:
     at = event.step * episode.dt
     if event.kind is not EventKind.COLLISION:
-        other = f" ({event.other})" if event.other else ""
-        return Told(at=at, who="", what=f"the ego's {event.kind}{other}")
+        return Told(at=at, who="the ego", what=_EVENTS[event.kind])
     ego, closing = episode.ego_track, f"closing at {in_kmh(event.impact_speed)}"
     mine = f"the ego at {in_kmh(abs(float(ego.speed[max(event.step - 1, 0)])))}"
     one = next((one for one in there if one.track.actor == event.other), None)

@@ -12,6 +12,7 @@ from chatscene.program.finding import Finding, failures
 from chatscene.settings import VerifySettings
 from chatscene.simulate.boxes import least_gap
 from chatscene.situations.form import to_plain
+from chatscene.situations.phrases import one_seen
 from chatscene.situations.words import told
 from chatscene.terms.episode import Episode, Role
 from chatscene.terms.situation import Situation
@@ -147,7 +148,7 @@ def _motionless(situation: Situation, episodes: Sequence[Episode]) -> Iterator[s
         if name in said or track.role is not Role.ADVERSARY:
             continue
         if not any(_moves(other.speed) for one in episodes for other in one.tracks if other.actor == track.actor):
-            yield f"{track.actor} ({track.kind}) never moves in any drive"
+            yield f"{track.actor}, {one_seen(track.kind)}, never moves in any drive"
 
 
 def _unplayed(driven: Sequence[Watched]) -> Iterator[str]:

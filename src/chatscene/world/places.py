@@ -21,6 +21,7 @@ from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.maps.ring_ways import line_beside, ring_ways
 from chatscene.terms.actors import LIMITS, kind_of
+from chatscene.terms.nouns import with_article
 from chatscene.terms.pace import NOMINAL, Pace
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.profile import Timetable, allowed_speeds
@@ -234,7 +235,8 @@ def wayOf(traffic: tuple[CrossingPath, ...], turns: str | tuple[str, ...], lane:
     wanted = (turns,) if isinstance(turns, str) else turns
     way = next((path for turn in wanted for path in traffic if path.turn.value == turn), None)
     if way is None:
-        raise MapError(f"no traffic from the {traffic[0].from_side} meets the ego's route in a {' or '.join(wanted)}")
+        told = " or ".join(map(with_article, wanted))
+        raise MapError(f"no traffic from the {traffic[0].from_side} meets the ego's route in {told}")
     if not lane:
         return way
     alike = sorted((path for path in traffic if path.turn is way.turn), key=lambda path: _to_left(path, way))

@@ -20,7 +20,7 @@ from chatscene.simulate.carla.connection import Connection, Measured
 from chatscene.simulate.carla.frames import direction, transform, turned
 from chatscene.simulate.contact import touch
 from chatscene.simulate.physics import CannotPlace
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import LIMITS, one_of_class
 from chatscene.world.bodies import Body, Placement, Vehicle, Walker, body_of
 from chatscene.world.control import pedals
 
@@ -190,7 +190,9 @@ class CarlaPhysics:
             origin.location.z = height + measured.above + (CLEARANCE if body.moves else 0.0)
             handle = world.try_spawn_actor(connection.blueprint(name), origin)
             if handle is None:
-                raise CannotPlace(f"CARLA has no room for a {kind} ({name}) at ({placement.x:.1f}, {placement.y:.1f})")
+                raise CannotPlace(
+                    f"CARLA has no room for {one_of_class(kind)} ({name}) at ({placement.x:.1f}, {placement.y:.1f})"
+                )
             if not body.moves:
                 handle.set_simulate_physics(False)
         self._actors.append(
@@ -223,8 +225,8 @@ class CarlaPhysics:
             if actor.body.moves:
                 if (state := snapshot.find(actor.handle.id)) is None:
                     raise ServerError(
-                        f"a {actor.kind} is gone from the CARLA server at {self._connection.place}: somebody else uses "
-                        "its world"
+                        f"{one_of_class(actor.kind)} is gone from the CARLA server at {self._connection.place}: "
+                        "somebody else uses its world"
                     )
                 actor.take(state)
         self._feel()
@@ -337,9 +339,10 @@ class CarlaPhysics:
         for number, step in self._touched.items():
             if number not in self._heard:
                 self._told(
-                    f"the ego's box meets that of a {names[number]} at step {step}; CARLA's sensor tells of nothing"
+                    f"the ego's box meets that of {one_of_class(names[number])} at step {step}; CARLA's sensor tells "
+                    "of nothing"
                 )
         for number, kind in self._heard.items():
             if number not in self._touched:
                 met = names.get(number, kind)
-                self._told(f"CARLA's sensor tells that the ego meets a {met}; their boxes never do")
+                self._told(f"CARLA's sensor tells that the ego meets {one_of_class(met)}; their boxes never do")

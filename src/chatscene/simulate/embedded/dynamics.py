@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 
-from chatscene.terms.actors import AIR_DRAG, LIMITS, REVERSE_SPEED, Limits
+from chatscene.terms.actors import AIR_DRAG, LIMITS, REVERSE_SPEED, Limits, one_of_class
 from chatscene.world.bodies import Body, Placement, Vehicle, Walker
 
 TAU = 2.0 * math.pi
@@ -149,13 +149,17 @@ def make_body(
     kind, size = placement.kind, (placement.length, placement.width)
     x, y, heading, speed = placement.x, placement.y, placement.heading, placement.speed
     if not (min(size) > 0.0 and all(map(math.isfinite, (x, y, heading, speed, *size)))):
-        raise ValueError(f"a {kind} of {size[0]:g} m by {size[1]:g} m at ({x:g}, {y:g}), at {speed:g} m/s")
+        raise ValueError(f"{one_of_class(kind)} of {size[0]:g} m by {size[1]:g} m at ({x:g}, {y:g}), at {speed:g} m/s")
     known = LIMITS.get(kind, THING)
     slowest = -REVERSE_SPEED if known.wheelbase else 0.0
     if placement.backs and not speed <= -slowest:
-        raise ValueError(f"a {kind} that begins backwards at {speed:g} m/s; it goes so at {-slowest:g} m/s at most")
+        raise ValueError(
+            f"{one_of_class(kind)} that begins backwards at {speed:g} m/s; it goes so at {-slowest:g} m/s at most"
+        )
     if not slowest <= speed <= known.top_speed:
-        raise ValueError(f"a {kind} that begins at {speed:g} m/s; it goes at {slowest:g} to {known.top_speed:g} m/s")
+        raise ValueError(
+            f"{one_of_class(kind)} that begins at {speed:g} m/s; it goes at {slowest:g} to {known.top_speed:g} m/s"
+        )
     if not known.top_speed:
         return Body(x, y, heading, *size)
     limits = _limits_of(kind, *size, placement.wheelbase, placement.wheel_angle)

@@ -9,6 +9,7 @@ from typing import Any
 
 from chatscene.simulate.native.engine import STACK, Code, Instruction
 from chatscene.terms.actors import LIMITS, kind_of
+from chatscene.terms.nouns import with_article
 from chatscene.terms.pace import Pace
 from chatscene.terms.plan import (
     FUNCTIONS,
@@ -378,7 +379,7 @@ class Compiler:
             case Call(function, arguments):
                 return self._call(function, arguments)
             case _:
-                raise NotCovered(f"a {type(expression).__name__} that changes")
+                raise NotCovered(f"{with_article(type(expression).__name__)} that changes")
 
     def _is_never_zero(self, expression: Expression) -> bool:
         """Whether it stays and is not zero, or is the greatest of several of which one stays above zero."""

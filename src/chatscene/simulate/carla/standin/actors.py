@@ -15,6 +15,7 @@ from chatscene.simulate.carla.standin.roads import Roads, Signal, wrapped
 from chatscene.simulate.carla.standin.wire import Refused
 from chatscene.simulate.physics import Physics, PhysicsOf
 from chatscene.terms.actors import LIMITS
+from chatscene.terms.nouns import with_article
 from chatscene.world.bodies import Body, Placement, Vehicle, Walker
 
 _HALF_LANE = 1.75  # [m]
@@ -215,7 +216,9 @@ class BodyActor(Actor):
         """
         body = self.body
         if not isinstance(body, Vehicle):
-            raise Refused(f"actor {self.id} is a {self.blueprint.id}; only vehicles take impulses and forces here")
+            raise Refused(
+                f"actor {self.id} is {with_article(self.blueprint.id)}; only vehicles take impulses and forces here"
+            )
         self._take(body.speed + (impulse[0] * body.cos - impulse[1] * body.sin) / self.blueprint.mass)
 
     def _take(self, speed: float) -> None:

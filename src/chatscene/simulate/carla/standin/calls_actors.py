@@ -11,6 +11,7 @@ from chatscene.simulate.carla.standin.calls import Call
 from chatscene.simulate.carla.standin.wire import Refused
 from chatscene.simulate.carla.standin.world import World
 from chatscene.terms.actors import LIMITS
+from chatscene.terms.nouns import with_article
 
 _TAGS = {"vehicle": b"\x0e", "walker": b"\x0c", "traffic": b"\x07", "static": b"\x14"}
 _FRONT_WHEELS = 2
@@ -187,7 +188,7 @@ def destroy_actor(world: World, actor: Any) -> bool:
     """Take it away; whether there was one. Lights and the spectator stay."""
     found = world.actors.get(wire.whole(actor))
     if found is not None and found.blueprint.group in ("traffic", "spectator"):
-        raise Refused(f"actor {actor} is a {found.blueprint.id} and belongs to the map")
+        raise Refused(f"actor {actor} is {with_article(found.blueprint.id)} and belongs to the map")
     return world.destroy(actor)
 
 

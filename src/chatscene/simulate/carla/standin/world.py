@@ -19,6 +19,7 @@ from chatscene.simulate.carla.standin.roads import Found, Roads
 from chatscene.simulate.carla.standin.wire import Refused
 from chatscene.simulate.contact import touch
 from chatscene.simulate.physics import PhysicsOf
+from chatscene.terms.nouns import with_article
 
 STEP = 0.05  # [s], where a client names none
 SHORTEST, LONGEST = 0.001, 1.0  # [s]
@@ -227,7 +228,7 @@ class World:
         """
         found = self.actor(number)
         if not isinstance(found, BodyActor) or (groups and found.blueprint.group not in groups):
-            raise Refused(f"actor {number} is a {found.blueprint.id}, no {' or '.join(groups) or 'body'}")
+            raise Refused(f"actor {number} is {with_article(found.blueprint.id)}, no {' or '.join(groups) or 'body'}")
         return found
 
     def was(self, number: Any) -> Blueprint | None:
