@@ -7,8 +7,9 @@ Draws situations of one to three road users with one to four deeds each, from al
 road user can have, half of the deeds with a number that the body can do; counts those that cannot be apart; builds
 each of the others, drives it with drawn values and judges the tracks.
 `--as-said` draws them of parts that people said together (`as_said.py`); else any word is as likely as another.
-`--files FOLDER` takes the situations of a folder (`.yaml`, `.json`) in their place. Prints the shares, the commonest
-reasons, and with `--each` a line per situation.
+`--act NAME` takes one act in their place: from each place, by each kind that moves in its own way, alone, after another
+deed and before one; `--files FOLDER` takes the situations of a folder (`.yaml`, `.json`). Prints the shares, the
+commonest reasons, and with `--each` a line per situation, and below it when what was said is seen.
 """
 
 from __future__ import annotations
@@ -127,35 +128,59 @@ def drive(made: Built, ego: str, seed: int) -> Episode | Rejected:
     return simulate(simulator(made.map), made.program, scene, driver)
 
 
-def outcome(situation: Situation, drives: int, ego: str) -> tuple[str, list[str]]:
-    """What became of one, and why.
+def outcome(situation: Situation, drives: int, ego: str) -> tuple[str, list[str], list[str]]:
+    """What became of one, why, and when each deed was seen in the first drive that was judged.
 
     It is ``impossible``, ``refused``, ``not placed``, ``not shown``, shown ``in part`` of its drives, or ``shown``.
     """
     if cannot := [one.said for one in impossible(situation)]:
-        return "impossible", cannot
+        return "impossible", cannot, []
     try:
         made = build(situation)
     except NotBuilt as refusal:
-        return "refused", [str(refusal)]
-    shown, seen, reasons = 0, 0, list[str]()
+        return "refused", [str(refusal)], []
+    shown, seen, reasons, times = 0, 0, list[str](), list[str]()
     for seed in range(drives):
         try:
             episode = drive(made, ego, seed)
         except MapError as error:
-            return "refused", [str(error)]
+            return "refused", [str(error)], []
         except DoesNotCompile as error:
-            return "not placed", [str(error)]
+            return "not placed", [str(error)], []
         if isinstance(episode, Rejected):
             reasons.append(episode.reason)
             continue
         seen += 1
-        unseen = failures(judge(situation, episode, simulator(made.map).route(made.program, 0)))
+        findings = tuple(judge(situation, episode, simulator(made.map).route(made.program, 0)))
+        times = times or [f"{one.path} at {one.at:.1f} s" for one in findings if one.at is not None]
+        unseen = failures(findings)
         shown += not unseen
         reasons += unseen
     if not seen:
-        return "not placed", reasons
-    return ("shown" if shown == seen else "in part" if shown else "not shown"), reasons
+        return "not placed", reasons, []
+    return ("shown" if shown == seen else "in part" if shown else "not shown"), reasons, times
+
+
+NEIGHBOURS = (Act.GO_ALONG, Act.BRAKE, Act.ACCELERATE, Act.STOP)
+"""What somebody does before or after an act that is tried in every place."""
+
+
+def of_act(act: Act) -> Iterator[tuple[str, Situation]]:
+    """An act from every place: alone, and with each neighbour before it and behind it; who cannot so is left out."""
+    kinds = {kind.moves: kind for kind in reversed(UserKind) if kind.can(act) and not kind.row.general}
+    row = [(act,), *((one, act) for one in NEIGHBOURS), *((act, one) for one in NEIGHBOURS)]
+    for where in Where:
+        for kind in kinds.values():
+            for acts in row:
+                if not all(kind.can(one) for one in acts):
+                    continue
+                sides = (Side.LEFT, Side.RIGHT) if where.row.sided else (None,)
+                for side in sides:
+                    does = tuple(Deed(act=one) for one in acts)
+                    start = Start(where=where, side=side)
+                    made = Situation(ego=Ego(), others=(Other(id="A", kind=kind, starts=start, does=does),))
+                    if not tuple(faults_of(made)) and not tuple(impossible(made)):
+                        yield f"{where}/{side or '-'}/{kind}/{'+'.join(acts)}", made
 
 
 def situations(count: int, seed: int, files: Path | None, as_said: bool) -> Iterator[tuple[str, Situation]]:
@@ -181,17 +206,22 @@ def situations(count: int, seed: int, files: Path | None, as_said: bool) -> Iter
 @click.option("--ego", default="idm", show_default=True)
 @click.option("--files", type=click.Path(path_type=Path, exists=True, file_okay=False), default=None)
 @click.option("--as-said", is_flag=True)
+@click.option("--act", type=click.Choice([str(one) for one in Act]), default=None)
 @click.option("--each", is_flag=True)
-def main(count: int, seed: int, drives: int, ego: str, files: Path | None, as_said: bool, each: bool) -> None:
+def main(
+    count: int, seed: int, drives: int, ego: str, files: Path | None, as_said: bool, act: str | None, each: bool
+) -> None:
     """Build, drive and judge situations."""
     became, why = Counter[str](), Counter[str]()
-    for name, one in situations(count, seed, files, as_said):
-        what, reasons = outcome(one, drives, ego)
+    for name, one in situations(count, seed, files, as_said) if act is None else of_act(Act(act)):
+        what, reasons, times = outcome(one, drives, ego)
         became[what] += 1
         why.update({f"{what}: {_general(reason)}" for reason in reasons})
         if each and what != "impossible":
             who = "; ".join(f"{o.kind} {o.starts.where}: {', '.join(d.act for d in o.does)}" for o in one.others)
             click.echo(f"{name}\t{what}\t{one.ego.route or 'straight'}; {who}\t{'; '.join(sorted(set(reasons)))[:200]}")
+            if times:
+                click.echo(f"\t{', '.join(times)}")
     total = sum(became.values()) - became["impossible"]
     click.echo(f"impossible: {became['impossible']}, which are not counted below")
     for what in ("refused", "not placed", "not shown", "in part", "shown"):

@@ -174,7 +174,7 @@ def main(texts: Path | None, replies: Path, drives: int, ego: str, sent_back: Pa
             again.append({"id": one.id, "text": one.text, "replies": one.replies, "sent_back": message})
         shown, unseen = "", list[str]()
         if drives and met.outcome == "built" and met.situation is not None:
-            shown, unseen = outcome(met.situation, drives, ego)
+            shown, unseen, _ = outcome(met.situation, drives, ego)
             count[f"driven: {shown}"] += 1
             reasons.update(f"{shown}: {kind}" for kind in {general(reason) for reason in unseen})
         slots = held(count, facts.get(one.id), met)
