@@ -2,12 +2,14 @@
 
     python benchmarks/mutants.py --truths 100 --seed 7
     python benchmarks/mutants.py --truths 100 --seed 7 --each
+    python benchmarks/mutants.py --truths 100 --seed 7 --each --truths-only --keep FOLDER
 
 A truth is a situation with the program that is built of it: of replies of language models to texts of others
 (`reading/`), of the sentences of the gallery, and drawn of parts that people said together (`as_said.py`), a third
 each. Where it says none, some are given a speed of the ego, a light, a contact, or light and weather, and are built
 with that. Of such a contact the claim is what the simulator recorded in most drives: with whom, at which side, and who
-strikes one that stands. Each is driven ten times (`planner`; for contacts `sac`, which brakes for few) and verified as
+strikes one that stands; one that comes in the first second is the driver's. Each is driven ten times (`planner`; for
+contacts `sac`, which brakes for few) and verified as
 a user's own. It is called false if the exit status is 1.
 
 A mutant is the same drives with a claim that is not true of them: a side flipped, a kind changed, the order of two
@@ -15,6 +17,8 @@ deeds turned round, a deed left out or added, another light, speed or contact; o
 adversary comes eight seconds later. Only what is well formed, possible and says something else counts, of a truth that
 is not called false itself: a change of a claim that is not shown anyway proves nothing. It is caught if the exit status
 is 1. Of contacts only those count whose truth shows one in most drives, of timings those whose truth has an encounter.
+
+`--truths-only` makes no mutants. `--keep FOLDER` writes each truth that is called false there, as a file to run.
 """
 
 from __future__ import annotations
@@ -24,6 +28,7 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 
 import click
 from as_said import drawn_as_said, recorded
@@ -37,6 +42,7 @@ from chatscene.program.deeds import STANDING
 from chatscene.report.filled import read_in
 from chatscene.settings import RetrievalSettings, VerifySettings
 from chatscene.situations.check import faults_of
+from chatscene.situations.file import to_yaml
 from chatscene.situations.words import told
 from chatscene.terms.amount import Speed
 from chatscene.terms.episode import Episode
@@ -52,6 +58,7 @@ from chatscene.verdict.watched import Watched, Watching
 DRAWS = 10
 FILES = ("replies.jsonl", "fresh.jsonl", "fresh-second.jsonl", "fresh-third.jsonl", "fresh-fourth.jsonl")
 LATER = 8.0  # [s] by which an adversary comes later that then meets nobody
+SOON = 1.0  # [s]: nobody has done anything before
 FASTER, SLOWER = 1.7, 0.5
 GENERAL = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW, Act.STAND))
 """What is true of nearly everybody, or where it is not is no other deed."""
@@ -181,7 +188,7 @@ def recorded_contact(situation: Situation, found: Watching) -> Situation | None:
 
     None if most drives have no contact with the same adversary. Nothing of the judge is asked.
     """
-    crashes = [one.episode for one in found.drives if one.episode.collision is not None]
+    crashes = [one.episode for one in found.drives if one.episode.collision is not None and _comes_later(one.episode)]
     whom = Counter(one.collision.other for one in crashes if one.collision is not None)
     if not whom or whom.most_common(1)[0][1] <= 0.5 * len(found.drives):
         return None
@@ -194,6 +201,11 @@ def recorded_contact(situation: Situation, found: Watching) -> Situation | None:
     part = Part(sides.pop()) if len(sides) == 1 else None
     striker = {EGO: Striker.OTHER, name: Striker.EGO}.get(stands.pop()) if len(stands) == 1 else None
     return replace(situation, contact=Contact(whom=name, ego=part, striker=striker))
+
+
+def _comes_later(episode: Episode) -> bool:
+    """Whether a contact comes once anything could have been done: else it is of how the ego is driven."""
+    return episode.collision is not None and episode.collision.step * episode.dt >= SOON
 
 
 def _who_stands(episode: Episode, name: str) -> str:
@@ -461,6 +473,7 @@ class Tally:
         refused: How many do not compile or cannot be sampled.
         unstruck: To how many a contact was to be added that most drives do not have.
         each: Whether a line tells of each that is not as it should be.
+        keep: Where truths that are called false are written; None for nowhere.
     """
 
     truths: Counter[str] = field(default_factory=Counter[str])
@@ -472,6 +485,7 @@ class Tally:
     refused: Counter[str] = field(default_factory=Counter[str])
     unstruck: int = 0
     each: bool = False
+    keep: Path | None = None
 
     def add_truth(self, truth: Truth, right: Verdict) -> None:
         """Count a truth."""
@@ -480,6 +494,9 @@ class Tally:
             return
         self.false[truth.source] += 1
         self.reasons.update({_general(one.path) for one in right.failing})
+        if self.keep is not None:
+            name = f"{self.truths.total():03d}-{truth.ego}.yaml"
+            (self.keep / name).write_text(to_yaml(truth.situation), encoding="utf-8")
         if self.each:
             lines = "; ".join(f"{one.path} {one.shown}/{len(one.judged)} {one.instead}" for one in right.failing)
             click.echo(f"FALSE  {truth.source}: {told(truth.situation)} | {lines}")
@@ -503,6 +520,8 @@ class Tally:
         yield from (f"  {name}: {count}, called false: {self.false[name]}" for name, count in self.truths.items())
         yield f"  left out, as most drives have no contact with an adversary: {self.unstruck}"
         yield from (f"  called false for {path}: {count}" for path, count in self.reasons.most_common(15))
+        if not made:
+            return
         yield f"mutants: {made}; caught: {self.caught.total()} ({self.caught.total() / made:.1%})"
         yield "| kind | mutants | caught | share | nothing could be judged | do not compile or sample |"
         yield "|---|---:|---:|---:|---:|---:|"
@@ -522,10 +541,17 @@ def mutants(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
 @click.option("--seed", default=7, show_default=True)
 @click.option("--least", default=VerifySettings().least, show_default=True)
 @click.option("--each", is_flag=True, help="A line for each that is not as it should be.")
-def main(count: int, seed: int, least: float, each: bool) -> None:
+@click.option("--truths-only", is_flag=True, help="Make no mutants.")
+@click.option(
+    "--keep",
+    type=click.Path(path_type=Path, exists=True, file_okay=False),
+    default=None,
+    help="Where each truth that is called false is written.",
+)
+def main(count: int, seed: int, least: float, each: bool, truths_only: bool, keep: Path | None) -> None:
     """Make truths and mutants, judge them, and print what came of them by kind."""
     rng = random.Random(f"{seed}/mutants")
-    tally = Tally(each=each)
+    tally = Tally(each=each, keep=keep)
     for truth in truths(seed, count):
         found = driven(truth.built, truth.ego)
         if not found.drives:
@@ -538,7 +564,7 @@ def main(count: int, seed: int, least: float, each: bool) -> None:
             truth = replace(truth, situation=claimed)  # noqa: PLW2901
         right = verdict(found, truth.situation, least)
         tally.add_truth(truth, right)
-        if right.status == 1:  # what is changed of a claim that is false already proves nothing
+        if truths_only or right.status == 1:  # what is changed of a claim that is false already proves nothing
             continue
         for mutant in mutants(truth, rng):
             if counts(mutant, right):

@@ -90,6 +90,7 @@ def test_a_truck_does_not_turn_round_on_a_narrow_road() -> None:
         build(others(car("A", "ahead", deed("u-turn"), kind="truck")))
 
 
-def test_who_exits_stays_on_the_road_and_that_is_told() -> None:
+def test_who_exits_takes_a_ramp_that_the_ego_goes_past() -> None:
     made = build(others(car("A", "beside", deed("cut-in"), deed("exit"), side="left"), road={"kind": "motorway"}))
-    assert any("stays on the road where it would exit" in one for one in made.assumed)
+    assert "offRamp(egoRoute)" in made.program.source
+    assert "past-off-ramp" in made.program.source

@@ -30,7 +30,7 @@ from chatscene.build.place import (
     has_crosswalks,
     is_marked,
 )
-from chatscene.build.relations import speed_beside
+from chatscene.build.relations import grip_of, speed_beside
 from chatscene.build.sideways import COMES_OVER
 from chatscene.build.starts import start_of
 from chatscene.build.timing import Body
@@ -261,6 +261,10 @@ class Actor:
         """What it does after its k-th deed; None if that is its last."""
         return self.deeds[k + 1].act if k + 1 < len(self.deeds) else None
 
+    def seconds_to_turn(self, speed: float) -> float:
+        """How long [s] it takes to come to a stand, if it then turns round: longer where the road holds less."""
+        return speed / min(self.limits.brake, self.limits.throttle, grip_of(self.ledger.situation))
+
     # Its plan
 
     def phases(self) -> tuple[str, ...]:
@@ -334,7 +338,7 @@ class Actor:
         if OWN in text and self._lane_ends:
             text = text.replace(OWN, "{own}")
         first = one if self.count > 1 else "self"
-        for mark in ("next", "beside", "ours", "home", "own"):
+        for mark in ("next", "beside", "ours", "home", "own", "exit"):
             text = text.replace(f"{{{mark}}}", f"{mark}{one}")
         row = name_of(self.first.one.id) if self.first is not None else one
         marks = {"p": f"way{one}", "i": one, "first": first, "row": row, "we": EGO}

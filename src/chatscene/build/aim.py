@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 NEAR_MISS = 0.5  # [s] before the ego at most that somebody has gone by where there is no contact
 BEFORE = 3.0  # [m] before the junction that who lets another by stands
+COMES = 0.5  # [s] for which somebody is seen to come before it is in the junction
 LETS_GO = 1.0  # [s] at most that somebody stands until another is by whom it lets by
 LEADS = 0.4  # [s] within which somebody is there who has another brake
 LETS_BY = (1.2, 2.5)  # [s] before the ego that somebody is at a junction who lets it by
@@ -76,7 +77,18 @@ def set_offset(actor: Actor) -> None:
         late, early = stops, stops + early  # it stands there when the ego comes
     elif actor.ledger.situation.contact is None and actor.one.role is Role.ADVERSARY and not yields:
         late, early = _just_missed(actor, late, early)
+    if actor.one.role is Role.SUPPORTING and actor.stand.rolls and (most := _from_outside(actor)) is not None:
+        late, early = min(late, most), min(early, most)
     actor.numbers.narrow("OFFSET", late, early)
+
+
+def _from_outside(actor: Actor) -> float | None:
+    """How much sooner [s] than the ego somebody can be there at most who is seen to come to the junction before."""
+    if (found := actor.stand.found) is None or actor.first is not None or actor.one.starts.distance is not None:
+        return None
+    metres = found.meets_at - found.entry + 0.5 * actor.limits.length + BEFORE
+    seconds = actor.ego.time_at(found.ego_meets_at) + actor.ego.late_at(found.ego_meets_at)
+    return seconds - metres / actor.numbers.middle("SPEED") - COMES
 
 
 def _let_by(actor: Actor) -> Window | None:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import Asked, Meets, Stand
+from chatscene.build.asked import Asked, Meets, Stand, passes_with
 from chatscene.build.chain import in_terms_of
 from chatscene.build.coming import Coming
 from chatscene.build.deeds import GO
@@ -73,7 +73,7 @@ def _meets(found: Found, arm: str, turn: Maneuver) -> bool:
 def _lane(situation: Situation, one: Other, *, text: bool = False) -> str:
     """The lane in which somebody comes who is hidden by another beside it; empty for any."""
     by = situation[one.hidden_by] if one.hidden_by is not None else None
-    if by is None or not by.starts.where is one.starts.where is Where.ONCOMING:
+    if by is None or passes_with(by, one) or not by.starts.where is one.starts.where is Where.ONCOMING:
         return ""
     return ', "outer"' if text else "outer"
 
@@ -106,7 +106,8 @@ def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> S
         found=found,
     )
     said = asked.one.starts
-    if not asked.comes or (said.distance is not None and said.speed is None):
+    drives = asked.rolls and said.speed is not None  # and so does not wait before the junction, whatever it then does
+    if not (asked.comes or drives) or (said.distance is not None and said.speed is None):
         return stand
     seconds = asked.ego.time_at(found.ego_meets_at) + asked.ego.late_at(found.ego_meets_at)
     if said.distance is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import TYPE_CHECKING
 
@@ -9,6 +10,7 @@ from chatscene.build.asked import Meets, stands_first, stops_ahead
 from chatscene.build.contact import touches
 from chatscene.build.naming import name_of
 from chatscene.build.place import NEXT_LANE
+from chatscene.build.relations import grip_of
 from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import LOSES, Act, Facing, Part, Side, Striker, Where
 
@@ -22,7 +24,8 @@ COMES_ASIDE_AT = 3.5  # [s] before they touch that it is aside
 _ON_A_SIDE = frozenset((Part.LEFT, Part.RIGHT, Part.LEFT_FRONT, Part.RIGHT_FRONT))
 GOES_BY_AT = 2.0  # [s] before they would touch that it leaves the ego's line
 _DRIVES = re.compile(r"^DrivePath\((.+), ([^,]+)\)$")
-SWERVES_AT, NEAR, SLOWER = 1.0, 2.0, 0.7  # [s], [m] before whom it swerves round; of the speed that one then has
+SWERVES_AT = 1.0  # [s] before whom it swerves round somebody does, where the road holds
+NEAR, SLOWER = 2.0, 0.7  # [m] before whom it swerves round; of the speed that one then has
 
 
 def avoids(actor: Actor, k: int) -> Other | None:
@@ -38,8 +41,20 @@ def avoids(actor: Actor, k: int) -> Other | None:
 def must_avoid(actor: Actor, one: Other) -> str:
     """When somebody is so near to whom it swerves round that it must."""
     name, slow = name_of(one.id), SLOWER * actor.ego_speed
-    near = f"self.pose[3] * {SWERVES_AT:g} + (self.length + {name}.length) / 2 + {NEAR:g}"
+    near = f"self.pose[3] * {seconds_aside(actor, one):.3g} + (self.length + {name}.length) / 2 + {NEAR:g}"
     return f"{name}.pose[3] < {slow:.3g} and headway(egoRoute, self, {name}) < {near}"
+
+
+def seconds_aside(actor: Actor, one: Other) -> float:
+    """How long [s] somebody takes to get aside of whom it swerves round: longer where the road holds less."""
+    aside = 0.5 * (actor.limits.width + _across(one)) + CLEAR
+    return max(SWERVES_AT, 2.0 * math.sqrt(aside / grip_of(actor.ledger.situation)))
+
+
+def _across(one: Other) -> float:
+    """How wide [m] somebody is who stands in the lane, seen along that."""
+    limits = one.kind.row.body.row.limits
+    return limits.length if one.starts.facing is Facing.ACROSS else limits.width
 
 
 def line_aside(actor: Actor, k: int, way: str | None) -> str:
@@ -56,8 +71,8 @@ def line_aside(actor: Actor, k: int, way: str | None) -> str:
     if not stays or actor.stand.meets not in (Meets.ALONG, Meets.TOWARD):
         return ""
     if (before is not None or round_ego) and deed.distance is None:
-        limits = before.kind.row.body.row.limits if before is not None else actor.ego_limits
-        least = 0.5 * (actor.limits.width + limits.width) + CLEAR
+        wide = _across(before) if before is not None else actor.ego_limits.width
+        least = 0.5 * (actor.limits.width + wide) + CLEAR
         actor.numbers.narrow("SWERVE", least, least + CLEAR)
     name = str(deed.act).upper() + (f"_{k}" if deed.distance is not None else "")
     own = f"way{name_of(actor.one.id)}" + (".line" if actor.stand.way == "egoRoute" else "")
@@ -106,7 +121,7 @@ def _aside(actor: Actor, phases: tuple[str, ...], by: tuple[float, float], at: f
 
 def sign_of_side(actor: Actor, k: int) -> str:
     """To which side of its line it goes: 1 for left; where that was not said, toward the ego's way."""
-    deed, toward = actor.deeds[k], actor.stand.meets is Meets.TOWARD
+    deed, toward = actor.deeds[k], actor.stand.meets is Meets.TOWARD or actor.one.starts.where is Where.ONCOMING
     if deed.to is not None:
         actor.ledger.take(f"{actor.path}.does.{k}.to")
         sign = 1 if deed.to is Side.LEFT else -1

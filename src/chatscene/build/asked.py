@@ -280,3 +280,19 @@ def stops_on_its_way(meets: Meets, deeds: Sequence[Deed], k: int) -> bool:
 def stops_in_the_way(meets: Meets, deeds: Sequence[Deed]) -> bool:
     """Whether somebody stops where the ego goes, in any of its deeds."""
     return any(stops_on_its_way(meets, deeds, k) for k in range(len(deeds)))
+
+
+def passes_with(one: Other, hidden: Other) -> bool:
+    """Whether somebody comes the other way and drives on, before another who is hidden behind it."""
+    goes = not stands_first(one) and all(deed.act in (Act.GO_ALONG, Act.GO_STRAIGHT) for deed in one.does)
+    return hidden.hidden_by == one.id and goes and one.starts.where is hidden.starts.where is Where.ONCOMING
+
+
+ENDS_THERE = frozenset((Act.STOP, Act.BRAKE, Act.FALL, Act.STAND))
+"""What ends the way of somebody where it is."""
+
+
+def stays_after_turning(deeds: Sequence[Deed], k: int) -> bool:
+    """Whether somebody comes over our lane by its k-th deed, turns back, and stays where it then is."""
+    acts = [deed.act for deed in deeds[k : k + 3]]
+    return len(acts) == 3 and acts[0] in _OVER[Meets.ACROSS][0] and acts[1] is Act.TURN_BACK and acts[2] in ENDS_THERE

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from chatscene.build.actor import Actor
 from chatscene.build.anchors import anchor_of
-from chatscene.build.asked import ROOM, SOME, Meets, between, stands_first
+from chatscene.build.asked import ROOM, SOME, Meets, between, passes_with, stands_first
 from chatscene.build.awaiting import in_phases, met_by
 from chatscene.build.backing import check_met
 from chatscene.build.bays import out_of_bay
@@ -26,6 +27,7 @@ from chatscene.build.rails import over_rails
 from chatscene.build.relations import check_kept_up, check_passed_by_ego
 from chatscene.build.roadside import beside_road
 from chatscene.build.screening import from_its_lane
+from chatscene.build.standing_before import in_queue
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, room_kept, screens
 from chatscene.build.written import Written
 from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, NothingBuilds
@@ -43,6 +45,7 @@ _SAME = {Where.DRIVEWAY: "roadside", Where.IN_ROUNDABOUT: "roundabout-entry"}
 """Where those stand in one row who are said to be in two places."""
 NOBODY = "nobody meets the ego: others: nobody has the role adversary"
 """Why a situation is refused in which nobody does."""
+IN_TIME = 0.75  # of the time that somebody needs, the least that the ego leaves it
 SLOWEST = 4.0  # [m/s] that an ego wants of which no speed was said
 
 
@@ -87,7 +90,7 @@ def _as_fast_as_it_can(situation: Situation, name: str) -> Built:
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
     situation = replace(situation, others=tuple(along_the_road(wrong_way(one)) for one in situation.others))
-    said, situation = situation, at_a_corner(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation)))))
+    said, situation = situation, at_a_corner(in_queue(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation))))))
     check_met(situation)
     speeds, refused = speeds_to_try(situation), list[NotBuilt]()
     for speed in speeds:
@@ -124,6 +127,7 @@ def _built(situation: Situation, said: Situation, usual: float, name: str) -> Bu
     slow = ego.coming.speed * min((one.given / one.needs for one, _ in everybody if one.needs > 0.0), default=1.0)
     if slow < ego.coming.speed and situation.ego.speed is None:  # it would be there before the others are done
         ledger, ego, everybody, body = _cast(read, found, max(slow, min(SLOWEST, ego.coming.speed)))
+    _check_road(situation, [actor for actor, _ in everybody])
     numbers = sorted((one for actor, _ in everybody for one in actor.numbers.declared(body)), key=lambda one: one.name)
     around = _around(ledger)
     if (contact := situation.contact) is not None and contact.whom in {one.id for one in situation.adversaries}:
@@ -157,6 +161,21 @@ def _built(situation: Situation, said: Situation, usual: float, name: str) -> Bu
     )
     program = ScenicProgram(scenario_id=name, source=source, parameters=tuple(numbers), snippet_ids=())
     return Built(program=program, map=found.map, left_out=ledger.close(), assumed=tuple(ledger.assumed))
+
+
+def _check_road(situation: Situation, actors: Sequence[Actor]) -> None:
+    """Hold that an ego of which a speed was said is not long past where it meets somebody before all is done.
+
+    Raises:
+        NotBuilt: Somebody who goes along with it does several things, for which the road is too short.
+    """
+    for actor in actors:
+        several = sum(not deed.act.row.lasting for deed in actor.deeds) > 1 and actor.stand.meets is Meets.ALONG
+        if situation.ego.speed is not None and several and actor.given < IN_TIME * actor.needs:
+            raise NotBuilt(
+                f"others.{actor.one.id}: all that it does takes {actor.needs:.0f} s, an ego at"
+                f" {3.6 * actor.ego_speed:.0f} km/h is there after {actor.given:.0f} s; say a slower one"
+            )
 
 
 def _cast(read: Ledger, found: Found, speed: float) -> tuple[Ledger, BuiltEgo, list[tuple[Actor, Actor | None]], str]:
@@ -209,7 +228,7 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
 
     def late(one: Other) -> tuple[bool, bool, bool]:
         """Whether somebody is placed after others: by whom it hides, who begins beside it, who is met."""
-        return _hides(situation, one) is not None, bool(anchors.get(one.id)), _on_arm_unmet(one)
+        return _hides(situation, one) is not None, bool(anchors.get(one.id)), _on_arm_unmet(situation, one)
 
     for one in sorted(others, key=late):
         hidden = _hides(situation, one)
@@ -220,7 +239,7 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         shares = hidden is None and one.starts.distance is None  # else it stands where it was said to
         first, room = rows.get(place, (None, 0.0)) if shares else (None, 0.0)
         apart = one.kind.row.body.row.limits.length + between(one, ego.coming.speed)
-        if before := first is not None and _is_by_before(one, first.one, ego):
+        if before := first is not None and _is_by_before(situation, one, first.one, ego):
             ahead[place] = ahead.get(place, 0.0) + (one.count or SOME) * apart
             room = -ahead[place]
         if first is not None and first.stand.meets is Meets.ACROSS and one.kind.moves is not Moves.WALKS:
@@ -235,6 +254,8 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
             and (kept := room_kept(latest[place][0], one)) is not None
         ):
             room = latest[place][1] + kept
+        if first is not None and before and passes_with(one, first.one):
+            ledger.take(f"others.{first.one.id}.hidden_by")
         actor = Actor(ledger, found, one, met_by(one.id, ego.coming, ego.orders), room, first)
         built[one.id] = actor
         if hidden is None and anchors.get(one.id) is None and not before:
@@ -247,14 +268,17 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
     return order
 
 
-def _on_arm_unmet(one: Other) -> bool:
-    return one.starts.where is Where.ARM and one.role is Role.SUPPORTING
+def _on_arm_unmet(situation: Situation, one: Other) -> bool:
+    """Whether somebody who is not met comes through a junction, and may be by before others who come from there."""
+    hides = any(passes_with(one, other) for other in situation.others)
+    return one.role is not Role.ADVERSARY and (one.starts.where is Where.ARM or hides)
 
 
-def _is_by_before(one: Other, met: Other, ego: BuiltEgo) -> bool:
+def _is_by_before(situation: Situation, one: Other, met: Other, ego: BuiltEgo) -> bool:
     """Whether somebody who is not met comes through a junction in a row with who is: it is by before that one."""
-    drives = all(_comes_driving(other) for other in (one, met))
-    return _on_arm_unmet(one) and met.role is Role.ADVERSARY and drives and ego.coming.late is not None
+    seen = met if not passes_with(one, met) else replace(met, hidden_by=None)
+    drives = all(_comes_driving(other) for other in (one, seen))
+    return _on_arm_unmet(situation, one) and met.role is Role.ADVERSARY and drives and ego.coming.late is not None
 
 
 def _comes_driving(one: Other) -> bool:
@@ -266,7 +290,8 @@ def _comes_driving(one: Other) -> bool:
 
 def _hides(situation: Situation, one: Other) -> str | None:
     """The id of whom somebody hides, who only hides or stands, and not by being nearer in the ego's lane."""
-    hides = (other.id for other in situation.others if other.hidden_by == one.id and not screens(one, other))
+    beside = (other for other in situation.others if not (screens(one, other) or passes_with(one, other)))
+    hides = (other.id for other in beside if other.hidden_by == one.id)
     hidden = next(hides, None)
     stands = one.role is Role.SUPPORTING and all(deed.act is Act.STAND for deed in one.does)
     in_lane = hidden is not None and from_its_lane(situation, one, situation[hidden])

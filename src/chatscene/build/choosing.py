@@ -11,6 +11,7 @@ from chatscene.build.asked import FROM_A_STAND, Meets
 from chatscene.build.contact import sideswiped_at, touches
 from chatscene.build.deeds import (
     ALONG,
+    AS_FAST_BEHIND,
     BACK_OUT,
     BEHIND_ANOTHER,
     BRAKES,
@@ -20,6 +21,7 @@ from chatscene.build.deeds import (
     INTO_NEXT,
     LOSES_SLOWLY,
     OFF,
+    OFF_BY_RAMP,
     SHIES,
     Steps,
     gets_by,
@@ -37,7 +39,7 @@ from chatscene.build.local import check_round, way_to_turn_round
 from chatscene.build.naming import name_of
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import Pace
-from chatscene.build.place import NEXT_LANE, ROUNDABOUT_PLACES, at_junction, rides_at_edge
+from chatscene.build.place import NEXT_LANE, ROUNDABOUT_PLACES, at_junction, leaves_by_ramp, rides_at_edge
 from chatscene.build.rates import at_a_rate
 from chatscene.build.relations import ALONG as ALONG_EGO
 from chatscene.build.sideways import takes_long
@@ -90,7 +92,7 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     where, meets = actor.one.starts.where, actor.stand.meets
     yield from steps_for(meets, walks=actor.walks, beside=where in NEXT_LANE).items()
     along = meets is Meets.ALONG
-    if deed.act is Act.LANE_CHANGE and along:
+    if deed.act in (Act.LANE_CHANGE, Act.EXIT) and along:
         yield from _changing_lanes(actor, k)
     if deed.act is Act.ENTER and meets is Meets.THROUGH and where not in ROUNDABOUT_PLACES:
         yield Act.ENTER, ALONG[Act.CROSS]  # its way leads onto the ego's road
@@ -104,7 +106,8 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         yield Act.U_TURN, turning_round(turn.radius, speed, first=turn.first, back=turn.back)
     follows = actor.stand.behind and not actor.stand.rolls and not touches(actor.ledger.situation, actor.one)
     if where is Where.BEHIND and deed.act in GOES_ON and follows and not _goes_by_itself(actor, deed):
-        yield deed.act, BEHIND_ANOTHER  # or it would run into the ego
+        said = any(one.speed is not None for one in actor.deeds) or actor.one.starts.speed is not None
+        yield deed.act, AS_FAST_BEHIND if said else BEHIND_ANOTHER  # or it would run into the ego
     if deed.act is Act.OVERTAKE and along:
         yield from _overtaking(actor, deed)
     if meets is Meets.TOWARD and deed.act in _COMES_BACK and is_in_ours(actor, k):
@@ -114,7 +117,10 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
 
 
 def _changing_lanes(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
-    """The row of who leaves its lane, for the ego's, for the next to it, or for one farther off."""
+    """The row of who leaves its lane, for the ego's, for the next to it, for one farther off, or for a ramp."""
+    if actor.deeds[k].act is Act.EXIT:
+        yield from ((Act.EXIT, OFF_BY_RAMP),) if leaves_by_ramp(actor.ledger.situation, actor.one) else ()
+        return
     lane = lane_after(actor.one, actor.deeds, k)
     if abs(lane) > 1:
         actor.named["lane"] = str(lane)

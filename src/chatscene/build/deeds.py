@@ -209,6 +209,13 @@ INTO_NEXT = Steps(
     binds={"speed": "SPEED"},
 )
 """Of somebody who changes to a lane that is not next to the ego's."""
+OFF_BY_RAMP = Steps(
+    does=("DrivePath({exit}, $SPEED) until abs(offsetFrom({exit}, self)) < 0.8",),
+    last=("DrivePath({exit}, $SPEED)",),
+    way="{exit}",
+    binds={"speed": "SPEED"},
+)
+"""Of somebody who goes along and leaves the road by a ramp."""
 _INTO_OURS = Steps(
     does=("DrivePath({ours}, $SPEED) until abs(offsetFrom(egoRoute, self)) < 1",),
     way="{ours}",
@@ -349,6 +356,13 @@ BEHIND_ANOTHER = Steps(
     lasting=True,
 )
 """Of somebody who follows another: ``ego`` is then whom it follows."""
+AS_FAST_BEHIND = replace(
+    BEHIND_ANOTHER,
+    does=(BEHIND_ANOTHER.does[0].replace(", 25)", ", $SPEED)"),),
+    last=(BEHIND_ANOTHER.last[0].replace(", 25)", ", $SPEED)"),),
+    binds={"distance": "ROOM", "time": "PACE_TIME", "speed": "SPEED"},
+)
+"""The same, no faster than was said."""
 DRIFTS_OVER = Steps(
     does=(
         *(f"DrivePath({{p}}, $SPEED, {{aside}} * {k * 1.2:g}) for {{drift}} seconds" for k in (1, 2)),
@@ -386,7 +400,7 @@ _OVER = Steps(
     does=(MOVE + " until abs(offsetFrom(egoRoute, self)) < 1",), last=(MOVE,), binds={"speed": "SPEED"}, comes_in=True
 )
 _AROUND = "TurnOff(3.1 if offsetFrom(egoRoute, self) > 0 else -3.1, $SLOW, 2)"
-ROUND, ROUND_ON_FOOT = "TurnOff(3.1, $SLOW, 2)", "MoveAhead($SPEED, 3.14159) for 1.2 seconds"
+ROUND, ROUND_ON_FOOT = "TurnOff(3.1, $SLOW, 2)", "MoveAhead($SPEED, 3.14159) for {round} seconds"
 """Turns to the road again."""
 _BACK = "MoveAhead($SPEED, 3.14159)"
 ACROSS: dict[Act, Steps] = {

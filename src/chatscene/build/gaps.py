@@ -27,6 +27,8 @@ _COMES_BEFORE = acts_of(Heads.BEFORE, Heads.TURNS)
 _OVER = acts_of(Heads.OVER, Heads.MERGES, Heads.IN)
 WAITS = 0.6  # of its speed, the least of who lets the ego come near again
 BACK_OVER = 0.5  # [s] in which who comes against the ego goes back to its lane before it
+SLOW_FOR = 2.0  # [s] that somebody goes on at the speed that it has lost some to
+SETTLES = 2.5  # [s] in which somebody who has passed another comes to be as far ahead of it as was said
 HALF_BY = 0.6  # of its time beside whom it passes, in which somebody meets the ego that it does not miss
 CLOSE = (1.0, 3.0)  # [m], from and to, that somebody leaves who comes in suddenly, or all but touches the ego
 GETS_BY = 3.0  # [m/s] that somebody is faster at most who gets as far before another as it must be …
@@ -220,6 +222,10 @@ def seconds_to_get_ahead(actor: Actor, k: int) -> float:
         return _falls_back_to(actor, k) / _closing(actor, k) if actor.one.starts.where is Where.ON_RAMP else 0.0
     if comes_before(actor, k):
         return seconds_to_get_before(actor, k)
+    if gap_is_said(actor.deeds[k]) and k and f"FAST_{k - 1}" in actor.numbers.ranges:  # it eases, and falls back
+        passed = speed_of(actor.ledger.situation, done_to(actor.deeds[k]), actor.ego_speed)
+        faster = max(0.0, actor.numbers.middle(f"FAST_{k - 1}") - passed)
+        return faster / (actor.numbers.middle("EASE") * actor.limits.brake) + SETTLES
     first = k == 0 and actor.deeds[k].act is not Act.CUT_IN
     if first or not _from_behind(actor, k):
         return 0.0
@@ -237,6 +243,7 @@ def seconds_to_get_by(actor: Actor, k: int) -> float:
     elif actor.stand.behind and "Y" in numbers.ranges:
         row = numbers.middle("Y")
     passed = speed_of(actor.ledger.situation, whom, actor.ego_speed)
+    row += sum(_left_behind(actor, n, passed) for n in range(k) if actor.deeds[n].act is Act.SLOW_DOWN)
     faster = min(numbers.middle(f"FAST_{k}"), Body(actor.limits, actor.walks).fastest) - passed
     metres = row + 0.5 * (actor.limits.length + length) + numbers.middle(f"AHEAD_{k}")
     if passes_where_it_goes_over(actor) and whom == EGO:
@@ -245,6 +252,15 @@ def seconds_to_get_by(actor: Actor, k: int) -> float:
     if actor.stand.meets is not Meets.TOWARD:
         return seconds
     return seconds + BACK_OVER if _comes_back(actor, k) else HALF_BY * seconds
+
+
+def _left_behind(actor: Actor, k: int, passed: float) -> float:
+    """How far [m] somebody falls back who loses speed in its k-th deed, behind whom it is to pass then."""
+    if actor.stand.meets is not Meets.ALONG or f"SLOW_{k}" not in actor.numbers.ranges:
+        return 0.0
+    lost = max(0.0, passed - actor.numbers.middle(f"SLOW_{k}"))
+    eases = lost / (actor.numbers.middle("EASE") * actor.limits.brake)
+    return lost * (SLOW_FOR + 0.5 * (eases + lost / actor.limits.throttle))
 
 
 def passes_where_it_goes_over(actor: Actor) -> bool:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 HARD, FULL = 0.5, 0.8  # of its brakes, with which somebody can stop for whom it brakes; of who keeps close to the ego
+_ALONG = (Meets.ALONG, Meets.KERB)  # who comes from the kerb goes along then
 _NEVER_BEFORE = frozenset((Where.BEHIND, Where.BEHIND_BESIDE, Where.ONCOMING))
 _ENDLESS = re.compile(r"^(?:DrivePath\(([^,]+), ([^,()]+)\)|PaceOnPath\(([^,]+), .*\))$")
 
@@ -27,7 +28,7 @@ def heeds(actor: Actor, texts: tuple[str, ...]) -> tuple[str, ...]:
     From then on it drives as one who keeps a distance.
     """
     last = _ENDLESS.match(texts[-1]) if texts else None
-    if last is None or actor.stand.meets is not Meets.ALONG or actor.walks:
+    if last is None or actor.stand.meets not in _ALONG or actor.walks:
         return texts
     line, speed = last[1] or last[3], last[2] or "$SPEED"
     before = [name for other in _may_be_before(actor) for name in _names(other)]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets
 from chatscene.build.backing import place_beside
+from chatscene.build.lateral import in_lane
 from chatscene.build.naming import name_of
 from chatscene.build.place import LANE, between_bays
 from chatscene.errors import NothingBuilds
@@ -20,7 +21,11 @@ if TYPE_CHECKING:
 BETWEEN = 1.2  # [m] between things in a row
 OFF = 0.1  # [m] between the lane and the side of what hides somebody
 BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
+USUAL_ROOM, LEAST_ROOM = 2.6, 0.9  # [m] past the end of whom hides it that somebody steps out
+SIGHT = 0.7  # of the room in which an ego in the middle of its lane sees nobody: one that keeps off sees more
 SEEN_FROM = 0.93  # of how far away it is at first: from there somebody is hidden who then comes from far off the road
+PARTLY = frozenset((Where.KERB, Where.AHEAD))
+"""Where somebody can be parked partly in our lane."""
 BESIDE = frozenset((Where.KERB, Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.EXIT_CROSSING, Where.BUS_BAY))
 """Where who hides somebody beside the road may have been said to be."""
 
@@ -43,15 +48,20 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
     if actor.one.starts.side not in (None, side):
         raise NothingBuilds(f"nothing builds yet: {actor.path}, which hides {hidden.one.id} from its side")
     actor.ledger.take(*(f"others.{name}.hidden_by" for name in hidden_with(actor, hidden.one)))
-    if actor.one.starts.where not in BESIDE:
+    if actor.one.starts.where not in BESIDE and in_our_lane(actor) is None:
         where = actor.one.starts.where
         actor.ledger.assume(f"{actor.one.id} stands beside the road, and not {where}, so that it hides {hidden.one.id}")
+    if (aside := in_our_lane(actor)) is not None:
+        length = actor.limits.length
+        away = _room(actor, hidden, hidden.numbers.middle("X")) + (0.5 + n // 2) * length + n // 2 * BETWEEN
+        at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:.3g}"
+        return f"pointOn(egoRoute, {at}, {aside:.3g})", f"directionOn(egoRoute, {at})"
     if between_bays(actor.found):
         return _in_bay(actor, hidden, n)
     length = actor.limits.length or 1.2
-    away = 2.6 + 0.5 * length + n // 2 * (length + BETWEEN)
     off = 0.5 * actor.limits.width + OFF  # so that it is beside the lane, and not in it
     beyond, aside = max(1.2, off), hidden.numbers.middle("X")
+    away = _room(actor, hidden, aside) + 0.5 * length + n // 2 * (length + BETWEEN)
     if aside > BEYOND and n % 2 == 0:  # it comes from farther off the road, and what hides it stands there, too
         beyond = max(off, aside - BEYOND)
         over = LANE / 2 + aside
@@ -59,6 +69,25 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
         away = max(away, (aside - beyond) / over * far)
     at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
     return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
+
+
+def in_our_lane(actor: Actor) -> float | None:
+    """How far [m] to the left of the middle of our lane somebody is parked who was said to be partly in it.
+
+    None of who is not, or is at the other edge of the road, where others come.
+    """
+    lateral, start = actor.one.starts.lateral, actor.one.starts
+    if lateral is None or lateral.beyond is not None or start.where not in PARTLY or start.side is Side.LEFT:
+        return None
+    actor.ledger.take(f"{actor.path}.starts.lateral")
+    low, high = in_lane(lateral, lateral.side or Side.RIGHT, actor.limits, actor.ego_limits.width, 0.0)
+    return 0.5 * (low + high)
+
+
+def _room(actor: Actor, hidden: Actor, aside: float) -> float:
+    """How far [m] past the end of whom hides it somebody steps out: less before a slow ego, which is near by then."""
+    far = actor.ego_speed * (aside + 0.5 * LANE) / hidden.numbers.middle("SPEED")
+    return min(USUAL_ROOM, max(LEAST_ROOM, SIGHT * far * (aside - OFF) / (aside + 0.5 * LANE)))
 
 
 def _in_bay(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:

@@ -6,16 +6,18 @@ import math
 from collections.abc import Iterator, Sequence
 
 from chatscene.build.actor import Actor
+from chatscene.build.aside import avoids, seconds_aside
 from chatscene.build.asked import ROOM, Meets, stands_first
 from chatscene.build.local import WIDER
 from chatscene.build.sideways import COMES_OVER
 from chatscene.build.towards import done_to, screens
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO
-from chatscene.terms.vocabulary import SIDEWAYS, Role, Where
+from chatscene.terms.vocabulary import COMES_IN, SIDEWAYS, SLOWS, Role, Where
 from chatscene.world.places import FOLLOWING_BRAKE
 
 HEADWAY = 1.3  # [s] that somebody is behind another who comes in between that and the ego
+GETS_GOING = 2.0  # [s] at its speed that it takes somebody from the kerb until it goes along the lane
 GOES_ON = 5.0  # [s] that somebody goes on before it brakes for who stands in its lane
 _AHEAD = frozenset((Where.AHEAD, Where.AHEAD_BESIDE))
 
@@ -42,6 +44,9 @@ def _tail(by: Actor, one: Actor) -> float:
         return by.farthest + HEADWAY * speed
     if any(by.one.id == other.hidden_by for other in situation.others):
         return 0.0
+    if any(avoids(by, k) is one.one for k in range(len(by.deeds))):
+        brakes = by.numbers.range_of("BRAKE_TIME")[1] if not SLOWS.isdisjoint(deed.act for deed in by.deeds) else 0.0
+        return by.farthest + ROOM + (seconds_aside(by, one.one) + brakes) * speed
     if _waits(one):
         return _beyond(by, one, speed)
     only_goes = one.one.role is Role.SUPPORTING and all(deed.act.row.lasting for deed in one.deeds)
@@ -57,9 +62,18 @@ def _beyond(by: Actor, one: Actor, speed: float) -> float:
     if by.one.starts.where is Where.ONCOMING and by.stand.meets is Meets.TOWARD and not _stays(by):
         by.phases()  # which say from how far it comes
         return by.farthest + ROOM if one.one.starts.where is Where.AHEAD and "$Y" in by.stand.at else 0.0
+    if _pulls_out_before(by, one):  # and has room to get going, and to stop again behind that
+        fast = by.numbers.range_of("SPEED")[1]
+        return by.farthest + ROOM + GETS_GOING * fast + fast * fast / (2.0 * FOLLOWING_BRAKE)
     if _goes_along(by) and _stays(by) and _in_one_lane(by, one):
         return by.farthest + GOES_ON * speed + speed * speed / (2.0 * FOLLOWING_BRAKE)
     return 0.0
+
+
+def _pulls_out_before(by: Actor, one: Actor) -> bool:
+    """Whether somebody comes from the kerb into the lane in which another stands, from no distance that was said."""
+    comes = by.stand.meets is Meets.KERB and any(deed.act in COMES_IN for deed in by.deeds)
+    return comes and one.one.starts.where is Where.AHEAD and "$Y" in by.stand.at
 
 
 def cross_before_who_brakes(actors: Sequence[Actor]) -> None:

@@ -47,7 +47,7 @@ def placed(asked: Asked, stand: Stand) -> tuple[Stand, str]:
     middle = {Side.LEFT: LANE, Side.RIGHT: -LANE}.get(one.starts.side or Side.LEFT, 0.0)
     lane = 0.0 if one.starts.where in PLACED_IN_OURS or asked.rides else middle
     ego = LANE if asked.swings_out and one.starts.where in PLACED_IN_OURS else 0.0
-    low, high = _left(lateral, side, asked.numbers.row.limits, asked.situation.ego.body.row.limits.width, ego - lane)
+    low, high = in_lane(lateral, side, asked.numbers.row.limits, asked.situation.ego.body.row.limits.width, ego - lane)
     toward = stand.meets is Meets.TOWARD
     if toward:
         low, high = -high, -low
@@ -72,10 +72,10 @@ def led_aside(actor: Actor, k: int, steps: Steps) -> Steps:
     toward = actor.stand.meets is Meets.TOWARD
     texts = (*steps.does, *steps.last)
     if deed.act in _INTO_OURS and (line := next((line for line in (OWN, "{ours}") if line in "".join(texts)), "")):
-        low, high = _left(lateral, side, actor.limits, actor.ego_limits.width, 0.0)
+        low, high = in_lane(lateral, side, actor.limits, actor.ego_limits.width, 0.0)
     elif deed.act is Act.OVERTAKE and lateral.clearance is not None and "{beside}" in "".join(texts):
         line, side = "{beside}", deed.to or Side.LEFT
-        low, high = _left(lateral, side, actor.limits, actor.ego_limits.width, -LANE if side is Side.LEFT else LANE)
+        low, high = in_lane(lateral, side, actor.limits, actor.ego_limits.width, -LANE if side is Side.LEFT else LANE)
         chosen = ""
     else:
         return steps
@@ -99,7 +99,7 @@ def goes_aside(actor: Actor, k: int) -> tuple[float, float] | None:
     side, _ = _side(deed.lateral, actor.one)
     start = actor.one.starts
     lane = 0.0 if start.where in PLACED_IN_OURS else -LANE if start.side is Side.RIGHT else LANE
-    ends = _left(deed.lateral, side, actor.limits, actor.ego_limits.width, -lane)
+    ends = in_lane(deed.lateral, side, actor.limits, actor.ego_limits.width, -lane)
     began = actor.numbers.middle("ASIDE") if "ASIDE" in actor.numbers.ranges else 0.0
     if actor.stand.meets is Meets.TOWARD:
         began = -began
@@ -115,7 +115,7 @@ def _side(lateral: Lateral, one: Other) -> tuple[Side, str]:
     return usual, f"{one.id} is to the {usual} across the road, which was not said"
 
 
-def _left(lateral: Lateral, side: Side, limits: Limits, own: float, ego: float) -> tuple[float, float]:
+def in_lane(lateral: Lateral, side: Side, limits: Limits, own: float, ego: float) -> tuple[float, float]:
     """How far [m] to the left of the middle of a lane somebody is, from and to.
 
     Args:

@@ -38,12 +38,28 @@ def breaks(actor: Actor, deed: Deed) -> bool:
     match deed.breaks:
         case Breach.RED_LIGHT:
             with_us = actor.one.starts.where in (Where.ONCOMING, Where.EXIT_CROSSING)
+            _check_opposite(actor, deed)
             red = (actor.ledger.situation.road.ego_light in (EgoLight.RED, EgoLight.TURNS_RED)) == with_us
             return moves and control == "signal" and (red or with_us)
         case Breach.STOP_SIGN:
             return moves and (control == "stop-sign" or only_others_stop(actor.ledger.situation))
         case _:
             return moves or deed.act in _INTO_THE_WAY or _comes_on(actor, deed)
+
+
+def _check_opposite(actor: Actor, deed: Deed) -> None:
+    """Hold that who comes from opposite, and runs its red light, has one: its light shows what the ego's does.
+
+    Raises:
+        NotBuilt: The ego's is not red.
+    """
+    red = actor.ledger.situation.road.ego_light in (EgoLight.RED, EgoLight.TURNS_RED)
+    if actor.one.starts.where is Where.ONCOMING and not red:
+        k = next(k for k, one in enumerate(actor.deeds) if one is deed)
+        raise NothingBuilds(
+            f"nothing builds yet: {actor.path}.does.{k}.breaks: {Breach.RED_LIGHT} of who is {Where.ONCOMING}, whose"
+            f" light shows what ours does; say road.ego_light: {EgoLight.RED}, or starts.where: {Where.ARM}"
+        )
 
 
 def _comes_on(actor: Actor, deed: Deed) -> bool:

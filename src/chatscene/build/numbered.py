@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import Meets
+from chatscene.build.asked import ENDS_THERE, Meets
 from chatscene.build.deeds import Steps
 from chatscene.build.gaps import backs_by
 from chatscene.build.lateral import goes_aside
@@ -32,6 +32,7 @@ LEVEL_WITH = 1.1  # times the speed of whom it keeps level with, the most that s
 SWINGS = 0.8  # of a wave, the least that is seen
 SOONEST = 2.0  # [s] in which somebody drifts at least
 SLOWER = 2.0  # times as long, of who drifts slowly
+JUST_BACK = 0.7  # [m] that somebody goes back who then stays in the lane
 BACK, DRIFTS = 1.5, 8.0  # [m] that somebody goes back; that it goes on while it drifts by a third
 
 
@@ -105,7 +106,9 @@ def _lasts(phases: Phases, k: int, text: str, speed: Speed) -> str:
     period = max(3.0, WAVE / goes)
     text = text.replace("{period}", f"{period:.2g}").replace("{weaves}", f"{1.5 * period:.2g}")
     drift = (SLOWER if slow else 1.0) * max(0.9, DRIFTS / goes)
-    return text.replace("{back}", f"{1.0 + BACK / goes:.2g}").replace("{drift}", f"{drift:.2g}")
+    turns = phases.actor.seconds_to_turn(goes)
+    far = JUST_BACK if phases.actor.then(k) in ENDS_THERE else BACK
+    return text.replace("{back}", f"{max(1.0, turns) + far / goes:.2g}").replace("{drift}", f"{drift:.2g}")
 
 
 def _bound(phases: Phases, k: int, text: str, steps: Steps, changed: str | None) -> str:

@@ -17,7 +17,7 @@ from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, at_junction, room_against
 from chatscene.build.reacting import ego_slows, goes_until_ego_slows, reacts
-from chatscene.build.relations import AGAINST, ALONG
+from chatscene.build.relations import AGAINST, ALONG, grip_of
 from chatscene.build.sideways import CLEARS, over_at_speed
 from chatscene.build.timing import Course, Meeting, course
 from chatscene.build.towards import done_to
@@ -118,7 +118,12 @@ class Opening(UnderWay):
         elif not actor.stand.rolls or actor.stand.meets is Meets.ALONG:
             if (held := self._held()) is not None:
                 yield f"{waits} for {held} seconds"
-            yield f"{waits} until {self._due()}"
+            far = self._to_ramp()
+            yield f"{waits} until {self._due() if far <= 0.0 else self._is_before_ramp(far)}"
+
+    def _is_before_ramp(self, far: float) -> str:
+        """When it is so far [m] before the nose of a ramp that it sets out for that once all before is done."""
+        return f"progressOn(egoRoute, self)[0] > egoRoute.eventAt - {far + self.ahead.metres:.3g}"
 
     def _stands_before(self) -> Other | None:
         """Who stands before it in the ego's lane, if it stops and so stops behind that."""
@@ -140,7 +145,8 @@ class Opening(UnderWay):
     def _is_near(self, name: str) -> str:
         """When it is so near to who stands before it that it must brake to stand behind that."""
         actor = self.phases.actor
-        braking = f"self.pose[3] * self.pose[3] / (2 * $BRAKE * {actor.limits.brake:g})"
+        hard = min(actor.limits.brake, grip_of(actor.ledger.situation))
+        braking = f"self.pose[3] * self.pose[3] / (2 * $BRAKE * {hard:.3g})"
         line = "{p}" if name == EGO else "egoRoute"  # which begins where the ego does
         return f"headway({line}, self, {name}) < {braking} + (self.length + {name}.length) / 2 + {BEHIND_IT:g}"
 
@@ -198,7 +204,8 @@ class Opening(UnderWay):
     def _come_from_afar(self) -> None:
         """Let who comes driving be so far off that it does all before it meets the ego, or as it does."""
         actor = self.phases.actor
-        changes = any(one.pace in (Pace.GAINS, Pace.LOSES) for one in self.phases.steps)
+        said = actor.one.starts.speed is not None
+        changes = any(one.pace in (Pace.GAINS, Pace.LOSES) or (said and one.still) for one in self.phases.steps)
         if actor.stand.meets is Meets.THROUGH and changes:
             back_by_deeds(actor, self.bodies)
         if actor.stand.meets is not Meets.TOWARD:

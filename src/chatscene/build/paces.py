@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, goes_slowly, stands_first
 from chatscene.build.numbers import MOST, PACES, Numbers
-from chatscene.build.relations import GAINS, GAINS_AGAINST, PASSES, speed_of
+from chatscene.build.relations import BEHIND, GAINS, GAINS_AGAINST, PASSES, speed_of
 from chatscene.build.timing import Body
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.situations.phrases import one_of, one_seen
 from chatscene.terms.seeing import LOST, SHARE_LOST, gain_of, loss_of
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import PLAIN, SIDEWAYS, Act, Heads, acts_of
+from chatscene.terms.vocabulary import PLAIN, SIDEWAYS, Act, Heads, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -31,9 +31,10 @@ HELD_FROM = 0.95  # of the speed that a pedal holds, from which on it is held
 CREEPS = 0.3  # [m/s], nobody goes slower on purpose
 ABOUT = 0.85  # of a speed that was said, the least that a watcher takes for it
 FOLLOWS = 0.64  # of the ego's speed, the least of who goes with it
+LOST_MORE = 1.3  # times that, the most that somebody loses who is to come up again
 CRAWLS = 1.0  # [m/s]: who must be slower before it gains speed gains it from a stand
 AT_ONE_SPEED = PLAIN | acts_of(Heads.TURNS, Heads.ACROSS, Heads.IN)
-"""What is slow or fast in how it leads aside, and not along the road."""
+_COMES_UP = acts_of(Heads.BY, Heads.LEVEL, Heads.CLOSE) | {Act.EXIT}
 
 
 class Pace(StrEnum):
@@ -152,8 +153,8 @@ class Paces:
             if one.gains and not one.after.said:
                 one.after.low = max(one.after.low, min((one.before.high + gain) / HELD_FROM, one.after.high))
                 one.after.high = min(one.after.high, max(one.after.low, one.after.low + gain))
-            elif not one.gains and not one.after.said:
-                one.after.low, one.after.high = 0.3 * one.before.low, 0.6 * one.before.low
+            elif not one.after.said:
+                one.after.low, one.after.high = _lost(one, _comes_up_again(deeds[one.deed + 1 :]))
             self._check(one, deeds[one.deed])
         for speed in self._speeds:
             if speed.name and not speed.said:
@@ -163,14 +164,30 @@ class Paces:
         before, after, name = one.before, one.after, f"{self._path}.does.{one.deed}.act: {deed.act}"
         least = gain_of(self._numbers.row)
         was = before.low if before.name else before.high  # who keeps to the ego is about as fast as it
-        if one.gains and after.high < was + least and was > CREEPS:
-            raise NotBuilt(f"{name} {_told(was, after.high)}; say {_kmh(was + least)} at least")
+        most = after.high
+        if self._numbers.row.motorised and not after.said:
+            most = min(most, self._body.holds_pressed(self._numbers.range_of("THROTTLE")[0]))
+        if one.gains and most < was + least and was > CREEPS:
+            raise NotBuilt(f"{name} {_told(was, most)}; say {_kmh(was + least)} at least")
         if before.low > MOST * self._numbers.row.limits.top_speed:
             kind, most = one_seen(self._numbers.row.scenic), MOST * self._numbers.row.limits.top_speed
             raise NotBuilt(f"{name} to {_kmh(after.low)} cannot be seen of {kind}, which goes at {_kmh(most)} at most")
         least = loss_of(before.high)
         if not one.gains and after.low > before.high - least:
             raise NotBuilt(f"{name} {_told(before.high, after.low)}; say {_kmh(before.high - least)} at most")
+
+
+def _lost(one: Change, comes_up: bool) -> tuple[float, float]:
+    """The least and the most speed [m/s] of who has lost some; of who comes up again no less than is seen."""
+    if not comes_up:
+        return 0.3 * one.before.low, 0.6 * one.before.low
+    seen = loss_of(one.before.high) * SEEN
+    return max(CREEPS, one.before.high - LOST_MORE * seen), one.before.high - seen
+
+
+def _comes_up_again(later: Sequence[Deed]) -> bool:
+    """Whether somebody who has lost speed is to pass the ego, to keep to it, or to leave by a ramp, by what it does."""
+    return any(deed.act in _COMES_UP and done_to(deed) == EGO for deed in later)
 
 
 def paces_of(actor: Actor, steps: Sequence[Steps], body: Body) -> Paces:
@@ -189,14 +206,25 @@ def paces_of(actor: Actor, steps: Sequence[Steps], body: Body) -> Paces:
     def paced(first: Speed) -> Paces:
         paces = Paces(actor.numbers, body, actor.path, first)
         for k, (one, (name, speed)) in enumerate(zip(steps, said, strict=True)):
-            paces.add(k, one.pace, speed, name)
+            passed = actor.deeds[k].act is Act.OVERTAKE and one.pace is Pace.KEEPS  # and is slow no more
+            paces.add(k, Pace.ENDS if passed else one.pace, speed, name)
         paces.settle(actor.deeds)
         return paces
 
     try:
         return paced(_first(actor, as_ego=True))
     except NotBuilt:
+        if _gains_with_ego(actor, steps):
+            raise  # a slower ego may do: who is much slower than it would be left behind
         return paced(_first(actor, as_ego=False))
+
+
+def _gains_with_ego(actor: Actor, steps: Sequence[Steps]) -> bool:
+    """Whether somebody beside or behind an ego of which no speed was said gains speed first, to none that was said."""
+    free = actor.ledger.situation.ego.speed is None and not actor.numbers.is_said("SPEED")
+    there = actor.one.starts.where in BEHIND | {Where.BESIDE} and keeps_distance(actor)
+    gains = next((k for k, one in enumerate(steps) if one.pace is not Pace.KEEPS), None)
+    return free and there and gains is not None and steps[gains].pace is Pace.GAINS and not actor.deeds[gains].speed
 
 
 def _first(actor: Actor, *, as_ego: bool) -> Speed:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.aim import STOOD, set_offset
 from chatscene.build.aside import avoids, comes_aside, goes_by, grazes, line_aside, must_avoid, sign_of_side
-from chatscene.build.asked import Meets, stands_first, stops_in_the_way, stops_on_its_way
+from chatscene.build.asked import Meets, stands_first, stays_after_turning, stops_in_the_way, stops_on_its_way
 from chatscene.build.choosing import is_in_ours, steps_of
 from chatscene.build.contact import misses, parts_of_door, touches
 from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, RESTS_THERE, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
@@ -31,28 +31,37 @@ from chatscene.build.numbered import held_at, of_deed, renamed
 from chatscene.build.opening import Opening
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import CRAWLS, Pace, Paces, paces_of, set_passing_speed
-from chatscene.build.place import NEXT_LANE
+from chatscene.build.place import NEXT_LANE, at_roundabout, leaves_by_ramp
 from chatscene.build.reacting import LOCKS, SLOWED, ego_slows, goes_until_ego_slows, swerves_slowed
+from chatscene.build.relations import grip_of
 from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.situations.phrases import one_of
-from chatscene.terms.vocabulary import HALTS, STOPS, Act, Heads, Manner, Role, Striker, Tempo, acts_of
+from chatscene.terms.actors import Limits
+from chatscene.terms.vocabulary import HALTS, STOPS, Act, Heads, Manner, Role, Striker, Tempo, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 AS_SAID, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
+ON_FOOT, ROUNDS_IN = 1.2, 0.2  # [s] in which somebody on foot turns round at least; longer than it takes to stand
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
 ENDS_BACKING = STOPS | acts_of(Tempo.LIES)  # by which who backs comes to a stand: it does not set off forwards for that
 STAYS = acts_of(Tempo.GAINS, Heads.DRIFTS)  # it goes on so, whatever time that took
 OPENS_BEFORE, OPENS_INTO = (-1.1, -0.5), (-1.4, -1.1)  # [s] later than one could stop for it that a door is opened
+OPENS_AHEAD = (0.5, 1.5)  # [s] sooner than usual that one is opened in the lane that the ego comes along
 OUT_AGAIN = acts_of(Tempo.SETS_OFF, Heads.ROUND, Heads.FROM_EDGE, Heads.OVER, Heads.BEFORE, Heads.IN)
 COMES_BY = "headway(egoRoute, self, ego) > -(self.length + ego.length) / 2 - 3 - 0.5 * ego.pose[3] or ego.pose[3] < 0.3"
 """When the ego is about to pass whoever has parked, or waits behind it."""
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
+
+
+def _on_road(limits: Limits, grip: float) -> Limits:
+    """What a body can do where the road holds so much [m/s²]."""
+    return replace(limits, brake=min(limits.brake, grip), throttle=min(limits.throttle, grip))
 
 
 _ALONG = re.compile(r"^MoveAhead\([^,]+\) for")
@@ -94,7 +103,7 @@ class Phases:
         hides = one.role is Role.HIDES or (in_the_way and one.role is Role.SUPPORTING)
         if actor.lies or (hides and all(deed.act is Act.STAND for deed in deeds)):
             return ("Halt()",) if one.role is Role.ADVERSARY else ()
-        self.body = Body(actor.limits, actor.walks)
+        self.body = Body(_on_road(actor.limits, grip_of(actor.ledger.situation)), actor.walks)
         self.steps = [led_aside(actor, k, steps_of(actor, k)) for k in range(len(deeds))]
         self.paces = paces_of(actor, self.steps, self.body)
         if not any(deed.time is not None for deed in deeds):  # so far that it is seen to go on
@@ -106,13 +115,20 @@ class Phases:
                 set_passing_speed(actor, k)
         if actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) or actor.stand.rolls:
             set_offset(actor)
-        opens = deeds and deeds[-1].act is Act.OPEN_DOOR and actor.stand.meets is Meets.KERB
-        if opens and touches(actor.ledger.situation, one):  # too late for the ego to stop
+        if deeds and deeds[-1].act is Act.OPEN_DOOR and actor.stand.meets is Meets.KERB:
+            self._set_door()
+        return tuple(self._all())
+
+    def _set_door(self) -> None:
+        """When a door is opened: before the ego comes to who stands in its lane, or too late for it to stop."""
+        actor, one = self.actor, self.actor.one
+        if one.starts.where is Where.AHEAD:
+            actor.numbers.narrow("OFFSET", *OPENS_AHEAD)
+        elif touches(actor.ledger.situation, one):
             contact = actor.ledger.situation.contact
             into = contact is not None and contact.striker is Striker.OTHER
             actor.numbers.narrow("OFFSET", *(OPENS_INTO if into else OPENS_BEFORE))
             actor.ledger.take(*parts_of_door(actor.ledger.situation, one))
-        return tuple(self._all())
 
     # All phases
 
@@ -199,7 +215,7 @@ class Phases:
         metres = there.metres
         if metres > 0.0:
             if "$X" not in actor.stand.point:
-                raise NotBuilt(
+                raise NothingBuilds(
                     f"nothing builds yet: {actor.path}.does.{first}.act: {actor.deeds[first].act} of somebody who is "
                     f"{actor.one.starts.where}, before it comes into our lane"
                 )
@@ -239,7 +255,8 @@ class Phases:
             if steps.comes_in and turned:
                 check_turn(actor, k)
                 body += [f"{MOVE} until abs(offsetFrom(egoRoute, self)) > {OUTSIDE}"]
-                body += [ROUND_ON_FOOT if actor.walks else ROUND]
+                takes = max(ON_FOOT, actor.seconds_to_turn(actor.numbers.middle("SPEED")) + ROUNDS_IN)
+                body += [ROUND_ON_FOOT.replace("{round}", f"{takes:.2g}") if actor.walks else ROUND]
                 turned = False
             if stops_on_its_way(actor.stand.meets, actor.deeds, k):
                 near = RESTS if actor.stand.meets is Meets.ACROSS else f"{GO} until {actor.stand.left} < {RESTS_THERE}"
@@ -307,7 +324,9 @@ class Phases:
         far = deed.act is Act.GO_ALONG and deed.distance is not None
         ends = last and bool(steps.last) and ((deed.time is None and not far) or deed.act in STAYS)
         phases = steps.last if ends else steps.does
-        if actor.stand.meets is Meets.ACROSS and stops_on_its_way(Meets.ACROSS, actor.deeds, k + 1):
+        if actor.stand.meets is Meets.ACROSS and (
+            stops_on_its_way(Meets.ACROSS, actor.deeds, k + 1) or stays_after_turning(actor.deeds, k)
+        ):
             phases = (RESTS,)  # who is fast is over our lane, if it brakes only once it is in that
         own = steps.way or line_aside(actor, k, way) or way
         if last and not ends:
@@ -352,7 +371,7 @@ class Phases:
         """Take to which side and to whom a deed is done, and tell what is not done of it."""
         actor, deed = self.actor, self.actor.deeds[k]
         if deed.act is Act.EXIT and actor.stand.meets is Meets.ALONG:
-            actor.ledger.assume(f"{actor.one.id} stays on the road where it would exit, as no ramp is taken yet")
+            self._check_exit(k)
         beside = actor.one.starts.where in NEXT_LANE and deed.act is Act.OVERTAKE
         if beside and deed.to not in (None, actor.one.starts.side):
             raise NothingBuilds(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, of who is on the other side")
@@ -363,6 +382,19 @@ class Phases:
             actor.ledger.take(f"{actor.path}.does.{k}.to")
         if deed.whom is not None:
             actor.ledger.take(f"{actor.path}.does.{k}.whom")
+
+    def _check_exit(self, k: int) -> None:
+        """Tell how somebody leaves the road that goes along with the ego, where it does not by a ramp.
+
+        Raises:
+            NotBuilt: At a junction, which has no ramp.
+        """
+        situation, one = self.actor.ledger.situation, self.actor.one
+        if at_roundabout(situation):
+            self.actor.ledger.assume(f"{one.id} leaves the roundabout where the ego does, or goes on in it")
+        elif not leaves_by_ramp(situation, one):
+            at = f"{self.actor.path}.does.{k}.act"
+            raise NothingBuilds(f"nothing builds yet: {at}: {Act.EXIT}, at a junction; say {Act.TURN_RIGHT}")
 
     def _careful(self, phases: tuple[str, ...]) -> tuple[str, ...]:
         """The last phases, of somebody on foot who is not to touch an ego that stands where it is to go on."""

@@ -108,6 +108,13 @@ def between_bays(found: Found) -> bool:
     return Equipment.BAYS in found.query.get("has", ())
 
 
+def leaves_by_ramp(situation: Situation, one: Other) -> bool:
+    """Whether somebody who goes along with the ego leaves the road by a ramp."""
+    along = one.starts.where in NEXT_LANE | {Where.AHEAD, Where.BEHIND}
+    elsewhere = at_roundabout(situation) or at_junction(situation)
+    return along and not elsewhere and any(deed.act is Act.EXIT for deed in one.does)
+
+
 def beside_ramp(query: Mapping[str, Any]) -> int:
     """How many lanes of a ramp lie beside the road where a route is asked for."""
     return int(query.get("site") in (Site.PAST_ON_RAMP, Site.PAST_OFF_RAMP))

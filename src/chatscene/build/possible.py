@@ -20,6 +20,7 @@ from chatscene.terms.vocabulary import (
     PLAIN,
     SLOWS,
     Act,
+    EgoRoute,
     Heads,
     Tempo,
     Where,
@@ -83,6 +84,9 @@ _OFF = (
         Heads.BACK,
     )
 )
+_FALLS_BACK = SLOWS | _STILL | acts_of(Tempo.BACKS)
+OVERTAKEN = NEXT_LANE | {Where.AHEAD, Where.KERB, Where.BUS_BAY, Where.ROADSIDE}
+"""Where somebody can be whom the ego overtakes."""
 _WHERE_IT_STANDS = frozenset(LETS_GO)
 """What is done standing, too."""
 
@@ -107,6 +111,7 @@ def impossible(situation: Situation) -> Iterator[Fault]:
                 yield Fault((f"{at}.{k}.time",), f"it stands already, for {one.does[k - 1].time}")
             stood = deed.act in _STILL or (stood and deed.act in _WHERE_IT_STANDS)
         yield from _comes_in_twice(one, at)
+        yield from _passes_twice(one, at)
         for k, (before, after) in enumerate(pairwise(one.does), 1):
             if before.act in _TURNED and after.act not in _GOES:
                 yield Fault((f"{at}.{k}.act",), f"after {before.act} it is elsewhere, and cannot {after.act}")
@@ -118,12 +123,28 @@ def _of_ego(situation: Situation) -> Iterator[Fault]:
         stays = before.act in _STILL and before.time is None and situation.answered(before) is None
         if stays and after.act in ASIDE:
             yield Fault((f"ego.does.{k}.act",), f"who stands must set off before it can {after.act}")
+    if situation.ego.route is EgoRoute.OVERTAKE and not any(one.starts.where in OVERTAKEN for one in situation.others):
+        places = ", ".join(where for where in Where if where in OVERTAKEN)
+        yield Fault(("ego.route",), f"there is nobody whom we could overtake, who is {places}")
 
 
 def _from(deed: Deed) -> frozenset[Where]:
     """Where a deed can be begun from."""
     rows = FROM if deed.whom in (None, EGO) else FROM | TO_ANOTHER
     return rows.get(deed.act, frozenset(Where))
+
+
+def _passes_twice(one: Other, at: str) -> Iterator[Fault]:
+    """Who has passed somebody is ahead of that one, and must lose speed before it can pass it again."""
+    passed = set[str]()
+    for k, deed in enumerate(one.does):
+        whom = deed.whom or EGO
+        if deed.act is Act.OVERTAKE and whom in passed:
+            yield Fault((f"{at}.{k}.act",), f"after overtake it is ahead of {whom}, and cannot overtake that again")
+        if deed.act is Act.OVERTAKE:
+            passed.add(whom)
+        elif deed.act in _FALLS_BACK:
+            passed.clear()
 
 
 def _comes_in_twice(one: Other, at: str) -> Iterator[Fault]:

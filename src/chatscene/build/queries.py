@@ -19,6 +19,7 @@ from chatscene.build.place import (
     beside_lane,
     beside_ramp,
     control_of,
+    leaves_by_ramp,
     only_others_stop,
     rides_at_edge,
 )
@@ -125,7 +126,8 @@ def _many_lanes(situation: Situation, sides: dict[str, Side]) -> dict[str, Any]:
     """How many lanes there must be for those who change several of them, and in which the ego is then."""
     left, right = lanes_needed(situation, sides)
     straight = situation.ego.route in (None, EgoRoute.STRAIGHT)
-    if left + right < 2 or not straight or at_junction(situation) or at_roundabout(situation):
+    by_ramp = any(leaves_by_ramp(situation, one) for one in situation.others)  # whose lane is one of them
+    if left + right < 2 or by_ramp or not straight or at_junction(situation) or at_roundabout(situation):
         return {}
     lane = {} if situation.road.ego_lane is not None else {"lane": 1 + right}
     return {"lanes": max(1 + left + right, situation.road.lanes or 0), **lane}
@@ -162,6 +164,11 @@ def _on_road(
         yield from _round(situation, base | ({"beside": lanes[0]} if lanes else {}))
     elif any(one.starts.where is Where.ON_RAMP for one in others):
         yield base | {"site": Site.PAST_ON_RAMP.value, "beside": "right"}
+    elif any(leaves_by_ramp(situation, one) for one in others):  # in the lane beside that which leads there
+        left = any(side != Side.RIGHT for side in lanes)
+        against = any(one.starts.where in AGAINST for one in others)
+        beside = {"beside": str(Side.LEFT)} if left else {}
+        yield base | {"site": Site.PAST_OFF_RAMP.value} | beside | ({"opposite": True} if against else {})
     elif route is EgoRoute.EXIT:
         yield base | {"site": Site.OFF_RAMP.value}
     elif route is EgoRoute.MERGE or road.kind is RoadKind.RAMP:

@@ -21,6 +21,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Speed
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.situation import EGO, Deed, Other, Situation
+from chatscene.terms.surroundings import FOLLOWS, Surface, Surroundings
 from chatscene.terms.vocabulary import PLAIN, SLOWS, Act, EgoRoute, Heads, Role, Where, acts_of
 
 PASSES = 1.5  # [m/s] that somebody is faster at least than whom it passes
@@ -30,6 +31,7 @@ AGAINST = frozenset((Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE))
 AHEAD = frozenset((Where.AHEAD, Where.AHEAD_BESIDE))
 BEHIND = frozenset((Where.BEHIND, Where.BEHIND_BESIDE))
 ALONG = NEXT_LANE | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP}
+_GOES = PLAIN | acts_of(Heads.BEHIND)
 _WITH = acts_of(Heads.LEVEL, Heads.BEHIND, Heads.CLOSE)
 _BESIDE = 0.38  # of a swing, at its end, in which the ego is as far aside as it must be to pass
 _SLOWER = 0.85  # of the most that somebody may have, from which on its speed is drawn
@@ -77,9 +79,22 @@ def _holds(one: Other) -> float:
     return Body(one.kind.row.body.row.limits, walks=False).fastest
 
 
+def _said_behind(one: Other) -> float:
+    """The speed [m/s] that was said of somebody who comes along behind the ego, and does nothing else; inf if none."""
+    met = one.starts.where is Where.BEHIND and one.role is Role.ADVERSARY
+    goes = met and bool(one.does) and all(deed.act in _GOES for deed in one.does)
+    said = said_speed(one, 0.0) if goes and not _than_ego(one) else None
+    return math.inf if said is None or said <= 0.0 else said
+
+
+def _than_ego(one: Other) -> bool:
+    return any(said is not None and said.than_ego for said in (one.starts.speed, *(deed.speed for deed in one.does)))
+
+
 def speed_kept_up(situation: Situation) -> float:
-    """The most [m/s] that all hold who are to keep to the ego."""
-    return min((_holds(one) for one in situation.others if goes_with(one)), default=math.inf)
+    """The most [m/s] at which all go who are to keep to the ego, or come along behind it: as they hold, or as said."""
+    held = (_holds(one) for one in situation.others if goes_with(one))
+    return min((*held, *map(_said_behind, situation.others)), default=math.inf)
 
 
 def slows_on_its_way(situation: Situation) -> bool:
@@ -126,6 +141,13 @@ def passed_share(situation: Situation, one: Other) -> float:
 def _passes(situation: Situation, one: Other) -> Iterator[Deed]:
     """The deeds by which others pass somebody."""
     yield from (d for other in situation.others for d in other.does if d.act is Act.OVERTAKE and d.whom == one.id)
+
+
+def grip_of(situation: Situation) -> float:
+    """The largest acceleration [m/s²] that the road lets anybody have; infinite where it does not limit it."""
+    around = situation.around
+    surface = around.surface or (FOLLOWS.get(around.weather) if around.weather else None)
+    return Surroundings(surface=surface or Surface.DRY).grip
 
 
 def said_speed(one: Other, ego: float) -> float | None:
@@ -187,6 +209,11 @@ def check_kept_up(situation: Situation, ego: float) -> None:
     if situation.ego.does:  # by which it may be slower
         return
     for one in situation.others:
+        if (most := _said_behind(one)) < HELD * ego:
+            raise NotBuilt(
+                f"others.{one.id}: at {3.6 * most:.0f} km/h it is left behind by an ego at {3.6 * ego:.0f} km/h; say an"
+                f" ego at {3.6 * most:.0f} km/h at most, or a faster {one.kind}"
+            )
         if goes_with(one) and (most := _holds(one)) < HELD * ego:
             k = next(k for k, deed in enumerate(one.does) if deed.act in _WITH)
             raise NotBuilt(

@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import ROOM, Meets, Stand, stands_first
+from chatscene.build.asked import ROOM, Meets, Stand, passes_with, stands_first
 from chatscene.build.chain import meeting_of
 from chatscene.build.deeds import STILL
 from chatscene.build.hiding import hidden_with
@@ -69,7 +69,7 @@ def from_its_lane(situation: Situation, one: Other, hidden: Other) -> bool:
     in_lane = one.starts.where in _NEXT | {Where.ONCOMING} and hidden.starts.where in _COMES_OVER
     at_line = one.starts.where in _NEXT and hidden.starts.where is Where.ARM
     at_line = at_line and (None in (one.starts.side, hidden.starts.side) or one.starts.side is hidden.starts.side)
-    waits = one.starts.where is hidden.starts.where is Where.ONCOMING
+    waits = one.starts.where is hidden.starts.where is Where.ONCOMING and not passes_with(one, hidden)
     return hidden.hidden_by == one.id and drives and (in_lane or at_line or waits)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from chatscene.build.arriving import comes_along, comes_back, roundabout, slow_enough, so_far_back, through
-from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, stands_first, stops_ahead
+from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, goes_slowly, stands_first, stops_ahead
 from chatscene.build.backing import comes_by, out_of, parked_beside
 from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
 from chatscene.build.cutting_in import begins_beside, room_to_avoid
@@ -30,7 +30,7 @@ from chatscene.build.place import (
     is_marked,
     lane_beside,
 )
-from chatscene.build.relations import falls_behind, slows_on_its_way, speed_of
+from chatscene.build.relations import falls_behind, goes_with, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt, NothingBuilds
@@ -149,7 +149,9 @@ def _caught_up(asked: Asked) -> float:
         motorised = asked.one.kind.row.body.row.motorised
         steady = asked.numbers.range_of("STEADY")[1]
         return backs + (room_to_avoid(slower) + slower * steady if motorised and slower > 0.0 else 0.0)
-    slower = asked.ego.speed - speed_of(asked.situation, asked.one.id, asked.ego.speed)
+    slow = goes_slowly(asked.one)
+    own = asked.numbers.range_of("SPEED")[0] if slow else speed_of(asked.situation, asked.one.id, asked.ego.speed)
+    slower = asked.ego.speed - own
     return backs + max(0.0, slower) * asked.ego.time_at(asked.found.route.eventAt)
 
 
@@ -199,7 +201,8 @@ def _behind(asked: Asked) -> Stand:
         asked.reach(9.0 + asked.longer, 17.0 + asked.longer, "how far behind the ego it is")
     else:
         asked.headway(*CAREFUL)
-    way = "ownLane(egoRoute)" if beside_lane(asked.situation) else "egoRoute"
+    stays = asked.situation.ego.route in CHANGES and not goes_with(asked.one)  # and does not change lanes with it
+    way = "ownLane(egoRoute)" if stays or beside_lane(asked.situation) else "egoRoute"
     back = max(LEADS_UP, 10.0 * math.ceil(0.1 * (asked.numbers.range_of("Y")[1] + asked.room + ROOM)))
     return Stand(meets=Meets.ALONG, way=f"extended({way}, {back:g})", at=f"{back:g} - $Y{asked.less}", behind=True)
 

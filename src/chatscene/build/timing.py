@@ -101,6 +101,13 @@ class Body:
             speed = self.after(speed, wish)
         return speed
 
+    def holds_pressed(self, throttle: float) -> float:
+        """The speed [m/s] that it comes to hold with a throttle that is pressed so far."""
+        speed = 0.0
+        for _ in range(round(_MOST / _STEP)):
+            speed = self.after(speed, self.limits.top_speed, throttle)
+        return speed
+
     @property
     def fastest(self) -> float:
         """The most [m/s] that it holds for long, by what the engine gives and drag leaves."""

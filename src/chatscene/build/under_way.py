@@ -12,8 +12,9 @@ from chatscene.build.chain import meeting_of
 from chatscene.build.contact import touches
 from chatscene.build.deeds import GO
 from chatscene.build.gaps import passes_where_it_goes_over
+from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import CRAWLS, Pace
-from chatscene.build.place import LANE, NEXT_LANE, at_junction
+from chatscene.build.place import LANE, NEXT_LANE, at_junction, leaves_by_ramp
 from chatscene.build.timing import Course, course
 from chatscene.terms.vocabulary import Act, Heads, acts_of
 
@@ -24,6 +25,8 @@ SOONER = 0.8  # [s] than the ego somebody comes over from a stand that is not to
 _COMES_OVER = acts_of(Heads.BEFORE, Heads.MERGES, Heads.IN, Heads.FROM_EDGE, Heads.OVER)
 BEGUN = 0.8  # [s]: what is done so long before the ego is there is seen to begin
 LATEST = 12.0  # [s] that somebody goes with the ego before it does anything
+OVER_LANE = 3.0  # [s] in which somebody at speed is in the next lane
+RAMP_LANE = -1  # the lane that leads to a ramp, counted from the ego's to the left
 INSIDE = 3.0  # [m] before where the ways meet: who does something there does it in the ego's sight
 IS_OPEN = 1.5  # [s] before the ego is there that somebody begins to open a door
 BRAKE = re.compile(r"BrakeOnPath\([^,]+, ([$\w.]+)\)")
@@ -138,7 +141,16 @@ class UnderWay:
                 before = 2.0 if at_junction(actor.ledger.situation) else 1.0
                 if passes_where_it_goes_over(actor):
                     before = -(actor.ego.late or 0.0)
-                return before + more + soon
+                return before + more + soon + self._to_ramp() / actor.ego_speed
+
+    def _to_ramp(self) -> float:
+        """How far [m] before the nose of a ramp somebody sets out for that who leaves by it; 0 of others."""
+        actor = self.phases.actor
+        if not leaves_by_ramp(actor.ledger.situation, actor.one):
+            return 0.0
+        k = next(k for k, deed in enumerate(actor.deeds) if deed.act is Act.EXIT)
+        lanes, speed = abs(lane_after(actor.one, actor.deeds, k - 1) - RAMP_LANE), self.phases.paces.before[k]
+        return lanes * OVER_LANE * (actor.numbers.middle(speed.name) if speed.name else actor.along_speed)
 
     def _from_a_stand(self) -> float:
         """How long [s] before the ego somebody sets off that stood in its lane, or comes over into that."""

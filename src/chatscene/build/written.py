@@ -87,6 +87,8 @@ class Written:
             yield f"next{one} = {self._next()}"
         if f"ours{one}" in body:
             yield f"ours{one} = against(ownLane(egoRoute))"
+        if f"exit{one}" in body:
+            yield f"exit{one} = offRamp(egoRoute)"
         if f"home{one}" in body:
             yield f'home{one} = neighbourPath(egoRoute, "left")'
 

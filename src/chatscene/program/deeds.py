@@ -308,10 +308,11 @@ def before(s: Seen) -> Array:
     return -s.lead if math.cos(float(s.track.heading[0]) - way) < 0.0 else s.lead
 
 
-def _tailgates(s: Seen) -> Iterator[Act]:
+def tailgates(s: Seen, within: float = 8.0) -> Iterator[Act]:
+    """It keeps close behind the ego: as near as is usual, or as was said [m]."""
     lead = before(s)
     between = -lead - (s.ego.length + s.track.length) / 2
-    near = between < np.maximum(8.0, CLOSE * s.ego.speed)
+    near = between < np.maximum(within, CLOSE * s.ego.speed)
     close = (lead < 0.0) & near & (np.abs(s.offset) < 1.3) & (s.ego.speed > 1.0) & (_speed(s) > 1.0)
     return _lasting(close, 15)
 
@@ -390,7 +391,7 @@ ACTIONS: dict[Action, Callable[[Seen], Iterable[Act]]] = {
     Action.DIAGONAL: _diagonal,
     Action.TURN_BACK: _turns_back,
     Action.OVERTAKE: _overtakes,
-    Action.TAILGATE: _tailgates,
+    Action.TAILGATE: tailgates,
     Action.PULL_OUT: _pulls_out,
     Action.WRONG_WAY: _wrong_way,
     Action.U_TURN: _turns_round,

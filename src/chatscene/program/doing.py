@@ -256,11 +256,15 @@ def _turns_round(s: Seen) -> Iterator[Act]:
 def _exits(s: Seen) -> Iterator[Act]:
     """It ends farther aside of the ego's way than it was, by more than a lane, and not because it crossed that.
 
+    Who comes over the ego's way as it goes along it has not crossed it.
+
     Of an ego that changes lanes, also farther aside of the lane that the ego left: who stays there has not gone.
     """
     away = np.minimum(np.abs(s.offset), np.abs(s.aside))
     if abs(s.offset[0]) > OUTSIDE and s.offset[0] * s.offset[-1] < 0.0:
-        return
+        over = int(np.argmax(s.offset * s.offset[0] < 0.0))
+        if math.cos(float(_from_way(s)[over])) < GOES_WITH:
+            return
     near = away <= away.min() + ON_LINE  # for the last time, or it had not left by then
     gone = away > np.minimum.accumulate(away) + LANE
     began = int(np.flatnonzero(near)[-1])

@@ -15,7 +15,7 @@ from functools import partial
 import numpy as np
 
 from chatscene.program.contacts import is_of, is_with, of_contact
-from chatscene.program.deeds import ACTIONS, Act
+from chatscene.program.deeds import ACTIONS, Act, tailgates
 from chatscene.program.doing import (
     ACTS,
     MOST_OF,
@@ -45,7 +45,7 @@ from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.backing import as_it_backs, backs, drive_as_it_backs, turned_about
-from chatscene.terms.episode import Episode, Track
+from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.rolling import as_it_rolls
 from chatscene.terms.route import Route
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation
@@ -132,7 +132,8 @@ class _Judge:
             )
         if ego.speed is not None:
             rises = self.contact is not None and not held_at_most(speed, self.episode.dt)
-            yield self.measure.number("ego.speed", ego.speed, speed, SLACK_SPEED, "drives at", most=True, cut=rises)
+            drives = self._until_it_gains(speed)
+            yield self.measure.number("ego.speed", ego.speed, drives, SLACK_SPEED, "drives at", most=True, cut=rises)
         yield from of_ego(self.situation, self.episode, self.route, self.contact)
         done: dict[str, Act] = {}
         for one in sorted(self.situation.others, key=waits_for_others):  # who is waited for first
@@ -144,6 +145,16 @@ class _Judge:
         if not self.through:
             yield from self._of_encounters(done)
             yield from unasked(self.situation, self.episode, until)
+
+    def _until_it_gains(self, speed: Array) -> Array:
+        """The ego's speeds [m/s] until it gains speed to one that was said, which is then another than its own."""
+        said = (one.speed for one in self.situation.ego.does if one.act is Said.ACCELERATE)
+        gains = next((to for to in said if to is not None), None)
+        if gains is None:
+            return speed
+        seen = watch(self.episode, self.route, self.episode.ego_track, self.contact)
+        began = [once.began for once in accelerates(seen, gains.high)]
+        return speed[: max(began[-1], 1)] if began else speed
 
     def _of_passing(self) -> Iterator[Finding]:
         """Whether an ego that is to overtake gets by somebody; one that comes nearer and waits has not come to it."""
@@ -339,6 +350,8 @@ class _Judge:
             return ACTS[Said.SLOW_DOWN]
         if act is Said.ACCELERATE and deed.speed is not None and not deed.speed.than_ego:
             return partial(accelerates, to=deed.speed.high)
+        if act is Said.TAILGATE and (far := deed.distance) is not None:
+            return partial(tailgates, within=(far.high if math.isfinite(far.high) else far.low) + SLACK_LENGTH)
         if act is Said.DRIFT and (far := deed.distance) is not None:
             return partial(drifts, by=MOST_OF * (far.low if math.isfinite(far.low) else far.high))
         return exits if act is Said.EXIT and self.situation.ego.route in _EXITS else ACTS[act]

@@ -255,6 +255,8 @@ def left_of_ego(seen: Seen, route: Route) -> float:
 
     Somebody at the kerb who faces the road comes from that side of the road, also where the road has turned.
     """
+    if route.junction is None and abs(seen.offset[0]) < abs(seen.aside[0]):  # the ego's way leads past it
+        return float(seen.aside[0])
     if route.junction is None:
         return float(seen.offset[0])
     along, _, _ = route.line.project(float(seen.track.x[0]), float(seen.track.y[0]))

@@ -78,6 +78,8 @@ ABOUT = math.radians(45)  # off from which somebody is not seen to face that way
 def faces(s: Seen, said: Facing) -> bool:
     """Whether somebody faces a way at first, against the ego's way beside it; across is toward its lane."""
     turned = float(s.track.heading[0]) - s.line.heading_at(float(s.at[0].clip(0.0, s.line.length)))
+    if said is Facing.ACROSS and _in_lane(s):
+        return abs(math.sin(turned)) > math.sin(ABOUT)
     if said is Facing.ACROSS:
         return -math.copysign(1.0, float(s.offset[0])) * math.sin(turned) > math.sin(ABOUT)
     return abs(math.remainder(turned - FACING[said], 2 * math.pi)) < ABOUT

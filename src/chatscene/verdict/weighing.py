@@ -82,8 +82,13 @@ def facts_of(situation: Situation, found: Sequence[Sequence[Finding]]) -> tuple[
 
 
 def beside(found: Sequence[Sequence[Finding]], prefix: str) -> tuple[Fact, ...]:
-    """Encounters, or what nobody said: a finding that a drive has none of counts as shown in it, if nobody said it."""
+    """Encounters, or what nobody said: a finding that a drive has none of counts as shown in it, if nobody said it.
+
+    What was said asks for an encounter if it does so in most drives.
+    """
     seen = _by_path([[f for f in one if f.path.startswith(prefix)] for one in found])
+    if prefix.startswith("encounter"):
+        seen = {path: there for path, there in seen.items() if 2 * len(there) >= len(found)}
     if prefix.startswith("unasked"):
         draws = range(len(found))
         seen = {

@@ -19,6 +19,7 @@ from chatscene.errors import MapError
 from chatscene.maps.crossings import CrossingPath, conflicting_paths, passing_path
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import opposes, section_beside
+from chatscene.maps.ramp_lines import off_ramp_line
 from chatscene.maps.ring_ways import line_beside, ring_ways
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.nouns import with_article
@@ -332,6 +333,15 @@ def wholeLane(route: EgoRoute) -> Polyline:  # noqa: N802
 def lastLane(route: EgoRoute) -> Polyline:  # noqa: N802
     """The centre line of the lane the ego ends in, from its beginning: where traffic there comes from."""
     return lane_runs(route.network)[route.route.lane_ids[-1]].line
+
+
+def offRamp(route: EgoRoute) -> Polyline:  # noqa: N802
+    """The line of the lane that leads off the ego's road by the nearest ramp, and on down that.
+
+    Raises:
+        MapError: No ramp leads off its road.
+    """
+    return off_ramp_line(route.network, route.route)
 
 
 def leftAt(route: EgoRoute) -> float:  # noqa: N802
