@@ -56,9 +56,9 @@ def test_a_place_across_the_road_that_is_not_built_is_refused_with_where_it_is()
 
 
 def test_who_hides_somebody_is_refused_across_the_road_with_that_reason() -> None:
-    said = someone("roadside", "cross", kind="child", side="right")
+    said = someone("roadside", "cross", kind="child", side="left")
     said["others"][0]["hidden_by"] = "B"
-    parked = {"where": "kerb", "side": "right", "lateral": {"overlap": "50 %"}}
+    parked = {"where": "kerb", "side": "left", "lateral": {"overlap": "50 %"}}
     said["others"].append({"id": "B", "kind": "truck", "role": "hides", "starts": parked, "does": [{"act": "stand"}]})
     with pytest.raises(NotBuilt, match=r"not of B, who hides somebody$"):
         build(from_plain(said))

@@ -171,7 +171,8 @@ def _check_road(situation: Situation, actors: Sequence[Actor]) -> None:
     """
     for actor in actors:
         several = sum(not deed.act.row.lasting for deed in actor.deeds) > 1 and actor.stand.meets is Meets.ALONG
-        if situation.ego.speed is not None and several and actor.given < IN_TIME * actor.needs:
+        drives = situation.ego.speed is not None and not situation.ego.does
+        if drives and several and actor.given < IN_TIME * actor.needs:
             raise NotBuilt(
                 f"others.{actor.one.id}: all that it does takes {actor.needs:.0f} s, an ego at"
                 f" {3.6 * actor.ego_speed:.0f} km/h is there after {actor.given:.0f} s; say a slower one"

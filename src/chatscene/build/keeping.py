@@ -10,7 +10,6 @@ from chatscene.terms.amount import Length
 from chatscene.terms.situation import EGO, Deed, Lateral, Other, Situation
 from chatscene.terms.vocabulary import Act, Role, Where
 
-_BEFORE = (Where.AHEAD, Where.AHEAD_BESIDE, Where.BESIDE)
 _PASSED = (Where.AHEAD, Where.KERB, Where.AHEAD_BESIDE, Where.ONCOMING_IN_OUR_LANE)
 
 
@@ -48,8 +47,8 @@ def _kept(situation: Situation, name: str, deed: Deed, at: str) -> Iterator[str]
     if deed.act is Act.FOLLOW and name == EGO and _followed(situation, deed):
         yield from (f"{at}.distance", f"{at}.time")
     elif deed.act is Act.FOLLOW and name != EGO and deed.distance is None:
-        if situation[name].starts.where in _BEFORE and deed.whom in (None, EGO):
-            return  # which is behind it
+        if situation[name].starts.where is not Where.BEHIND and deed.whom in (None, EGO):
+            return  # who is not behind it, and keeps no distance that is built
         yield f"{at}.time"
     elif deed.act is Act.GO_ALONG and deed.lateral is not None and name == EGO and _passed(situation):
         yield f"{at}.lateral.clearance"
