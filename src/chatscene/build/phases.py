@@ -215,7 +215,7 @@ class Phases:
         metres = there.metres
         if metres > 0.0:
             if "$X" not in actor.stand.point:
-                raise NothingBuilds(
+                raise NotBuilt(
                     f"nothing builds yet: {actor.path}.does.{first}.act: {actor.deeds[first].act} of somebody who is "
                     f"{actor.one.starts.where}, before it comes into our lane"
                 )
