@@ -395,8 +395,8 @@ def test_a_speed_that_a_program_gives_is_the_speed_at_the_start(drive: Callable[
     [
         ("with velocity (6, 0)", "not along its heading; turn it with `facing`"),
         ("with velocity (0, 6), with speed 3", "a velocity of 6 m/s and a speed of 3 m/s"),
-        ("with speed 90", "a Car that begins at 90 m/s"),
-        ("with width 0", "a Car of 4.9 m by 0 m"),
+        ("with speed 90", "a car that begins at 90 m/s"),
+        ("with width 0", "a car of 4.9 m by 0 m"),
     ],
 )
 def test_what_a_body_cannot_do_is_refused(simulator: Simulator, given: str, message: str) -> None:
