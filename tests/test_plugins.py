@@ -12,7 +12,6 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-import chatscene
 from chatscene import runs
 from chatscene.commands.main import main
 from chatscene.ego.policy import EGOS
@@ -136,12 +135,6 @@ def test_a_help_and_a_page_name_all_that_is_built_in(kind: Kind[Any], command: s
     for name in kind.built_in:
         assert name in helped, f"chatscene {command} --help does not name the {kind.noun} {name}"
         assert name in rows, f"docs/{page}: the table of {kind.noun}s lacks `{name}`"
-
-
-def test_the_docstring_of_export_names_all_exporters() -> None:
-    (told,) = re.findall(r"An exporter by name: (.*?)\n\s+out:", chatscene.export.__doc__ or "", re.DOTALL)
-    named = set(re.findall(r"``([^`]+)``", told))
-    assert named == {*EXPORTERS.built_in, "package.module:factory"}, "api/exchange.py: export, to"
 
 
 def test_a_name_that_two_packages_bring_stands_for_neither(place: Path) -> None:

@@ -18,8 +18,8 @@ def export(folder: Name, scenes: Names = (), *, to: str, out: Name | None = None
     Args:
         folder: Run folder.
         scenes: Ids of the scenes; none for those that the run keeps.
-        to: An exporter by name: ``openscenario``, ``openscenario-logical``, ``opendrive``, ``commonroad``, ``osi``,
-            ``csv``, ``scenic``, or ``package.module:factory``.
+        to: An exporter by name, one of `chatscene.exports.exporter.EXPORTERS` such as ``openscenario`` or ``csv``, or
+            ``package.module:factory``.
         out: Where to; a new folder, or an empty one.
 
     Raises:
