@@ -18,6 +18,7 @@ from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.vocabulary import (
     GOES_ON,
     NOSE_TO_TAIL,
+    PLAIN,
     STOPS,
     Act,
     Heads,
@@ -284,11 +285,11 @@ def stops_in_the_way(meets: Meets, deeds: Sequence[Deed]) -> bool:
 
 def passes_with(one: Other, hidden: Other) -> bool:
     """Whether somebody comes the other way and drives on, before another who is hidden behind it."""
-    goes = not stands_first(one) and all(deed.act in (Act.GO_ALONG, Act.GO_STRAIGHT) for deed in one.does)
+    goes = not stands_first(one) and all(deed.act in PLAIN for deed in one.does)
     return hidden.hidden_by == one.id and goes and one.starts.where is hidden.starts.where is Where.ONCOMING
 
 
-ENDS_THERE = frozenset((Act.STOP, Act.BRAKE, Act.FALL, Act.STAND))
+ENDS_THERE = STOPS | acts_of(Tempo.STANDS, Tempo.LIES)
 """What ends the way of somebody where it is."""
 
 

@@ -92,7 +92,7 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     where, meets = actor.one.starts.where, actor.stand.meets
     yield from steps_for(meets, walks=actor.walks, beside=where in NEXT_LANE).items()
     along = meets is Meets.ALONG
-    if deed.act in (Act.LANE_CHANGE, Act.EXIT) and along:
+    if deed.act in acts_of(Heads.OVER, Heads.OFF) and along:
         yield from _changing_lanes(actor, k)
     if deed.act is Act.ENTER and meets is Meets.THROUGH and where not in ROUNDABOUT_PLACES:
         yield Act.ENTER, ALONG[Act.CROSS]  # its way leads onto the ego's road
