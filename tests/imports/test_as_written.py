@@ -23,7 +23,7 @@ from chatscene.studies.collection import Compared
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.scene import AS_WRITTEN, OWN_MODEL, Rejected
 from played import DISTANCE, STATE, TIME, speed
-from red_team.scenario_files import alone, event, scenario
+from red_team.scenario_files import AT, alone, event, scenario
 
 LANE = '<LateralAction><LaneChangeAction><LaneChangeActionDynamics dynamicsShape="{}" dynamicsDimension="{}" value="{}"/><LaneChangeTarget><RelativeTargetLane entityRef="{}" value="{}"/></LaneChangeTarget></LaneChangeAction></LateralAction>'
 OF_EGO = ('entityRef="lead"/></Actors>', 'entityRef="ego"/></Actors>')
@@ -129,6 +129,33 @@ def test_an_ego_under_test_is_left_alone(beside: Path) -> None:
     judged = chatscene.story(program, map="town", ego="idm")
     assert "as-written" in str(judged)
     assert not read_foreign(program, searched_with=False).program.as_written
+
+
+def with_own(events: str, of_ego: str) -> str:
+    """A scenario whose events are the other's, and in which the ego does something, too."""
+    text = at_five(scenario(events=events)).replace(OF_EGO[1], OF_EGO[0])
+    own = (
+        '<ManeuverGroup name="own" maximumExecutionCount="1"><Actors selectTriggeringEntities="false">'
+        f'<EntityRef entityRef="ego"/></Actors><Maneuver name="all">{of_ego}</Maneuver></ManeuverGroup>'
+    )
+    return text.replace("</ManeuverGroup>", "</ManeuverGroup>" + own, 1)
+
+
+def test_an_ego_that_does_too_much_leaves_the_plan_of_the_others(beside: Path) -> None:
+    much = "".join(event(speed(5 + i % 7, 2.0), TIME.format(1 + i), f"e{i}") for i in range(400))
+    (path := beside / "much.xosc").write_text(with_own(event(speed(9, 2.0), TIME.format(1)), much))
+    done = import_scenario(path)
+    assert "DrivePath(" in done.program.read_text()
+    assert AS_WRITTEN not in done.program.read_text()
+    assert [note for note in done.notes if "characters" in note and note.endswith("--as-written")]
+
+
+def test_what_waits_for_a_jump_of_the_ego_is_told_to_go_on_at_once(beside: Path) -> None:
+    jump = f"<TeleportAction><Position>{AT.format(y=-360.0)}</Position></TeleportAction>"
+    waits = event(speed(9, 2.0), STATE.format("event", "first", "completeState"), "later")
+    (path := beside / "jump.xosc").write_text(with_own(waits, event(jump, TIME.format(1), "first")))
+    notes = import_scenario(path).notes
+    assert [note for note in notes if note.endswith("what waits for it, goes on at once")], notes
 
 
 def test_a_program_of_plans_is_driven_as_its_file_says_too(beside: Path) -> None:

@@ -225,6 +225,9 @@ def _program(read: Imported, path: Path, out: Path) -> _Program:
         foreign_program(out.stem, text)
     except ForeignCodeRefused as error:
         why = str(error).partition("\n")[0]  # what follows is for whoever wrote the program
+        if read.as_written is not None and not isinstance(board, StoryProgram):
+            alone = f"with what its ego does, {why}; so it cannot be driven with --as-written"
+            return _program(replace(read, as_written=None, notes=(*read.notes, alone)), path, out)
         raise ScenarioError(f"{path} is more than a program of a user's may be: {why}; cut it down") from error
     return _Program(text, read.map_path, read.notes)
 

@@ -398,12 +398,7 @@ class _Story:
         does = partial(self._actions.of, names[0] if len(names) == 1 else None, kind)
         told = self._opening.of_ego(does) if names == (self._cast.ego,) else does()
         if self._cast.ego in names:
-            seconds = lasts(told) if told is not None else None
-            if isinstance(seconds, Expression):
-                seconds = valued(seconds, self._given.nominal)
-            why = "as no time is told" if seconds is None else "as is told"
-            seconds = SHORT if seconds is None else abs(seconds)
-            self._given.note(inner, f"{EGO_DOES}; what waits for it, goes on after {seconds:g} s, {why}")
+            self._given.note(inner, f"{EGO_DOES}; what waits for it, goes on {self._once(told)}")
         if told is None:
             return ("wait", SHORT)
         if told != ("nothing",):
@@ -412,6 +407,15 @@ class _Story:
             if still:
                 raise Refused(inner, f"{still[0][:40]} is a thing, which does nothing here")
         return told
+
+    def _once(self, told: Told | None) -> str:
+        """When what the ego is told counts as done, where an ego under test drives (`Player`)."""
+        if told is not None and told[0] in ("nothing", "jump"):
+            return "at once"
+        seconds = lasts(told) if told is not None else None
+        if isinstance(seconds, Expression):
+            seconds = valued(seconds, self._given.nominal)
+        return f"after {SHORT:g} s, as no time is told" if seconds is None else f"after {abs(seconds):g} s, as is told"
 
 
 def _moves(kind: str) -> bool:
