@@ -7,7 +7,7 @@ import re
 import shutil
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import pytest
 from click.testing import CliRunner
@@ -23,8 +23,9 @@ from chatscene.measure.drive import Ran, drive
 from chatscene.runs.executor import ONE
 from chatscene.runs.progress import silent
 from chatscene.studies.catalogue import load_catalogue
-from chatscene.studies.collection import Compared, Driving, evaluate_collection
-from chatscene.terms.coverage import Answer
+from chatscene.studies.collection import Compared, Driver, Driving, evaluate_collection
+from chatscene.studies.imported_entries import covered
+from chatscene.terms.coverage import Answer, Covered, Entry, Tally
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.view.looking import listed
@@ -207,6 +208,16 @@ def test_a_catalogue_of_an_imported_folder_has_its_programs_and_what_was_refused
     assert [row["answer"] for row in told["rows"]] == [Answer.SERVED, Answer.SERVED, Answer.OUT_OF_REACH]
     assert [one["scenes"] for row in told["rows"] for one in row["fared"]] == [1, 1]
     assert "does not lie there" in told["rows"][2]["reasons"][0]
+
+
+def test_a_program_that_fails_in_most_of_its_drives_is_not_shown() -> None:
+    ran = {"status": "ran", "ego": EGO, "unplayed": [], "collision": False, "avoidable": None}
+    failed, rejected = ({"status": status, "ego": EGO, "reason": "why"} for status in ("failed", "rejected"))
+    entry = Entry(name="a", sentence="a", program="a.scenic", map_name="town")
+    asked = Covered(catalogue="mine", entry=entry, answer=Answer.SERVED, slots={})
+    row = covered(asked, cast(Driver, lambda _: [ran, *[failed] * 8, rejected]), [EGO])
+    assert (row.shown, row.scenes) == (1, 9)
+    assert Tally.of([row]).shown == 0
 
 
 def test_a_file_of_that_name_above_a_program_that_is_no_record_says_nothing_of_it(tmp_path: Path) -> None:

@@ -72,18 +72,20 @@ def covered(row: Covered, driver: Driver | None, egos: Sequence[str]) -> Covered
         row,
         answer=Answer.SERVED,
         reasons=(),
-        fared=tuple(_fared(ego, [one for one in ran if one["ego"] == ego]) for ego in egos),
+        fared=tuple(_fared(ego, [one for one in drives if one["ego"] == ego]) for ego in egos),
         missed=tuple(missed.most_common()),
     )
 
 
-def _fared(ego: str, rows: Sequence[Mapping[str, Any]]) -> Fared:
+def _fared(ego: str, drives: Sequence[Mapping[str, Any]]) -> Fared:
+    """How an ego fared in its drives; one that failed shows nothing, and a scene that cannot be placed is no drive."""
+    ran = [one for one in drives if one["status"] == "ran"]
     return Fared(
         ego=ego,
-        scenes=len(rows),
-        shown=sum(not one["unplayed"] for one in rows),
-        collisions=sum(bool(one["collision"]) for one in rows),
-        avoidable=sum(one["avoidable"] is True for one in rows),
+        scenes=sum(one["status"] != "rejected" for one in drives),
+        shown=sum(not one["unplayed"] for one in ran),
+        collisions=sum(bool(one["collision"]) for one in ran),
+        avoidable=sum(one["avoidable"] is True for one in ran),
     )
 
 

@@ -58,7 +58,7 @@ class Fared:
 
     Attributes:
         ego: The ego.
-        scenes: How many it drove.
+        scenes: How many it drove, drives that failed among them.
         shown: In how many of them all that was read was seen, every act in order, before it met anything.
         collisions: In how many it collided.
         avoidable: How many of these collisions a careful driver would have avoided.
