@@ -156,7 +156,6 @@ def _slots(one: Other, **more: object) -> Slots:
     )
 
 
-"""Acts that say no more than where somebody comes from, or how."""
 _AGAINST = {Where.ONCOMING_IN_OUR_LANE: Action.WRONG_WAY, Where.ONCOMING: Action.ONCOMING}
 _THROUGH = {Where.ARM: Action.CROSS}
 

@@ -29,7 +29,6 @@ RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.ST
 """What rules a junction where somebody breaks such a rule."""
 COMES_OVER = acts_of(Heads.ACROSS, Heads.BEFORE)
 """Acts that lead from where somebody is at first to the other side."""
-"""What says where across the road somebody is, one at a time."""
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
 _WAYS = {
     Moves.DRIVES: "drives",

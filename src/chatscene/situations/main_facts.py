@@ -9,7 +9,6 @@ from chatscene.terms.vocabulary import PLAIN, Act, Role, Where
 
 MOST = 5
 """Others that are matched in every order; more are matched in their own."""
-"""What somebody does of whom no deed is said."""
 NEXT_TO_US = frozenset((Where.BESIDE, Where.AHEAD_BESIDE))
 """Where somebody is who comes from the next lane: texts seldom say which, and either is built to come in ahead."""
 

@@ -5,7 +5,10 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-_AN = re.compile(r"(?:[aiAI]|[eE](?!u)|[oO](?!ne\b)|[uU](?!ni(?!n)|ti|se)|SUV|HGV|MPV|8)")
+_AN = re.compile(
+    r"(?:[aiAI]|[eE](?!u)|[oO](?!ne\b)|[uU](?!\b|ni(?!n|m|d(?!ir))|ti|s[eu])|[hH]our|SUV|HGV|MPV|8"
+    r"|1[18](?=(?:\d{3})*(?!\d)))"  # eleven and eighteen, also of thousands
+)
 
 
 @lru_cache(maxsize=4096)
