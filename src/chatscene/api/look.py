@@ -100,7 +100,7 @@ def story(
         what: As `verify`: of a program the first drive is told.
         scene: Which scene of a run; None for the first that it keeps.
         seed: What the values of a program's drive are drawn by.
-        ego: Who drives a program; None for its own ego, or the usual one where it has none.
+        ego: Who drives a program; None for its own ego, or the usual one where it has none or was imported.
         map: The map of a program that names none.
         trust: Whether a program may use all of Scenic and Python, in this process.
         as_written: Whether the program's own ego drives; of an imported scenario, as its file says.

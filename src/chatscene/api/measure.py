@@ -56,7 +56,7 @@ def verify(
         draws: How many drives of a program are judged, or scenes of a run.
         seed: What their values are drawn by.
         least: The share of the drives that must show a fact, of those that came to it.
-        ego: Who drives a program; None for its own ego, or the usual one where it has none.
+        ego: Who drives a program; None for its own ego, or the usual one where it has none or was imported.
         map: The map of a program that names none.
         trust: Whether a program may use all of Scenic and Python, in this process.
         as_written: Whether the program's own ego drives; of an imported scenario, as its file says.

@@ -263,7 +263,9 @@ AS_WRITTEN = click.option(
 )
 JUDGED = together(
     click.option(
-        "--ego", default=None, help="Who drives a program.  [default: its own ego; planner where it has none]"
+        "--ego",
+        default=None,
+        help="Who drives a program.  [default: its own ego; planner where it has none or was imported]",
     ),
     click.option("--map", default=None, help="The map of a program that names none: a packaged one, or a file."),
     TRUST,
