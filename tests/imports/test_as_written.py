@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -22,6 +23,7 @@ from chatscene.simulate.embedded.physics import make_simulator
 from chatscene.studies.collection import Compared
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.scene import AS_WRITTEN, OWN_MODEL, Rejected
+from chatscene.view.looking import listed
 from played import DISTANCE, STATE, TIME, speed
 from red_team.scenario_files import AT, alone, event, scenario
 
@@ -187,6 +189,9 @@ def test_an_imported_folder_is_evaluated_as_it_is_written(tmp_path: Path) -> Non
     done = chatscene.evaluate(tmp_path / "mine", tmp_path / "ev", as_written=True)
     assert isinstance(done, Compared)
     assert [row["ego"] for row in done.fared] == ["as-written"]
+    drives = [row for row in json.loads((tmp_path / "ev/evaluation.json").read_text())["drives"] if "ending" in row]
+    assert {row["ending"] for row in drives} == {"timeout"}  # it stands from 1 s on, and does not arrive
+    assert "as-written on 2 imported programs" in {one["title"] for one in listed(tmp_path)["pages"]}
     assert list(done.lost) == ["untold.scenic"]
     assert "does not say what its ego does" in done.lost["untold.scenic"]
 

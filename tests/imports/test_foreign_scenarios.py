@@ -14,7 +14,14 @@ import numpy as np
 import pytest
 
 import chatscene
-from chatscene.errors import ForeignCodeRefused, ProgramError, ScenarioError, SettingsError
+from chatscene.errors import (
+    ChatSceneError,
+    ForeignCodeRefused,
+    ProgramError,
+    ProgramStopped,
+    ScenarioError,
+    SettingsError,
+)
 from chatscene.imports.calculated import calculated
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.import_file import import_scenario
@@ -385,15 +392,16 @@ def test_a_variant_that_cannot_be_imported_or_driven_is_told_and_the_others_are_
         chatscene.verify(variants(beside, sets("near", "far", "away")), SLOWS_DOWN, draws=3)
 
 
+@pytest.mark.parametrize("kind", [ProgramError, ProgramStopped])
 def test_what_is_told_of_variants_is_told_of_those_that_were_driven(
-    beside: Path, monkeypatch: pytest.MonkeyPatch
+    kind: type[ChatSceneError], beside: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     made, fails = simulate, {"2/0", "2/1", "3/1"}  # which drive of which variant
 
     def fail(simulator: Simulator, program: ScenicProgram, scene: Scene, *more: Any, **how: Any) -> Episode | Rejected:
         variant, number = program.scenario_id[-1], int(scene.id[-3:])
         if f"{variant}/{number % 2}" in fails:
-            raise ProgramError(f"{scene.id} fails while it runs")
+            raise kind(f"{scene.id} fails while it runs\n  in line 1")
         return made(simulator, program, scene, *more, **how)
 
     monkeypatch.setattr("chatscene.verdict.programs.simulate", fail)

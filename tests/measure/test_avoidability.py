@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from blind import STRAIGHT, Blind, car_ahead
 from chatscene.ego.observation import Observation
-from chatscene.errors import EgoError
+from chatscene.errors import EgoError, ProgramError, ProgramStopped, SandboxError, ServerError, StuckBehavior
 from chatscene.maps.network import resolve_map
 from chatscene.measure.avoidability import (
     BRAKING_DELAY,
@@ -21,6 +21,7 @@ from chatscene.measure.avoidability import (
     RISK_EVALUATION,
     CarefulDriver,
     avoidable,
+    avoidable_if_driven,
     careful_braking,
     risk_step,
 )
@@ -31,6 +32,7 @@ from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 from chatscene.terms.polyline import Polyline
+from chatscene.terms.scene import Scene, ScenicProgram
 
 EAST = Polyline([(float(x), 0.0) for x in range(300)])
 DT = 0.1
@@ -201,3 +203,40 @@ def test_braking_needs_the_time_the_regulation_gives(simulator: Simulator) -> No
     away = replace(ahead, x=np.where(np.arange(len(ahead.x)) < late, 1e6, ahead.x))
     hidden = replace(driven, tracks=tuple(away if t is ahead else t for t in driven.tracks))
     assert avoidable(hidden, STRAIGHT, scene, Blind(), simulator) is False
+
+
+def _program(*, as_written: bool = False) -> ScenicProgram:
+    return ScenicProgram(scenario_id="x", source="", parameters=(), snippet_ids=(), as_written=as_written)
+
+
+class _Fails:
+    """A simulator in which a program fails when it is asked for its route, as before it is driven again."""
+
+    def __init__(self, error: Exception) -> None:
+        self.error = error
+
+    def route_in(self, *_: object) -> None:
+        raise self.error
+
+
+def _driven_again(error: Exception, program: ScenicProgram) -> tuple[bool | None, tuple[str, ...]]:
+    crashed = episode(track("a", Role.ADVERSARY, 20.0, 0.0, 0.0, 0.0), crash_at=20)
+    scene = Scene(id="s", scenario_id="x", route=0, block=0, seed=0, values={})
+    return avoidable_if_driven(crashed, program, scene, Blind(), _Fails(error))  # pyright: ignore[reportArgumentType]
+
+
+@pytest.mark.parametrize("kind", [ProgramError, StuckBehavior, ProgramStopped])
+def test_a_program_that_fails_when_driven_again_leaves_its_first_drive(kind: type[Exception]) -> None:
+    careful, why = _driven_again(kind("it fails\n  in line 1"), _program())
+    assert careful is None
+    assert why == ("whether a careful driver avoids the collision is not known: driven again, it fails",)
+
+
+@pytest.mark.parametrize("kind", [ServerError, SandboxError, EgoError])
+def test_what_is_lost_otherwise_is_told(kind: type[Exception]) -> None:
+    with pytest.raises(kind):
+        _driven_again(kind("it is gone"), _program())
+
+
+def test_nobody_is_put_in_the_place_of_a_programs_own_ego() -> None:
+    assert _driven_again(AssertionError("it is driven again"), _program(as_written=True)) == (None, ())

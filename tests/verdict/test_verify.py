@@ -332,3 +332,9 @@ def test_every_kind_that_is_judged_is_named_wherever_kinds_are_told() -> None:
     told = [CliRunner().invoke(main, [command, "--help"]).output for command in ("verify", "story")]
     for text in (*told, chatscene.verify.__doc__ or ""):
         assert [kind for kind in KINDS if f"({kind})" not in text.replace("``", "")] == []
+
+
+def test_what_is_no_program_is_not_driven_as_written(tmp_path: Path) -> None:
+    for what in (tmp_path, table(tmp_path / "drive.csv")):
+        with pytest.raises(SettingsError, match="--as-written is for a program"):
+            chatscene.verify(what, CROSSES, as_written=True)

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import PEDALS, EgoPolicy, begin, pedals_of
+from chatscene.errors import ProgramError, ProgramStopped, SandboxError, ServerError, SimulationError
 from chatscene.measure.instead import drive_instead
 from chatscene.simulate.boxes import Boxes
 from chatscene.simulate.native.lines import follow
@@ -75,14 +76,14 @@ def avoidable(
         simulator: Where to drive it again.
 
     Returns:
-        None if the ego did not crash.
+        None if the ego did not crash, or the program's own ego drives, in whose place nobody can be put.
 
     Raises:
         SimulationError: The scene cannot be driven again.
         EgoError: The ego fails this time.
     """
     crash = episode.collision
-    if crash is None:
+    if crash is None or program.as_written:
         return None
     risk = risk_step(episode, simulator.route_in(program, scene).line)
     if risk is None:
@@ -92,6 +93,29 @@ def avoidable(
         return False
     with limited(simulator, program, scene, ego, f"scene {scene.id!r}, driven again"):
         return not crashes_braking_from(braking, ego, program, scene, simulator, episode.dt)
+
+
+def avoidable_if_driven(
+    episode: Episode, program: ScenicProgram, scene: Scene, ego: EgoPolicy, simulator: Simulator
+) -> tuple[bool | None, tuple[str, ...]]:
+    """As `avoidable`, and None where somebody's program fails once it is driven again; with why, in words.
+
+    What happened to the ego is not lost by that.
+
+    Raises:
+        SimulationError: Of no program's doing: the simulator is lost.
+        EgoError: The ego fails this time.
+    """
+    try:
+        return avoidable(episode, program, scene, ego, simulator), ()
+    except (ServerError, SandboxError) as error:
+        if not isinstance(error, ProgramStopped):
+            raise
+        reason = str(error)
+    except (ProgramError, SimulationError) as error:
+        reason = str(error)
+    why = reason.partition("\n")[0]
+    return None, (f"whether a careful driver avoids the collision is not known: driven again, {why}",)
 
 
 def braking_step(risk: int, dt: float) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from chatscene.ego.policy import EgoPolicy, fitted, knows_body, name_of, takes_speed
-from chatscene.measure.avoidability import avoidable
+from chatscene.measure.avoidability import avoidable_if_driven
 from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.happening import happened
@@ -40,7 +40,8 @@ class Ran:
         speeds: How fast who was, and how hard they met.
         happened: What happened, and when.
         fault: Who ran into whom; None without a collision.
-        avoidable: Whether a careful driver would have avoided the collision; None without one.
+        avoidable: Whether a careful driver would have avoided the collision; None without one, or where nobody
+            knows.
         crash_type: Of which kind the collision is; empty without one.
         waits: Whether the ego waits at the end behind somebody who does not move on.
         unplayed: What of a program of one's own did not take place, and what took place as it could not on a road;
@@ -84,6 +85,7 @@ def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simula
         return episode
     measurements = measure(episode)
     found = shown(said, episode, simulator.route_in(program, scene))
+    careful, unknown = avoidable_if_driven(episode, program, scene, ego, simulator)
     return Ran(
         scene=scene,
         episode=episode,
@@ -96,12 +98,13 @@ def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simula
         speeds=replace(speeds(episode), friction_demand=friction_demand(episode)),
         happened=happened(episode),
         fault=fault(episode),
-        avoidable=avoidable(episode, program, scene, ego, simulator),
+        avoidable=careful,
         crash_type=crash_type(episode),
         waits=waits(episode),
         unplayed=(
             *_not_kept_to(program, ego),
             *unplayed(program, episode),
+            *unknown,
             *(beyond_tyres(episode) if simulator.identity.at_once else ()),
         ),
     )

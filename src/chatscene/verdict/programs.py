@@ -18,13 +18,14 @@ from chatscene.errors import (
     ForeignCodeRefused,
     MapError,
     ProgramError,
+    ProgramStopped,
     ScenarioError,
     SettingsError,
     StuckBehavior,
 )
 from chatscene.imports.collection import map_beside
 from chatscene.maps.network import PACKAGED, TOWN, resolve_map
-from chatscene.measure.avoidability import avoidable
+from chatscene.measure.avoidability import avoidable_if_driven
 from chatscene.measure.unplayed import unplayed
 from chatscene.program.sample import drawn_scene
 from chatscene.search.generators.foreign import ForeignProgram, read_foreign
@@ -185,7 +186,7 @@ def _watched(
         more += told
         try:
             _drive(part, maps, trying, settings)
-        except (MapError, ProgramError, StuckBehavior) as error:
+        except (MapError, ProgramError, StuckBehavior, ProgramStopped) as error:
             lost.append(error)
             if len(lost) == len(parts):
                 raise lost[0] from None
@@ -207,6 +208,7 @@ def _drive(part: _Part, maps: Sequence[Path], trying: _Trying, settings: VerifyS
         MapError: No map has it.
         ProgramError: It does not compile, or its own code fails in each drive that can be placed.
         StuckBehavior: It does not come to its end in any.
+        ProgramStopped: The sandbox stops it in each.
     """
     for number, map_path in enumerate(maps, 1):
         simulator = _simulator(map_path, settings)
@@ -258,6 +260,7 @@ class _Trying:
         Raises:
             ProgramError: It does not compile, or there is no drive but such in which its own code fails.
             StuckBehavior: The same, and the first of them does not come to its end.
+            ProgramStopped: The same, and the first of them is one in which the sandbox stops it.
         """
         made, failed = len(self.drives), list[ChatSceneError]()
         for number in part.drives:
@@ -267,15 +270,15 @@ class _Trying:
             self._tried_on[map_path.stem] = None
             try:
                 self._make(part, drawn_scene(part.own.program, number, seed=self._settings.seed), simulator, map_path)
-            except (ProgramError, StuckBehavior) as error:
-                if not fails_in_its_scene(error):
+            except (ProgramError, StuckBehavior, ProgramStopped) as error:
+                if not (isinstance(error, ProgramStopped) or fails_in_its_scene(error)):
                     raise
                 failed.append(error)
-                self._spent += PATIENCE if isinstance(error, StuckBehavior) else 0.0
+                self._spent += 0.0 if isinstance(error, ProgramError) else PATIENCE
         if failed and len(self.drives) == made:
             raise failed[0]
         self.failed += len(failed)
-        self.rejected += map(str, failed)
+        self.rejected += [str(error).partition("\n")[0] for error in failed]
 
     def _make(self, part: _Part, scene: Scene, simulator: Simulator, map_path: Path) -> None:
         program = part.own.program
@@ -287,13 +290,14 @@ class _Trying:
             self._spent += episode.spent
             self._draws = max(self._draws, before + episode.draws)
             return
+        careful, unknown = avoidable_if_driven(episode, program, scene, ego, simulator)
         self.drives.append(
             Watched(
                 episode=episode,
                 route=simulator.route_in(program, scene),
                 tested=not program.as_written,
-                avoidable=avoidable(episode, program, scene, ego, simulator),
-                unplayed=unplayed(program, episode),
+                avoidable=careful,
+                unplayed=(*unplayed(program, episode), *unknown),
                 variant=part.variant,
             )
         )

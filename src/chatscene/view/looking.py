@@ -60,7 +60,8 @@ def _compared(record: runs.EvaluationRecord | runs.ComparisonRecord) -> str:
     """What an evaluation compares, in a line."""
     if isinstance(record, runs.ComparisonRecord):
         many = len(record.programs)
-        return f"{', '.join(record.egos)} on {many} imported program{'s' * (many != 1)}"
+        egos = [*record.egos, *(["as-written"] if record.settings.get("as_written") else [])]
+        return f"{', '.join(egos)} on {many} imported program{'s' * (many != 1)}"
     which = "every scene" if record.scenes is runs.Driven.EVERY else "kept scenes"
     return f"{', '.join(record.egos)} on {which} of {len(record.sources)} run{'s' * (len(record.sources) != 1)}"
 

@@ -33,9 +33,11 @@ from chatscene.terms.episode import Ending, Episode
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
-KEPT = 4  # confined processes at a time, one per program
+KEPT = 4  # confined processes at a time, one per program and who drives its ego
 MOST_ROUTES = 10
 NAME = "confined"
+
+_Key = tuple[str, bool]
 
 
 class ConfinedSimulator:
@@ -70,8 +72,8 @@ class ConfinedSimulator:
         self.identity = replace(hosted, name=NAME)
         self._settings = settings
         self._nursery = shared_nursery(map_path, settings, limits or Limits())
-        self._confined: OrderedDict[str, Confined] = OrderedDict()
-        self._routes: dict[tuple[str, int], Route] = {}
+        self._confined: OrderedDict[_Key, Confined] = OrderedDict()
+        self._routes: dict[tuple[_Key, int], Route] = {}
 
     def __enter__(self) -> ConfinedSimulator:
         return self
@@ -86,7 +88,7 @@ class ConfinedSimulator:
 
     def route(self, program: ScenicProgram, index: int) -> Route:
         """The route a program's geometry picks under this index."""
-        key = (program.digest, index)
+        key = (_key(program), index)
         if key not in self._routes:
             self._routes[key] = route_from_json(self._at(program).ask("route", index=index))
         return self._routes[key]
@@ -133,23 +135,29 @@ class ConfinedSimulator:
 
     def _at(self, program: ScenicProgram) -> Confined:
         """The confined process of a program, a new one if it has none."""
-        held = self._confined.get(program.digest)
+        key = _key(program)
+        held = self._confined.get(key)
         if held is None or not held.alive:
             if refusals := check_foreign(program.source):
                 raise ForeignCodeRefused(refused(program.called, refusals, program.source, own=bool(program.own)))
             held = self._nursery.confine(program)
-            self._confined[program.digest] = held
+            self._confined[key] = held
             while len(self._confined) > KEPT:
                 self._confined.popitem(last=False)[1].close()
-        self._confined.move_to_end(program.digest)
+        self._confined.move_to_end(key)
         return held
 
     def _renew(self, program: ScenicProgram) -> None:
         """Let a process go that has done half of what it may do in its life; the next scene gets a new one."""
-        held = self._confined.get(program.digest)
+        held = self._confined.get(_key(program))
         if held is not None and held.spent:
             held.close()
-            del self._confined[program.digest]
+            del self._confined[_key(program)]
+
+
+def _key(program: ScenicProgram) -> _Key:
+    """What a process is of: a text, and who drives its ego, of which the process is told once."""
+    return program.digest, program.as_written
 
 
 class ConfinedSession:
