@@ -12,9 +12,12 @@ import pytest
 
 import chatscene
 from chatscene.errors import ForeignCodeRefused, ScenarioError, SettingsError
+from chatscene.imports.given import Refused
 from chatscene.imports.import_file import import_scenario
 from chatscene.imports.import_folder import import_folder
 from chatscene.imports.openscenario import read_openscenario
+from chatscene.imports.stranger_xml import read_xml
+from chatscene.imports.told_as_story import StoryReader
 from chatscene.maps.network import resolve_map
 from chatscene.program.sample import scene_at
 from chatscene.search.generators.foreign import read_foreign
@@ -211,6 +214,16 @@ def test_what_says_nothing_of_the_ego_is_not_driven_as_written(beside: Path) -> 
     )
     with pytest.raises(ForeignCodeRefused, match="does not say what its ego does"):
         chatscene.story(beside / "own.scenic", as_written=True)
+
+
+def test_what_only_plans_say_is_told_as_the_reason(beside: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(_: StoryReader) -> None:
+        raise Refused(read_xml(beside / "theirs.xosc"), "a story has none of it")
+
+    monkeypatch.setattr(StoryReader, "program", refuse)
+    (beside / "theirs.xosc").write_text(at_five(scenario(events=event(speed(9, 2.0), TIME.format(1)))))
+    with pytest.raises(ScenarioError, match=r"as it is written:\n  .*a story has none of it; leave --as-written away"):
+        chatscene.story(beside / "theirs.xosc", as_written=True)
 
 
 def test_one_ego_drives(beside: Path) -> None:

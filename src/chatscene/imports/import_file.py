@@ -33,6 +33,7 @@ class ImportedScenario:
         variants: The number of the variant of each of them; none where the file is one scenario.
         count: How many variants the file has.
         refused: Why variants that were asked for became no program, one message each.
+        only_plans: Of each program, what keeps it from being driven as its file is written, though it can be said.
     """
 
     program: Path
@@ -43,6 +44,7 @@ class ImportedScenario:
     variants: tuple[int, ...] = ()
     count: int = 0
     refused: tuple[str, ...] = ()
+    only_plans: tuple[tuple[str, ...], ...] = ()
 
     @property
     def command(self) -> str:
@@ -129,11 +131,12 @@ def import_scenario(
 
 @dataclass(frozen=True, slots=True)
 class _Program:
-    """A program that is to be written: its text, its map, and what was noted of it."""
+    """A program that is to be written: its text, its map, what was noted of it, and what only plans say of it."""
 
     text: str
     map_path: Path
     notes: tuple[str, ...]
+    only_plans: tuple[str, ...]
 
 
 def _told(given: Mapping[str, object]) -> dict[str, str]:
@@ -229,7 +232,7 @@ def _program(read: Imported, path: Path, out: Path) -> _Program:
             alone = f"with what its ego does, {why}; so it cannot be driven with --as-written"
             return _program(replace(read, as_written=None, notes=(*read.notes, alone)), path, out)
         raise ScenarioError(f"{path} is more than a program of a user's may be: {why}; cut it down") from error
-    return _Program(text, read.map_path, read.notes)
+    return _Program(text, read.map_path, read.notes, read.only_plans)
 
 
 def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
@@ -251,5 +254,10 @@ def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
     others = [f"{out.name} lies on another map, {one.map_path}" for out, one in made.items() if one.map_path != maps[0]]
     every = (*notes, *others, *(note for one in made.values() for note in one.notes))
     return ImportedScenario(
-        program=done[0], map_path=maps[0], notes=tuple(dict.fromkeys(every)), programs=tuple(done), maps=maps
+        program=done[0],
+        map_path=maps[0],
+        notes=tuple(dict.fromkeys(every)),
+        programs=tuple(done),
+        maps=maps,
+        only_plans=tuple(one.only_plans for one in made.values()),
     )

@@ -25,7 +25,7 @@ from chatscene.terms.storyboard import Storyboard
 _T = TypeVar("_T")
 
 VERSIONS = (0, 1, 2, 3)  # of 1.x
-_Read = tuple[Storyboard | StoryProgram | None, Given, StoryProgram | None]
+_Read = tuple[Storyboard | StoryProgram | None, Given, StoryProgram | None, tuple[str, ...]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -37,12 +37,14 @@ class Imported:
         as_written: The same with what the ego does, event by event; None where the file says nothing of that.
         map_path: The map that it lies on.
         notes: What was taken otherwise than it is written, or left to others.
+        only_plans: What plans can say and a story cannot, so that there is none as it is written, each with its line.
     """
 
     board: Storyboard | StoryProgram
     map_path: Path
     notes: tuple[str, ...]
     as_written: StoryProgram | None = None
+    only_plans: tuple[str, ...] = ()
 
 
 class ScenarioFile:
@@ -110,14 +112,14 @@ class ScenarioFile:
             given = Given(fixed=fixed, told=told or {}, spans=spans or {}, within=self._within)
             given.declare(self._root)
             map_path = self._maps.of(given)
-            board, given, whole = self._read(given, map_path)
+            board, given, whole, only_plans = self._read(given, map_path)
             if given.wanted <= fixed:
                 break
             fixed |= given.wanted
         given.raise_refusals(self._path)
         assert board is not None
         notes = tuple(dict.fromkeys(given.notes))
-        return Imported(board=board, map_path=map_path, notes=notes, as_written=whole)
+        return Imported(board=board, map_path=map_path, notes=notes, as_written=whole, only_plans=only_plans)
 
     def _read(self, given: Given, map_path: Path) -> _Read:
         """What a file says, and what was noted: as plans, where nothing of it is refused; else as a story."""
@@ -134,8 +136,8 @@ class ScenarioFile:
             told = given if for_plans else as_story
             told.notes += [f"{why}; so it cannot be driven with --as-written" for why in reader.untold]
         if for_plans:
-            return plans, given, story if said else None
-        return story, as_story, story if said else None
+            return plans, given, story if said else None, tuple(dict.fromkeys(as_story.refusals))
+        return story, as_story, story if said else None, ()
 
 
 def read_openscenario(

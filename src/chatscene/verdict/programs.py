@@ -86,23 +86,27 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
             within=within,
             partly=True,
         )
-        parts = list[_Part]()
+        parts, untold = list[_Part](), list[str]()
         shares = _shares(settings.draws, len(made.programs))
-        for program, lies, numbers, variant in zip(
-            made.programs, made.maps, shares, made.variants or (0,), strict=True
+        for program, lies, numbers, variant, only_plans in zip(
+            made.programs, made.maps, shares, made.variants or (0,), made.only_plans, strict=True
         ):
             try:
                 own = read_foreign(program, searched_with=False, as_written=as_written)
             except ForeignCodeRefused as error:  # all else was held against it when it was imported
-                raise ScenarioError(_tells_nothing(path, made.notes)) from error
+                why = _tells_nothing(path, made.notes, only_plans)
+                untold.append(f"variant {variant} of {why}")
+                if len(untold) == len(made.programs):
+                    raise ScenarioError(why) from error
+                continue
             # Resolved, since it is read in a process that works elsewhere.
             parts.append(_Part(replace(own, map_path=lies.resolve()), numbers, variant))
     notes = (
-        *map(_not_judged, made.refused),
+        *map(_not_judged, (*made.refused, *untold)),
         "its own ego drives" if as_written else f"{settings.ego or EGO} drives the ego",
         *made.notes,
     )
-    left = made.count - len(parts) - len(made.refused)
+    left = made.count - len(made.programs) - len(made.refused)
     variants = _Variants() if settings.variant else _Variants(made.count, left)
     return _watched(parts, "OpenSCENARIO file", settings, notes, variants)
 
@@ -118,8 +122,11 @@ def _as_written(settings: VerifySettings) -> bool | None:
     return settings.as_written or (False if settings.ego else None)
 
 
-def _tells_nothing(path: Path, notes: Sequence[str]) -> str:
+def _tells_nothing(path: Path, notes: Sequence[str], only_plans: Sequence[str]) -> str:
     """That a file cannot be driven as it is written, and why."""
+    if only_plans:
+        told = "\n  ".join(("", *only_plans))
+        return f"{path} cannot be driven as it is written:{told}; leave --as-written away"
     why = [note for note in notes if note.endswith("--as-written")]
     told = "\n  ".join(("", *why)) if why else ": it gives its ego no speed and no action"
     return f"{path} does not say what its ego does{told}; leave --as-written away"
