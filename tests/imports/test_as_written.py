@@ -23,6 +23,7 @@ from chatscene.program.sample import scene_at
 from chatscene.search.generators.foreign import read_foreign
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.embedded.physics import make_simulator
+from chatscene.simulate.simulator import load_simulator
 from chatscene.studies.collection import Compared
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.scene import AS_WRITTEN, OWN_MODEL, Rejected
@@ -161,6 +162,23 @@ def test_what_waits_for_a_jump_of_the_ego_is_told_to_go_on_at_once(beside: Path)
     (path := beside / "jump.xosc").write_text(with_own(waits, event(jump, TIME.format(1), "first")))
     notes = import_scenario(path).notes
     assert [note for note in notes if note.endswith("what waits for it, goes on at once")], notes
+
+
+def test_who_drove_it_before_changes_nothing_for_the_ego_of_the_file(beside: Path) -> None:
+    """Both have the same text, and one simulator drives both in turn."""
+    written = read_foreign(
+        imported(beside, of_ego(speed(0, 0.0, "step"))), as_written=True, searched_with=False
+    ).program
+    scene = replace(scene_at(written, 0, 0.5, name="seed-0"), seed=0)
+    simulator, speeds = load_simulator(resolve_map("town"), SimulationSettings(max_steps=60)), list[float]()
+    for program in (written, replace(written, as_written=False), written):
+        opened = simulator.open(program, scene, observation="safebench", pedals="safebench")
+        assert not isinstance(opened, Rejected)
+        for _ in range(30):
+            opened.step((1.0, 0.0))
+        speeds.append(opened.speed)
+        opened.close()
+    assert speeds[0] == speeds[2] == 0.0 < speeds[1]
 
 
 def test_a_program_of_plans_is_driven_as_its_file_says_too(beside: Path) -> None:

@@ -11,9 +11,10 @@ from scenic.core.regions import EmptyRegion, PolygonalRegion, PolylineRegion, Re
 from scenic.core.vectors import Vector
 from scenic.domains.driving.roads import Network
 
+from chatscene.errors import MapError
 from chatscene.maps import light_network as module
 from chatscene.maps.light_network import LightNetwork, light_network
-from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.network import load_network, map_digest, resolve_map
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import load_simulator
 from chatscene.terms.scene import Scene, ScenicProgram
@@ -46,7 +47,7 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> list[Path]:
         return load_network(path)
 
     monkeypatch.setattr(module, "load_network", load)
-    monkeypatch.setattr("chatscene.maps.light_network.light_network", LightNetwork)
+    monkeypatch.setattr(module, "light_network", lambda path: LightNetwork(Path(path), map_digest(Path(path))))
     return made
 
 
@@ -71,7 +72,7 @@ def test_a_program_that_asks_for_nothing_makes_no_network(asked: list[Path]) -> 
 def test_a_program_that_asks_has_what_scenics_network_answers(asked: list[Path]) -> None:
     scenario = _compiled(ASKS)
     scene, _ = scenario.generate(maxIterations=1)
-    assert asked == [str(TOWN)]
+    assert asked == [TOWN]
     _, other, beside = scene.objects
     network = load_network(TOWN)
     assert other.heading == pytest.approx(network.roadDirection[other.position].yaw, abs=0.0)
@@ -79,7 +80,7 @@ def test_a_program_that_asks_has_what_scenics_network_answers(asked: list[Path])
 
 
 def test_regions_are_of_scenics_kind_and_made_once_asked(asked: list[Path]) -> None:
-    light, network = LightNetwork(TOWN), load_network(TOWN)
+    light, network = LightNetwork(TOWN, map_digest(TOWN)), load_network(TOWN)
     assert isinstance(light, Network)
     for name in REGIONS:
         mine, scenics = getattr(light, name), getattr(network, name)
@@ -101,9 +102,18 @@ def test_regions_are_of_scenics_kind_and_made_once_asked(asked: list[Path]) -> N
 
 
 def test_nothing_is_joined_where_there_is_nothing_to_join() -> None:
-    light = LightNetwork(TOWN)
+    light = LightNetwork(TOWN, map_digest(TOWN))
     assert light.drivableRegion.union(EmptyRegion("nowhere")) is light.drivableRegion
 
 
 def test_there_is_one_for_a_map() -> None:
     assert light_network(TOWN) is light_network(str(TOWN))
+
+
+def test_a_map_that_is_changed_meanwhile_is_no_other_one_of_a_sudden(tmp_path: Path) -> None:
+    path = tmp_path / "street.xodr"
+    path.write_bytes(TOWN.read_bytes())
+    light = light_network(path)
+    path.write_bytes(resolve_map("outskirts").read_bytes())
+    with pytest.raises(MapError, match=r"street\.xodr' was changed since its roads were read; start again"):
+        _ = light.lanes

@@ -16,7 +16,8 @@ from scenic.core.regions import EmptyRegion, PolygonalRegion, PolylineRegion, Re
 from scenic.core.vectors import VectorField
 from scenic.domains.driving.roads import Network
 
-from chatscene.maps.loading import load_roads
+from chatscene.errors import MapError
+from chatscene.maps.loading import kept_roads
 from chatscene.maps.network import load_network, map_digest
 
 _NOT_DRAWN = frozenset(("_needsSampling", "_needsLazyEval", "_isLazy", "_dependencies", "_conditioned"))
@@ -36,7 +37,7 @@ class _Later(Region):
         return self._make()
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("__") or name == "_make":
+        if name.startswith("__") or name in ("_make", "_made"):
             raise AttributeError(name)
         return getattr(self._made, name)
 
@@ -64,8 +65,8 @@ def light_network(path: Path | str) -> LightNetwork:
 
 
 @lru_cache(maxsize=8)
-def _light(digest: str, path: Path) -> LightNetwork:  # noqa: ARG001 - the content
-    return LightNetwork(path)
+def _light(digest: str, path: Path) -> LightNetwork:
+    return LightNetwork(path, digest)
 
 
 class LightNetwork(Network):
@@ -73,14 +74,15 @@ class LightNetwork(Network):
 
     Args:
         path: The map.
+        digest: Its `chatscene.maps.network.map_digest`.
 
     Raises:
         MapError: As `chatscene.maps.network.load_network`.
     """
 
-    def __init__(self, path: Path | str) -> None:
-        roads = load_roads(path)
-        self._path = path
+    def __init__(self, path: Path, digest: str) -> None:
+        roads = kept_roads(digest, path)
+        self._path, self._digest = path, digest
         self.drivableRegion = _LaterArea("drivable", lambda: self._whole.drivableRegion)
         curb: Any = _LaterLine("curb", lambda: self._whole.curbRegion) if roads.roads else nowhere
         self.curbRegion = curb
@@ -100,9 +102,12 @@ class LightNetwork(Network):
 
     @cached_property
     def _whole(self) -> Any:
-        return load_network(self._path)
+        network = load_network(self._path)
+        if map_digest(self._path) != self._digest:
+            raise MapError(f"map {self._path.name!r} was changed since its roads were read; start again ({self._path})")
+        return network
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("__") or name in _NOT_DRAWN or name == "_path":
+        if name.startswith("__") or name in _NOT_DRAWN or name in ("_path", "_digest", "_whole"):
             raise AttributeError(name)
         return getattr(self._whole, name)

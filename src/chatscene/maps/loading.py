@@ -7,6 +7,7 @@ from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 
+from chatscene.errors import MapError
 from chatscene.files.caches import cache_folder, keep, keep_latest, only_mine
 from chatscene.maps.network import load_network, map_digest
 from chatscene.maps.roads import Roads
@@ -38,6 +39,8 @@ def kept_roads(digest: str, path: Path) -> Roads:
         if folder is not None and (roads := read((folder / named).read_bytes())) is not None:
             return roads
     content = written(load_network(path))
+    if map_digest(path) != digest:
+        raise MapError(f"map {path.name!r} was changed while it was read; start again ({path})")
     if folder is not None:
         keep(folder / named, content)
         keep_latest(folder, VERSIONS, ENDING)

@@ -34,6 +34,7 @@ COMPILED = 16  # programs kept per process; a compiled one holds a few MB
 PLACED = 64  # drawn scenes kept per process, since many egos drive the same
 NEVER = 25  # draws, all of which ask for what is not there: then it is the program that is at fault
 DRAWING = 15.0  # [s] of processor time in which a scene is to be drawn
+_Key = tuple[str, bool, int]
 _SETS_NAMES = re.compile(r"^\s*global\s|\bglobals\(", re.MULTILINE)  # in a module: names may be set in a drive
 
 
@@ -75,8 +76,8 @@ class Stage:
 
     def __init__(self, map_path: Path) -> None:
         self._map_path = map_path
-        self._compiled: OrderedDict[tuple[str, int], Any] = OrderedDict()
-        self._placements: dict[tuple[str, int], Placement | None] = {}  # None: Scenic has to place each scene
+        self._compiled: OrderedDict[_Key, Any] = OrderedDict()
+        self._placements: dict[_Key, Placement | None] = {}  # None: Scenic has to place each scene
         self._placed: OrderedDict[tuple[object, ...], tuple[Any | Rejected, int]] = OrderedDict()
         self.draws = 1
 
@@ -88,7 +89,7 @@ class Stage:
             MapError: The map has no such route.
             StuckBehavior: It does not come to its end.
         """
-        key = (program.digest, 0 if program.drawn else route)
+        key = _key_of(program, route)
         if key not in self._compiled:
             # A large map takes its time, which is not the program's.
             (load_network if program.own or program.model != OWN_MODEL else load_roads)(self._map_path)
@@ -114,7 +115,7 @@ class Stage:
 
     def learn(self, program: ScenicProgram, route: int, placed: SteppedSimulation) -> None:
         """Take in a scene that was placed, as it began; the next may be placed by `placement`."""
-        key = program.digest, route
+        key = _key_of(program, route)
         if key in self._compiled and key not in self._placements:
             try:
                 self._placements[key] = Placement(self._compiled[key], placed)
@@ -123,7 +124,7 @@ class Stage:
 
     def placement(self, program: ScenicProgram, scene: Scene) -> Placement | None:
         """Where things stand, for the values of such a scene; None where `place` has to say it."""
-        key = program.digest, scene.route
+        key = _key_of(program, scene.route)
         found = self._placements.get(key)
         if found is None or program.drawn or program.as_written or found.parameters != set(scene.values):
             return None
@@ -200,6 +201,11 @@ class Stage:
         reason = f"none of {reasons.total()} draws in {spent:.0f} s of processor time meets the requirements ({why})"
         rejected = Rejected(scene=scene, reason=reason, draws=reasons.total(), spent=spent)
         return rejected, rejected.draws
+
+
+def _key_of(program: ScenicProgram, route: int) -> _Key:
+    """What is compiled by itself: also what is driven as written, as the ego of the other loses its behavior."""
+    return program.digest, program.as_written, 0 if program.drawn else route
 
 
 class _Drawn(dict[str, Any]):

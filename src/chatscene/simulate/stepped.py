@@ -168,14 +168,17 @@ class SteppedSimulator:
             return None
         return Rejected(scene=scene, reason=session.rejection) if session.rejection else session
 
-    def again(self, session: SteppedSession, program: ScenicProgram, scene: Scene) -> Rejected | bool:
-        """Make a session of `place` that of another scene; whether that can be, which for a program always or never is.
+    def again(self, session: SteppedSession, placement: Placement, scene: Scene) -> Rejected | bool:
+        """Make a session of `place` that of another scene of its program, at its beginning.
 
-        It is then at its beginning. False also if anything fails: `place` comes to it, too.
+        Args:
+            session: The session.
+            placement: From `differs_in`.
+            scene: The other scene.
+
+        Returns:
+            True, or why there is no such scene, or False if anything else fails: `place` comes to it, too.
         """
-        placement = self._stage.placement(program, scene)
-        if placement is None or not placement.moves:
-            return False
         free_process()
         try:
             placement.again(session.simulation, scene.values, scene.seed, self.physics_for(scene, None))

@@ -11,6 +11,7 @@ import ast
 import gc
 import hashlib
 import marshal
+import sys
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache, lru_cache
@@ -101,8 +102,10 @@ def _kept(source: str, filename: str, kind: Literal["code", "programs"] = "code"
 
 @cache
 def _translator() -> bytes:
-    """What code depends on besides its text: Python, Scenic and what is done to syntax trees here."""
-    return MAGIC_NUMBER + version("scenic").encode() + Path(searched.__file__).read_bytes()
+    """What code depends on besides its text: Python and its options, Scenic, and what is done to syntax trees here."""
+    options = f"{sys.flags.optimize} {sys._xoptions.get('no_debug_ranges')}"
+    of_ours = b"".join(Path(one).read_bytes() for one in (searched.__file__, __file__))
+    return MAGIC_NUMBER + f"{version('scenic')} {options}".encode() + of_ours
 
 
 def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:

@@ -35,9 +35,11 @@ DOES = {
     "a name of the program": "    do DrivePath(egoRoute, 5) until gap(self, ego) < level\n    do Halt()\n",
     "a divisor": f"    do DrivePath(egoRoute, 5) until gap(self, ego) / ({AHEAD} - 10) > 1\n    do Halt()\n",
     "what others do": "    do DrivePath(egoRoute, 5) until gap(self, third) < 9\n    do Halt()\n",
+    "who is meant": f"    do DrivePath(egoRoute, 5) until gap(self, third if {AHEAD} > 50 else ego) < 9\n"
+    "    do Halt()\n",
     "a path": f"    do DrivePath(lane.offset({AHEAD} / 30), 5)\n",
 }
-ALONE = ("a path",)  # of these each scene has lines of its own
+ALONE = ("a path", "who is meant")  # of these each scene has lines of its own
 PARAMETER = ParameterRange(name="OPT_AHEAD", low=20.0, high=90.0, unit="m")
 SHARES = (0.1, 0.3, 0.5, 0.7, 0.95)
 
@@ -162,3 +164,22 @@ def test_a_scene_that_overlaps_is_rejected_and_the_next_is_not(native: NativeSim
     program = _program(DOES["what others do"], third=third)
     found = [native.open(program, scene) for scene in _scenes(program)]
     assert [isinstance(one, Rejected) for one in found] == [False, False, True, False, False]
+
+
+def test_what_an_ego_sees_first_is_where_it_is_on_its_route(native: NativeSimulator) -> None:
+    source = (
+        'model chatscene.world.model\negoRoute = selectRoute(maneuver="left-turn", place="four-way")\n'
+        "ego = new Car at pointOn(egoRoute, 60), facing directionOn(egoRoute, 60), "
+        "with route egoRoute\n"
+    )
+    program = ScenicProgram(scenario_id="there", source=source, parameters=(), snippet_ids=())
+    scene = scene_at(program, 0, 0.5, name="0")
+    reference = load_simulator(resolve_map("town"), SimulationSettings())
+    for preset in ("safebench", "actors", "traffic"):
+        first: list[Observation] = []
+        for simulator in (native, reference):
+            opened = simulator.open(program, scene, observation=preset)
+            assert not isinstance(opened, Rejected)
+            first.append(opened.observation)
+            opened.close()
+        assert first[0].tobytes() == first[1].tobytes(), preset

@@ -255,7 +255,15 @@ class Compiler:
         Raises:
             NotCovered: It is none of the scene's.
         """
-        return self.index_of(self.value(expression))
+        index = self.index_of(self.value(expression))
+
+        def again(_: Any) -> None:
+            if self.index_of(self.value(expression)) != index:
+                _refuse(None)
+
+        if self.differs(expression):
+            self._do_again(again)
+        return index
 
     def index_of(self, actor: Any) -> int:
         """The number of something in the scene.
@@ -370,8 +378,10 @@ class Compiler:
                 return self._joined("AND" if joint == "and" else "OR", terms)
             case Conditional(test, then, otherwise):
                 return self._of("SELECT", then, otherwise, test)
-            case AnyOf():
+            case AnyOf(actors=actors):
                 conditions = self._each(expression)
+                if self.differs(actors):
+                    self._do_again(_refuse)  # others may be meant
                 if not conditions:
                     self._add("CONST", value=0.0)
                     return 1

@@ -1681,14 +1681,17 @@ void ask(const Policy *policy, const double *seen, double *acceleration, double 
     }
 }
 
-/* Runs a world to its end, or to a step; how many steps it took. */
-/* What the ego sees at the beginning. */
-void see_world(World *w) { see(w); }
+/* What the ego sees where it is, which may be anywhere on its route. */
+void see_world(World *w) {
+    locate(w);
+    see(w);
+}
 
+/* Runs a world to its end, or to a step; how many steps it took. */
 int64_t run_world(World *w, const Policy *policy, int64_t until) {
     int64_t first = w->step, left = 0;
     double acceleration = 0.0, steer = 0.0;
-    see(w);
+    see_world(w);
     while (w->ending == GOES_ON && !w->fault && w->step < until) {
         if (!left) { left = policy->every; ask(policy, w->seen, &acceleration, &steer); }
         left--;
@@ -1702,7 +1705,7 @@ int64_t run_world(World *w, const Policy *policy, int64_t until) {
 void brake_world(World *w, const Policy *policy, const Foot *foot) {
     int64_t left = 0, standing = 0;
     double acceleration = 0.0, steer = 0.0;
-    see(w);
+    see_world(w);
     while (w->ending == GOES_ON && !w->fault && (double)standing * w->dt < foot->standstill) {
         if (!left) { left = policy->every; ask(policy, w->seen, &acceleration, &steer); }
         left--;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from collections import OrderedDict
 from collections.abc import Callable
 from contextlib import suppress
@@ -14,7 +15,7 @@ import numpy as np
 
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import PEDALS, EgoPolicy, controls, observation_of, pedals_of
-from chatscene.errors import StuckBehavior
+from chatscene.errors import SimulationError, StuckBehavior
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.native.binding import Bound, bind
 from chatscene.simulate.native.code import NotCovered
@@ -49,13 +50,13 @@ class _Senses(TypedDict):
 
 def _like(program: ScenicProgram, scene: Scene, senses: _Senses) -> tuple[object, ...]:
     """What scenes have in common of which one can be made of another."""
-    return program.digest, scene.route, senses["observation"], senses["through_collisions"]
+    of = program.digest, program.scenario_id, program.model, program.as_written
+    return *of, scene.route, senses["observation"], senses["through_collisions"]
 
 
 def _key_of(program: ScenicProgram, scene: Scene, senses: _Senses) -> tuple[object, ...]:
     """What tells a scene from any other."""
-    of = program.scenario_id, program.model, program.as_written
-    return (scene.id, scene.seed, tuple(scene.values.items()), *of, *_like(program, scene, senses))
+    return (scene.id, scene.seed, tuple(scene.values.items()), *_like(program, scene, senses))
 
 
 class NativeSession:
@@ -180,6 +181,7 @@ class _Again:
 
     Args:
         simulator: Who placed it.
+        placement: How its scenes differ.
         session: The scene as it was placed.
         bound: The same as arrays, at its beginning.
         program: Of which program.
@@ -190,27 +192,44 @@ class _Again:
     """
 
     def __init__(
-        self, simulator: SteppedSimulator, session: SteppedSession, bound: Bound, program: ScenicProgram, scene: Scene
+        self,
+        simulator: SteppedSimulator,
+        placement: Placement,
+        session: SteppedSession,
+        bound: Bound,
+        program: ScenicProgram,
+        scene: Scene,
     ) -> None:
         self.session = session
-        self._simulator, self._bound, self._program, self._is = simulator, bound, program, scene
+        # its own, as the simulator keeps those of some programs only
+        self._simulator, self._placement, self._bound, self._program = simulator, placement, bound, program
+        self._is: Scene | None = scene
 
     def be(self, scene: Scene) -> None:
         """Have everybody begin where they do in a scene of the program that it was once."""
-        if self._is is not scene:
-            self._begin(scene)
+        if self._is is scene:
+            return
+        drawn = random.getstate()  # a Python ego may draw on
+        there = self._begin(scene)
+        random.setstate(drawn)
+        if there is not True:
+            raise SimulationError(f"scene {scene.id!r} cannot be made again as it was: {there or 'it fails'}")
 
     def _begin(self, scene: Scene) -> Rejected | bool:
-        self._is = scene
-        return self._simulator.again(self.session, self._program, scene)
+        self._is = None
+        there = self._simulator.again(self.session, self._placement, scene)
+        if there is True:
+            self._is = scene
+        return there
 
     def scene(self, scene: Scene) -> Bound | Rejected | None:
         """A scene of the program at its beginning, as arrays; None where it has to be placed by itself."""
+        if (placement := self._simulator.differs_in(self._program, scene)) is None:
+            return None
         there = self._begin(scene)
         if isinstance(there, Rejected):
             return there
-        placement = self._simulator.differs_in(self._program, scene)
-        if not there or placement is None or self.session.ending is not None:
+        if not there or self.session.ending is not None:
             return None
         with suppress(NotCovered):
             return self._bound.again(self.session, placement.moved)
@@ -334,11 +353,12 @@ class NativeSimulator:
             bound = self._bound(placed, program, differs)
         except NotCovered:
             return None  # which the embedded simulator says
-        again = _Again(self._embedded, placed, bound, program, scene)
-        if differs is not None:
-            self._again[_like(program, scene, senses)] = again
-            while len(self._again) > AGAIN:
-                self._again.popitem(last=False)
+        if differs is None:
+            return self._keep(key, senses["pedals"], placed, bound, bool)
+        again = _Again(self._embedded, differs, placed, bound, program, scene)
+        self._again[_like(program, scene, senses)] = again
+        while len(self._again) > AGAIN:
+            self._again.popitem(last=False)
         return self._keep(key, senses["pedals"], placed, bound, partial(again.be, scene))
 
     def _keep(self, key: tuple[object, ...], pedals: str, *placed: *_Placed) -> NativeSession:
