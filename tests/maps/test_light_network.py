@@ -47,7 +47,11 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> list[Path]:
         return load_network(path)
 
     monkeypatch.setattr(module, "load_network", load)
-    monkeypatch.setattr(module, "light_network", lambda path: LightNetwork(Path(path), map_digest(Path(path))))
+
+    def light(path: Path | str) -> LightNetwork:
+        return LightNetwork(Path(path), map_digest(Path(path)))
+
+    monkeypatch.setattr(module, "light_network", light)
     return made
 
 

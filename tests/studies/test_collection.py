@@ -211,11 +211,15 @@ def test_a_catalogue_of_an_imported_folder_has_its_programs_and_what_was_refused
 
 
 def test_a_program_that_fails_in_most_of_its_drives_is_not_shown() -> None:
-    ran = {"status": "ran", "ego": EGO, "unplayed": [], "collision": False, "avoidable": None}
+    ran: dict[str, Any] = {"status": "ran", "ego": EGO, "unplayed": [], "collision": False, "avoidable": None}
     failed, rejected = ({"status": status, "ego": EGO, "reason": "why"} for status in ("failed", "rejected"))
     entry = Entry(name="a", sentence="a", program="a.scenic", map_name="town")
     asked = Covered(catalogue="mine", entry=entry, answer=Answer.SERVED, slots={})
-    row = covered(asked, cast(Driver, lambda _: [ran, *[failed] * 8, rejected]), [EGO])
+
+    def drives(_: object) -> list[dict[str, Any]]:
+        return [ran, *[failed] * 8, rejected]
+
+    row = covered(asked, cast(Driver, drives), [EGO])
     assert (row.shown, row.scenes) == (1, 9)
     assert Tally.of([row]).shown == 0
 

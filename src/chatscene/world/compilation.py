@@ -103,7 +103,8 @@ def _kept(source: str, filename: str, kind: Literal["code", "programs"] = "code"
 @cache
 def _translator() -> bytes:
     """What code depends on besides its text: Python and its options, Scenic, and what is done to syntax trees here."""
-    options = f"{sys.flags.optimize} {sys._xoptions.get('no_debug_ranges')}"
+    ranges = sys._xoptions.get("no_debug_ranges")  # pyright: ignore[reportPrivateUsage] - Python has no other name
+    options = f"{sys.flags.optimize} {ranges}"
     of_ours = b"".join(Path(one).read_bytes() for one in (searched.__file__, __file__))
     return MAGIC_NUMBER + f"{version('scenic')} {options}".encode() + of_ours
 
