@@ -203,7 +203,8 @@ class Contact:
 def contact(episode: Episode, other: Track) -> Contact | None:
     """When and how the ego and another first touch; None where they do not."""
     ego = episode.ego_track
-    touching = np.flatnonzero(Pair.of(Boxes.of(ego, PARTS), Boxes.of(other, PARTS)).touching)
+    moments = np.arange((len(ego.x) - 1) * PARTS + 1) / PARTS
+    touching = np.flatnonzero(Pair.of(Boxes.within(ego, moments), Boxes.within(other, moments)).touching)
     if not len(touching):
         return None
     step = float(touching[0]) / PARTS

@@ -14,7 +14,6 @@ from chatscene.pipeline import run
 from chatscene.program.check import Checked
 from chatscene.runs import asked_run, open_run, read_explanation
 from chatscene.runs.rebuild import rebuild
-from chatscene.search import climb as climbing_up
 from chatscene.search.climb import TRIES, climb, simulator_of
 from chatscene.search.generator import Written
 from chatscene.search.generators.retrieved import Retrieved
@@ -58,7 +57,7 @@ def climbing(
             return CLIMBED
         raise MeansSomethingElse(f"{tried.scenario_id} shows something else", blamed=blamed)
 
-    monkeypatch.setattr(climbing_up, "check", check)
+    monkeypatch.setattr("chatscene.program.check.check", check)
     counting = Counting(programs)
     written, _ = climb(
         counting,
@@ -110,7 +109,7 @@ def test_a_run_goes_on_with_the_choice_that_climbed(tmp_path: Path, monkeypatch:
             raise MeansSomethingElse("it shows something else", blamed=tried.snippet_ids)
         return CLIMBED
 
-    monkeypatch.setattr(climbing_up, "check", check)
+    monkeypatch.setattr("chatscene.program.check.check", check)
     few = Settings(search=SearchSettings(scenes=2, block=2))
     run(asked_run(CYCLIST, settings=few, ego="rule-based"), tmp_path / "run")
     kept = open_run(tmp_path / "run")

@@ -194,11 +194,11 @@ def test_approach_speed_is_relative() -> None:
 @pytest.mark.parametrize(
     ("kind", "size", "speed", "message"),
     [
-        ("Car", (4.9, 0.0), 0.0, "a Car of 4.9 m by 0 m"),
-        ("Car", (math.inf, 2.0), 0.0, "a Car of inf m"),
+        ("Car", (4.9, 0.0), 0.0, "a car of 4.9 m by 0 m"),
+        ("Car", (math.inf, 2.0), 0.0, "a car of inf m"),
         ("Car", (4.9, 2.1), 90.0, "it goes at -6 to 50 m/s"),
         ("Pedestrian", (0.6, 0.6), -1.0, "it goes at 0 to 8 m/s"),
-        ("Kiosk", (2.0, 2.0), 5.0, "a Kiosk that begins at 5 m/s"),
+        ("Kiosk", (2.0, 2.0), 5.0, "a kiosk that begins at 5 m/s"),
     ],
 )
 def test_a_body_that_cannot_be_is_refused_and_not_made_into_another(

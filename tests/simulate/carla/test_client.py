@@ -199,7 +199,7 @@ def test_a_scene_for_which_the_server_has_no_room_is_rejected_with_the_reason(si
     at = LIMITS["Car"].length + 0.001  # our boxes leave a millimetre; CARLA's are longer
     outcome = simulator.open(program(AHEAD.format(kind="Car", at=at)), SCENE)
     assert isinstance(outcome, Rejected)
-    assert "CARLA has no room for a Car (vehicle.lincoln.mkz_2017)" in outcome.reason
+    assert "CARLA has no room for a car (vehicle.lincoln.mkz_2017)" in outcome.reason
 
 
 def test_a_contact_that_carla_s_sensor_does_not_confirm_is_told(
@@ -212,7 +212,7 @@ def test_a_contact_that_carla_s_sensor_does_not_confirm_is_told(
     monkeypatch.setattr(physics, "HEARING", 0.0)
     monkeypatch.setattr(physics.CarlaPhysics, "_hear", Mock())
     assert driven(simulator, wall).ending is Ending.COLLISION
-    assert "the ego's box meets that of a Container" in caplog.text
+    assert "the ego's box meets that of a container" in caplog.text
     assert len(simulator.disagreements) == 1
     simulator.disagreements.clear()
 
