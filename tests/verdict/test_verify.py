@@ -214,7 +214,8 @@ def test_a_strangers_program_drives_as_it_is_written(theirs: Path) -> None:
     verdict = chatscene.verify(theirs / "brakes.scenic", "The car ahead brakes hard.", draws=2)
     assert verdict.status == 0
     assert "its own ego drives" in verdict.notes
-    assert all(one.avoidable is not None for one in verdict.crashes)
+    assert verdict.crashes
+    assert all(one.avoidable is None for one in verdict.crashes)  # no careful driver takes its ego's place
 
 
 def test_a_program_shows_nothing_else_than_it_does(theirs: Path) -> None:
