@@ -4,7 +4,6 @@ from dataclasses import fields, replace
 from functools import cache
 
 import numpy as np
-import pyarrow as pa
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -12,8 +11,7 @@ from shapely import Polygon, box
 from shapely.affinity import rotate, translate
 
 from chatscene.measure.criticality import criticality, fault
-from chatscene.report.index_columns import TABLES, Column
-from chatscene.report.measures import MEASURES, Measure
+from chatscene.report.measures import Measure
 from chatscene.terms.criticality import CRITICALITY, Criticality, Fault, Severity
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 from places import ROOT
@@ -391,8 +389,6 @@ def test_every_measure_has_its_words_and_its_definition_on_the_page() -> None:
     for name, one in CRITICALITY.items():
         assert one.more in ("better", "worse"), f"terms/criticality.py: {name}: more of it is better or worse"
         assert one.name and one.meaning and one.unit, f"terms/criticality.py: {name} lacks words"
-        assert MEASURES[name][:3] == (one.name, one.more, one.unit)
-        assert Column(name, one.meaning, one.unit, pa.float64()) in TABLES["scenes"]
 
 
 def test_a_measure_of_which_no_more_is_said_is_told_without_a_gap() -> None:
