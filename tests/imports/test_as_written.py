@@ -224,7 +224,7 @@ def test_what_says_nothing_of_the_ego_is_not_driven_as_written(beside: Path) -> 
     program = imported(beside, stands)
     with pytest.raises(ForeignCodeRefused, match="does not say what its ego does"):
         read_foreign(program, as_written=True, searched_with=False)
-    with pytest.raises(ScenarioError, match="it gives its ego no speed and no action; leave --as-written away"):
+    with pytest.raises(ScenarioError, match="it gives its ego no speed and no action; leave out --as-written"):
         chatscene.story(beside / "theirs.xosc", as_written=True)
     (beside / "own.scenic").write_text(
         f"model {OWN_MODEL}\negoRoute = selectRoute(maneuver='straight')\n"
@@ -240,7 +240,7 @@ def test_what_only_plans_say_is_told_as_the_reason(beside: Path, monkeypatch: py
 
     monkeypatch.setattr(StoryReader, "program", refuse)
     (beside / "theirs.xosc").write_text(at_five(scenario(events=event(speed(9, 2.0), TIME.format(1)))))
-    with pytest.raises(ScenarioError, match=r"as it is written:\n  .*a story has none of it; leave --as-written away"):
+    with pytest.raises(ScenarioError, match=r"as it is written:\n  .*a story has none of it; leave out --as-written"):
         chatscene.story(beside / "theirs.xosc", as_written=True)
 
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import ast
 import pickle
-import re
-from collections.abc import Iterator
 
 import pytest
 
@@ -15,6 +13,7 @@ from chatscene.sentences.grammar.deeds import DEEDS, phrases
 from chatscene.situations.inflection import Form, conjugated
 from chatscene.terms.actors import Manner
 from chatscene.terms.acts import TURNS, Action, reordered
+from listed import members
 from places import ROOT
 
 SOURCE = ROOT / "src" / "chatscene"
@@ -33,34 +32,17 @@ ELSEWHERE = {
 }
 READ = lexicon.ACTIONS | {Action.TURN_LEFT: lexicon.LEFT_TURN, Action.TURN_RIGHT: lexicon.RIGHT_TURN}
 
-NAMED = re.compile(r"\b(?:Action|A)\.")
-
 every_act = pytest.mark.parametrize("action", Action)
 
 
-def named(node: ast.expr | None) -> str:
-    """The act that an expression names, if it names one."""
-    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in ("Action", "A"):
-        return node.attr
-    return ""
-
-
-def listed(source: str) -> Iterator[int]:
+def listed(source: str) -> list[int]:
     """The lines of a Python file where a list, a set or a table has more than one act in it."""
-    if not NAMED.search(source):  # which takes less time than to parse it
-        return
-    for node in ast.walk(ast.parse(source)):
-        elements = [*node.keys, *node.values] if isinstance(node, ast.Dict) else getattr(node, "elts", [])
-        within = [inner for element in elements for inner in getattr(element, "elts", [element])]
-        if len({named(element) for element in within} - {""}) > 1:
-            yield node.lineno  # type: ignore[attr-defined]
+    return [line for line, _ in members(source, ("Action", "A"))]
 
 
 def test_no_other_file_lists_acts() -> None:
     found = {
-        str(path.relative_to(SOURCE)): list(lines)
-        for path in SOURCE.rglob("*.py")
-        if (lines := list(listed(path.read_text())))
+        str(path.relative_to(SOURCE)): lines for path in SOURCE.rglob("*.py") if (lines := listed(path.read_text()))
     }
     assert set(found) == set(ELSEWHERE), found
 
@@ -71,7 +53,7 @@ def test_no_other_file_lists_acts() -> None:
 )
 def test_a_list_of_acts_is_recognised_as_one(source: str) -> None:
     assert set(listed(source)) == {1}
-    assert not list(listed("f(Action.STOP, Action.FAST); x = [Action.STOP, Action.STOP]"))
+    assert not listed("f(Action.STOP, Action.FAST); x = [Action.STOP, Action.STOP]")
 
 
 def written(action: Action, manner: Manner) -> list[str]:
@@ -84,7 +66,11 @@ def written(action: Action, manner: Manner) -> list[str]:
 def test_an_act_has_one_test_on_tracks(action: Action) -> None:
     tree = ast.parse((SOURCE / "program" / "deeds.py").read_text())
     assert [
-        key for node in ast.walk(tree) if isinstance(node, ast.Dict) for key in node.keys if named(key) == action.name
+        key
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Dict)
+        for key in node.keys
+        if getattr(key, "attr", "") == action.name
     ]
     assert callable(ACTIONS[action])
 

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import ast
 import re
-from collections.abc import Iterator
 
 import pytest
 
 from chatscene.situations.inflection import Form, inflected
 from chatscene.situations.phrases import ACTS
 from chatscene.terms.vocabulary import LETS_GO, LOSES, SLOWS, Act, Heads, Tempo, acts_of, by_act
+from listed import members
 from places import ROOT
 
 SOURCE = ROOT / "src" / "chatscene"
@@ -31,34 +30,19 @@ ELSEWHERE = {
     "verdict/story.py": "which of those that look alike is told",
 }
 """Where acts are listed, and why no trait could give the list."""
-EITHER_SIDE = {"TURN_LEFT", "TURN_RIGHT"}
+EITHER_SIDE = frozenset(("TURN_LEFT", "TURN_RIGHT"))
 
 every_act = pytest.mark.parametrize("act", Act)
 
 
-def named(node: ast.expr | None) -> str:
-    """The act that an expression names, if it names one."""
-    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in ("Act", "Said"):
-        return node.attr
-    return ""
-
-
-def listed(source: str) -> Iterator[int]:
+def listed(source: str) -> list[int]:
     """The lines of a Python file where a list, a set or a table has more than one act in it."""
-    if not re.search(r"vocabulary import [^\n]*\bAct\b|^    Act,$", source, re.MULTILINE):
-        return
-    for node in ast.walk(ast.parse(source)):
-        elements = [*node.keys, *node.values] if isinstance(node, ast.Dict) else getattr(node, "elts", [])
-        names = {named(element) for element in elements} - {""}
-        if len(names) > 1 and names != EITHER_SIDE:
-            yield node.lineno  # type: ignore[attr-defined]
+    return [line for line, names in members(source, ("Act", "Said")) if names != EITHER_SIDE]
 
 
 def test_no_other_file_lists_acts() -> None:
     found = {
-        str(path.relative_to(SOURCE)): list(lines)
-        for path in SOURCE.rglob("*.py")
-        if (lines := list(listed(path.read_text())))
+        str(path.relative_to(SOURCE)): lines for path in SOURCE.rglob("*.py") if (lines := listed(path.read_text()))
     }
     said = (
         "give the acts a trait in their rows (terms/vocabulary.py) and ask for it by acts_of, or name the reason here"
@@ -73,8 +57,8 @@ def test_a_list_of_acts_is_recognised_as_one() -> None:
         "x in (Act.STOP, Act.PARK)",
         "X = {Act.STOP: 1, Act.PARK: 2}",
     ):
-        assert list(listed(head + source)) == [2]
-    assert not list(listed(head + "f(Act.STOP, Act.PARK); x = [Act.STOP, Act.STOP, Where.ARM]"))
+        assert listed(head + source) == [2]
+    assert not listed(head + "f(Act.STOP, Act.PARK); x = [Act.STOP, Act.STOP, Where.ARM]")
 
 
 @every_act

@@ -21,7 +21,7 @@ from chatscene.build.place import (
     lane_beside,
 )
 from chatscene.build.screening import Screen, from_its_lane, screen_of, stands_at
-from chatscene.errors import NotBuilt
+from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.terms.vocabulary import Role, Side, UserKind, Where
 from chatscene.world.places import lanes_beside
 
@@ -48,8 +48,8 @@ class Written:
         named = self._lines(screen)
         body = "\n".join(phases)
         if self.hidden is not None and screen is None and f"way{one}" in body:
-            stands = f"who stands beside the road and hides {self.hidden.one.id}"
-            raise NotBuilt(f"nothing builds yet: {self.actor.path}.does, of {stands}")
+            stands = f"{self.actor.one.id} hides {self.hidden.one.id}, and only stands there"
+            raise NothingBuilds(f"nothing builds yet: {self.actor.path}.does: {stands}")
         if any(f"own{one}" in text for text in (body, *named)):
             named.insert(0, f"own{one} = ownWay(egoRoute)")
         named += self._named(body)

@@ -140,7 +140,7 @@ class _Reader:
                 self._follows(way)
             case "LaneChangeAction":
                 if self._given.number(way, "targetLaneOffset", "0"):
-                    raise Refused(way, "it changes to a line beside a lane; leave targetLaneOffset away")
+                    raise Refused(way, "it changes to a line beside a lane; leave out targetLaneOffset")
                 if player.walks:
                     raise Refused(way, "nobody on foot changes lanes")
                 lane = self._target_lane(way)

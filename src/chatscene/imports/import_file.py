@@ -99,7 +99,7 @@ def import_scenario(
     found = variants_of(root, path, within)
     if found is None:
         if variant is not None:
-            raise SettingsError(f"{path} is one scenario and has no variants; leave --variant away")
+            raise SettingsError(f"{path} is one scenario and has no variants; leave out --variant")
         _free(out)
         scenario = ScenarioFile(path, map_name, ego=ego, within=within, root=root)
         scenario.check_declared(told)

@@ -53,7 +53,7 @@ class StoryActions:
                 g.note(inner, "there are no monitors here")
                 return _NOTHING
             case _:
-                raise Refused(inner, "the world does not change so meanwhile here; leave it away")
+                raise Refused(inner, "the world does not change so meanwhile here; leave it out")
 
     def _sets(self, inner: Element, name: str) -> Told:
         if (to := inner.find("SetAction")) is not None:

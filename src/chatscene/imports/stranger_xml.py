@@ -117,7 +117,7 @@ class _Reader:
         return f"line {self._parser.CurrentLineNumber}"
 
     def _doctype(self, *_: object) -> None:
-        self._refuse(f"it declares a document type, and with it entities; leave that away, {_BUILT_IN} need none")
+        self._refuse(f"it declares a document type, and with it entities; leave that out, {_BUILT_IN} need none")
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self._count += 1

@@ -108,13 +108,10 @@ def avoidable_if_driven(
     """
     try:
         return avoidable(episode, program, scene, ego, simulator), ()
-    except (ServerError, SandboxError) as error:
-        if not isinstance(error, ProgramStopped):
-            raise
-        reason = str(error)
     except (ProgramError, SimulationError) as error:
-        reason = str(error)
-    why = reason.partition("\n")[0]
+        if isinstance(error, ServerError | SandboxError) and not isinstance(error, ProgramStopped):
+            raise
+        why = str(error).partition("\n")[0]
     return None, (f"whether a careful driver avoids the collision is not known: driven again, {why}",)
 
 

@@ -453,6 +453,6 @@ def _vehicle(ego: Any, body: Body, program: ScenicProgram, label: str) -> Vehicl
     if ego.behavior is not None and not program.as_written:
         raise ProgramError(
             f"{label} fails: the ego has a behavior of its own, {type(ego.behavior).__name__}, and the ego under test "
-            "is to drive it; leave its `with behavior …` away"
+            "is to drive it; leave out its `with behavior …`"
         )
     return body

@@ -204,7 +204,10 @@ class Stage:
 
 
 def _key_of(program: ScenicProgram, route: int) -> _Key:
-    """What is compiled by itself: also what is driven as written, as the ego of the other loses its behavior."""
+    """By what a program is kept: its text, who drives its ego, and its route.
+
+    The behavior of an ego under test is taken away, and so the program as written is another one.
+    """
     return program.digest, program.as_written, 0 if program.drawn else route
 
 

@@ -15,7 +15,7 @@ from chatscene.situations.inflection import Form as InForm
 from chatscene.situations.inflection import inflected
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.actors import one_of_class
-from chatscene.terms.nouns import with_article
+from chatscene.terms.nouns import plural, with_article
 from chatscene.terms.surroundings import Light, Surface, Weather
 from chatscene.terms.vocabulary import (
     Act,
@@ -251,7 +251,7 @@ def _as_its_body(kind: UserKind) -> Noun:
     """A kind as its body is called; who rides is a person."""
     noun = kind.row.body.row.noun
     rides = kind.moves is Moves.RIDES
-    return Noun(one=with_article(noun), many=f"{noun}s", goes=_GOES[kind.moves], somebody=rides)
+    return Noun(one=with_article(noun), many=plural(noun), goes=_GOES[kind.moves], somebody=rides)
 
 
 KINDS: Mapping[UserKind, Noun] = {kind: _KINDS.get(kind) or _as_its_body(kind) for kind in UserKind}

@@ -12,6 +12,7 @@ import json
 import time
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
+from functools import cache, partial
 from itertools import groupby
 from pathlib import Path
 from typing import Any
@@ -126,7 +127,10 @@ class Driver:
         self._simulator: ConfinedSimulator | None = None
 
     def __call__(self, program: CollectedProgram) -> list[dict[str, Any]]:
-        """A row for each drive, or one for a program that does not run; a drive that fails leaves the others."""
+        """A row for each drive, or one for a program that does not run; a drive that fails leaves the others.
+
+        A program that the sandbox stops in one is not driven on: nothing bounds what that would take.
+        """
         try:
             found = self._program(program)
             simulator = self._simulator_on(program.map_path)
@@ -134,20 +138,21 @@ class Driver:
                 simulator.route(found, 0)
         except _OF_A_PROGRAM as error:
             return [{"program": program.name, **_failed(error)}]
+        told = cache(partial(self._told, program))  # read once; what refuses it does so for each drive
         scenes = [drawn_scene(found, n, seed=self._driving.seed) for n in range(self._scenes(found))]
         rows, stopped = list[dict[str, Any]](), dict[str, Any]()
         for scene in scenes:
             for ego in self._driving.every:
                 row = {"program": program.name, "scene_id": scene.id, "values": dict(scene.values), "ego": ego}
                 try:
-                    driven = self._told(program) if ego == AS_TOLD else found
+                    driven = told() if ego == AS_TOLD else found
                     rows.append(row | (stopped or self._drive(driven, scene, ego, simulator)))
                 except ForeignCodeRefused as error:
                     rows.append(row | _failed(error))
                 except _OF_A_PROGRAM as error:
-                    told = _failed(error)
-                    stopped = {} if fails_in_its_scene(error) else told
-                    rows.append(row | told)
+                    failed = _failed(error)
+                    stopped = {} if fails_in_its_scene(error) else failed
+                    rows.append(row | failed)
         return rows
 
     def _scenes(self, program: ScenicProgram) -> int:

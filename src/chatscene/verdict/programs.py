@@ -126,10 +126,10 @@ def _tells_nothing(path: Path, notes: Sequence[str], only_plans: Sequence[str]) 
     """That a file cannot be driven as it is written, and why."""
     if only_plans:
         told = "\n  ".join(("", *only_plans))
-        return f"{path} cannot be driven as it is written:{told}; leave --as-written away"
+        return f"{path} cannot be driven as it is written:{told}; leave out --as-written"
     why = [note for note in notes if note.endswith("--as-written")]
     told = "\n  ".join(("", *why)) if why else ": it gives its ego no speed and no action"
-    return f"{path} does not say what its ego does{told}; leave --as-written away"
+    return f"{path} does not say what its ego does{told}; leave out --as-written"
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,7 +30,7 @@ def watching(what: Path, settings: VerifySettings) -> Watching:
         raise SettingsError(f"parameters are given to a program or to a file of OpenSCENARIO, and {what} is neither")
     if settings.as_written and kind not in (".scenic", ".xosc"):
         raise SettingsError(
-            f"--as-written is for a program or a file of OpenSCENARIO, and {what} is neither; leave it away"
+            f"--as-written is for a program or a file of OpenSCENARIO, and {what} is neither; leave it out"
         )
     if settings.variant and kind != ".xosc":
         raise SettingsError(f"variants are of a file of OpenSCENARIO, and {what} is none")

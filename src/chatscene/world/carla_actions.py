@@ -160,7 +160,7 @@ class SetJumpAction(PedestrianAction):
 
     def __init__(self, jump: bool) -> None:
         if jump:
-            raise ValueError("nobody jumps here: the world is flat; leave SetJumpAction away")
+            raise ValueError("nobody jumps here: the world is flat; leave out SetJumpAction")
 
     def applyTo(self, agent: Any, simulation: Any) -> None:  # noqa: N802
         """Do nothing."""

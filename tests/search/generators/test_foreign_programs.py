@@ -114,7 +114,7 @@ def test_a_foreign_program_is_driven_and_searched_like_our_own(simulator: Confin
         (MINE + "new Car at pointOn(egoRoute, 60), with behavior Park()\n", "found: Park, PullOut"),
         (
             MINE.replace("with route", "with behavior FollowLaneBehavior(), with route"),
-            "leave its `with behavior …` away",
+            "leave out its `with behavior …`",
         ),
         (MINE + "scenario Main():\n    setup:\n        x = 1\n", "line 16: a scenario: modular scenarios are not"),
         (MINE + "scenario Main():\n    compose:\n        do Sub()\n", "modular scenarios are not supported"),

@@ -265,13 +265,13 @@ def _adversary_behavior(called: str, tree: Any, as_written: bool, searched_with:
     does = _driver(tree)
     if as_written and not does:
         raise ForeignCodeRefused(
-            f"{called} does not say what its ego does: the ego at line {ego[0].lineno} has no behavior, as it has if "
-            "an imported file tells its ego something; leave --as-written away"
+            f"{called} does not say what its ego does: the ego at line {ego[0].lineno} has no behavior, so "
+            "there is nothing to drive as written; leave out --as-written"
         )
     if not as_written and does not in ("", AS_WRITTEN):
         raise ForeignCodeRefused(
             f"{called}: the ego at line {ego[0].lineno} has a behavior of its own, and the ego under test is "
-            "to drive it; leave its `with behavior …` away"
+            "to drive it; leave out its `with behavior …`"
         )
     if "route" not in dict(_properties(ego[0].value)):
         raise ForeignCodeRefused(

@@ -1807,7 +1807,7 @@ void compare_boxes(int64_t steps, const Boxes *a, const double *speed, const Box
 /* `boxes.overlaps`: at which moments of the first, in rows of so many, and of the second boxes overlap, of those
  * nearest to the same moment and one step farther; how many there are. */
 int64_t overlaps(int64_t rows, int64_t width, const Boxes *a, int64_t count, const Boxes *b, const int64_t *at,
-                 int64_t most, double reach, int64_t *first, int64_t *second) {
+                 int64_t most, double square, int64_t *first, int64_t *second) {
     int64_t least = most, found = 0, any = 0;
     for (int pass = 0; pass < 2; pass++) {
         int64_t lags = pass ? least + 1 < most ? least + 1 : most : least;
@@ -1819,7 +1819,7 @@ int64_t overlaps(int64_t rows, int64_t width, const Boxes *a, int64_t count, con
                 for (int64_t step = low < 0 ? 0 : low; step <= high && step < width; step++) {
                     int64_t i = row * width + step;
                     double dx = a->x[i] - x, dy = a->y[i] - y;
-                    if (!(dx * dx + dy * dy <= reach)) continue;
+                    if (!(dx * dx + dy * dy <= square)) continue;
                     Apart p;
                     apart_at(a, i, b, j, &p);
                     if (!overlapping(&p)) continue;

@@ -370,18 +370,20 @@ class Engine:
         return found
 
     def overlaps(
-        self, a: Boxes, shape: tuple[int, int], b: Boxes, at: NDArray[np.int64], most: int, reach: float
+        self, a: Boxes, shape: tuple[int, int], b: Boxes, at: NDArray[np.int64], most: int, square: float
     ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Where boxes overlap that are nearest in time; see `chatscene.simulate.boxes.overlaps`."""
         found = np.empty((2, 4 * shape[0] * len(at)), np.int64)  # at most two steps before and two after each
         count = self._library.overlaps(
             *(*shape, ctypes.byref(a), len(at), ctypes.byref(b), at.ctypes.data),
-            *(most, reach, found.ctypes.data, found.ctypes.data + found.strides[0]),
+            *(most, square, found.ctypes.data, found.ctypes.data + found.strides[0]),
         )
         return found[0, :count], found[1, :count]
 
     def near_any(self, x: Array, y: Array, other_x: Array, other_y: Array, within: float) -> NDArray[np.bool_]:
         """(N,) Whether each point is nearer [m] than that to any of the others."""
+        if len(x) != len(y) or len(other_x) != len(other_y):
+            raise ValueError("columns of other lengths are no points")
         columns = [np.ascontiguousarray(column, np.float64) for column in (x, y, other_x, other_y)]
         one, two, three, four = (column.ctypes.data for column in columns)
         near = np.empty(len(x), np.bool_)

@@ -213,7 +213,8 @@ class _Again:
         there = self._begin(scene)
         random.setstate(drawn)
         if there is not True:
-            raise SimulationError(f"scene {scene.id!r} cannot be made again as it was: {there or 'it fails'}")
+            why = there.reason if isinstance(there, Rejected) else "it fails"
+            raise SimulationError(f"scene {scene.id!r} cannot be made again as it was: {why}")
 
     def _begin(self, scene: Scene) -> Rejected | bool:
         self._is = None

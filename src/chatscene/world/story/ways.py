@@ -252,8 +252,7 @@ def _slope(table: Sequence[tuple[float, float]], time: float) -> float:
     """How fast that grows at a time [m/s]; behind the last, as before it."""
     if time < table[0][0] or len(table) < 2:
         return 0.0
-    pairs = [(one, other) for one, other in pairwise(table) if time < other[0]] or [(table[-2], table[-1])]
-    (t0, s0), (t1, s1) = pairs[0]
+    (t0, s0), (t1, s1) = next((pair for pair in pairwise(table) if time < pair[1][0]), (table[-2], table[-1]))
     return (s1 - s0) / max(t1 - t0, 1e-9)
 
 
