@@ -430,7 +430,7 @@ def test_a_thing_that_is_given_no_place_is_refused(simulator: Simulator, kind: s
 
 def test_an_ego_that_drives_itself_is_refused(simulator: Simulator) -> None:
     own = EGO.replace("with route", "with behavior FollowLaneBehavior(), with route")
-    with pytest.raises(ProgramError, match=r"a behavior of its own, FollowLaneBehavior.*leave its `with behavior"):
+    with pytest.raises(ProgramError, match=r"a behavior of its own, FollowLaneBehavior.*leave out its `with behavior"):
         simulate(simulator, program(HEAD + own), scene(), RuleBased())
     assert isinstance(simulate(simulator, program(HEAD + EGO), scene(), RuleBased()), Episode)
 
