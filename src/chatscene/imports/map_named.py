@@ -12,7 +12,7 @@ from chatscene.imports.catalogs import ABSOLUTE, lies_within, relative
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.stranger_xml import Element
 from chatscene.maps.carla_towns import PACKAGE, carla_town, how_to_have
-from chatscene.maps.network import PACKAGED, check_opendrive, load_network, resolve_map
+from chatscene.maps.network import PACKAGED, load_network, resolve_map
 
 
 class Maps:
@@ -106,7 +106,6 @@ def _file_at(named: str, path: Path, given: Given) -> Path:
 def _checked(where: Path, plain: Path, path: Path) -> Path:
     where = plain if plain.is_file() or not where.is_file() else where  # links may lead up another way
     if where.is_file():
-        check_opendrive(where)
         return where
     raise ScenarioError(
         f"{path}: its map {str(where)[-200:]!r} does not lie there; put it there, or name one with --map"

@@ -18,7 +18,7 @@ from scenic.domains.driving.roads import Network
 
 from chatscene.errors import MapError
 from chatscene.maps.loading import kept_roads
-from chatscene.maps.network import load_network, map_digest
+from chatscene.maps.network import MapContent, load_network, map_digest
 
 _NOT_DRAWN = frozenset(("_needsSampling", "_needsLazyEval", "_isLazy", "_dependencies", "_conditioned"))
 """What Scenic looks for in every value, which only what is drawn has."""
@@ -81,7 +81,7 @@ class LightNetwork(Network):
     """
 
     def __init__(self, path: Path, digest: str) -> None:
-        roads = kept_roads(digest, path)
+        roads = kept_roads(MapContent(digest, path))
         self._path, self._digest = path, digest
         self.drivableRegion = _LaterArea("drivable", lambda: self._whole.drivableRegion)
         curb: Any = _LaterLine("curb", lambda: self._whole.curbRegion) if roads.roads else nowhere

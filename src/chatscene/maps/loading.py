@@ -9,7 +9,7 @@ from pathlib import Path
 
 from chatscene.errors import MapError
 from chatscene.files.caches import cache_folder, keep, keep_latest, only_mine
-from chatscene.maps.network import load_network, map_digest
+from chatscene.maps.network import MapContent, load_network, map_digest
 from chatscene.maps.roads import Roads
 from chatscene.maps.roads_file import made_by, read, written
 
@@ -26,24 +26,24 @@ def load_roads(path: Path | str) -> Roads:
     Raises:
         MapError: As `chatscene.maps.network.load_network`.
     """
-    path = Path(path)
-    return kept_roads(map_digest(path), path)
+    return kept_roads(MapContent.of(Path(path)))
 
 
 @lru_cache(maxsize=8)
-def kept_roads(digest: str, path: Path) -> Roads:
-    """The roads of a map with a digest, from their file if that is whole."""
+def kept_roads(content: MapContent) -> Roads:
+    """The roads of a map, from their file if that is whole."""
+    digest, path = content.digest, content.path
     folder = only_mine(cache_folder("maps") / digest)
     named = f"{hashlib.blake2b(made_by(), digest_size=12).hexdigest()}{ENDING}"
     with suppress(OSError):
         if folder is not None and (roads := read((folder / named).read_bytes())) is not None:
             return roads
-    content = written(load_network(path))
+    made = written(load_network(path))
     if map_digest(path) != digest:
         raise MapError(f"map {path.name!r} was changed while it was read; start again ({path})")
     if folder is not None:
-        keep(folder / named, content)
+        keep(folder / named, made)
         keep_latest(folder, VERSIONS, ENDING)
-    made = read(content)
-    assert made is not None
-    return made
+    roads = read(made)
+    assert roads is not None
+    return roads

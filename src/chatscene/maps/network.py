@@ -13,6 +13,7 @@ import pickle
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import suppress
+from dataclasses import dataclass, field
 from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
@@ -93,8 +94,29 @@ def load_network(path: Path | str) -> Any:
     Raises:
         MapError: The file cannot be read, is no OpenDRIVE, or has no lane to drive on.
     """
-    path = Path(path)
-    return _parse(map_digest(path), path)
+    return _parse(MapContent.of(Path(path)))
+
+
+@dataclass(frozen=True)
+class MapContent:
+    """What a map holds, and where it was read: two files that hold the same are one.
+
+    Attributes:
+        digest: Its `map_digest`.
+        path: Where it lies, for messages.
+    """
+
+    digest: str
+    path: Path = field(compare=False)
+
+    @classmethod
+    def of(cls, path: Path) -> MapContent:
+        """The content of a file.
+
+        Raises:
+            MapError: It cannot be read.
+        """
+        return cls(map_digest(path), path)
 
 
 def map_digest(path: Path) -> str:
@@ -111,7 +133,8 @@ def map_digest(path: Path) -> str:
 
 
 @lru_cache(maxsize=8)
-def _parse(digest: str, path: Path) -> Any:
+def _parse(content: MapContent) -> Any:
+    digest, path = content.digest, content.path
     root = check_opendrive(path)
     copy = _private_copy(path, digest)
     if takes_seconds(root) or digest in _packaged():
