@@ -10,7 +10,7 @@ import shutil
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from functools import lru_cache, partial
+from functools import lru_cache
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -33,7 +33,7 @@ from chatscene.runs.tables import (
     read_table,
     route_id,
     route_index,
-    rows_with,
+    rows_by,
     scenes_table,
     signals_table,
     write_table,
@@ -418,11 +418,15 @@ def read_episodes(run: Workspace, scene_ids: Iterable[str]) -> Iterator[Episode]
     """The drives through some scenes, in the order asked for, each read when it is asked for."""
     scenes = {row["scene_id"]: row for row in read_scenes(run)}
     events, signals = _by_scene(read_events(run)), _by_scene(read_signals(run))
-    read = lru_cache(maxsize=8)(partial(read_table, columns=EPISODES))  # of a block, which has several of them
+
+    @lru_cache(maxsize=8)  # of a block, which has several of them
+    def by_scene(path: Path) -> dict[str, Table]:
+        return rows_by(read_table(path, EPISODES), "scene_id")
+
     for scene_id in scene_ids:
         scene = _driven(run, scene_id, scenes.get(scene_id))
         path = run.episodes(scene["scenario_id"], route_index(scene["route_id"]), scene["block"])
-        rows = rows_with(read(path), "scene_id", scene_id)
+        rows = by_scene(path).get(scene_id, EPISODES.empty_table())
         try:
             episode = episode_of(rows, scene, events.get(scene_id, []), signals.get(scene_id, []))
         except (ValueError, IndexError) as error:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import io
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, asdict, fields
 from pathlib import Path
@@ -201,10 +202,21 @@ def read_table(path: Path, columns: Any, **filters: str) -> Table:
 
 def rows_with(table: Table, column: str, value: str) -> Table:
     """The rows of a table in which a column has a value."""
-    there = [number for number, found in enumerate(table.column(column).to_pylist()) if found == value]
-    if not there or there[-1] - there[0] == len(there) - 1:  # as those of a scene lie in what we write
-        return table.slice(there[0] if there else 0, len(there))
-    return table.take(there)
+    return rows_by(table, column).get(value, table.slice(0, 0))
+
+
+def rows_by(table: Table, column: str) -> dict[str, Table]:
+    """The rows of a table by the value that they have in a column."""
+    there = defaultdict[str, list[int]](list)
+    for number, value in enumerate(table.column(column).to_pylist()):
+        there[value].append(number)
+    return {value: _of_numbers(table, numbers) for value, numbers in there.items()}
+
+
+def _of_numbers(table: Table, numbers: list[int]) -> Table:
+    if numbers[-1] - numbers[0] == len(numbers) - 1:  # as those of a scene lie in what we write
+        return table.slice(numbers[0], len(numbers))
+    return table.take(numbers)
 
 
 def _check_size(told: Any) -> None:
