@@ -180,10 +180,15 @@ def test_a_cache_that_cannot_be_rewritten_costs_only_time(tmp_path: Path, cache:
     (kept,) = cache.rglob("*.snet")
     kept.unlink()
     kept.mkdir()  # neither readable nor replaceable as a file, for whatever user runs this
-    (tmp_path / "copy").mkdir()
-    copy = tmp_path / "copy" / path.name
+    vars(network)["_parse"].cache_clear()
+    assert len(load_network(path).roads) == 1
+
+
+def test_files_of_the_same_content_have_one_network_wherever_they_lie(tmp_path: Path, cache: Path) -> None:
+    path = _map(tmp_path / "maps")
+    copy = tmp_path / "copy.xodr"
     copy.write_bytes(path.read_bytes())
-    assert len(load_network(copy).roads) == 1
+    assert load_network(copy) is load_network(path)
 
 
 def test_scenics_own_loader_gives_the_same_network_once_the_memo_is_installed(

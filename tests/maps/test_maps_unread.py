@@ -30,7 +30,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def written(folder: Path, text: str) -> Path:
     path = folder / "theirs.xodr"
-    path.write_text(text)
+    path.write_text(f"{text}<!-- {folder} -->")  # no other test has this content
     return path
 
 
