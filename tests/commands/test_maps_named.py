@@ -1,4 +1,4 @@
-"""A map that cannot be used, such as one of left-hand traffic, is refused at every door, and the reason is told."""
+"""A map that cannot be used, such as one that keeps to both sides, is refused at every door, and the reason is told."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from chatscene.runs.digests import digest_of
 from chatscene.view.looking import compared, listed, still
 from fake_run import finished, resealed
 
-REFUSED = "is of left-hand traffic: road '1' keeps to the left (rule LHT)"
+REFUSED = "keeps to the left on road '1' (rule LHT) and to the right on road"
 
 
 def with_a_map(group: click.Group, *before: str) -> Iterator[list[str]]:
@@ -61,12 +61,12 @@ def test_every_command_that_takes_a_map_refuses_it_first(
 def test_a_simulator_is_not_tried_on_a_map_that_is_refused_and_the_map_is_the_reason(left: Path) -> None:
     done = CliRunner().invoke(main, ["doctor", "--simulator", "native", "--map", str(left)])
     assert done.exit_code == 1
-    assert "is of left-hand traffic: road" in done.output
+    assert "keeps to the left on road" in done.output
 
 
 @pytest.fixture
 def run(left: Path) -> runs.Workspace:
-    """One that an earlier version made on such a map, and drove on the wrong side."""
+    """One that an earlier version made on such a map, and drove on one side of it all."""
     run = finished(left.parent / "runs" / "older", count=1)
     resealed(run, map_name=str(left), map_digest=digest_of(left))
     return run
@@ -74,7 +74,7 @@ def run(left: Path) -> runs.Workspace:
 
 @pytest.mark.parametrize("to", names(EXPORTERS))
 def test_no_format_is_exported_of_drives_on_such_a_map(to: str, run: runs.Workspace, tmp_path: Path) -> None:
-    with pytest.raises(MapError, match="is of left-hand traffic: road '1'"):
+    with pytest.raises(MapError, match="keeps to the left on road '1'"):
         export(run.path, to=to, out=tmp_path / "out")
     assert not (tmp_path / "out").exists()
 

@@ -248,15 +248,15 @@ def test_an_imported_ego_that_begins_standing_drives_as_it_does(beside: Path) ->
     assert read_foreign(chatscene.import_scenario(beside / "theirs.xosc").program).program.wanted_speed is None
 
 
-def test_a_map_of_left_hand_traffic_is_the_reason_and_not_the_roads_that_it_has(beside: Path) -> None:
+def test_a_map_that_keeps_to_both_sides_is_the_reason_and_not_the_roads_that_it_has(beside: Path) -> None:
     town = (beside / "town.xodr").read_text()
     (beside / "left.xodr").write_text(town.replace('rule="RHT"', 'rule="LHT"', 1))
     place = '<LanePosition roadId="no-such" laneId="1" s="1"/>'
-    with pytest.raises(MapError, match="of left-hand traffic"):
+    with pytest.raises(MapError, match="keeps to the left on road"):
         read(beside, scenario(place=place, map_name="left.xodr"))
 
 
-def test_a_program_whose_map_is_of_left_hand_traffic_is_refused_by_its_road(beside: Path) -> None:
+def test_a_program_whose_map_keeps_to_both_sides_is_refused_by_its_roads(beside: Path) -> None:
     town = (beside / "town.xodr").read_text()
     (beside / "left.xodr").write_text(town.replace('rule="RHT"', 'rule="LHT"', 1))
     (beside / "own.scenic").write_text(
@@ -265,7 +265,7 @@ def test_a_program_whose_map_is_of_left_hand_traffic_is_refused_by_its_road(besi
     how = ("--scenes", "1", "--out", str(beside / "run"))
     done = CliRunner().invoke(main, ["run", "--program", str(beside / "own.scenic"), *how])
     assert done.exit_code == 1
-    assert "of left-hand traffic: road" in done.output
+    assert "keeps to the left on road" in done.output
     assert "Traceback" not in done.output
 
 

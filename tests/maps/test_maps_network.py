@@ -232,14 +232,6 @@ def test_a_copy_of_a_map_that_was_changed_is_made_anew_and_that_is_said(tmp_path
     assert lane.polygon.area == pytest.approx(50 * 3.5, rel=0.01)
 
 
-def test_a_map_of_left_hand_traffic_is_refused_by_its_road(tmp_path: Path) -> None:
-    path = _map(tmp_path)
-    path.write_text(path.read_text().replace("<road ", '<road rule="LHT" ', 1))
-    with pytest.raises(MapError, match=r"left-hand traffic: road '.*' keeps to the left \(rule LHT\)"):
-        load_network(path)
-    assert "left-hand traffic" in str(check_map(path))
-
-
 @pytest.mark.parametrize("encoding", ["UTF-7", "rot13", "idna", "no-such"])
 def test_a_map_in_an_encoding_of_no_map_is_refused(encoding: str, tmp_path: Path) -> None:
     path = tmp_path / "odd.xodr"

@@ -191,6 +191,7 @@ def explain(
     settings: None = None,
     report: Name | None = None,
     edit: Names | None = None,
+    map: Name | None = None,
     embedder: str | None = None,
     language_model: str | None = None,
     reading: int | None = None,
@@ -203,6 +204,7 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
     *,
     report: Name | None = None,
     edit: Names | None = None,
+    map: Name | None = None,  # noqa: A002 - the word of the command line
     library: Name | None = None,
     embedder: str | None = None,
     language_model: str | None = None,
@@ -221,6 +223,7 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
         text: The sentence, a conflict of a report (`conflicts`), or a situation, of which the program is built.
         report: File of a report that tells one conflict, in place of the sentence; of several, see `conflicts`.
         edit: What is to be another than it says, in words, edit by edit, as in `run`; so does `edit` of the answer.
+        map: The map that it is to be built on, as in `run`; None for the first packaged one that has such a place.
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
         language_model: ``openai:MODEL`` or ``gguf:FILE``, which fills a situation from the text; or ``offline``.
@@ -234,6 +237,7 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
         EditRefused: An edit was not understood.
         NothingFits: It is not sure what the text says, nothing is built of it, or a model says that it tells nothing.
     """
+    on = None if map is None else str(map)
     if isinstance(text, Situation):
         from chatscene.report.stated import explain_stated, stated
 
@@ -241,14 +245,15 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
             raise SettingsError("say what to explain: a situation or a report, and only one of them")
         if reading:
             raise SettingsError(ONE_READING)
-        return explain_stated(stated(text, set), edits=names_of(edit or ()))
+        return explain_stated(stated(text, set, on), edits=names_of(edit or ()))
     from chatscene.report.filled import explain_text
 
     settings = settings or Settings()
     chosen = read_by(settings.retrieval, library, embedder, language_model, reader, reading)
     if report is not None:
         text = _only_conflict(report)
-    return explain_text(str(text), replace(settings, retrieval=chosen), facts=set, edits=names_of(edit or ()))
+    reads = replace(settings, retrieval=chosen)
+    return explain_text(str(text), reads, facts=set, edits=names_of(edit or ()), map_name=on)
 
 
 def conflicts(

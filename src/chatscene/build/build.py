@@ -31,9 +31,12 @@ from chatscene.build.standing_before import in_queue
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, room_kept, screens
 from chatscene.build.written import Written
 from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, NothingBuilds
+from chatscene.maps.left_hand import keeps_left
+from chatscene.maps.network import resolve_map
 from chatscene.situations.faults import dotted
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import as_it_backs, backs
+from chatscene.terms.mirroring import IN_THE_MIRROR, mirrored_situation, mirrored_words
 from chatscene.terms.nouns import with_article
 from chatscene.terms.rolling import as_it_rolls
 from chatscene.terms.scene import ScenicProgram
@@ -77,10 +80,30 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
         NotBuilt: A fact of it cannot be built, or no map has such a place; the message names the fact.
         MapError: There is no such map.
     """
+    if situation.map is not None and keeps_left(resolve_map(situation.map)):
+        return _in_the_mirror(situation, name)
     try:
         return _as_fast_as_it_can(situation, name)
     except NotBuilt as error:
         raise NotBuilt(as_written(str(error), situation)) from error
+
+
+def _in_the_mirror(situation: Situation, name: str) -> Built:
+    """The program of a situation on a map of left-hand traffic, of which there is the mirror image."""
+    seen = situation if situation.evidence.mirrored else mirrored_situation(situation)
+    try:
+        made = _as_fast_as_it_can(seen, name)
+    except NotBuilt as error:
+        raise NotBuilt(mirrored_words(as_written(str(error), seen))) from error
+    title, _, code = made.program.source.partition("\n\n")
+    source = "\n\n".join((f"{mirrored_words(title)}\n# {IN_THE_MIRROR}", code))
+    parameters = tuple(replace(one, meaning=mirrored_words(one.meaning)) for one in made.program.parameters)
+    return replace(
+        made,
+        program=replace(made.program, source=source, parameters=parameters),
+        assumed=tuple(map(mirrored_words, made.assumed)),
+        left_out=tuple(map(mirrored_words, made.left_out)),
+    )
 
 
 def _as_fast_as_it_can(situation: Situation, name: str) -> Built:

@@ -150,6 +150,7 @@ def run(
 @REPORT
 @click.option("--program", "show_program", is_flag=True, help="Print the Scenic program as well.")
 @EDITS
+@MAP_WITH_SITE
 @READING
 @CHOOSING
 @JSON
@@ -163,6 +164,7 @@ def explain(text: str | None, report: Path | None, show_program: bool, as_json: 
     \b
     chatscene explain "a motorbike cuts us off from the right"
     chatscene explain "a dragon lands on the bonnet"        # refused, exit status 3
+    chatscene explain "a car cuts in from the left" --map left-hand.xodr
     chatscene explain --report claim.txt
     """
     if (text is None) == (report is None):
@@ -173,7 +175,8 @@ def explain(text: str | None, report: Path | None, show_program: bool, as_json: 
     stated = situation_file(text)
     with refusing(text if stated is None else "", options["embedder"], as_json):
         if stated is not None:
-            understood = chatscene.explain(stated, **{name: options[name] for name in ("edit", "set", "reading")})
+            given = {name: options[name] for name in ("edit", "set", "map", "reading")}
+            understood = chatscene.explain(stated, **given)
         else:
             understood = chatscene.explain(text, **options)
     if as_json:

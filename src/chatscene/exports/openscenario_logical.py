@@ -28,6 +28,7 @@ from chatscene.exports.openscenario_events import (
 from chatscene.exports.retold import retold
 from chatscene.exports.xml_element import element
 from chatscene.terms.episode import Track
+from chatscene.terms.mirrored_scenario import mirrored_attributes
 from chatscene.terms.plan import (
     Number,
 )
@@ -47,8 +48,12 @@ class OpenScenarioLogical:
         tracks = {track.actor: track for track in scene.episode.tracks}
         text = "; not said: ".join((f"{scene.episode.scene_id}: {scene.text}", *board.unsaid))
         name = f"{scene.stem}.xosc"
+        told = scenario(board, tracks, scene.map.name, text, scene.episode.duration)
+        if board.mirrored:
+            for one in told.iter():
+                one.attrib = mirrored_attributes(one.tag, one.attrib)
         found = {
-            name: _whole(scenario(board, tracks, scene.map.name, text, scene.episode.duration)),
+            name: _whole(told),
             scene.map.name: scene.map.content,
         }
         if board.parameters:

@@ -23,12 +23,14 @@ from chatscene.errors import RunError, SnippetError
 from chatscene.exports.exporter import KeptScene
 from chatscene.exports.plain_numbers import Site, Unsayable
 from chatscene.exports.plain_plan import Plain, plainly
+from chatscene.maps.left_hand import keeps_left
 from chatscene.maps.network import load_network
 from chatscene.program.without import placings
 from chatscene.simulate.native.code import Compiler, NotCovered, Surrounding
 from chatscene.simulate.staging import Stage
 from chatscene.terms.actors import BY_CLASS, LIMITS, Manner
 from chatscene.terms.episode import Role, Track
+from chatscene.terms.mirroring import mirrored_drive
 from chatscene.terms.pace import Pace
 from chatscene.terms.plan import Expression, Parameter, Plan, expressions_of, walk
 from chatscene.terms.plan_text import BEHAVIOR, parse_plan
@@ -59,6 +61,8 @@ def retold(scene: KeptScene) -> Storyboard:
     with TemporaryDirectory() as folder:
         path = Path(folder) / scene.map.name
         path.write_bytes(scene.map.content)
+        if keeps_left(path):
+            scene = replace(scene, episode=mirrored_drive(scene.episode))
         try:
             return _Retelling(scene, program, path).storyboard()
         except (Unsayable, NotCovered) as reason:
@@ -124,6 +128,7 @@ class _Retelling:
             values=dict(self._scene.values),
             surroundings=self._scene.episode.surroundings,
             unsaid=tuple(dict.fromkeys(unsaid)),
+            mirrored=bool(self._network.mirrored),
         )
 
     def _place(self, values: Mapping[str, float]) -> Any:

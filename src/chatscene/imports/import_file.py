@@ -13,8 +13,10 @@ from chatscene.imports.stranger_xml import read_xml
 from chatscene.imports.variants import Variants, variants_of
 from chatscene.imports.written import written
 from chatscene.imports.written_story import StoryProgram, written_story
+from chatscene.maps.left_hand import keeps_left
 from chatscene.maps.network import name_of
 from chatscene.search.generators.foreign import foreign_program
+from chatscene.terms.mirroring import IN_THE_MIRROR
 
 MOST_PROGRAMS = 100  # written at once
 _TOLD = 3  # parameters named in a note
@@ -224,6 +226,8 @@ def _program(read: Imported, path: Path, out: Path) -> _Program:
         text = written_story(board, path.name)
     else:
         text = written(board, path.name, read.as_written)
+    if keeps_left(read.map_path):
+        text = f"# {IN_THE_MIRROR}\n{text}"
     try:
         foreign_program(out.stem, text)
     except ForeignCodeRefused as error:

@@ -8,7 +8,7 @@ line, all of it at once.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
@@ -20,6 +20,8 @@ from chatscene.imports.stranger_xml import Element, read_xml
 from chatscene.imports.told_as_plan import PlanReader
 from chatscene.imports.told_as_story import StoryReader
 from chatscene.imports.written_story import StoryProgram
+from chatscene.maps.left_hand import keeps_left, lanes_on_map
+from chatscene.terms.mirrored_scenario import mirrored_attributes
 from chatscene.terms.storyboard import Storyboard
 
 _T = TypeVar("_T")
@@ -116,6 +118,10 @@ class ScenarioFile:
             if given.wanted <= fixed:
                 break
             fixed |= given.wanted
+        if keeps_left(map_path):
+            given.notes[:] = map(lanes_on_map, given.notes)
+            given.refusals[:] = map(lanes_on_map, given.refusals)
+            only_plans = tuple(map(lanes_on_map, only_plans))
         given.raise_refusals(self._path)
         assert board is not None
         notes = tuple(dict.fromkeys(given.notes))
@@ -124,6 +130,8 @@ class ScenarioFile:
     def _read(self, given: Given, map_path: Path) -> _Read:
         """What a file says, and what was noted: as plans, where nothing of it is refused; else as a story."""
         whole = written_out(self._root, self._path, given, self._catalogs)
+        if keeps_left(map_path):
+            whole = _in_the_mirror(whole)
         as_story = given.copied()
         plans: Storyboard | None = None
         if not given.refusals:
@@ -138,6 +146,12 @@ class ScenarioFile:
         if for_plans:
             return plans, given, story if said else None, tuple(dict.fromkeys(as_story.refusals))
         return story, as_story, story if said else None, ()
+
+
+def _in_the_mirror(one: Element) -> Element:
+    """What a file says of a map of left-hand traffic, which is read as its mirror image."""
+    inside = list(map(_in_the_mirror, one.inside))
+    return replace(one, attributes=mirrored_attributes(one.tag, one.attributes), inside=inside)
 
 
 def read_openscenario(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import shapely
@@ -39,6 +39,27 @@ def map_drawing(network: Any, box: tuple[float, float, float, float]) -> dict[st
         - ``stop_lines``: ``{"control": "signal" | "stop-sign", "points": [...]}``;
         - ``crosswalks``, where there are any: the polygons of their stripes, and of rails.
     """
+    if network.mirrored:
+        west, south, east, north = box
+        return _mirrored(_drawn(network, (west, -north, east, -south)))
+    return _drawn(network, box)
+
+
+def _mirrored(drawing: Any) -> Any:
+    """The same in the mirror: each point on the other side of the x axis."""
+    if isinstance(drawing, dict):
+        return {name: _mirrored(part) for name, part in cast("dict[str, Any]", drawing).items()}
+    if not isinstance(drawing, list):
+        return drawing
+    parts = cast("list[Any]", drawing)
+    if parts and isinstance(parts[0], float):
+        x, y = parts
+        return [x, 0.0 - y]
+    return [_mirrored(part) for part in parts]
+
+
+def _drawn(network: Any, box: tuple[float, float, float, float]) -> dict[str, Any]:
+    """The part of a map inside a box, as it was read."""
     frame = shapely.box(*box)
     furniture = furniture_of(network)
     painted = [stripe for _, area in furniture.crosswalks for stripe in _stripes(area)]
@@ -117,13 +138,15 @@ def routes_drawing(network: Any, routes: Mapping[str, Route]) -> dict[str, Any]:
 
     Args:
         network: Scenic's road network.
-        routes: By name; none for the whole map.
+        routes: By name, as they lie on the map; none for the whole map.
 
     Returns:
         As `map_drawing`, and ``routes``: by name, points [x, y] in metres.
     """
     lines = [route.line.points for route in routes.values()]
     x0, y0, x1, y1 = network.drivableRegion.polygons.bounds
+    if network.mirrored:
+        y0, y1 = -y1, -y0
     drawing = drawing_around(network, np.concatenate(lines or [np.array(((x0, y0), (x1, y1)))]))
     return {**drawing, "routes": {name: route.line.points.round(2).tolist() for name, route in routes.items()}}
 

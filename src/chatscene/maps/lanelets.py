@@ -75,7 +75,17 @@ class Lanelet:
 
 @lru_cache(maxsize=8)
 def lanelets_of(network: Any) -> tuple[Lanelet, ...]:
-    """All lanelets of Scenic's road network, in the order of their numbers."""
+    """All lanelets of Scenic's road network as they lie on its map, in the order of their numbers."""
+    found = _lanelets(network)
+    return tuple(map(_mirrored, found)) if network.mirrored else found
+
+
+def _mirrored(one: Lanelet) -> Lanelet:
+    left, right = one.right * (1.0, -1.0), one.left * (1.0, -1.0)
+    return replace(one, left=left, right=right, on_left=one.on_right, on_right=one.on_left)
+
+
+def _lanelets(network: Any) -> tuple[Lanelet, ...]:
     lanes = sorted(network.lanes, key=lambda lane: lane.uid)
     sections = [section for lane in lanes for section in lane.sections]
     numbers = {section.uid: number for number, section in enumerate(sections, 1)}

@@ -82,7 +82,7 @@ class LightNetwork(Network):
 
     def __init__(self, path: Path, digest: str) -> None:
         roads = kept_roads(MapContent(digest, path))
-        self._path, self._digest = path, digest
+        self._path, self._digest, self.mirrored = path, digest, roads.mirrored
         self.drivableRegion = _LaterArea("drivable", lambda: self._whole.drivableRegion)
         curb: Any = _LaterLine("curb", lambda: self._whole.curbRegion) if roads.roads else nowhere
         self.curbRegion = curb

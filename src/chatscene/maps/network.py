@@ -25,6 +25,7 @@ from chatscene.files.bounded import is_there
 from chatscene.files.caches import cache_folder, only_mine
 from chatscene.maps.apart import read_apart, takes_seconds
 from chatscene.maps.carla_towns import carla_town, how_to_have
+from chatscene.maps.left_hand import check_one_rule, keeps_left, lanes_on_map
 from chatscene.maps.plain_form import in_plain_form, without_namespace
 from chatscene.maps.scenic_parser import read_other_makers
 from chatscene.maps.unread import road_unread, why_unread
@@ -151,6 +152,8 @@ def _packaged() -> frozenset[str]:
 def furnished(path: Path, root: Xml.Element, make: Callable[[], Any]) -> Any:
     """Scenic's network of a map, with what stands on its roads and how fast one may drive there.
 
+    That of a map of left-hand traffic is of its mirror image, and says so: it is `mirrored`.
+
     Args:
         path: The map.
         root: What it holds.
@@ -174,6 +177,7 @@ def furnished(path: Path, root: Xml.Element, make: Callable[[], Any]) -> Any:
         if "bad_alloc" in str(error):  # how that library says it
             raise MemoryError(str(error)) from error
         why = why_unread(root, error)
+        why = lanes_on_map(why) if keeps_left(path) else why
         said = f"map {path.name!r} is OpenDRIVE, but its roads cannot be made into lanes: {why} ({path})"
         raise (UnreadRoad(said, road=road) if (road := road_unread(error)) else MapError(said)) from error
     if not network.lanes:
@@ -182,6 +186,7 @@ def furnished(path: Path, root: Xml.Element, make: Callable[[], Any]) -> Any:
     _remember_union(network)
     setattr(network, "furniture", furniture)  # noqa: B010 - a class of somebody else's
     setattr(network, "speed_limits", limits)  # noqa: B010
+    setattr(network, "mirrored", keeps_left(path))  # noqa: B010
     return network
 
 
@@ -259,8 +264,7 @@ def check_opendrive(path: Path) -> Xml.Element:
         raise MapError(f"map {path.name!r} is XML but not OpenDRIVE: its root is <{root.tag}> ({path})")
     if root.find("road") is None:
         raise MapError(f"map {path.name!r} is OpenDRIVE without a single road ({path})")
-    if (road := left_handed(root)) is not None:
-        raise MapError(f"{left_hand(path.name, road)} ({path})")
+    check_one_rule(root, path)
     for road in root.iter("road"):
         if fault := next(_faults(road), None):
             raise MapError(f"map {path.name!r} is OpenDRIVE, but road {road.get('id')!r} {fault} ({path})")
@@ -281,7 +285,8 @@ def check_given(path: Path) -> None:
 def put_right(path: Path) -> tuple[str, ...]:
     """What is wrong with the links and pieces of a map, and is read as it must be meant; in words."""
     root = _read(path)
-    return in_plain_form(root)
+    turned = lanes_on_map if keeps_left(path) else str
+    return tuple(map(turned, in_plain_form(root)))
 
 
 def _read(path: Path) -> Xml.Element:
@@ -313,19 +318,6 @@ def _root(path: Path) -> Xml.Element:
             )
     assert root is not None
     return root
-
-
-def left_handed(root: Xml.Element) -> str | None:
-    """The id of a road of left-hand traffic; None where there is none."""
-    return next((road.get("id", "") for road in root.iter("road") if road.get("rule") == "LHT"), None)
-
-
-def left_hand(name: str, road: str) -> str:
-    """Why a map is refused that has a road of left-hand traffic."""
-    return (
-        f"map {name!r} is of left-hand traffic: road {road[:40]!r} keeps to the left (rule LHT), and here everybody "
-        "keeps to the right; take a map of right-hand traffic"
-    )
 
 
 def _faults(road: Xml.Element) -> Iterator[str]:

@@ -16,6 +16,7 @@ from chatscene.maps.curves import normalise
 from chatscene.maps.direct_junctions import set_aside
 from chatscene.maps.lane_links import unlink
 from chatscene.maps.lane_widths import told_by_widths
+from chatscene.maps.left_hand import mirror
 from chatscene.maps.line_pieces import begin_offsets, join_pieces
 from chatscene.maps.thin_lanes import divide_thin
 
@@ -51,6 +52,7 @@ def in_plain_form(root: Xml.Element, *, again: bool = False) -> tuple[str, ...]:
         What was wrong and has been put right, by road, section and lane.
     """
     without_namespace(root)
+    mirror(root)
     _number_names(root)
     notes: list[str] = []
     for road in root.iter("road"):

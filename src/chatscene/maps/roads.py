@@ -205,6 +205,7 @@ class Roads:
     Attributes:
         elements: All of its parts, by Scenic's id.
         tolerance: How far [m] a point may lie outside what it is said to lie in.
+        mirrored: Whether it is the mirror image of its map, which is of left-hand traffic.
         drivableRegion: All lanes and junctions.
         intersectionRegion: All junctions, where there are any.
         furniture: See `chatscene.maps.furniture.furniture_of`.
@@ -220,6 +221,7 @@ class Roads:
     shoulders: tuple[Shoulder, ...] = ()
     laneSections: tuple[LaneSection, ...] = ()  # noqa: N815
     tolerance: float = 0.0
+    mirrored: bool = False
     drivableRegion: Area  # noqa: N815
     intersectionRegion: Area  # noqa: N815
     furniture: Any

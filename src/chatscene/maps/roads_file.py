@@ -130,6 +130,7 @@ def written(network: Any) -> bytes:
                 if hasattr(area := getattr(network, name), "polygons")  # else Scenic's `nowhere`
             },
             "tolerance": network.tolerance,
+            "mirrored": network.mirrored,
             "crosswalks": [(road, to.shape(area)) for road, area in furniture.crosswalks],
             "standing": [[getattr(one, name.name) for name in fields(one)] for one in furniture.standing],
             "lights": [(*where, ids) for where, ids in furniture.lights.items()],
@@ -188,7 +189,7 @@ class _Reader:
             setattr(roads, name, tuple(there[uid] for uid in uids))
         for name, where in told["areas"].items():
             setattr(roads, name, Area(self._shape(where)))
-        roads.tolerance = told["tolerance"]
+        roads.tolerance, roads.mirrored = told["tolerance"], told["mirrored"]
         roads.furniture, roads.speed_limits = self._furniture(), _limits(told["limits"])
         return roads
 

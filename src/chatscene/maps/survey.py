@@ -18,10 +18,12 @@ from chatscene.maps.layout import (
     roundabouts,
     weaving_sections,
 )
+from chatscene.maps.left_hand import lanes_on_map
 from chatscene.maps.network import load_network, put_right
 from chatscene.maps.open_road import SHORT_ROAD
 from chatscene.maps.routes import APPROACHES, BASE_SCENARIO_QUERIES, find_routes, lacking
 from chatscene.maps.scenic_parser import outside
+from chatscene.terms.mirroring import mirrored_words
 from chatscene.terms.route import RouteQuery
 
 ROUTES = 10  # per base scenario, as in the paper (section 4.2)
@@ -36,6 +38,7 @@ class MapDescription:
     Attributes:
         name: File name without suffix.
         file: Where it lies.
+        keeps: To which side traffic keeps: ``left`` or ``right``.
         roads: Roads outside junctions.
         lanes: Driving lanes outside junctions.
         lane_kilometres: Their length together [km].
@@ -58,6 +61,7 @@ class MapDescription:
 
     name: str
     file: str
+    keeps: str
     roads: int
     lanes: int
     lane_kilometres: float
@@ -91,9 +95,11 @@ def describe_map(path: Path) -> MapDescription:
         base: sum(_count(network, path.stem, query) for query in queries)
         for base, queries in BASE_SCENARIO_QUERIES.items()
     }
+    turned = mirrored_words if network.mirrored else str
     return MapDescription(
         name=path.stem,
         file=str(path),
+        keeps="left" if network.mirrored else "right",
         roads=len(network.roads),
         lanes=len(lanes),
         lane_kilometres=round(sum(lane.centerline.length for lane in lanes) / 1000, 2),
@@ -110,7 +116,7 @@ def describe_map(path: Path) -> MapDescription:
         bus_bays=standing[Stand.BUS],
         routes={base.value: count for base, count in routes.items()},
         lacking={
-            base.value: " or ".join(lacking(network, path.stem, query) for query in BASE_SCENARIO_QUERIES[base])
+            base.value: turned(" or ".join(lacking(network, path.stem, query) for query in BASE_SCENARIO_QUERIES[base]))
             for base, count in routes.items()
             if count == 0
         },
@@ -170,7 +176,7 @@ def _overlaps(network: Any) -> list[str]:
                 shared = a.polygons.intersection(b.polygons).area
                 if shared > _SHARED * a.centerline.length:
                     found.append(f"lanes {a.openDriveID} and {b.openDriveID} of road {road.id} overlap")
-    return found
+    return list(map(lanes_on_map, found)) if network.mirrored else found
 
 
 def _strays(network: Any) -> list[str]:

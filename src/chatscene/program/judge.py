@@ -46,6 +46,7 @@ from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.backing import as_it_backs, backs, drive_as_it_backs, turned_about
 from chatscene.terms.episode import Array, Episode, Track
+from chatscene.terms.mirroring import mirrored_drive, mirrored_route, mirrored_situation, mirrored_words
 from chatscene.terms.rolling import as_it_rolls
 from chatscene.terms.route import Route
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation
@@ -90,6 +91,10 @@ def judge(situation: Situation, episode: Episode, route: Route, *, through: bool
         route: The ego's route.
         through: Judge to the end a drive that went on through a collision.
     """
+    if route.mirrored:
+        said = situation if situation.evidence.mirrored else mirrored_situation(situation)
+        found = judge(said, mirrored_drive(episode), replace(mirrored_route(route), mirrored=False), through=through)
+        return tuple(replace(one, told=mirrored_words(one.told)) for one in found)
     situation = as_it_rolls(situation)
     if not backs(situation):
         return tuple(_Judge(situation, episode, route, through).findings())

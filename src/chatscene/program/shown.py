@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from chatscene.program.judge import failures, judge
 from chatscene.program.meaning import check_meaning
 from chatscene.terms.episode import Episode
+from chatscene.terms.mirroring import mirrored_drive, mirrored_route
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Said
 from chatscene.terms.situation import Situation
@@ -45,6 +46,8 @@ def shown(said: Said, episode: Episode, route: Route, *, through: bool = False, 
         met: Whether encounters count, and what nobody said: a search is still to find drives that are right in both.
     """
     if not isinstance(said, Situation):
+        if route.mirrored:  # what snippets say is of right-hand traffic
+            episode, route = mirrored_drive(episode), mirrored_route(route)
         return Shown(missing=check_meaning(said, episode, route, through=through))
     found = judge(said, episode, route, through=through)
     touch = None if said.contact is None else said.contact.happens

@@ -108,7 +108,7 @@ def explain_text(
         speed: What the ego drives at [km/h], if the text does not say.
 
     Raises:
-        SettingsError: The text is empty or too long, or a speed is given where snippets are chosen for it.
+        SettingsError: The text is empty or too long, or a speed or a map is given where snippets are chosen for it.
         EditRefused: An edit was not understood.
         NothingFits: Nothing serves it.
     """
@@ -118,6 +118,8 @@ def explain_text(
             raise SettingsError(
                 "the ego's speed is for a text of which a situation is made, and here snippets are chosen"
             )
+        if map_name is not None:
+            raise SettingsError("a map is for a text of which a situation is made, and snippets are chosen for any map")
         reading = replace(settings.retrieval, stated=in_text(facts)) if facts else settings.retrieval
         if edits:
             raise EditRefused(NO_EDITS)

@@ -11,12 +11,15 @@ from typing import TYPE_CHECKING, Any
 from chatscene.build.build import Built, build
 from chatscene.errors import OfferedReading
 from chatscene.files.bounded import is_there
+from chatscene.maps.left_hand import keeps_left
+from chatscene.maps.network import resolve_map
 from chatscene.read.quotes import left_over, not_in_words, words_of
 from chatscene.report.accounting import in_words, parts_of
 from chatscene.situations.facts import with_fact
 from chatscene.situations.file import read_file, to_yaml
 from chatscene.situations.form import to_plain
 from chatscene.situations.words import title, told
+from chatscene.terms.mirroring import as_said_on
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Evidence, Situation
@@ -237,6 +240,8 @@ def stated(
         made = replace(made, map=map_name)
     for path, value in (facts or {}).items():
         made = with_fact(made, path, value)
+    if made.map is not None:
+        made = as_said_on(made, keeps_left=keeps_left(resolve_map(made.map)))
     return made if speed is None or made.ego.speed is not None else with_fact(made, "ego.speed", f"{speed:g} km/h")
 
 

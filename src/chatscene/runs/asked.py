@@ -12,7 +12,8 @@ from typing import Any
 
 from chatscene.ego.observation import USUAL
 from chatscene.ego.policy import FILES, load_ego, senses_of, wanting
-from chatscene.errors import EditRefused, RunError
+from chatscene.errors import EditRefused, RunError, SettingsError
+from chatscene.maps.left_hand import keeps_left
 from chatscene.maps.network import map_with, resolve_map
 from chatscene.runs.digests import digest_of
 from chatscene.runs.record import (
@@ -68,6 +69,8 @@ def asked_run(
     if edits and situation is None:
         raise EditRefused("only a situation can be edited, and this is none; say the text anew")
     read = maker.read(stated, settings.retrieval)
+    if situation is None and program is None:
+        _check_keeps_right(map_name or map_with(read.slots.site))
     return RunRecord(
         text=text if situation is None else "",
         edits=list(edits),
@@ -157,6 +160,7 @@ def asked_benchmark(
     """
     maker, named = load_generator(generator), list(egos)
     load_sampler(settings.search.sampler)
+    _check_keeps_right(map_name)
     return BenchmarkRecord(
         generator=generator,
         budget=budget,
@@ -164,6 +168,19 @@ def asked_benchmark(
         surrogate=surrogate,
         **_on_a_map(map_name, [surrogate, *named], settings, maker),
     )
+
+
+def _check_keeps_right(map_name: str) -> None:
+    """Refuse a map of left-hand traffic to those who make no situation of a text.
+
+    Raises:
+        SettingsError: It is one.
+    """
+    if keeps_left(resolve_map(map_name)):
+        raise SettingsError(
+            f"map {map_name!r} keeps to the left, and what is chosen for a text is of right-hand traffic; on this map "
+            "drive texts of which situations are made (leave out --reader and --library), situations and programs"
+        )
 
 
 def _on_a_map(

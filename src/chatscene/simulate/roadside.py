@@ -42,12 +42,14 @@ class RouteSurroundings:
 
     Attributes:
         lanes: The areas of the lanes that the route uses.
+        mirrored: Whether the network is the mirror image of its map.
     """
 
     def __init__(self, network: Any, route: Route, lane_map: LaneMap) -> None:
         self._network = network
         self._allowed: dict[tuple[bool, float], NDArray[np.float64]] = {}
         self._route = route
+        self.mirrored = bool(network.mirrored)
         self._lane_map = lane_map
         self.lanes = [network.elements[uid].polygons for uid in route.lane_ids]
         self._junctions = network.intersectionRegion.polygons if network.intersections else shapely.Polygon()

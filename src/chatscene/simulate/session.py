@@ -24,6 +24,7 @@ from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.terms.actors import LIMITS, has_lamps, kind_of
 from chatscene.terms.backing import turned_about
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Stepped
+from chatscene.terms.mirroring import mirrored_drive
 from chatscene.terms.nouns import with_article
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.pointing import fault
@@ -395,7 +396,7 @@ class SteppedSession:
         return passed or bool(self._touching)
 
     def episode(self, scene_id: str, ego: str) -> Episode:
-        """Everything that happened so far, with the events that follow from the tracks."""
+        """Everything that happened so far, on the map, with the events that follow from the tracks."""
         steps = len(self._offsets)
         moved = states_of(self._rows, self._since, steps)
         tracks = tracks_of(self.simulation, self._names, moved, steps, self._ego.backs)
@@ -403,7 +404,7 @@ class SteppedSession:
         lights = self.simulation.lights
         states = self.around.signal_tracks(signals, steps, self.settings.dt, lights)
         off_road, events = self.around.events(tracks[0], states)
-        return Episode(
+        driven = Episode(
             scene_id=scene_id,
             ego=ego,
             dt=self.settings.dt,
@@ -423,6 +424,7 @@ class SteppedSession:
                 for i, phase in (self._phases or self._followed.reached()).items()
             },
         )
+        return mirrored_drive(driven) if self.around.mirrored else driven
 
     def _watching(self, program: ScenicProgram) -> Over | None:
         """What watches for the end of the drive, where the program asks for it and nothing else judges its states."""

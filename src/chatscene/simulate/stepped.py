@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.simulate.staging import NO_PLACE, Stage
+from chatscene.terms.mirroring import mirrored_route
 from chatscene.terms.pointing import fault
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -60,8 +62,7 @@ class SteppedSimulator:
         """The route a program's geometry picks under this index."""
         if program.drawn:
             raise ProgramError(f"{program.called} draws where its ego stands; each scene has a route")
-        route: Route = self._stage.compiled(program, index).egoObject.route.route
-        return route
+        return self._on_map(self._stage.compiled(program, index).egoObject.route)
 
     def routes(self, program: ScenicProgram) -> int:
         """How many routes the map has for a program's geometry, at most ten."""
@@ -78,8 +79,13 @@ class SteppedSimulator:
         placed = self._stage.place(program, scene)
         if isinstance(placed, Rejected):
             raise MapError(f"scene {scene.id!r} has no route, since it is rejected: {placed.reason}")
-        route: Route = placed.egoObject.route.route
-        return route
+        return self._on_map(placed.egoObject.route)
+
+    @staticmethod
+    def _on_map(of_ego: Any) -> Route:
+        """A route as it lies on its map, which may keep to the left."""
+        route: Route = of_ego.route
+        return replace(mirrored_route(route), mirrored=True) if of_ego.network.mirrored else route
 
     def open(
         self,

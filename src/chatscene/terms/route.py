@@ -115,6 +115,8 @@ class Route:
         exit_at: Arc length [m] where it leaves its junction; None on open road, and where nobody asked the map.
         junction: Scenic's id of the junction on it, or None.
         site: What it was asked to lead along or through, if anything.
+        mirrored: Whether its map is of left-hand traffic, so that whoever finds or judges keeping to the right takes it
+            in the mirror (`chatscene.terms.mirroring`).
     """
 
     id: str
@@ -128,6 +130,7 @@ class Route:
     exit_at: float | None = None
     junction: str | None = None
     site: Site | None = None
+    mirrored: bool = False
 
     @property
     def length(self) -> float:

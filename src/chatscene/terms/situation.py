@@ -2,7 +2,7 @@
 
 Readers make a situation, people and agents write one, programs are built from it, scenes are judged against it, edits
 change it, and words are made of it. Its words are those of `chatscene.terms.vocabulary`. A fact that is None, or an
-empty list, was not said. Sides are the ego's own at its start; traffic keeps to the right.
+empty list, was not said. Sides are the ego's own at its start.
 """
 
 from __future__ import annotations

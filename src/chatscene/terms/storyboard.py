@@ -72,6 +72,7 @@ class Storyboard:
         values: One value of each.
         surroundings: Light, weather and road.
         unsaid: What plans say and it does not, in words.
+        mirrored: Whether it lies on the mirror image of its map.
     """
 
     actors: tuple[Actor, ...]
@@ -81,3 +82,4 @@ class Storyboard:
     values: Mapping[str, float] = field(default_factory=dict[str, float])
     surroundings: Surroundings = field(default_factory=Surroundings)
     unsaid: tuple[str, ...] = ()
+    mirrored: bool = False

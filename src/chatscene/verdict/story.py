@@ -24,6 +24,7 @@ from chatscene.settings import VerifySettings
 from chatscene.simulate.boxes import gaps
 from chatscene.terms.actors import named
 from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, Track
+from chatscene.terms.mirroring import mirrored_drive, mirrored_route, mirrored_words
 from chatscene.terms.route import Route
 from chatscene.terms.vocabulary import Act as Said
 from chatscene.terms.vocabulary import UserKind
@@ -225,6 +226,10 @@ def told_of(episode: Episode, route: Route, there: Sequence[Met]) -> tuple[Told,
         route: The ego's.
         there: Who is in it beside the ego, as `met` gives them.
     """
+    if route.mirrored:
+        seen, way = mirrored_drive(episode), replace(mirrored_route(route), mirrored=False)
+        lines = told_of(seen, way, [replace(one, part=mirrored_drive(one.part)) for one in there])
+        return tuple(replace(one, what=mirrored_words(one.what)) for one in lines)
     contact = episode.collision.step if episode.collision is not None else None
     ego, others = episode.ego_track, _nearest(there)
     way = f"{_pace(ego)}; its way is {route.maneuver.value}"

@@ -15,6 +15,7 @@ from chatscene.situations.form import to_plain
 from chatscene.situations.phrases import one_seen
 from chatscene.situations.words import told
 from chatscene.terms.episode import Episode, Role
+from chatscene.terms.mirroring import as_said_on
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import HALTS, EgoRoute, Tempo, acts_of
 from chatscene.verdict.said import Asked
@@ -36,7 +37,7 @@ def weighed(found: Watching, what: str, asked: Asked, settings: VerifySettings) 
         asked: What they are to show.
         settings: In how many of them a fact must be shown.
     """
-    situation = asked.situation
+    situation = as_said_on(asked.situation, keeps_left=any(one.route.mirrored for one in found.drives))
     driven = tuple(one for one in found.drives if len(one.episode.ego_track.x) > 1)
     stepless = len(found.drives) - len(driven)
     dead = [f"{stepless} of {len(found.drives)} drives end without a step"] if stepless else []

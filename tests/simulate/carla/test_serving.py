@@ -95,7 +95,7 @@ def test_a_web_page_that_posts_a_call_is_closed_and_not_obeyed(tmp_path: Path) -
 
 def test_a_map_of_left_hand_traffic_is_refused_before_anybody_calls(tmp_path: Path) -> None:
     left = tmp_path / "left.xodr"
-    left.write_text(PACKAGED["town"].read_text().replace('rule="RHT"', 'rule="LHT"', 1))
+    left.write_text(PACKAGED["town"].read_text().replace('rule="RHT"', 'rule="LHT"'))
     done = CliRunner().invoke(main, ["serve-carla", "--map", str(left)])
     assert done.exit_code == 1
     assert "of left-hand traffic: road" in done.output
@@ -106,7 +106,7 @@ def test_a_client_that_sends_a_map_of_left_hand_traffic_is_refused() -> None:
     with serving() as (port, _):
         client, _ = connected(port)
         with pytest.raises(RuntimeError, match="left-hand traffic"):
-            client.generate_opendrive_world(PACKAGED["town"].read_text().replace('rule="RHT"', 'rule="LHT"', 1))
+            client.generate_opendrive_world(PACKAGED["town"].read_text().replace('rule="RHT"', 'rule="LHT"'))
 
 
 def test_neither_it_nor_its_reader_of_maps_imports_a_module_of_the_working_folder(tmp_path: Path) -> None:

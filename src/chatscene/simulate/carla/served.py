@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from xml.etree import ElementTree as Xml
 
 from chatscene.errors import MapError
-from chatscene.maps.network import left_hand, left_handed
+from chatscene.maps.left_hand import check_right_hand
 
 # Those of the wheel where a map says nothing, written out so that it need not warn.
 _REFERENCE = "+proj=tmerc +lat_0=42 +lon_0=2 +k=1 +x_0=0 +y_0=0 +datum=WGS84"
@@ -37,8 +37,7 @@ def as_served(text: str, name: str) -> str:
         root = Xml.fromstring(text.encode())
     except (Xml.ParseError, ValueError, LookupError) as error:  # or an encoding that it names is none
         raise MapError(f"the map is no XML: {error}") from error
-    if (road := left_handed(root)) is not None:
-        raise MapError(left_hand(name, road))
+    check_right_hand(root, name)
     clashing = _clashing(root)
     header = root.find("header")
     missing = header is not None and header.find("geoReference") is None

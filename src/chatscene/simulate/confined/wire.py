@@ -114,7 +114,8 @@ def scene_from_json(message: Message) -> Scene:
 def route_to_json(route: Route) -> Message:
     """A route."""
     names = ("id", "map_name", "maneuver", "place", "control", "lane_ids", "event_at", "exit_at", "junction")
-    return {**{name: getattr(route, name) for name in names}, "line": route.line.points.tolist(), "site": route.site}
+    told = {name: getattr(route, name) for name in (*names, "mirrored")}
+    return {**told, "line": route.line.points.tolist(), "site": route.site}
 
 
 def route_from_json(message: Message) -> Route:
@@ -133,6 +134,7 @@ def route_from_json(message: Message) -> Route:
             exit_at=None if message.get("exit_at") is None else number(message, "exit_at"),
             junction=None if junction is None else _matching(junction, _ID),
             site=None if message.get("site") is None else _choice(Site, message, "site"),
+            mirrored=message.get("mirrored") is True,
         )
     except SandboxError:
         raise
