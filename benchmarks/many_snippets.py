@@ -33,17 +33,18 @@ from chatscene import pipeline
 from chatscene.errors import NothingFits
 from chatscene.interpret.asked import scenario_of
 from chatscene.interpret.retrieve import retrieve
+from chatscene.interpret.situation_of import in_a_situation
 from chatscene.library.compose import Asked, compose
 from chatscene.library.load import library_with, load_library
 from chatscene.library.snippet_file import ENDING, as_text, wordings_path, wordings_text
-from chatscene.models.encoders.embedding import load_embedder
-from chatscene.sentences.rendering import render
 from chatscene.settings import RetrievalSettings, Settings
+from chatscene.situations.phrases import Voice
+from chatscene.situations.words import told
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.description import Style
 from chatscene.terms.scenario import Component, Position
 from chatscene.terms.snippet import ParameterRange, Snippet
+from chatscene.terms.surroundings import Surroundings
 
 SIZES = (0, 1_000, 10_000)
 WORDINGS = 4
@@ -78,13 +79,14 @@ def behaviors(rng: random.Random) -> Iterator[Snippet]:
             yield made
 
 
-def worded(snippet: Snippet, rng: random.Random) -> tuple[str, ...]:
+def worded(snippet: Snippet) -> tuple[str, ...]:
     """Ways to say what a behavior does, none twice."""
-    kind = snippet.adversaries[0]
-    texts = (render(snippet.slots, kind=kind, rng=rng, style=rng.choice(tuple(Style))).text for _ in range(WORDINGS))
+    whose = (replace(snippet.slots, adversary=kind) for kind in snippet.adversaries)
+    situations = [in_a_situation(slots, (), Surroundings()) for slots in whose]
+    texts = (told(situation, voice) for voice in Voice for situation in situations)
     different = {text.casefold(): text for text in texts}
     different.pop(snippet.description.casefold(), None)
-    return tuple(different.values())
+    return tuple(different.values())[:WORDINGS]
 
 
 def make_library(folder: Path, count: int, seed: int) -> None:
@@ -98,7 +100,7 @@ def make_library(folder: Path, count: int, seed: int) -> None:
         snippet = varied(model, f"{component}/many-{number:05}", rng)
         files = {folder / f"{snippet.id}{ENDING}": as_text(snippet)}
         if component is Component.BEHAVIOR:
-            files[wordings_path(folder, snippet.id)] = wordings_text(worded(snippet, rng))
+            files[wordings_path(folder, snippet.id)] = wordings_text(worded(snippet))
         for path, text in files.items():
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
@@ -121,8 +123,8 @@ def measure(folder: str) -> dict[str, float]:
     first = time.process_time()
     later = [spent(lambda text=text: pipeline.understand(text, whole)) for text in LATER]
     scenarios = [scenario_of(text, settings) for text in LATER]
-    library, embedder = library_with(folder), load_embedder()
-    found = [spent(lambda one=one: retrieve(one, library, embedder, settings)) for one in scenarios]
+    library = library_with(folder)
+    found = [spent(lambda one=one: retrieve(one, library, settings)) for one in scenarios]
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1000
     return {
         "snippets": len(library),
@@ -134,7 +136,7 @@ def measure(folder: str) -> dict[str, float]:
     }
 
 
-def told(who: str, row: dict[str, float]) -> str:
+def row_told(who: str, row: dict[str, float]) -> str:
     """A row of the table."""
     return (
         f"{row['snippets']:>8} {who:>6} {row['load']:>8.2f} {row['first']:>9.2f} "
@@ -162,7 +164,7 @@ def main() -> None:
             for who in ("first", "later"):
                 command = [sys.executable, __file__, "--measure", str(folder) if size else ""]
                 said = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, env=kept)
-                print(told(who, json.loads(said.stdout)), flush=True)
+                print(row_told(who, json.loads(said.stdout)), flush=True)
 
 
 if __name__ == "__main__":

@@ -79,7 +79,7 @@ def test_the_kind_is_told_once(kind: UserKind, voice: Voice) -> None:
 
 def test_a_rider_rides_and_a_driver_drives() -> None:
     assert told(stops_ahead(kind="motorcycle", speed="40 km/h")).startswith("We ride a motorcycle. We ride at 40 km/h.")
-    assert told(stops_ahead(kind="bus", route="straight")).startswith("We drive a bus. We drive straight on.")
+    assert told(stops_ahead(kind="bus", route="straight")).startswith("We drive a bus. We drive straight ahead.")
     assert told(stops_ahead(kind="bus"), Voice.PROTOCOL).startswith("The subject vehicle (SV) is a bus.")
 
 

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import pytest
 
 from chatscene.errors import NothingFits, SettingsError
 from chatscene.interpret.known import once_known
+from chatscene.interpret.situation_of import in_a_situation
 from chatscene.read.learned.reader import LearnedReader
 from chatscene.report.filled import filled
 from chatscene.runs import RunRecord, asked_run, scenario_of, settings_of
 from chatscene.search.generator import load_generator
 from chatscene.search.generators.retrieved import Retrieved
-from chatscene.sentences.plain import told
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.situations.facts import with_fact
 from chatscene.situations.form import from_plain
@@ -24,7 +25,7 @@ from chatscene.terms.acts import Action
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.scenario import Maneuver, Position, Scenario, Side, Slots
 from chatscene.terms.situation import Situation
-from chatscene.terms.surroundings import Light
+from chatscene.terms.surroundings import Light, Surroundings
 from chatscene.terms.vocabulary import Act
 
 TEXT = "A cyclist crosses from the left while we turn right."
@@ -197,6 +198,5 @@ def test_a_run_keeps_the_choice_of_its_user_and_reads_the_same_by_it_again() -> 
 @pytest.mark.parametrize("action", Action)
 def test_every_act_can_be_told(action: Action) -> None:
     for kind in (AdversaryKind.CAR, AdversaryKind.BICYCLE, AdversaryKind.PEDESTRIAN):
-        sentence = told(Slots(adversary=kind, actions=(action,), position=Position.AHEAD))
-        assert "{" not in sentence
-        assert "[" not in sentence
+        slots = Slots(adversary=kind, actions=(action,), position=Position.AHEAD)
+        assert re.fullmatch(r"(?:[A-Z][^{}\[\]]+\.)+", told_of(in_a_situation(slots, (), Surroundings())))

@@ -30,7 +30,7 @@ road: {kind: motorway}
 others: [{id: A, kind: truck, starts: {where: ahead-beside, side: right},
    does: [{act: cut-in}, {act: brake, acceleration: 4 m/s²}]}]
 """: (
-        "We drive straight on at 50 km/h on a motorway. A truck is ahead of us in the next lane on our right. It "
+        "We drive straight ahead at 50 km/h on a motorway. A truck is ahead of us in the next lane on our right. It "
         "cuts in ahead of us, then brakes at 4 m/s²."
     ),
     """\
@@ -90,7 +90,7 @@ others: [{id: A, kind: motorcycle, starts: {where: arm, side: left, speed: at le
    does: [{act: go-straight, breaks: red-light}]}]
 contact: {striker: other, ego: left, other: front}
 """: (
-        "We drive straight on at 60 km/h at a four-way junction. There are traffic lights, and ours turns from "
+        "We drive straight ahead at 60 km/h at a four-way junction. There are traffic lights, and ours turns from "
         "red to green. A motorcyclist is on a side road of the junction on our left. The motorcyclist rides at 70 "
         "km/h or more, then goes straight on against a red light. The motorcyclist runs into our left side with "
         "the front."
@@ -222,8 +222,8 @@ def test_a_situation_reads_as_somebody_would_say_it(written: str) -> None:
 def test_a_protocol_speaks_of_a_subject_vehicle_and_of_targets() -> None:
     first, *_, later = list(GOLDEN)[:5]
     assert told(read_text(first), Voice.PROTOCOL) == (
-        "The subject vehicle (SV) drives straight on at 50 km/h on a motorway. Target A, a truck, is ahead of the SV "
-        "in the next lane on the SV's right. Target A cuts in ahead of the SV, then brakes at 4 m/s²."
+        "The subject vehicle (SV) drives straight ahead at 50 km/h on a motorway. Target A, a truck, is ahead of the "
+        "SV in the next lane on the SV's right. Target A cuts in ahead of the SV, then brakes at 4 m/s²."
     )
     assert "Target van, a van, is at the kerb on the SV's right, 20 m ahead." in told(read_text(later), Voice.PROTOCOL)
     lit = "road: {ego_light: red}"

@@ -18,6 +18,7 @@ from chatscene.studies.reading import (
     confusions,
     essential,
     flipped,
+    judge,
     load_sentences,
     measure,
     right,
@@ -134,6 +135,13 @@ def test_nothing_leaks_from_the_sentences_that_the_reader_learned_from(name: str
     held, learned = load_sentences(name), load_sentences("fitting")
     assert not {s.style for s in held if s.in_scope} & {s.style for s in learned if s.in_scope}
     assert not {s.behavior for s in held if s.in_scope} & {s.behavior for s in learned if s.in_scope}
+
+
+def test_a_text_that_is_not_english_is_refused_and_the_others_are_judged() -> None:
+    settings, german = RetrievalSettings(), "Ein Radfahrer kommt von rechts und nimmt uns die Vorfahrt."
+    refused = judge(Sentence(style="other", text=german, in_scope=False), settings, drive=False)
+    assert "English" in refused.refusal
+    assert refused.slots == Slots()
 
 
 def test_the_very_snippet_that_a_sentence_was_written_for_is_right() -> None:

@@ -8,10 +8,6 @@ import pickle
 import pytest
 
 from chatscene.program.deeds import ACTIONS
-from chatscene.read import lexicon
-from chatscene.sentences.grammar.deeds import DEEDS, phrases
-from chatscene.situations.inflection import Form, conjugated
-from chatscene.terms.actors import Manner
 from chatscene.terms.acts import TURNS, Action, reordered
 from listed import members
 from places import ROOT
@@ -27,10 +23,7 @@ ELSEWHERE = {
     "interpret/stated.py": "acts that another one may have in it",
     "library/plan_check.py": "acts that a plan shows before it is driven",
     "studies/facts.py": "acts that a reader may leave out or say otherwise without being wrong",
-    "sentences/grammar/deed_pairs.py": "phrases that say two acts at once",
-    "sentences/grammar/adversary_clause.py": "where two acts are one phrase",
 }
-READ = lexicon.ACTIONS | {Action.TURN_LEFT: lexicon.LEFT_TURN, Action.TURN_RIGHT: lexicon.RIGHT_TURN}
 
 every_act = pytest.mark.parametrize("action", Action)
 
@@ -56,12 +49,6 @@ def test_a_list_of_acts_is_recognised_as_one(source: str) -> None:
     assert not listed("f(Action.STOP, Action.FAST); x = [Action.STOP, Action.STOP]")
 
 
-def written(action: Action, manner: Manner) -> list[str]:
-    """The phrases of an act, of one on the road ahead of the ego."""
-    said = {"ego": "the ego", "egos": "the ego's", "its": "its", "it": "it", "from": "from the left"}
-    return [conjugated(p, Form.SINGULAR).format_map(said).lower() for p in phrases(DEEDS[action], manner)]
-
-
 @every_act
 def test_an_act_has_one_test_on_tracks(action: Action) -> None:
     tree = ast.parse((SOURCE / "program" / "deeds.py").read_text())
@@ -73,15 +60,6 @@ def test_an_act_has_one_test_on_tracks(action: Action) -> None:
         if getattr(key, "attr", "") == action.name
     ]
     assert callable(ACTIONS[action])
-
-
-@pytest.mark.parametrize("action", READ)
-@pytest.mark.parametrize("manner", Manner)
-def test_a_pattern_finds_an_act_in_words_that_it_is_written_with_and_not_in_others(
-    action: Action, manner: Manner
-) -> None:
-    assert any(READ[action].search(text) for text in written(action, manner))
-    assert not READ[action].search("the sun is out")
 
 
 @every_act

@@ -13,13 +13,12 @@ from chatscene.interpret.known import SURE, offered, taken
 from chatscene.interpret.readers import reader_of
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.interpret.stated import facts_stated, in_text, with_named
-from chatscene.read.canonical import canonical
 from chatscene.read.clauses import cut
 from chatscene.read.quotes import unread, words_of
 from chatscene.read.reader import in_one_line
 from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.terms.conclusions import concluded
-from chatscene.terms.frame import About, Frame, Note
+from chatscene.terms.frame import About, Clauses, Frame, Note
 from chatscene.terms.scenario import Measure, Scenario, Unused, Why
 from chatscene.terms.situation import Situation
 
@@ -38,7 +37,7 @@ def heard(text: str, settings: RetrievalSettings) -> Frame:
     """
     plain = in_one_line(text)
     read = reader_of(settings).read(plain)
-    frame = framed(plain)
+    frame = Frame(text=plain, clauses=Clauses(whole=plain))
     if read.reader != OFFLINE:
         frame = replace(frame, reader=read.reader, notes=(Note(about=About.READER, said=(read.reader,)),))
     named = facts_stated(settings.stated)
@@ -71,11 +70,6 @@ def scenario_of(text: str, settings: RetrievalSettings | None = None) -> Scenari
     return understand(heard(text, settings), settings)
 
 
-def framed(text: str) -> Frame:
-    """A text, sorted by whom it speaks of, of which nothing is known yet."""
-    return Frame(text=text, clauses=cut(canonical(text)))
-
-
 def said_by(frame: Frame, situation: Situation) -> Frame:
     """A frame with the facts of the situation that was read in its text; none where nobody meets the ego."""
     parties = parties_of(situation)
@@ -83,12 +77,14 @@ def said_by(frame: Frame, situation: Situation) -> Frame:
         return frame
     facts = facts_of(situation, parties)
     numbers = facts.quantities
+    words = words_of(situation, frame.text)
     return replace(
         frame,
+        clauses=cut(frame.text, words),
         outright=concluded(facts.slots),
         quantities=tuple(one for one in numbers if one.measure is not Measure.EGO_SPEED),
         ego_speed=next((one for one in numbers if one.measure is Measure.EGO_SPEED), None),
         surroundings=facts.surroundings,
         unused=tuple(Unused(said=words, why=Why.WORDS) for words in unread(situation, frame.text)),
-        words=words_of(situation, frame.text),
+        words=words,
     )

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from chatscene.models.encoders.embedding import Embedder
-from chatscene.read.canonical import canonical
 
 # Plain words for what is asked for most; the tests read every one of them and drive it.
 SERVED = (
@@ -34,5 +33,5 @@ SERVED = (
 
 def suggestion(text: str, embedder: Embedder) -> str:
     """The one of `SERVED` that is nearest to a text."""
-    rows = embedder.encode([canonical(one) for one in (text, *SERVED)])
+    rows = embedder.encode([text, *SERVED])
     return SERVED[int(np.argmax(rows[1:] @ rows[0]))]

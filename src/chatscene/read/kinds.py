@@ -10,7 +10,7 @@ from chatscene.terms.vocabulary import UserKind
 
 _PARTED = re.compile(r", not said.*|, (?:with|electric) .*| or |, |\|")
 _BEFORE = re.compile(r"^(?:somebody (?:on|in|who stands on) )?(?:(?:another|an?|the|with) )?")
-_BEHIND = re.compile(r" (?:of any|on|in|with) .*|:.*")
+_BEHIND = re.compile(r" (?:of any|on|in|with) .*")
 _ANYBODY = frozenset(("somebody", "person", "child", "boy", "man", "woman", "rider"))
 """What those are called who may be of several kinds."""
 

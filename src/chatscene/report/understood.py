@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 from chatscene import runs
 from chatscene.errors import EditRefused
+from chatscene.interpret.situation_of import in_a_situation
 from chatscene.report.terminal import understanding_text
 from chatscene.search.generator import load_generator
-from chatscene.sentences.plain import told
 from chatscene.settings import RetrievalSettings, Settings
+from chatscene.situations.words import told
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Retrieval
@@ -43,9 +44,8 @@ class Understood:
     def told(self) -> str:
         """All facts as they are decided, in plain sentences."""
         scenario, frame = self.scenario, self.scenario.frame
-        numbers = [one.said for one in frame.quantities] if frame is not None else []
-        besides = {"Light, weather and road": str(scenario.surroundings), "Numbers": ", ".join(numbers)}
-        return " ".join((told(scenario.slots), *(f"{name}: {said}." for name, said in besides.items() if said)))
+        numbers = frame.quantities if frame is not None else ()
+        return told(in_a_situation(scenario.slots, numbers, scenario.surroundings))
 
     def edit(self, text: str) -> Changed:  # noqa: ARG002 - as of what was made of a situation
         """Refuse an edit: only a situation can be edited.

@@ -17,24 +17,30 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits, SettingsError
-from chatscene.interpret.asked import heard, scenario_of
+from chatscene.interpret.asked import scenario_of
+from chatscene.interpret.readers import reader_of
+from chatscene.interpret.situation_of import in_a_situation
+from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.library.bind import does
 from chatscene.library.compatibility import Compatibility, agree, compatibility
 from chatscene.library.load import Library
 from chatscene.models.encoders.embedding import Embedder
-from chatscene.read import lexicon
-from chatscene.sentences.rendering import implied, render
+from chatscene.read.reader import in_one_line
 from chatscene.settings import RetrievalSettings
+from chatscene.situations.phrases import Voice
+from chatscene.situations.words import told
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.conclusions import base_of
-from chatscene.terms.description import Description, Diversity, Style
+from chatscene.terms.conclusions import base_of, concluded
+from chatscene.terms.description import Description, Diversity
 from chatscene.terms.scenario import BaseScenario, Maneuver, Place, Position, Slots, includes
+from chatscene.terms.situation import Situation
 from chatscene.terms.snippet import Snippet
+from chatscene.terms.surroundings import Surroundings
 
-TRIES = 4  # renderings of one triple before it is given up
+TRIES = 2  # tellings of one triple before it is given up
 GIVE_UP = 200  # triples in a row of which nothing could be said
-STYLES = (Style.PLAIN, Style.PLAIN, Style.PLAIN, Style.COLLOQUIAL, Style.REPORT, Style.PROTOCOL)
+VOICES = (Voice.PLAIN, Voice.PLAIN, Voice.PROTOCOL)
 ASIDES = ("lanes", "two_way", "distance")  # facts that a sentence need not be burdened with …
 BURDEN = 0.5  # … and the chance that it is
 # What it costs a triple that its behavior, geometry, spawn, kind or side was used before
@@ -43,8 +49,6 @@ NO_LUCK = 0.5  # of such a use, for a triple of which nothing could be said
 
 Rows = NDArray[np.int64]
 _KINDS = tuple(AdversaryKind)
-_GENERAL = re.compile(r"\b(?:vehicles?|drivers?|traffic)\b")
-_TOGETHER = re.compile(r"\b(?:groups?|two|three|several|couple|crowd|pair|together)\b")
 _VEHICLES = frozenset(kind for kind in AdversaryKind if kind.row.motorised)
 
 
@@ -117,52 +121,35 @@ class _Wanted:
 
 
 def _wanted(instruction: str) -> _Wanted:
-    """Read an instruction."""
+    """Read an instruction as a text: what it says of the adversary, the ego and the road.
+
+    Where somebody starts is not asked for, since a reader always sees somebody somewhere; nor is an act or a number of
+    road users that is said by the noun alone: "cyclists" means each of them, whatever they do.
+    """
     if not instruction.strip():
         return _Wanted()
-    lowered = instruction.lower()
-    kinds = _kinds(lowered)
     try:
-        told = heard(instruction if kinds else f"a road user {instruction}", RetrievalSettings()).outright
+        found = reader_of(RetrievalSettings()).read(in_one_line(instruction)).ranked
     except SettingsError as error:
         raise NothingFits(f"the instruction cannot be read: {error}") from error
-    straight = told.maneuver is Maneuver.STRAIGHT and "straight" not in lowered  # read into any place without a turn
-    slots = replace(
-        told,
-        adversary=None,
-        position=None,
-        place=_place(lowered) or told.place,
-        maneuver=None if straight else told.maneuver,
-        actions=tuple(action for action in told.actions if action is not Action.FOLLOW),
-        group=told.group if _TOGETHER.search(lowered) else None,  # "cyclists" means each of them
-    )
-    if not kinds and not slots.said():
+    read = found[0].situation if found else Situation()
+    if (parties := parties_of(read)) is None:
         raise NothingFits(
             f"nothing in the instruction {instruction!r} is known; name who (cyclists), where (junctions), "
             "from which side, or what they do (cut in)"
         )
-    return _Wanted(kinds=kinds, slots=slots)
-
-
-def _kinds(lowered: str) -> frozenset[AdversaryKind]:
-    """The kinds of road user that are named; a word that names one is not looked at for another."""
-    for pattern in lexicon.OCCLUDERS.values():
-        lowered = pattern.sub(" ", lowered)
-    found: set[AdversaryKind] = set()
-    for kind, named in lexicon.KINDS.items():
-        if named.search(lowered):
-            found.add(kind)
-            lowered = named.sub(_kept_if_general, lowered)
-    return _VEHICLES if found == {AdversaryKind.CAR} and _GENERAL.search(lowered) else frozenset(found)
-
-
-def _place(lowered: str) -> Place | None:
-    """The place that is named, which holds for all that is asked for; a reader takes it for that of one situation."""
-    return next((place for place, named in lexicon.PLACES.items() if named.search(lowered)), None)
-
-
-def _kept_if_general(match: re.Match[str]) -> str:
-    return match[0] if _GENERAL.fullmatch(match[0]) else " "
+    who, quoted = parties.adversary, read.evidence.quoted
+    noun = quoted.get(f"others.{who.id}.kind")
+    said = replace(
+        who,
+        count=1 if quoted.get(f"others.{who.id}.count") == noun else who.count,
+        does=tuple(deed for i, deed in enumerate(who.does) if quoted.get(f"others.{who.id}.does.{i}.act") != noun),
+    )
+    slots = facts_of(read, replace(parties, adversary=said)).slots
+    return _Wanted(
+        kinds=_VEHICLES if who.kind.row.general else frozenset((who.kind.row.body.heard_as,)),
+        slots=replace(slots, adversary=None, position=None, ego=None, site=None, others=()),
+    )
 
 
 def _does(wanted: object, does: object) -> bool:
@@ -253,8 +240,8 @@ def _having(joint: Compatibility, rows: Rows, has: Callable[[Snippet], bool]) ->
 
 
 def joined(triple: Sequence[Snippet], kind: AdversaryKind) -> Slots:
-    """Everything that a compatible triple does, as facts, with those that are said along with them."""
-    return implied(does(triple, kind))
+    """Everything that a compatible triple does, as facts, with what follows from them."""
+    return concluded(does(triple, kind))
 
 
 # The sentences
@@ -265,11 +252,9 @@ def _said(triple: tuple[Snippet, Snippet, Snippet], kind: AdversaryKind, rng: ra
     slots = joined(triple, kind)
     if (base := base_of(slots)) is None:
         return None
-    behavior = triple[0]
     for _ in range(TRIES):
         spoken = replace(slots, **{name: None for name in ASIDES if rng.random() >= BURDEN})
-        wordings = (behavior.description, *behavior.rephrasings)
-        text = render(spoken, wordings, kind, rng=rng, style=rng.choice(STYLES)).text
+        text = told(in_a_situation(spoken, (), Surroundings()), rng.choice(VOICES))
         heard = scenario_of(text, RetrievalSettings(reading=1))  # the likeliest, and no other is asked for
         if heard.base is base and misread(heard.slots, slots) is None:
             ids = (triple[0].id, triple[1].id, triple[2].id)

@@ -11,7 +11,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
-from chatscene.situations.inflection import Form as InForm
 from chatscene.situations.inflection import inflected
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.actors import one_of_class
@@ -101,7 +100,7 @@ class Way:
 
 
 ROUTES: Mapping[EgoRoute, Way] = {
-    EgoRoute.STRAIGHT: Way(does="{goes} straight on", paced=True),
+    EgoRoute.STRAIGHT: Way(does="{goes} straight ahead", paced=True),
     EgoRoute.LEFT_TURN: Way(does="[turn/turns/turning] left"),
     EgoRoute.RIGHT_TURN: Way(does="[turn/turns/turning] right"),
     EgoRoute.TURN: Way(does="[make/makes/making] a turn"),
@@ -411,7 +410,7 @@ _ACTS: Mapping[Act, Doing] = {
 def _as_named(act: Act) -> Doing:
     """An act as it is named, such as *flashes lights* of ``flash-lights``: a verb, and what follows it."""
     verb, *others = act.value.split("-")
-    forms = "/".join(inflected(verb, form) for form in (InForm.PLURAL, InForm.SINGULAR, InForm.ING))
+    forms = "/".join(inflected(verb))
     return Doing(does=" ".join((f"[{forms}]", *others, *(("{whom}",) if act.row.whom else ()))))
 
 

@@ -189,15 +189,17 @@ def flipped(said: Slots, found: Sequence[Snippet]) -> bool:
 def judge(sentence: Sentence, settings: RetrievalSettings, *, drive: bool) -> Judged:
     """Read a sentence, find its triple, and climb the ladder with its program as a run does."""
     generator = Retrieved()
-    scenario = generator.read(sentence.text, settings)
     ran, failures = None, None
+    scenario: Scenario | None = None
     try:
+        scenario = generator.read(sentence.text, settings)
         written = generator.write(scenario, settings)
         if drive and sentence.in_scope:
             written, ran, failures = _driven(sentence, scenario, written, settings)
     except (NothingFits, MeansSomethingElse) as refusal:
         nothing = dict.fromkeys(Component, False)
-        return Judged(sentence=sentence, refusal=str(refusal), slots=scenario.slots, first=nothing, among_three=nothing)
+        read = scenario.slots if scenario is not None else Slots()
+        return Judged(sentence=sentence, refusal=str(refusal), slots=read, first=nothing, among_three=nothing)
     retrieval = written.retrieval
     assert retrieval is not None  # whoever retrieves says so
     chosen = dict(zip(Component, retrieval.snippets, strict=True))

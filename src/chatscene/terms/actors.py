@@ -84,12 +84,7 @@ class RoadUser:
         manner: How it moves; those on foot or on two wheels are the vulnerable ones (Directive 2010/40/EU, article 4).
         height: [m]; nominal, and no drive depends on it.
         openscenario: Its category in OpenSCENARIO XML 1.2: of a vehicle, a pedestrian or a thing.
-        words: Regular expression of the words that name it; empty if they name the kind that it is like, from which
-            only a situation tells it (`AdversaryKind.heard_as`).
-        general: How general its words are: where those of two kinds overlap, the less general are heard.
-        nouns: What it is called, parted by `|` or lines; what comes up more often stands more often. After a colon
-            stands the pronoun, where it is not the kind's usual one.
-        painted: Whether it comes in any colour.
+        nouns: What it is called, parted by `|` or lines, the usual word first.
         motorised: Whether it is meant where a text speaks of vehicles in general.
         wheel: Diameter of its wheels [m]; nominal; 0 where formats ask for none.
         osi: Its type in `VehicleClassification` of the Open Simulation Interface 3, without `TYPE_`; empty of what is
@@ -97,6 +92,7 @@ class RoadUser:
         commonroad: Its type of dynamic obstacle in CommonRoad 2020a.
         role: What it is there for, in the words of both formats; empty of one for nothing in particular.
         like: The kind that it acts like, by name; empty where it acts like none but itself.
+        told_apart: Whether facts with names of their own tell it from the kind that it is like; a situation does.
         slow: Speed [m/s] below which a watcher calls it slow.
         fast: Speed [m/s] from which a watcher calls it fast.
         driven: Speed [m/s] at which it is driven at most, however fast the road is: lorries and buses outside towns by
@@ -111,16 +107,14 @@ class RoadUser:
     manner: Manner
     height: float
     openscenario: str
-    words: str
     nouns: str
-    general: int = 0
-    painted: bool = False
     motorised: bool = True
     wheel: float = 0.0
     osi: str = ""
     commonroad: str = "unknown"
     role: str = ""
     like: str = ""
+    told_apart: bool = True
     slow: float = 4.0
     fast: float = 11.0
     driven: float = math.inf
@@ -143,7 +137,7 @@ class RoadUser:
     @property
     def noun(self) -> str:
         """What one is called, without an article."""
-        return self.nouns.replace("\n", "|").strip(" |").partition("|")[0].partition(":")[0].strip()
+        return self.nouns.replace("\n", "|").strip(" |").partition("|")[0].strip()
 
 
 def fading(holds: float, throttle: float, drag: float = 0.2) -> float:
@@ -196,25 +190,10 @@ class AdversaryKind(StrEnum):
             openscenario="car",
             commonroad="car",
             osi="CAR",
-            words=(
-                r"station wagons?|(?:family|sports|small|rental|company|passenger|motor) cars?|cars?|vehicles?|sedans?|"
-                r"suvs?|taxis?|"
-                r"cabs?|vans?|hatchbacks?|drivers?|automobiles?|jeeps?|limousines?|traffic|motorists?|coup[eé]s?|"
-                r"hatchback|estate(?: car)?|minivans?|people carriers?|saloons?|crossovers?|convertible|"
-                r"pick-?ups?(?: trucks?)?|"
-                r"veh(?:icle)?|targets?|tesla|bmw|audi|golf|hatch|limos?|roadsters?|minicabs?|uber|4x4|corsa|prius|"
-                r"volvo|toyota|honda|fiat|micra|passat|skoda|renault|clio|peugeot|nissan|mazda|hyundai|kia|opel|"
-                r"vauxhall|mercedes|porsche|lexus|subaru|chevy|chevrolet|cadillac|camry|corolla|civic|fiesta|astra|"
-                r"polo|seat ibiza|citro[eë]n"
-            ),
             nouns="""
-                car | car | car | car | sedan | SUV | taxi | hatchback | estate car | cab
-                convertible
-                sports car | station wagon | vehicle | limousine | jeep | family car | small car
-                rental car
+                car | sedan | SUV | taxi | hatchback | estate car | cab | convertible | sports car | station wagon
+                vehicle | limousine | jeep | family car | small car | rental car
             """,
-            painted=True,
-            general=2,
         ),
     )
     TRUCK = (
@@ -244,19 +223,11 @@ class AdversaryKind(StrEnum):
             openscenario="truck",
             commonroad="truck",
             osi="HEAVY_TRUCK",
-            words=(
-                r"trucks?|lorry|lorries|semis?|(?:semi-?)?(?:tractor-)?trailers?|hgvs?|heavy goods vehicles?|(?:box|"
-                r"delivery|garbage|refuse|dump|flatbed|removal|semi) (?:truck|lorry|van)|tractors?|tipper|"
-                r"tanker|dumper|removal van|artics?|articulated|juggernauts?|camions?|(?:eighteen|18)[- ]wheelers?|"
-                r"big rigs?|cement mixer|car transporter|low[- ]?loader|flatbed|dustcart|prime mover"
-            ),
             nouns="""
-                truck | truck | lorry | HGV | semi-trailer truck | tractor-trailer | delivery truck | dump truck
-                box truck | articulated lorry | tipper truck | garbage truck | refuse lorry | heavy goods vehicle
+                truck | lorry | HGV | semi-trailer truck | tractor-trailer | delivery truck | dump truck | box truck
+                articulated lorry | tipper truck | garbage truck | refuse lorry | heavy goods vehicle
                 flatbed truck | tanker truck | removal lorry
             """,
-            painted=True,
-            general=1,
         ),
     )
     BUS = (
@@ -286,12 +257,10 @@ class AdversaryKind(StrEnum):
             openscenario="bus",
             commonroad="bus",
             osi="BUS",
-            words=(r"(?:mini|omni|trolley)?bus|buses|coach|coaches|motorcoach|double[- ]decker|shuttle"),
             nouns="""
-                bus | bus | bus | city bus | coach | school bus | double-decker bus | tour bus | articulated bus
-                shuttle bus | night bus | tourist coach | commuter bus
+                bus | city bus | coach | school bus | double-decker bus | tour bus | articulated bus | shuttle bus
+                night bus | tourist coach | commuter bus
             """,
-            painted=True,
         ),
     )
     MOTORCYCLE = (
@@ -319,16 +288,10 @@ class AdversaryKind(StrEnum):
             openscenario="motorbike",
             commonroad="motorcycle",
             osi="MOTORCYCLE",
-            words=(
-                r"motor(?: |-)?(?:cycl\w+|bikes?|bikers?|scooters?)|bikers?|mopeds?|scooters?|"
-                r"motorist on two wheels|vespa|mc|(?:dirt|trials?|trail|pit|sports?|super|touring|"
-                r"enduro)[- ]?bikes?|scramblers?|harley|ducati|kawasaki|yamaha"
-            ),
             nouns="""
-                motorcyclist | motorcyclist | motorcycle:it | motorcycle:it | motorbike:it | biker | moped:it
-                scooter:it
-                scooter rider | motor scooter:it | motorcycle courier | moped rider | rider on a motorbike
-                motorbike rider | man on a scooter:he | woman on a motorcycle:she
+                motorcyclist | motorcycle | motorbike | biker | moped | scooter | scooter rider | motor scooter
+                motorcycle courier | moped rider | rider on a motorbike | motorbike rider | man on a scooter
+                woman on a motorcycle
             """,
         ),
     )
@@ -357,19 +320,13 @@ class AdversaryKind(StrEnum):
             openscenario="bicycle",
             commonroad="bicycle",
             osi="BICYCLE",
-            words=(
-                r"(?:bi)?cycl(?:es?|ists?)|bicyclists?|(?:push|cargo)? ?bikes?|bike riders?|e-?bikes?|pedal cycl\w+|"
-                r"bmx(?:er)?|fixies?|pedelecs?|tandem|(?:push|racing|road|mountain|city|folding|delivery)[- ]?bikes?"
-            ),
             nouns="""
-                cyclist | cyclist | cyclist | bicycle:it | bicyclist | bike rider | e-bike rider | bike:it
-                cargo bike:it
-                boy on a bike:he | woman on a bicycle:she | bike courier | cycle courier | man on a bicycle:he
-                racing cyclist | young cyclist | child on a bike | e-bike:it | delivery cyclist
+                cyclist | bicycle | bicyclist | bike rider | e-bike rider | bike | cargo bike | boy on a bike
+                woman on a bicycle | bike courier | cycle courier | man on a bicycle | racing cyclist
+                young cyclist | child on a bike | e-bike | delivery cyclist
             """,
             fast=6.5,
             motorised=False,
-            general=1,
         ),
     )
     PEDESTRIAN = (
@@ -383,17 +340,9 @@ class AdversaryKind(StrEnum):
             height=1.7,
             openscenario="pedestrian",
             commonroad="pedestrian",
-            words=(
-                r"pedestrians?|(?:dog )?walkers?|tourists?(?! (?:bus|coach))|shoppers?|commuters?|teenagers?|"
-                r"pupils?|lady|gentleman|girl|boy|guy on foot|persons?|people|child|children|kids?|man|woman|men|"
-                r"women|boys?|girls?|joggers?|runners?|jaywalk\w*|toddlers?|students?|old lady|on foot|passers?-?by|"
-                r"school ?(?:kids?|children|boys?|girls?)|pensioners?|teen\w*|worker|police officer|(?:elderly|"
-                r"old) (?:person|lady|gentleman)|somebody on foot|peds?"
-            ),
             nouns="""
-                pedestrian | pedestrian | pedestrian | man:he | woman:she | jogger
-                runner | old man:he | elderly woman:she | young man:he | teenager | student | walker | passer-by
-                person | tourist | old lady:she | man with a suitcase:he | woman with a pram:she
+                pedestrian | man | woman | jogger | runner | old man | elderly woman | young man | teenager
+                student | walker | passer-by | person | tourist | old lady | man with a suitcase | woman with a pram
                 person on foot | dog walker
             """,
             slow=1.45,
@@ -425,14 +374,8 @@ class AdversaryKind(StrEnum):
             commonroad="priorityVehicle",
             osi="VAN",
             role="ambulance",
-            words=(
-                r"ambulances?|fire (?:engines?|trucks?|brigade|appliances?)|(?:police|squad) (?:cars?|vehicles?|"
-                r"cruisers?|vans?|units?|suvs?)|patrol cars?|paramedics?|cop cars?|fire tenders?|medic units?|"
-                r"response (?:cars?|units?)|ems|(?:emergency|rescue) (?:vehicles?|cars?|services?)"
-            ),
             nouns="""
-                ambulance | ambulance | police car | fire engine | fire truck | patrol car | squad car
-                emergency vehicle
+                ambulance | police car | fire engine | fire truck | patrol car | squad car | emergency vehicle
                 rescue vehicle | police van | ambulance on an emergency call | police car with its siren on
                 fire engine with flashing lights | emergency ambulance
             """,
@@ -470,16 +413,10 @@ class AdversaryKind(StrEnum):
             openscenario="bicycle",
             commonroad="bicycle",
             osi="STANDUP_SCOOTER",
-            words=(
-                r"(?:[a-z]+ (?:on|riding) (?:an?|his|her|their) )?"
-                r"(?:e-?scooters?|(?:electric|stand-?up|kick|push|hire|rental)[- ]?(?:e-)?scooters?)(?: riders?)?|"
-                r"e-?scooterists?"
-            ),
             nouns="""
-                e-scooter:it | e-scooter rider | electric scooter:it | man on an e-scooter:he
-                woman on an e-scooter:she | rental e-scooter:it
+                e-scooter | e-scooter rider | electric scooter | man on an e-scooter | woman on an e-scooter
+                rental e-scooter
             """,
-            general=-1,
             motorised=False,
             slow=3.0,
             fast=5.0,
@@ -498,16 +435,10 @@ class AdversaryKind(StrEnum):
             openscenario="wheelchair",
             commonroad="pedestrian",
             osi="WHEELCHAIR",
-            words=(
-                r"(?:(?:elderly |old |young )?[a-z]+ (?:in|using|on) (?:an?|his|her|their|the) "
-                r"(?:electric |power |manual |powered )?)?"
-                r"(?:wheel-?chairs?(?: users?)?|mobility scooters?(?: users?)?)"
-            ),
             nouns="""
-                wheelchair user | wheelchair user | wheelchair:it | person in a wheelchair | man in a wheelchair:he
-                woman in a wheelchair:she | electric wheelchair:it
+                wheelchair user | wheelchair | person in a wheelchair | man in a wheelchair | woman in a wheelchair
+                electric wheelchair
             """,
-            general=-1,
             motorised=False,
             slow=0.9,
             fast=2.0,
@@ -524,12 +455,7 @@ class AdversaryKind(StrEnum):
             manner=Manner.WALKS,
             height=0.6,
             openscenario="animal",
-            words=(
-                r"(?<!my )(?<!our )(?<!his )(?<!her )(?<!toy )dogs?(?! (?:walkers?|food))|"
-                r"pupp(?:y|ies)|hounds?|labradors?|retrievers?|terriers?"
-            ),
-            nouns="dog:it | dog:it | puppy:it | stray dog:it | big dog:it | hound:it | small dog:it",
-            general=-1,
+            nouns="dog | puppy | stray dog | big dog | hound | small dog",
             motorised=False,
             slow=1.5,
             fast=5.0,
@@ -546,9 +472,7 @@ class AdversaryKind(StrEnum):
             manner=Manner.WALKS,
             height=0.9,
             openscenario="animal",
-            words=r"(?:roe )?deer|stags?(?! part)|fawns?",
-            nouns="deer:it | deer:it | roe deer:it | stag:it | fawn:it | young deer:it | frightened deer:it",
-            general=-1,
+            nouns="deer | roe deer | stag | fawn | young deer | frightened deer",
             motorised=False,
             slow=1.5,
             fast=6.0,
@@ -567,6 +491,7 @@ class AdversaryKind(StrEnum):
         RoadUser(
             scenic="Van",
             like="car",
+            told_apart=False,
             blueprint="vehicle.mercedes.sprinter",
             mass=2800.0,
             limits=Limits(
@@ -586,9 +511,7 @@ class AdversaryKind(StrEnum):
             openscenario="van",
             commonroad="car",
             osi="VAN",
-            words="",
-            nouns="van | van | delivery van | minivan | panel van | transporter | camper van | parcel van",
-            painted=True,
+            nouns="van | delivery van | minivan | panel van | transporter | camper van | parcel van",
         ),
     )
     CHILD = (
@@ -596,6 +519,7 @@ class AdversaryKind(StrEnum):
         RoadUser(
             scenic="Child",
             like="pedestrian",
+            told_apart=False,
             blueprint="walker.pedestrian.0012",
             mass=25.0,
             limits=Limits(length=0.4, width=0.4, throttle=4.0, brake=5.0, top_speed=6.0),
@@ -603,10 +527,8 @@ class AdversaryKind(StrEnum):
             height=1.154,
             openscenario="pedestrian",
             commonroad="pedestrian",
-            words="",
             nouns="""
-                child | child | kid | boy:he | girl:she | schoolchild | little girl:she | schoolboy:he | toddler
-                little boy:he | schoolgirl:she
+                child | kid | boy | girl | schoolchild | little girl | schoolboy | toddler | little boy | schoolgirl
             """,
             slow=1.3,
             fast=2.5,
@@ -619,6 +541,7 @@ class AdversaryKind(StrEnum):
             scenic="Tractor",
             driven=30 / 3.6,
             like="truck",
+            told_apart=False,
             blueprint="vehicle.carlamotors.carlacola",
             mass=6500.0,
             limits=Limits(
@@ -641,9 +564,7 @@ class AdversaryKind(StrEnum):
             openscenario="truck",
             commonroad="truck",
             osi="HEAVY_TRUCK",
-            words="",
-            nouns="tractor | tractor | farm tractor | harvester | combine harvester | farmer's tractor | old tractor",
-            painted=True,
+            nouns="tractor | farm tractor | harvester | combine harvester | farmer's tractor | old tractor",
             fast=9.0,
         ),
     )
@@ -653,6 +574,7 @@ class AdversaryKind(StrEnum):
             scenic="Tram",
             driven=50 / 3.6,
             like="bus",
+            told_apart=False,
             blueprint="vehicle.mitsubishi.fusorosa",
             mass=20000.0,
             limits=Limits(
@@ -675,9 +597,7 @@ class AdversaryKind(StrEnum):
             openscenario="tram",
             commonroad="train",
             osi="TRAM",
-            words="",
-            nouns="tram | tram | streetcar | tramcar | city tram | light-rail vehicle | light-rail tram",
-            painted=True,
+            nouns="tram | streetcar | tramcar | city tram | light-rail vehicle | light-rail tram",
         ),
     )
 
@@ -693,11 +613,7 @@ class AdversaryKind(StrEnum):
             manner=Manner.LIES,
             height=0.65,
             openscenario="obstacle",
-            words=(
-                r"(?:(?:cardboard|wooden|moving|packing) )?(?:box(?:es)?|crates?|cartons?|parcels?)"
-                r"(?! (?:junctions?|trucks?|lorry|lorries|vans?|couriers?))|objects?"
-            ),
-            nouns="box:it | box:it | crate:it | cardboard box:it | carton:it | wooden crate:it | parcel:it",
+            nouns="box | crate | cardboard box | carton | wooden crate | parcel",
             motorised=False,
         ),
     )
@@ -712,8 +628,7 @@ class AdversaryKind(StrEnum):
             manner=Manner.LIES,
             height=0.75,
             openscenario="obstacle",
-            words=r"(?:(?:traffic|road|roadworks?|construction|warning) )?(?:cones?|pylons?)",
-            nouns="cone:it | traffic cone:it | pylon:it | road cone:it | warning cone:it | construction cone:it",
+            nouns="cone | traffic cone | pylon | road cone | warning cone | construction cone",
             motorised=False,
         ),
     )
@@ -728,11 +643,7 @@ class AdversaryKind(StrEnum):
             manner=Manner.LIES,
             height=0.5,
             openscenario="obstacle",
-            words=(
-                r"debris|rubble|wreckage|(?:fallen|lost|dropped) (?:load|cargo|goods)|(?:fallen )?(?:branch(?:es)?|"
-                r"planks?|pallets?|ladders?|mattress(?:es)?)"
-            ),
-            nouns="debris:it | fallen load:it | lost cargo:it | rubble:it | lost load:it | wreckage:it",
+            nouns="debris | fallen load | lost cargo | rubble | lost load | wreckage",
             motorised=False,
         ),
     )
@@ -744,13 +655,13 @@ class AdversaryKind(StrEnum):
 
     @property
     def heard_as(self) -> AdversaryKind:
-        """The kind that its words name where no situation is read: itself, or, without words, that which it is like."""
-        return self if self.row.words else self.acts_as
+        """The kind that a fact with a name of its own has for it: itself, or that which it is like."""
+        return self if self.row.told_apart else self.acts_as
 
     @property
     def noun(self) -> str:
         """What it is called first of all."""
-        return self.row.nouns.split("|")[0].strip().partition(":")[0]
+        return self.row.noun
 
     @property
     def is_vulnerable(self) -> bool:

@@ -6,33 +6,9 @@ Paper: section 3.3, step i.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
 
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scenario import BaseScenario, Slots
-
-
-class Style(StrEnum):
-    """How a sentence is told."""
-
-    PLAIN = "plain"  # present tense, the ego named
-    REPORT = "report"  # as in the report of a crash, in the past
-    TELEGRAM = "telegram"  # no articles
-    PROTOCOL = "protocol"  # as in the protocol of a test
-    COLLOQUIAL = "colloquial"  # "we", "us"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Rendered:
-    """Facts said in English.
-
-    Attributes:
-        text: One sentence or a few.
-        said: The facts it says; others were left out.
-    """
-
-    text: str
-    said: Slots
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

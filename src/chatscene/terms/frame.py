@@ -19,7 +19,7 @@ class Clauses:
     """A text, sorted by whom it speaks of.
 
     Attributes:
-        whole: All of it, without what the ego then has to do.
+        whole: All of it.
         ego: What is said of the ego.
         adversary: What is said of the adversary.
     """
@@ -91,7 +91,7 @@ class Frame:
 
     Attributes:
         text: The text as it was written, printable and with single spaces.
-        clauses: The text in its canonical form, sorted by whom it speaks of.
+        clauses: The text, sorted by whom it speaks of.
         outright: The facts.
         quantities: The numbers that can be set.
         ego_speed: How fast the ego drives, which no snippet says and a situation does.

@@ -14,11 +14,11 @@ from chatscene.library.load import library_with
 from chatscene.maps.network import map_with
 from chatscene.program.assemble import assemble
 from chatscene.program.orders import ORDERS
-from chatscene.read.canonical import canonical
 from chatscene.read.reader import in_one_line
 from chatscene.search.generator import Choice, Written
 from chatscene.search.generators.exploring import Exploring
 from chatscene.settings import PAPER, PAPER_READER, RetrievalSettings
+from chatscene.terms.frame import Clauses, Frame
 from chatscene.terms.scenario import BaseScenario, Quantity, Scenario, Site, Slots
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
@@ -35,17 +35,18 @@ class Retrieved(Exploring):
 
     def read(self, text: str, settings: RetrievalSettings) -> Scenario:
         """Step 2: any sentence; one of the benchmark says what is listed of it, whatever it reads like."""
-        from chatscene.interpret.asked import framed, scenario_of  # no sentence is read for a replayed scene
+        from chatscene.interpret.asked import scenario_of  # no sentence is read for a replayed scene
         from chatscene.interpret.decide import understood
 
-        listed = None if settings.stated or settings.reading else _listed().get(canonical(text))
+        listed = None if settings.stated or settings.reading else _listed().get(_key(text))
         if listed is None:
             return scenario_of(text, settings)
-        frame = framed(in_one_line(text))
-        if listed.told and settings.reader != PAPER_READER:
-            frame = replace(frame, clauses=replace(frame.clauses, adversary=listed.told))
-        frame = replace(frame, outright=listed.slots, quantities=listed.numbers, sure=1.0)
-        scenario = understood(frame)
+        told = settings.reader != PAPER_READER and listed.told
+        clauses = Clauses(whole=text, ego=listed.ego, adversary=told or listed.adversary)
+        plain = in_one_line(text)
+        scenario = understood(
+            Frame(text=plain, clauses=clauses, outright=listed.slots, quantities=listed.numbers, sure=1.0)
+        )
         return replace(scenario, base=listed.base)
 
     def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:
@@ -98,24 +99,33 @@ class _Listed:
         base: Its base scenario.
         slots: What it says.
         numbers: The numbers that it says.
+        ego: What it says of the ego, in its own words.
+        adversary: What it says of the adversary, in its own words.
         told: What its adversary does, in the words of the library; empty where its own words find it.
     """
 
     base: BaseScenario
     slots: Slots
+    ego: str
+    adversary: str
     numbers: tuple[Quantity, ...] = ()
     told: str = ""
 
 
+def _key(text: str) -> str:
+    """A text without what carries nothing: case, white space, what ends it."""
+    return in_one_line(text).casefold().rstrip(" .!?")
+
+
 @cache
 def _listed() -> dict[str, _Listed]:
-    """The sentences of the benchmark by their canonical texts."""
+    """The sentences of the benchmark, by `_key`."""
     from pydantic import TypeAdapter
 
     packaged = files("chatscene.search.generators").joinpath("benchmark_facts.json").read_text(encoding="utf-8")
     facts, listed = json.loads(packaged), TypeAdapter(_Listed)
     return {
-        canonical(text): listed.validate_python({"base": base, **facts[text]})
+        _key(text): listed.validate_python({"base": base, **facts[text]})
         for base, texts in _benchmark_texts().items()
         for text in texts
     }
