@@ -25,7 +25,7 @@ import click
 from as_said import drawn_as_said
 
 from chatscene.build.asked import Meets
-from chatscene.build.build import Built, build
+from chatscene.build.build import Built
 from chatscene.build.deeds import Steps, steps_for
 from chatscene.build.possible import impossible
 from chatscene.build.starts import STARTS
@@ -35,6 +35,7 @@ from chatscene.errors import DoesNotCompile, MapError, NotBuilt
 from chatscene.maps.network import resolve_map
 from chatscene.program.judge import failures, judge
 from chatscene.program.sample import draw
+from chatscene.search.rehearsal import rehearsed
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.situations.check import faults_of
@@ -136,7 +137,7 @@ def outcome(situation: Situation, drives: int, ego: str) -> tuple[str, list[str]
     if cannot := [one.said for one in impossible(situation)]:
         return "impossible", cannot, []
     try:
-        made = build(situation)
+        made = rehearsed(situation)
     except NotBuilt as refusal:
         return "refused", [str(refusal)], []
     shown, seen, reasons, times = 0, 0, list[str](), list[str]()

@@ -35,11 +35,12 @@ from as_said import drawn_as_said, recorded
 from building import drive, simulator
 from gallery import SITUATIONS
 
-from chatscene.build.build import Built, build
+from chatscene.build.build import Built
 from chatscene.build.possible import impossible
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt, NothingFits
 from chatscene.program.deeds import STANDING
 from chatscene.report.filled import read_in
+from chatscene.search.rehearsal import rehearsed
 from chatscene.settings import RetrievalSettings, VerifySettings
 from chatscene.situations.check import faults_of
 from chatscene.situations.file import to_yaml
@@ -226,7 +227,7 @@ def truths(seed: int, count: int) -> Iterator[Truth]:
             if any(True for _ in faults_of(situation)) or any(True for _ in impossible(situation)):
                 continue
             try:
-                built = build(situation)
+                built = rehearsed(situation)
             except NotBuilt:
                 continue
             if built.left_out:

@@ -87,7 +87,7 @@ HEAVY = (
 )  # fmt: skip
 TEXT = "A cyclist rides out from the left and stops in front of us."
 READS = f"from chatscene.read.learned.reader import LearnedReader; LearnedReader().read({TEXT!r})"
-EXPLAINS = f"import chatscene; chatscene.explain({TEXT!r}).as_dict()"
+EXPLAINS = f"import chatscene; str(chatscene.explain({TEXT!r}))"
 
 
 def loaded_by(code: str) -> set[str]:

@@ -11,6 +11,7 @@ import pytest
 import shapely
 
 from chatscene.maps.car_parks import car_parks
+from chatscene.maps.crossings import CrossingPath
 from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.lane_runs import lane_runs
 from chatscene.maps.layout import JunctionKind, junction_kinds, motorway_groups, ramp_ways, roundabouts
@@ -202,6 +203,32 @@ def test_who_enters_the_inner_lane_meets_who_goes_round_in_either() -> None:
     query = RouteQuery(maneuver=Maneuver.STRAIGHT, site=Site.ROUNDABOUT, lanes_same_way=2, lane=2)
     for route in find_routes(NETWORK, "region", query):
         assert [way.from_side for way in ring_ways(NETWORK, route)].count("round") == 2
+
+
+def test_who_enters_a_roundabout_and_goes_straight_on_leaves_it_opposite() -> None:
+    query = RouteQuery(maneuver=Maneuver.STRAIGHT, site=Site.ROUNDABOUT)
+    ways = [way for route in find_routes(NETWORK, "region", query) for way in ring_ways(NETWORK, route)]
+    straight = [way for way in ways if way.turn is Maneuver.STRAIGHT and way.from_side != "round"]
+    assert {way.from_side for way in straight} >= {"left", "right"}
+    for way in straight:
+        x, y = way.line.point_at(way.meets_at)
+        middle = min((_middle(ring) for ring in roundabouts(NETWORK)), key=lambda one: math.dist(one, (x, y)))
+        came, leaves = (
+            math.atan2(point[1] - middle[1], point[0] - middle[0])
+            for point in (way.line.point_at(way.entry), _left_ring(way, middle))
+        )
+        assert abs(math.cos(leaves - came) + 1.0) < 0.4, (way.from_side, came, leaves)
+
+
+def _left_ring(way: CrossingPath, middle: tuple[float, float]) -> tuple[float, float]:
+    """Where a way is as far from the middle of the ring for the last time as where it enters that."""
+    far = math.dist(way.line.point_at(way.entry), middle)
+    return [point for point in way.line.points if math.dist(point, middle) <= far][-1]
+
+
+def _middle(ring: Any) -> tuple[float, float]:
+    points = [NETWORK.elements[uid].centerline.points[0] for uid in ring.lanes]
+    return sum(point[0] for point in points) / len(points), sum(point[1] for point in points) / len(points)
 
 
 @pytest.mark.parametrize(

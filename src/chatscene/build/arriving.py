@@ -18,7 +18,7 @@ from chatscene.maps.crossings import MEETING, CrossingPath, conflicting_paths, p
 from chatscene.maps.ring_ways import ROUND
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Side, Where
+from chatscene.terms.vocabulary import Act, Heads, Side, Where, acts_of
 from chatscene.world.control import curve_speeds
 from chatscene.world.places import lastLane, ringTraffic, trafficFrom, wayOf
 
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 EARLIEST, LATEST = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
 FAR_OFF = 1.4, 1.8  # of the ego's speed: who comes so fast is so far off that who waits before it hides it
 AT_LINE = 1.0, 3.0  # [m] before the junction, from nose to line, that somebody stands who waits there
+THROUGH = acts_of(Heads.THROUGH)
 _HALF_TURN = 14.0  # [m] of turning round
 _ROUNDS = 6  # in which a way back is found
 
@@ -82,6 +83,12 @@ def roundabout(asked: Asked) -> Stand:
     """In the ego's roundabout, or on its way into that."""
     arms = ring_arms(asked.one, asked.found.sides)
     found = ringTraffic(asked.found.route, *arms)
+    circles = found.from_side != ROUND and found.turn is not Maneuver.STRAIGHT
+    if circles and any(deed.act in THROUGH for deed in asked.one.does):
+        raise NotBuilt(
+            f"others.{asked.one.id}: who comes from there and goes straight on has left the roundabout before it meets"
+            f" the ego; say {Act.GO_ALONG}, by which it goes round"
+        )
     way = f"ringTraffic(egoRoute, {', '.join(repr(arm) for arm in arms)})"
     waits = (
         f"meet{{i}} - $Y{asked.less}" if found.from_side == ROUND else f"maximum(2, way{{i}}.entry - $Y{asked.less})"

@@ -61,12 +61,14 @@ class Built:
         map: The map that it was built for.
         assumed: What was not said and had to be something, in words.
         left_out: Facts that it lacks, as ``path: value``.
+        bound: The names of its parameters that are numbers that were said.
     """
 
     program: ScenicProgram
     map: str
     assumed: tuple[str, ...] = ()
     left_out: tuple[str, ...] = ()
+    bound: frozenset[str] = frozenset()
 
 
 def build(situation: Situation, *, name: str = "situation") -> Built:
@@ -183,7 +185,14 @@ def _built(situation: Situation, said: Situation, usual: float, name: str) -> Bu
         )
     )
     program = ScenicProgram(scenario_id=name, source=source, parameters=tuple(numbers), snippet_ids=())
-    return Built(program=program, map=found.map, left_out=ledger.close(), assumed=tuple(ledger.assumed))
+    said_ones = (actor.numbers.called(name) for actor, _ in everybody for name in actor.numbers.bound)
+    return Built(
+        program=program,
+        map=found.map,
+        left_out=ledger.close(),
+        assumed=tuple(ledger.assumed),
+        bound=frozenset(said_ones),
+    )
 
 
 def _check_road(situation: Situation, actors: Sequence[Actor]) -> None:

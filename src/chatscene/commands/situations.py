@@ -41,7 +41,7 @@ def say_understood(understood: Stated | Understood, *, program: bool) -> None:
         return
     say(str(understood))
     if program:
-        say(understood.built.program.source)
+        say(understood.program.source)
 
 
 @click.command()

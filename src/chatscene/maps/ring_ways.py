@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -19,6 +20,8 @@ from chatscene.terms.scenario import Maneuver
 ROUND = "round"
 """From where somebody comes who goes round in the roundabout already."""
 _ENTERS = 10.0  # [m] before the ego is in the ring, where others may meet it
+_STEP = 1.0  # [m] between the points of a way that is compared with the ego's
+_OPPOSITE = math.radians(45)  # from right opposite an entry, up to which an exit is that by which one goes straight on
 _LAP = 0.3  # of the ring, behind which it leads back to the ego's entry
 
 
@@ -32,7 +35,9 @@ def ring_ways(network: Any, route: Route) -> tuple[CrossingPath, ...]:
 
     Returns:
         By where they come from: ``round``, who is in the ring when it begins and comes to the ego's entry; then who
-        enters from the arms to the ``left``, ``right`` and ``oncoming``, as the ego sees them from its entry.
+        enters from the arms to the ``left``, ``right`` and ``oncoming``, as the ego sees them from its entry. Who
+        enters goes straight on: it leaves by the exit opposite its entry. Where it would be out before it meets the
+        ego, it goes round, and its turn is to the left.
     """
     ring, into = _entered(network, route)
     if ring is None:
@@ -54,10 +59,20 @@ def ring_ways(network: Any, route: Route) -> tuple[CrossingPath, ...]:
         if entry.startLane.group is into.startLane.group:
             continue
         before = lane_runs(network)[entry.startLane.uid].line
-        line = Polyline.join(before, centre_line(entry.connectingLane), _line(network, ring.track(entry.endLane.uid)))
         side = from_side_of(before.heading_at(before.length - 1.0) - route.line.heading_at(route.event_at - 1.0))
-        if side is not None:
-            found.append(_met(line, before.length, side, route, inside, before.length))
+        if side is None:
+            continue
+        comes = Polyline.join(before, centre_line(entry.connectingLane))
+        laps = _line(network, ring.track(entry.endLane.uid))
+        circles = _met(Polyline.join(comes, laps), before.length, side, route, inside, before.length)
+        if circles is None:
+            continue
+        out = _out(network, ring, entry)
+        leaves = (
+            None if out is None else _met(Polyline.join(comes, out), before.length, side, route, inside, before.length)
+        )
+        straight = leaves is not None and abs(leaves.meets_at - circles.meets_at) <= _STEP
+        found.append(leaves if straight else replace(circles, turn=Maneuver.LEFT_TURN))
     order = (ROUND, "left", "right", "oncoming")
     return tuple(sorted((one for one in found if one is not None), key=lambda one: order.index(one.from_side)))
 
@@ -110,6 +125,30 @@ def _level(network: Any, track: tuple[str, ...], into: Any) -> str:
     return min(track, key=lambda uid: math.dist(network.elements[uid].centerline.points[0][:2], (x, y)))
 
 
+def _out(network: Any, ring: Ring, entry: Any) -> Polyline | None:
+    """The line of who gets into a ring by a manoeuvre, from there on, and leaves it by the exit opposite, if it can."""
+    track = ring.track(entry.endLane.uid)
+    lanes = [network.elements[uid] for uid in track]
+    middle = np.mean([lane.centerline.points[0][:2] for lane in lanes], axis=0)
+
+    def angle(point: Any) -> float:
+        x, y = point[:2] - middle
+        return math.atan2(y, x)
+
+    begins, on = angle(entry.startLane.centerline.points[-1]), set(ring.lanes)
+    exits = [
+        (abs(math.remainder(angle(maneuver.endLane.centerline.points[0]) - begins - math.pi, math.tau)), k, maneuver)
+        for k, lane in enumerate(lanes)
+        for maneuver in lane.maneuvers
+        if maneuver.endLane.uid not in on
+    ]
+    off, k, out = min(exits, key=lambda one: one[:2], default=(math.inf, 0, None))
+    if out is None or off > _OPPOSITE:
+        return None
+    leads = lane_runs(network)[out.endLane.uid].line
+    return Polyline.join(_line(network, track[: k + 1]), centre_line(out.connectingLane), leads)
+
+
 def _line(network: Any, lanes: tuple[str, ...]) -> Polyline:
     """The line of lanes that follow one another."""
     return Polyline.join(*(centre_line(network.elements[uid]) for uid in lanes))
@@ -117,7 +156,7 @@ def _line(network: Any, lanes: tuple[str, ...]) -> Polyline:
 
 def _met(line: Polyline, entry: float, side: str, route: Route, inside: float, after: float) -> CrossingPath | None:
     """A way as far as it meets the ego's, which is in the ring from `inside` [m] on; nothing before `after` [m]."""
-    line = line.resampled(1.0)
+    line = line.resampled(_STEP)
     own_from = max(int(inside - _ENTERS), 0)
     own_to = int(inside + 1.0) if side == ROUND else len(route.line.points)
     other, own = line.points[int(after) :], route.line.points[own_from:own_to]

@@ -342,15 +342,17 @@ class _Judge:
                 yield from (once for once in TO_SOMEBODY[act](self._beside(one, whom)) if self._counts(once, seen))
             return
         stands = act is Said.STAND and k > 0
-        sees = partial(standing, since=latest) if stands else enters if meets else self._watcher(one.does[k])
+        sees = partial(standing, since=latest) if stands else enters if meets else self._watcher(one, one.does[k])
         for body in self._lets_go(one, k) if act in LETS_GO else (seen,):
             for once in sees(body):
                 if self._counts(once, body):
                     yield since(once, latest, body, stands=stands) if stands or act in COMES_IN else once
 
-    def _watcher(self, deed: Deed) -> Callable[[Seen], Iterable[Act]]:
+    def _watcher(self, one: Other, deed: Deed) -> Callable[[Seen], Iterable[Act]]:
         """What sees a deed, as it was said and on such a road."""
         act = deed.act
+        if act is Said.GO_STRAIGHT and one.starts.where is Where.IN_ROUNDABOUT:
+            return ACTS[Said.GO_ALONG]  # who goes on there turns with it
         if act is Said.BRAKE and gently(deed):
             return ACTS[Said.SLOW_DOWN]
         if act is Said.ACCELERATE and deed.speed is not None and not deed.speed.than_ego:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -32,6 +33,13 @@ Editor = Callable[[Situation, str], tuple["Edited", Built]]
 """Who applies an edit in words to a situation, and what is built of that."""
 
 
+@lru_cache(maxsize=8)
+def _rehearsed(built: Built, situation: Situation) -> ScenicProgram:
+    from chatscene.search.rehearsal import as_rehearsed  # who asks for no program drives nothing
+
+    return as_rehearsed(built, situation).program
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Stated:
     """A situation and its program, before anything is run.
@@ -57,8 +65,8 @@ class Stated:
 
     @property
     def program(self) -> ScenicProgram:
-        """Its program."""
-        return self.built.program
+        """Its program, as a run has it."""
+        return _rehearsed(self.built, self.situation)
 
     @property
     def generator(self) -> str:
@@ -112,7 +120,7 @@ class Stated:
             "not_read": list(left_over(self.situation)),
             "words": self._words(),
             "reader": self.reader,
-            "program": self.built.program.source,
+            "program": self.program.source,
         }
 
     @property

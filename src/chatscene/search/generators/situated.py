@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 
-from chatscene.build.build import NOBODY, Built, build
+from chatscene.build.build import NOBODY, Built
 from chatscene.build.place import PACKAGED
 from chatscene.errors import NotBuilt
 from chatscene.interpret.scenario_names import scenario_id
@@ -14,6 +14,7 @@ from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.read.quotes import not_in_words
 from chatscene.search.generator import Choice, Written
 from chatscene.search.generators.exploring import Exploring
+from chatscene.search.rehearsal import rehearsed
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.situations.file import read_text
 from chatscene.terms.conclusions import base_of, concluded
@@ -83,4 +84,4 @@ def on_any_map(situation: Situation) -> Situation:
 
 @lru_cache(maxsize=8)
 def _built(text: str, name: str) -> Built:
-    return build(read_text(text), name=name)
+    return rehearsed(read_text(text), name=name)

@@ -1,0 +1,118 @@
+"""A program is driven before it is run: what drives do not show as it was said is shifted, and nothing else."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from chatscene.build.build import Built, build
+from chatscene.report.stated import explain_stated
+from chatscene.search.generators.situated import Situated
+from chatscene.search.rehearsal import as_rehearsed, declared, rehearsed, with_range
+from chatscene.settings import RetrievalSettings
+from chatscene.situations.file import to_yaml
+from chatscene.situations.form import from_plain
+from chatscene.terms.situation import Situation
+from chatscene.terms.snippet import ParameterRange
+
+
+def said(kind: str, where: str, *acts: str, ego: dict[str, Any] | None = None, **start: str) -> Situation:
+    one = {"id": "A", "kind": kind, "starts": {"where": where, **start}, "does": [{"act": act} for act in acts]}
+    return from_plain({"others": [one], "ego": ego or {}})
+
+
+DOOR = from_plain(
+    {
+        "ego": {"speed": "14 mph"},
+        "others": [
+            {
+                "id": "A",
+                "kind": "car",
+                "starts": {"where": "kerb", "side": "right"},
+                "does": [{"act": "stand"}, {"act": "open-door", "to": "left"}],
+            }
+        ],
+        "contact": {"ego": "right-front", "striker": "ego"},
+    }
+)
+"""A door that opens too late for an ego that sees it, by rule."""
+
+
+def ranges(built: Built) -> dict[str, ParameterRange]:
+    return {one.name: one for one in built.program.parameters}
+
+
+@pytest.mark.parametrize(
+    "shown", [said("car", "ahead", "brake"), said("pedestrian", "roadside", "cross", side="right")]
+)
+def test_a_program_whose_drives_show_what_was_said_stays_as_it_is(shown: Situation) -> None:
+    built = build(shown)
+    assert as_rehearsed(built, shown) is built
+
+
+def test_who_comes_too_late_comes_sooner_and_is_told_so() -> None:
+    built, shifted = build(DOOR), rehearsed(DOOR)
+    before, after = ranges(built)["OPT_A_OFFSET"], ranges(shifted)["OPT_A_OFFSET"]
+    assert after.low > before.low
+    assert after.high - after.low == pytest.approx(before.high - before.low)
+    assert [one for one in shifted.assumed if one not in built.assumed] == [
+        f"OPT_A_OFFSET is {after.low:g} to {after.high:g} s, not {before.low:g} to {before.high:g} s, since drives"
+        " show what was said only then"
+    ]
+
+
+def test_a_shifted_program_says_its_ranges_in_its_text() -> None:
+    for one in rehearsed(DOOR).program.parameters:
+        assert declared(one) in rehearsed(DOOR).program.source
+
+
+def test_a_range_of_a_program_is_another_in_its_text_as_well() -> None:
+    program = build(DOOR).program
+    one = program.parameters[0]
+    again = with_range(program, ParameterRange(name=one.name, low=one.low + 1, high=one.high + 1, unit=one.unit))
+    assert again.source != program.source
+    back = ParameterRange(name=one.name, low=one.low, high=one.high, unit=one.unit, meaning=one.meaning)
+    assert with_range(again, back).source == program.source
+
+
+def test_numbers_that_were_said_are_bound() -> None:
+    walks = from_plain(
+        {
+            "others": [
+                {
+                    "id": "A",
+                    "kind": "pedestrian",
+                    "starts": {"where": "roadside", "side": "right", "distance": "20 to 30 m"},
+                    "does": [{"act": "cross", "speed": "4 to 6 km/h"}],
+                }
+            ]
+        }
+    )
+    assert {"OPT_A_SPEED", "OPT_A_Y"} <= build(walks).bound
+
+
+def test_a_program_is_the_same_whoever_asks_for_it() -> None:
+    written = Situated().read(to_yaml(DOOR), RetrievalSettings())
+    runs = Situated().write(written, RetrievalSettings()).program
+    assert explain_stated(DOOR).program.source == runs.source
+    assert Situated().write_again(written, None, RetrievalSettings()).source == runs.source
+
+
+def test_what_no_shift_helps_stays_as_it_was_built() -> None:
+    cannot = from_plain(
+        {
+            "others": [
+                {
+                    "id": "A",
+                    "kind": "car",
+                    "starts": {"where": "ahead"},
+                    "does": [{"act": "stand"}],
+                    "count": 1,
+                }
+            ],
+            "contact": {"happens": True, "ego": "rear"},
+        }
+    )
+    built = build(cannot)
+    assert as_rehearsed(built, cannot) is built
