@@ -13,6 +13,7 @@ from chatscene.errors import SnippetError
 from chatscene.library.beside import AND, placed_again
 from chatscene.library.compose import COMPOSED, composed_again
 from chatscene.library.snippet_file import ADVERSARY_CLASS, ENDING, read_snippets
+from chatscene.parsing import parse_string
 from chatscene.terms.scenario import Component
 from chatscene.terms.snippet import Snippet
 
@@ -163,10 +164,9 @@ def names_of(source: str, known: Collection[str]) -> CodeNames:
         SnippetError: It is not Scenic.
     """
     from scenic.core.errors import ScenicError
-    from scenic.syntax.parser import parse_string
 
     try:
-        tree = parse_string(source, "exec")
+        tree = parse_string(source)
     except ScenicError as error:
         raise SnippetError(f"line {getattr(error, 'lineno', '?')}: {error}") from error
     except Exception as error:  # a parser that loses its way in a faulty text may raise anything

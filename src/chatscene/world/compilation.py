@@ -30,6 +30,7 @@ from scenic.syntax import translator, veneer
 from chatscene.errors import ChatSceneError, DoesNotCompile
 from chatscene.files.caches import cache_folder, keep, keep_latest, only_mine
 from chatscene.maps.network import install_network_memo
+from chatscene.parsing import quicken
 from chatscene.terms.pointing import fault, place_in, pointed
 from chatscene.terms.scene import OWN_MODEL
 from chatscene.world import searched
@@ -135,6 +136,7 @@ def _parsed(source: str, filename: str) -> Any:
     parse is most of what is left of a compilation. Where a line that looks like one stands within a statement, the
     pieces do not parse, and the whole is.
     """
+    quicken()
     first, *parts = source.split("\n## ")
     try:
         pieces = [_part(first + "\n"), *(_part(f"## {part}\n") for part in parts)] if parts else []

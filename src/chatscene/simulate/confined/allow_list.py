@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterable, Iterator
 from functools import lru_cache
 from typing import Any
 
+from chatscene.parsing import parse_string
 from chatscene.simulate.confined.asked_map import map_of
 from chatscene.simulate.confined.plain_text import REPORTED, TRUST, Refusal, check_text
 from chatscene.simulate.confined.rules import (
@@ -98,10 +99,8 @@ def refused(called: str, refusals: tuple[Refusal, ...], source: str, *, own: boo
 @lru_cache(maxsize=64)  # of one program every simulator of a run asks anew
 def parse_foreign(source: str) -> Any | Refusal:
     """Scenic's syntax tree of a text, which is not to be changed, or why it has none."""
-    from scenic.syntax.parser import parse_string
-
     try:
-        return parse_string(source, "exec")
+        return parse_string(source)
     except Exception as error:  # noqa: BLE001 - a parser that loses its way in a faulty text may raise anything
         return not_scenic(source, error)
 
