@@ -77,6 +77,12 @@ def test_an_ego_that_is_to_overtake_somebody_faster_is_refused() -> None:
         build(others(ahead, ego={"route": "overtake", "speed": "50 km/h"}))
 
 
+def test_who_passes_an_ego_that_waits_may_be_slower_than_the_road() -> None:
+    cyclist = car("A", "behind-beside", deed("overtake"), kind="bicycle", side="right")
+    episode = driven(others(cyclist, ego={"does": [deed("stand")]}))
+    assert _lead(episode)[0] < 0.0 < _lead(episode)[-1]
+
+
 def test_several_in_a_row_keep_apart() -> None:
     said = others(car("A", "ahead", deed("stop")), car("B", "behind", deed("tailgate")) | {"count": 3})
     episode = driven(said)

@@ -183,7 +183,8 @@ def speed_of_traffic(situation: Situation) -> float:
 def speed_of(situation: Situation, name: str, ego: float) -> float:
     """The most [m/s] at which somebody goes on, by what was said of it or by how it stands to the ego."""
     if name == EGO:
-        return ego
+        waits = situation.ego.does and all(deed.act is Act.STAND for deed in situation.ego.does)
+        return 0.0 if waits else ego
     one = situation[name]
     if (said := said_speed(one, ego)) is not None:
         return said
