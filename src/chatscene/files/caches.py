@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 from contextlib import suppress
 from pathlib import Path
@@ -10,6 +11,8 @@ from typing import Literal
 from platformdirs import user_cache_path
 
 from chatscene.files.atomic import write_whole
+
+_SEAL = 16  # [bytes]
 
 Kind = Literal["code", "engines", "maps", "programs", "replies", "vectors", "weights", "words"]
 
@@ -36,6 +39,25 @@ def keep(path: Path, content: bytes) -> None:
     """Write a whole file of a cache for this user alone, or none: a read-only or full disk must not stop a run."""
     with suppress(OSError):
         write_whole(path, content, mode=0o600)
+
+
+def sealed(content: bytes) -> bytes:
+    """Content behind its digest, by which one sees that it is not as it was written."""
+    return hashlib.blake2b(content, digest_size=_SEAL).digest() + content
+
+
+def unsealed(whole: bytes) -> bytes | None:
+    """What was sealed; None where it is damaged, or never was."""
+    content = whole[_SEAL:]
+    return content if hashlib.blake2b(content, digest_size=_SEAL).digest() == whole[:_SEAL] else None
+
+
+def kept(path: Path) -> bytes | None:
+    """The content of a sealed file of a cache; None where there is none, or it is damaged."""
+    try:
+        return unsealed(path.read_bytes())
+    except OSError:
+        return None
 
 
 def keep_latest(folder: Path, most: int, ending: str = "") -> None:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import hashlib
-from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 
 from chatscene.errors import MapError
-from chatscene.files.caches import cache_folder, keep, keep_latest, only_mine
+from chatscene.files.caches import cache_folder, keep, keep_latest, kept, only_mine, sealed
 from chatscene.maps.network import MapContent, load_network, map_digest
 from chatscene.maps.roads import Roads
 from chatscene.maps.roads_file import made_by, read, written
@@ -35,15 +34,12 @@ def kept_roads(content: MapContent) -> Roads:
     digest, path = content.digest, content.path
     folder = only_mine(cache_folder("maps") / digest)
     named = f"{hashlib.blake2b(made_by(), digest_size=12).hexdigest()}{ENDING}"
-    with suppress(OSError):
-        if folder is not None and (roads := read((folder / named).read_bytes())) is not None:
-            return roads
+    if folder is not None and (found := kept(folder / named)) is not None:
+        return read(found)
     made = written(load_network(path))
     if map_digest(path) != digest:
         raise MapError(f"map {path.name!r} was changed while it was read; start again ({path})")
     if folder is not None:
-        keep(folder / named, made)
+        keep(folder / named, sealed(made))
         keep_latest(folder, VERSIONS, ENDING)
-    roads = read(made)
-    assert roads is not None
-    return roads
+    return read(made)

@@ -28,7 +28,7 @@ from scenic.core.specifiers import PropertyDefault
 from scenic.syntax import translator, veneer
 
 from chatscene.errors import ChatSceneError, DoesNotCompile
-from chatscene.files.caches import cache_folder, keep, keep_latest, only_mine
+from chatscene.files.caches import cache_folder, keep, keep_latest, kept, only_mine, sealed
 from chatscene.maps.network import install_network_memo
 from chatscene.parsing import quicken
 from chatscene.terms.pointing import fault, place_in, pointed
@@ -37,7 +37,6 @@ from chatscene.world import searched
 from chatscene.world.models import STANDS_IN
 
 _LIBRARY = (Path(str(scenic.__file__)).parent, Path(__file__).parents[1])
-_SEAL = 16  # bytes; `marshal` may break the interpreter with what is damaged
 PROGRAMS = 256  # whose code is kept between processes, some 20 kB each
 
 keeping = True
@@ -83,19 +82,14 @@ def _kept(source: str, filename: str, kind: Literal["code", "programs"] = "code"
     """`_translate` for a text whose code is kept between processes: that of the library, and programs."""
     if not keeping or (folder := only_mine(cache_folder(kind))) is None:
         return _translate(source, filename)
-    named = hashlib.blake2b(repr((source, str(filename))).encode() + _translator(), digest_size=_SEAL)
+    named = hashlib.blake2b(repr((source, str(filename))).encode() + _translator(), digest_size=16)
     path = folder / named.hexdigest()
-    try:
-        seal, content = (whole := path.read_bytes())[:_SEAL], whole[_SEAL:]
-    except OSError:
-        seal, content = b"", b""
-    if seal == hashlib.blake2b(content, digest_size=_SEAL).digest():
+    if (content := kept(path)) is not None:  # `marshal` may break the interpreter with what is damaged
         code, digest = marshal.loads(content)
         return code, [], digest
     code, requirements, digest = _translate(source, filename)
     if isinstance(code, CodeType) and not requirements:  # these are trees, which `marshal` does not know
-        content = marshal.dumps((code, digest))
-        keep(path, hashlib.blake2b(content, digest_size=_SEAL).digest() + content)
+        keep(path, sealed(marshal.dumps((code, digest))))
         if kind == "programs":
             keep_latest(folder, PROGRAMS)
     return code, requirements, digest

@@ -35,6 +35,14 @@ def test_it_is_unpacked_once(monkeypatch: pytest.MonkeyPatch) -> None:
     assert _told(_read()) == _told(first) == _told(load())
 
 
+def test_what_another_version_unpacked_is_not_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    first = _read()
+    (other := tmp_path / "weights.py").write_text("# of another version")
+    monkeypatch.setattr(weights, "__file__", str(other))
+    assert _told(_read()) == _told(first)
+    assert len(list(cache_folder("weights").iterdir())) == 2
+
+
 def test_what_is_damaged_is_unpacked_anew() -> None:
     first = _read()
     (kept,) = cache_folder("weights").iterdir()

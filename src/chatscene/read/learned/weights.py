@@ -16,12 +16,11 @@ import numpy as np
 
 from chatscene.errors import SnippetError
 from chatscene.files.bounded import check_archive
-from chatscene.files.caches import cache_folder, keep, keep_latest, only_mine
+from chatscene.files.caches import cache_folder, keep, keep_latest, kept, only_mine, sealed
 from chatscene.read.learned.grammar import Place, Token
 
 NAME = "reader.npz"
 PACKAGED = Path(__file__).parent / NAME
-_SEAL = 16  # bytes
 _FILES = 4  # that are kept unpacked
 
 
@@ -74,7 +73,7 @@ def load(path: Path = PACKAGED) -> Weights:
     """
     try:
         check_archive(path)
-        arrays = _kept(path.read_bytes())
+        arrays = _unpacked(path.read_bytes())
         ends = np.cumsum(arrays["lengths"]).tolist()
         changes = arrays["changes"].tobytes()
         places = zip(arrays["at"].tolist(), [0, *ends[:-1]], ends, strict=False)
@@ -94,22 +93,19 @@ def load(path: Path = PACKAGED) -> Weights:
         ) from error
 
 
-def _kept(content: bytes) -> dict[str, Any]:
+def _unpacked(content: bytes) -> dict[str, Any]:
     """The arrays of a file, unpacked: those that were kept of it, if they are whole."""
     folder = only_mine(cache_folder("weights"))
-    file = None if folder is None else folder / hashlib.blake2b(content, digest_size=_SEAL).hexdigest()
-    try:
-        whole = b"" if file is None else file.read_bytes()
-    except OSError:
-        whole = b""
-    if whole[:_SEAL] == hashlib.blake2b(body := whole[_SEAL:], digest_size=_SEAL).digest():
-        return _arrays(body)
+    made_by = Path(__file__).read_bytes()  # what unpacks it, so that no other version takes it for its own
+    file = None if folder is None else folder / hashlib.blake2b(content + made_by, digest_size=16).hexdigest()
+    if file is not None and (whole := kept(file)) is not None:
+        return _arrays(whole)
     arrays = _arrays(content)
     most = int(arrays["lengths"].sum())
     arrays["changes"] = np.frombuffer(zlib.decompressobj().decompress(arrays["changes"].tobytes(), most), np.uint8)
     if file is not None and folder is not None:
         np.savez(sink := io.BytesIO(), **arrays)
-        keep(file, hashlib.blake2b(sink.getvalue(), digest_size=_SEAL).digest() + sink.getvalue())
+        keep(file, sealed(sink.getvalue()))
         keep_latest(folder, _FILES)
     return arrays
 
