@@ -13,8 +13,10 @@ from chatscene.program.sample import scene_at
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.native.binding import Bound, bind
 from chatscene.simulate.native.simulator import NativeSession, NativeSimulator
+from chatscene.simulate.placing import Placement
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import drive, load_simulator, simulate
+from chatscene.simulate.stepped import SteppedSimulator
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
@@ -144,6 +146,45 @@ def test_a_clock_runs_only_where_the_engine_does_not_drive_by_itself(native: Nat
     assert native.alone(program, last, other, through_collisions=False) is None
     assert isinstance(native.alone(program, last, known, through_collisions=False), NativeSession)
     assert native.bounded(program, last, known)
+
+
+@pytest.fixture
+def made(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The scenes that are made of others, in order."""
+    again, scenes = SteppedSimulator.again, list[str]()
+
+    def noted(self: SteppedSimulator, session: SteppedSession, placement: Placement, scene: Scene) -> Rejected | bool:
+        scenes.append(scene.id)
+        return again(self, session, placement, scene)
+
+    monkeypatch.setattr(SteppedSimulator, "again", noted)
+    return scenes
+
+
+def test_a_scene_that_a_second_ego_drives_is_made_once(native: NativeSimulator, made: list[str]) -> None:
+    program = _program(DOES["a name of the plan"])
+    *_, last = _scenes(program)
+    for scene in _scenes(program):
+        ours = [simulate(native, program, scene, load_ego(ego)) for ego in ("sac", "td3")]
+        assert all(isinstance(one, Episode) for one in ours)
+    assert made.count(last.id) == 1
+
+
+def test_a_scene_that_cannot_be_made_of_another_is_tried_once(
+    native: NativeSimulator, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    program, tried = _program(DOES["a name of the plan"]), list[str]()
+    *first, last = _scenes(program)
+    for scene in first:
+        _opened(native, program, scene)
+
+    def fails(_self: SteppedSimulator, _session: SteppedSession, _placement: Placement, scene: Scene) -> bool:
+        tried.append(scene.id)
+        return False
+
+    monkeypatch.setattr(SteppedSimulator, "again", fails)
+    assert isinstance(simulate(native, program, last, load_ego("idm")), Episode)
+    assert tried == [last.id]
 
 
 def test_what_the_ego_sees_at_first_is_of_its_own_scene(native: NativeSimulator) -> None:

@@ -204,6 +204,7 @@ class _Again:
         # its own, as the simulator keeps those of some programs only
         self._simulator, self._placement, self._bound, self._program = simulator, placement, bound, program
         self._is: Scene | None = scene
+        self._apart: Scene | None = None  # what it was last asked for and cannot make
 
     def be(self, scene: Scene) -> None:
         """Have everybody begin where they do in a scene of the program that it was once."""
@@ -225,17 +226,18 @@ class _Again:
 
     def scene(self, scene: Scene) -> Bound | Rejected | None:
         """A scene of the program at its beginning, as arrays; None where it has to be placed by itself."""
-        if (placement := self._simulator.differs_in(self._program, scene)) is None:
+        if scene is self._apart:
             return None
-        there = self._begin(scene)
+        placement = self._simulator.differs_in(self._program, scene)
+        there = placement is not None and self._begin(scene)
         if isinstance(there, Rejected):
             return there
-        if not there or self.session.ending is not None:
-            return None
-        with suppress(NotCovered):
-            return self._bound.again(self.session, placement.moved)
-        with suppress(NotCovered):  # its lines or its phases are other ones
-            return bind(self.session, self._program)
+        if placement is not None and there and self.session.ending is None:
+            with suppress(NotCovered):
+                return self._bound.again(self.session, placement.moved)
+            with suppress(NotCovered):  # its lines or its phases are other ones
+                return bind(self.session, self._program)
+        self._apart = scene
         return None
 
 
@@ -295,9 +297,8 @@ class NativeSimulator:
         """Start a session: Scenic places the scene, the engine steps it if it can, and the episode says why if not."""
         senses: _Senses = {"observation": observation, "pedals": pedals, "through_collisions": through_collisions}
         key = _key_of(program, scene, senses)
-        if key in self._placed:
-            self._placed.move_to_end(key)
-            return self._session(pedals, *self._placed[key])
+        if (found := self._known(key, program, scene, senses)) is not None:
+            return found
         if self._engine is not None and (found := self._unscenic(key, program, scene, senses)) is not None:
             return found
         opened = self._embedded.open(program, scene, **senses)
@@ -318,11 +319,11 @@ class NativeSimulator:
     def alone(
         self, program: ScenicProgram, scene: Scene, ego: EgoPolicy, *, through_collisions: bool
     ) -> Session | Rejected | None:
-        """A scene that is made of another one of its program, of an ego that the engine drives; None if it is not."""
+        """A scene that nobody has to place (`_known`), of an ego that the engine drives; None if it is no such one."""
         senses = _Senses(observation=observation_of(ego), pedals=pedals_of(ego), through_collisions=through_collisions)
         if self._engine is None or policy_of(ego, self._engine) is None:
             return None
-        return self._made_again(_key_of(program, scene, senses), program, scene, senses)
+        return self._known(_key_of(program, scene, senses), program, scene, senses)
 
     def bounded(self, program: ScenicProgram, scene: Scene, ego: EgoPolicy) -> bool:
         """Whether a scene is there as arrays, and the engine drives it by itself with such an ego."""
@@ -330,9 +331,13 @@ class NativeSimulator:
         there = _key_of(program, scene, senses) in self._placed
         return there and self._engine is not None and policy_of(ego, self._engine) is not None
 
-    def _made_again(
+    def _known(
         self, key: tuple[object, ...], program: ScenicProgram, scene: Scene, senses: _Senses
     ) -> Session | Rejected | None:
+        """A scene that is kept, or made of another one of its program; None if it is neither."""
+        if key in self._placed:
+            self._placed.move_to_end(key)
+            return self._session(senses["pedals"], *self._placed[key])
         if (again := self._again.get(_like(program, scene, senses))) is None:
             return None
         found = again.scene(scene)
@@ -343,9 +348,7 @@ class NativeSimulator:
     def _unscenic(
         self, key: tuple[object, ...], program: ScenicProgram, scene: Scene, senses: _Senses
     ) -> Session | Rejected | None:
-        """A scene that is made of another one of its program, or placed as that was; None where Scenic has to."""
-        if (found := self._made_again(key, program, scene, senses)) is not None:
-            return found
+        """A scene that is placed as another one of its program was; None where Scenic has to."""
         placed = self._embedded.place(program, scene, **senses)
         if placed is None or isinstance(placed, Rejected):
             return placed
