@@ -29,7 +29,7 @@ from chatscene.terms.episode import Episode, Track
 from chatscene.terms.scene import AS_WRITTEN, OWN_MODEL, Rejected
 from chatscene.view.looking import listed
 from played import DISTANCE, STATE, TIME, speed
-from red_team.scenario_files import AT, alone, event, scenario
+from red_team.scenario_files import AT, alone, event, scenario, variants
 
 LANE = '<LateralAction><LaneChangeAction><LaneChangeActionDynamics dynamicsShape="{}" dynamicsDimension="{}" value="{}"/><LaneChangeTarget><RelativeTargetLane entityRef="{}" value="{}"/></LaneChangeTarget></LaneChangeAction></LateralAction>'
 OF_EGO = ('entityRef="lead"/></Actors>', 'entityRef="ego"/></Actors>')
@@ -242,6 +242,24 @@ def test_what_only_plans_say_is_told_as_the_reason(beside: Path, monkeypatch: py
     (beside / "theirs.xosc").write_text(at_five(scenario(events=event(speed(9, 2.0), TIME.format(1)))))
     with pytest.raises(ScenarioError, match=r"as it is written:\n  .*a story has none of it; leave out --as-written"):
         chatscene.story(beside / "theirs.xosc", as_written=True)
+
+
+def test_each_variant_has_its_own_reason_not_to_be_driven_as_written(beside: Path) -> None:
+    declared = '<ParameterDeclaration name="shape" parameterType="string" value="linear"/></ParameterDeclarations>'
+    text = of_ego(speed(15, 2.0, "$shape")).replace("</ParameterDeclarations>", declared)
+    (beside / "theirs.xosc").write_text(text)
+    values = (
+        '<Deterministic><DeterministicSingleParameterDistribution parameterName="shape"><DistributionSet>'
+        '<Element value="round"/><Element value="linear"/><Element value="square"/>'
+        "</DistributionSet></DeterministicSingleParameterDistribution></Deterministic>"
+    )
+    story = chatscene.verify(variants(beside, values), "The car ahead stands.", as_written=True, draws=3)
+    told = {number: note for note in story.notes for number in (1, 3) if f"variant {number} of" in note}
+    assert [one.variant for one in story.draws] == [2]
+    for number, its, other in ((1, "round", "square"), (3, "square", "round")):
+        assert "cannot be driven as it is written" in told[number]
+        assert its in told[number]
+        assert other not in told[number]
 
 
 def test_one_ego_drives(beside: Path) -> None:

@@ -38,7 +38,7 @@ from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.storyboard import Storyboard
 from played import DISTANCE, STATE, TIME, driven, read, speed, story
-from red_team.scenario_files import CAR, NEAR, SLOWS, alone, event, scenario
+from red_team.scenario_files import CAR, NEAR, SLOWS, alone, event, scenario, variants
 
 # Parameters and expressions
 
@@ -224,14 +224,6 @@ def test_whatever_cannot_be_read_is_refused_by_its_line(text: str, why: str, bes
 # Variants
 
 
-def variants(folder: Path, inner: str) -> Path:
-    (folder / "theirs.xosc").write_text(scenario())
-    path = folder / "values.xosc"
-    told = f'<ParameterValueDistribution><ScenarioFile filepath="theirs.xosc"/>{inner}</ParameterValueDistribution>'
-    path.write_text(f"<OpenSCENARIO>{told}</OpenSCENARIO>")
-    return path
-
-
 STEPS = '<Deterministic><DeterministicSingleParameterDistribution parameterName="near"><DistributionRange stepWidth="{}"><Range lowerLimit="10" upperLimit="30"/></DistributionRange></DeterministicSingleParameterDistribution></Deterministic>'
 
 
@@ -409,7 +401,7 @@ def test_what_is_told_of_variants_is_told_of_those_that_were_driven(
     assert [one.variant for one in verdict.draws] == [1, 1, 3]
     assert "judged, with how many drives, of 3 variants: 1 (2), 3 (1)" in verdict.notes
     assert [note for note in verdict.notes if note.startswith("NOT judged: variant 2")]
-    assert verdict.dead == ("the program fails, or does not come to its end, in 1 of 4 drives",)
+    assert verdict.dead == ("the program fails, or does not come to its end, in 3 of 6 drives",)
 
 
 def test_a_few_of_many_variants_are_spread_over_all(beside: Path) -> None:

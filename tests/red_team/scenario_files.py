@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 CAR = '<Vehicle name="v" vehicleCategory="car"><BoundingBox><Center x="1.4" y="0" z="0.7"/><Dimensions width="2" length="4.5" height="1.5"/></BoundingBox></Vehicle>'
 WALKER = '<Pedestrian name="p" pedestrianCategory="pedestrian"><BoundingBox><Center x="0" y="0" z="0.9"/><Dimensions width="0.6" length="0.6" height="1.8"/></BoundingBox></Pedestrian>'
 SLOWS = '<LongitudinalAction><SpeedAction><SpeedActionDynamics dynamicsShape="linear" dynamicsDimension="rate" value="4"/><SpeedActionTarget><AbsoluteTargetSpeed value="0"/></SpeedActionTarget></SpeedAction></LongitudinalAction>'
@@ -46,6 +48,16 @@ def scenario(
 <StartTrigger><ConditionGroup><Condition name="b" delay="0" conditionEdge="none"><ByValueCondition><SimulationTimeCondition value="0" rule="greaterThan"/></ByValueCondition></Condition></ConditionGroup></StartTrigger></Act></Story>
 <StopTrigger/></Storyboard></OpenSCENARIO>
 """
+
+
+def variants(folder: Path, inner: str) -> Path:
+    """A file of parameter values for the scenario in a folder, which is `scenario` where there is none."""
+    if not (theirs := folder / "theirs.xosc").exists():
+        theirs.write_text(scenario())
+    path = folder / "values.xosc"
+    told = f'<ParameterValueDistribution><ScenarioFile filepath="theirs.xosc"/>{inner}</ParameterValueDistribution>'
+    path.write_text(f"<OpenSCENARIO>{told}</OpenSCENARIO>")
+    return path
 
 
 ATTACKS = {

@@ -125,7 +125,7 @@ def test_what_was_kept_and_is_damaged_is_told(imported: Path, tmp_path: Path) ->
     [
         (StuckBehavior("it does not come to its end"), True),
         (ProgramError("its code fails"), True),
-        (ProgramStopped("it used up its memory"), False),
+        (ProgramStopped("it used up its memory"), True),
         (DoesNotCompile("it is no Scenic"), False),
     ],
 )

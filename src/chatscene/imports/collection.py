@@ -6,9 +6,9 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from chatscene.errors import MapError, RunError
 from chatscene.maps.carla_towns import is_town
@@ -41,9 +41,23 @@ class FileRecord(_Frozen):
     maps: list[str] = []
     refused: str = ""
 
+    @model_validator(mode="after")
+    def _each_on_its_map(self) -> FileRecord:
+        if len(self.programs) != len(self.maps):
+            raise ValueError(f"{self.file} became {len(self.programs)} programs on {len(self.maps)} maps")
+        return self
+
 
 class _Record(_Frozen):
-    schema_version: int = 1
+    """The record, as its file has it.
+
+    Attributes:
+        schema_version: What the fields mean; a record without it is of the first version.
+        files: What each file became, in the order of their paths.
+        map_digests: The digest of each map, by the name that the files' records give it.
+    """
+
+    schema_version: Literal[1] = 1
     files: list[FileRecord]
     map_digests: dict[str, str] = {}
 
@@ -88,7 +102,7 @@ def write_record(folder: Path, files: Sequence[FileRecord], maps: Sequence[Path]
     Args:
         folder: The folder.
         files: What each file became.
-        maps: Their maps.
+        maps: The files of the maps of all programs.
 
     Raises:
         RunError: It cannot be written.
@@ -118,7 +132,7 @@ def read_collection(folder: Path) -> Collection:
     maps = {name: _map_at(folder, name, record) for one in record.files for name in one.maps}
     found = list[CollectedProgram]()
     for one in record.files:
-        for name, map_name in zip(one.programs, one.maps, strict=False):
+        for name, map_name in zip(one.programs, one.maps, strict=True):
             path = folder / name
             if not path.resolve().is_relative_to(folder.resolve()) or not path.is_file():
                 raise RunError(f"{where} names the program {name!r}, which is not in {folder}; import the folder anew")
@@ -134,8 +148,10 @@ def _record(folder: Path) -> _Record:
     try:
         return _Record.model_validate(read_json(where))
     except ValidationError as error:
+        first = error.errors()[0]
+        at = ".".join(map(str, first["loc"]))
         raise RunError(
-            f"{where} is no record of an import: {error.errors()[0]['msg']}; import the folder anew"
+            f"{where} is no record of an import that this version reads: {at}: {first['msg']}; import the folder anew"
         ) from error
 
 
@@ -156,7 +172,7 @@ def map_beside(program: Path) -> str | None:
         except RunError:
             continue
         for one in record.files:
-            for name, map_name in zip(one.programs, one.maps, strict=False):
+            for name, map_name in zip(one.programs, one.maps, strict=True):
                 if folder / name == path:
                     return name_of(_map_at(folder, map_name, record))
     return None

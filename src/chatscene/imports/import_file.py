@@ -35,7 +35,7 @@ class ImportedScenario:
         variants: The number of the variant of each of them; none where the file is one scenario.
         count: How many variants the file has.
         refused: Why variants that were asked for became no program, one message each.
-        only_plans: Of each program, what keeps it from being driven as its file is written, though it can be said.
+        not_as_written: Of each program, what keeps its own ego from driving as its file says.
     """
 
     program: Path
@@ -46,7 +46,7 @@ class ImportedScenario:
     variants: tuple[int, ...] = ()
     count: int = 0
     refused: tuple[str, ...] = ()
-    only_plans: tuple[tuple[str, ...], ...] = ()
+    not_as_written: tuple[tuple[str, ...], ...] = ()
 
     @property
     def command(self) -> str:
@@ -133,12 +133,12 @@ def import_scenario(
 
 @dataclass(frozen=True, slots=True)
 class _Program:
-    """A program that is to be written: its text, its map, what was noted of it, and what only plans say of it."""
+    """A program that is to be written: its text, its map, what was noted of it, and why it is not driven as written."""
 
     text: str
     map_path: Path
     notes: tuple[str, ...]
-    only_plans: tuple[str, ...]
+    not_as_written: tuple[str, ...]
 
 
 def _told(given: Mapping[str, object]) -> dict[str, str]:
@@ -233,10 +233,12 @@ def _program(read: Imported, path: Path, out: Path) -> _Program:
     except ForeignCodeRefused as error:
         why = str(error).partition("\n")[0]  # what follows is for whoever wrote the program
         if read.as_written is not None and not isinstance(board, StoryProgram):
-            alone = f"with what its ego does, {why}; so it cannot be driven with --as-written"
-            return _program(replace(read, as_written=None, notes=(*read.notes, alone)), path, out)
+            alone = f"with what its ego does, {why}"
+            note = f"{alone}; so it cannot be driven with --as-written"
+            left = replace(read, as_written=None, notes=(*read.notes, note), not_as_written=(alone,))
+            return _program(left, path, out)
         raise ScenarioError(f"{path} is more than a program of a user's may be: {why}; cut it down") from error
-    return _Program(text, read.map_path, read.notes, read.only_plans)
+    return _Program(text, read.map_path, read.notes, read.not_as_written)
 
 
 def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
@@ -263,5 +265,5 @@ def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
         notes=tuple(dict.fromkeys(every)),
         programs=tuple(done),
         maps=maps,
-        only_plans=tuple(one.only_plans for one in made.values()),
+        not_as_written=tuple(one.not_as_written for one in made.values()),
     )

@@ -39,14 +39,15 @@ class Imported:
         as_written: The same with what the ego does, event by event; None where the file says nothing of that.
         map_path: The map that it lies on.
         notes: What was taken otherwise than it is written, or left to others.
-        only_plans: What plans can say and a story cannot, so that there is none as it is written, each with its line.
+        not_as_written: Why its own ego cannot drive as the file says, each with its line; empty where it can, or where
+            the file says nothing of it.
     """
 
     board: Storyboard | StoryProgram
     map_path: Path
     notes: tuple[str, ...]
     as_written: StoryProgram | None = None
-    only_plans: tuple[str, ...] = ()
+    not_as_written: tuple[str, ...] = ()
 
 
 class ScenarioFile:
@@ -114,7 +115,7 @@ class ScenarioFile:
             given = Given(fixed=fixed, told=told or {}, spans=spans or {}, within=self._within)
             given.declare(self._root)
             map_path = self._maps.of(given)
-            board, given, whole, only_plans = self._read(given, map_path)
+            board, given, whole, not_as_written = self._read(given, map_path)
             if given.wanted <= fixed:
                 break
             fixed |= given.wanted
@@ -125,7 +126,7 @@ class ScenarioFile:
         given.raise_refusals(self._path)
         assert board is not None
         notes = tuple(dict.fromkeys(given.notes))
-        return Imported(board=board, map_path=map_path, notes=notes, as_written=whole, only_plans=only_plans)
+        return Imported(board=board, map_path=map_path, notes=notes, as_written=whole, not_as_written=not_as_written)
 
     def _read(self, given: Given, map_path: Path) -> _Read:
         """What a file says, and what was noted: as plans, where nothing of it is refused; else as a story."""
@@ -140,12 +141,11 @@ class ScenarioFile:
         story = _unless_refused(reader.program, as_story) if reader is not None else None
         said = story is not None and not as_story.refusals and story.members[0].acts
         for_plans = plans is not None and not given.refusals
-        if reader is not None and reader.untold:
-            told = given if for_plans else as_story
-            told.notes += [f"{why}; so it cannot be driven with --as-written" for why in reader.untold]
-        if for_plans:
-            return plans, given, story if said else None, tuple(dict.fromkeys(as_story.refusals))
-        return story, as_story, story if said else None, ()
+        untold = reader.untold if reader is not None else []
+        told = given if for_plans else as_story
+        told.notes += [f"{why}; so it cannot be driven with --as-written" for why in untold]
+        why_not = tuple(dict.fromkeys((*untold, *as_story.refusals)))  # of a story, refusals refuse the file
+        return plans if for_plans else story, told, story if said else None, why_not
 
 
 def _in_the_mirror(one: Element) -> Element:

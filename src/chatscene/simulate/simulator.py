@@ -29,6 +29,7 @@ from chatscene.errors import (
     MapError,
     NamesNotClosed,
     ProgramError,
+    ProgramStopped,
     SettingsError,
     StuckBehavior,
 )
@@ -252,10 +253,10 @@ def _driven(
 def fails_in_its_scene(error: ChatSceneError) -> bool:
     """Whether what ended a drive is told of its scene alone, so that the program's other scenes may be driven.
 
-    Its own code failed there, or did not come to its end. A text that does not compile fails in every scene.
+    Its own code failed there, did not come to its end, or was stopped. A text that does not compile fails in each.
     """
     of_the_text = isinstance(error, DoesNotCompile | ForeignCodeRefused | NamesNotClosed)
-    return isinstance(error, ProgramError | StuckBehavior) and not of_the_text
+    return isinstance(error, ProgramError | StuckBehavior | ProgramStopped) and not of_the_text
 
 
 def routes_of(simulator: Simulator, program: ScenicProgram, wanted: int) -> dict[int, Route | None]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import time
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import cache, partial
@@ -127,10 +128,7 @@ class Driver:
         self._simulator: ConfinedSimulator | None = None
 
     def __call__(self, program: CollectedProgram) -> list[dict[str, Any]]:
-        """A row for each drive, or one for a program that does not run; a drive that fails leaves the others.
-
-        A program that the sandbox stops in one is not driven on: nothing bounds what that would take.
-        """
+        """A row for each drive, or one for a program that does not run; a drive that fails leaves the others."""
         try:
             found = self._program(program)
             simulator = self._simulator_on(program.map_path)
@@ -373,11 +371,12 @@ def _not_driven(rows: Sequence[Row]) -> tuple[dict[str, str], dict[str, str]]:
     tried = [row for row in rows if row["status"] != "ego failed"]
     for program, own in groupby(tried, key=lambda row: row["program"]):  # they stand together
         drives = list(own)
-        why = [row["reason"] for row in drives if row["status"] != "ran"]
-        if len(why) == len(drives):
-            lost[program] = why[0]
+        why = Counter(row["reason"] for row in drives if row["status"] != "ran")
+        told = "; ".join(why if len(why) == 1 else (f"{many} times, {reason}" for reason, many in why.items()))
+        if why.total() == len(drives):
+            lost[program] = told
         elif why:
-            partly[program] = f"{len(why)} of {len(drives)} drives: {why[0]}"
+            partly[program] = f"{why.total()} of {len(drives)} drives: {told}"
     return lost, partly
 
 

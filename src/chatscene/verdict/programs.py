@@ -88,13 +88,13 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
         )
         parts, untold = list[_Part](), list[str]()
         shares = _shares(settings.draws, len(made.programs))
-        for program, lies, numbers, variant, only_plans in zip(
-            made.programs, made.maps, shares, made.variants or (0,), made.only_plans, strict=True
+        for program, lies, numbers, variant, not_as_written in zip(
+            made.programs, made.maps, shares, made.variants or (0,), made.not_as_written, strict=True
         ):
             try:
                 own = read_foreign(program, searched_with=False, as_written=as_written)
             except ForeignCodeRefused as error:  # all else was held against it when it was imported
-                why = _tells_nothing(path, made.notes, only_plans)
+                why = _tells_nothing(path, not_as_written)
                 untold.append(f"variant {variant} of {why}")
                 if len(untold) == len(made.programs):
                     raise ScenarioError(why) from error
@@ -122,14 +122,10 @@ def _as_written(settings: VerifySettings) -> bool | None:
     return settings.as_written or (False if settings.ego else None)
 
 
-def _tells_nothing(path: Path, notes: Sequence[str], only_plans: Sequence[str]) -> str:
+def _tells_nothing(path: Path, not_as_written: Sequence[str]) -> str:
     """That a file cannot be driven as it is written, and why."""
-    if only_plans:
-        told = "\n  ".join(("", *only_plans))
-        return f"{path} cannot be driven as it is written:{told}; leave out --as-written"
-    why = [note for note in notes if note.endswith("--as-written")]
-    told = "\n  ".join(("", *why)) if why else ": it gives its ego no speed and no action"
-    return f"{path} does not say what its ego does{told}; leave out --as-written"
+    told = "\n  ".join(("", *not_as_written)) or " it gives its ego no speed and no action"
+    return f"{path} cannot be driven as it is written:{told}; leave out --as-written"
 
 
 @dataclass(frozen=True, slots=True)
@@ -278,13 +274,13 @@ class _Trying:
             try:
                 self._make(part, drawn_scene(part.own.program, number, seed=self._settings.seed), simulator, map_path)
             except (ProgramError, StuckBehavior, ProgramStopped) as error:
-                if not (isinstance(error, ProgramStopped) or fails_in_its_scene(error)):
+                self.failed += 1
+                if not fails_in_its_scene(error):
                     raise
                 failed.append(error)
                 self._spent += 0.0 if isinstance(error, ProgramError) else PATIENCE
         if failed and len(self.drives) == made:
             raise failed[0]
-        self.failed += len(failed)
         self.rejected += [str(error).partition("\n")[0] for error in failed]
 
     def _make(self, part: _Part, scene: Scene, simulator: Simulator, map_path: Path) -> None:
