@@ -13,8 +13,9 @@ stand in a record only.
 from __future__ import annotations
 
 import importlib
+import os
 import sys
-from collections.abc import Generator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from importlib.metadata import EntryPoint, entry_points
@@ -25,6 +26,10 @@ from chatscene.errors import ChatSceneError, MissingExtra, SettingsError, no_suc
 from chatscene.terms.nouns import with_article
 
 Plugin = TypeVar("Plugin")
+
+
+def _never(_name: str) -> bool:
+    return False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -38,6 +43,7 @@ class Kind(Generic[Plugin]):
         built_in: What is packaged by name, each written as an entry point: ``module:factory``, and behind it in
             brackets the extra that it needs, if any.
         forms: What else a user may type besides a name and ``package.module:factory``, in words.
+        beyond: Whether what is typed is in one of these forms, and no name.
         error: What is raised for one that cannot be had.
         addressed: Which of the built-in ones are servers elsewhere, so that an address may follow after a colon.
     """
@@ -47,6 +53,7 @@ class Kind(Generic[Plugin]):
     method: str
     built_in: Mapping[str, str]
     forms: tuple[str, ...] = ()
+    beyond: Callable[[str], bool] = _never
     error: type[ChatSceneError] = SettingsError
     addressed: frozenset[str] = frozenset()
 
@@ -92,6 +99,16 @@ def make(kind: Kind[Plugin], name: str, *arguments: Any, **named: Any) -> Plugin
     return made
 
 
+def check_name(kind: Kind[Any], name: str) -> None:
+    """Make sure that a name leads somewhere, before anything is begun for it; no code of it is run.
+
+    Raises:
+        ChatSceneError: The error of its kind: there is none of that name.
+    """
+    if not kind.beyond(name):
+        _find(kind, name)
+
+
 def _find(kind: Kind[Any], name: str) -> EntryPoint:
     """Where a name leads; one that the user points at is of no group."""
     bare = without_address(kind, name)
@@ -108,7 +125,8 @@ def _find(kind: Kind[Any], name: str) -> EntryPoint:
     module, colon, factory = name.partition(":")
     if not colon:
         forms = " or ".join(("", *kind.forms, "package.module:factory"))
-        raise kind.error(f"{no_such(kind.noun, name, names(kind))};{forms}")
+        is_folder = f"; {name!r} is a folder" if os.path.isdir(name) else ""  # noqa: PTH112 - Path.is_dir() raises
+        raise kind.error(f"{no_such(kind.noun, name, names(kind))};{forms}{is_folder}")
     if not all(part.isidentifier() for part in (*module.split("."), factory)):
         raise kind.error(f"{kind.noun} {name!r} is not of the form package.module:factory, such as my_stack.x:make")
     return EntryPoint(name, name, "")

@@ -140,8 +140,6 @@ BAD = {
     "empty text": (["run", ""], "the text is empty"),
     "noise": (["run", "x7 " * 3500], "at most"),
     "unknown map": (["run", SENTENCE, "--map", "twon"], "did you mean 'town'"),
-    "unknown ego": (["run", SENTENCE, "--ego", "rule-base"], "did you mean 'rule-based'"),
-    "no scenes": (["run", SENTENCE, "--scenes", "0"], "scenes must be a whole number from 1"),
     "not a run": (["resume", "."], "not a run folder"),
     "unknown snippet": (["library", "show", "behavior/cros"], "did you mean"),
 }

@@ -93,7 +93,8 @@ def run(
         physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``.
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
-        language_model: ``openai:MODEL`` or ``gguf:FILE``, which fills a situation from the text; or ``offline``.
+        language_model: ``openai:MODEL`` or ``gguf:FILE``, which fills a situation from the text; ``offline``;
+            or another reader, ``package.module:factory``.
         reader: ``situation``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
         reading: Which of the readings that are offered is taken whole, from 1.
         set: Facts beside the text, by name, which are sure: ``{"side": "left"}``; of a situation, stated or
@@ -226,7 +227,8 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
         map: The map that it is to be built on, as in `run`; None for the first packaged one that has such a place.
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
-        language_model: ``openai:MODEL`` or ``gguf:FILE``, which fills a situation from the text; or ``offline``.
+        language_model: ``openai:MODEL`` or ``gguf:FILE``, which fills a situation from the text; ``offline``;
+            or another reader, ``package.module:factory``.
         reader: ``situation``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
         reading: Which of the readings that are offered is taken whole, from 1.
         set: Facts beside the text, by name, which are sure: ``{"side": "left"}``; of a situation, stated or filled, by
@@ -296,7 +298,7 @@ def describe(
         seed: Another seed, other sentences.
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
-        language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
+        language_model: as `explain`.
 
     Raises:
         NothingFits: The library has no such scenario, or nothing in the instruction was understood.

@@ -8,7 +8,7 @@ from typing import Unpack
 
 import click
 
-from chatscene.commands.options import JSON, MAP_WITH_SITE, READING, SEED, WORKERS, Reading
+from chatscene.commands.options import JSON, MANY, MAP_WITH_SITE, READING, SEED, WORKERS, EgoName, Reading
 from chatscene.commands.output import console, progress, say
 
 
@@ -24,13 +24,14 @@ from chatscene.commands.output import console, progress, say
 @click.option("--drive", is_flag=True, help="Draw scenes of each entry and let egos drive them.")
 @click.option(
     "--scenes",
-    type=click.IntRange(min=1),
+    type=MANY,
     default=None,
     help="Scenes per entry.  [default: 10 with --drive, 50 with --fill]",
 )
 @click.option(
     "--ego",
     "egos",
+    cls=EgoName,
     multiple=True,
     help="By name, file or package.module:factory; repeat. Runs have the first.  [default: sac, idm]",
 )

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 import click
 
 import chatscene
-from chatscene.commands.options import AGAIN, EGO_OPTION, JSON, MAP_WITH_SITE, READING, SEED, WORKERS, Reading
+from chatscene.commands.options import AGAIN, EGO_OPTION, JSON, MANY, MAP_WITH_SITE, READING, SEED, WORKERS, Reading
 from chatscene.commands.output import progress, say
 from chatscene.commands.situations import say_understood
 from chatscene.errors import ChatSceneError, NothingFits
@@ -76,7 +76,7 @@ def edit(
 @click.command()
 @MAP_WITH_SITE
 @EGO_OPTION
-@click.option("--scenes", default=50, show_default=True, help="Simulations per run.")
+@click.option("--scenes", default=50, show_default=True, type=MANY, help="Simulations per run.")
 @SEED
 @READING
 def chat(
@@ -96,9 +96,14 @@ def chat(
     chatscene chat
     printf 'the car ahead brakes hard\\nmake it a truck\\nat night\\nrun runs/truck\\n' | chatscene chat
     """
+    from chatscene.ego.policy import load_ego
+    from chatscene.interpret.readers import reader_of
     from chatscene.report.terminal import readings_in_words
+    from chatscene.settings import RetrievalSettings
     from chatscene.talk import Talk
 
+    load_ego(ego)  # what is not there is told at once, and not at the first line that needs it
+    reader_of(RetrievalSettings(**reading))
     talk = Talk(reading, {"map": map, "ego": ego, "scenes": scenes, "seed": seed}, Path("runs"))
     for line in _lines():
         if line in ("quit", "exit"):

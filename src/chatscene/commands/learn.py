@@ -11,6 +11,7 @@ import click
 import chatscene
 from chatscene.commands.options import (
     JSON,
+    MANY,
     MAP,
     NEW_FOLDER,
     PHYSICS_OPTION,
@@ -18,6 +19,7 @@ from chatscene.commands.options import (
     SEED,
     SIMULATOR_OPTION,
     SIMULATOR_THERE,
+    Finite,
     road_speed,
 )
 from chatscene.commands.output import console, progress, say
@@ -47,8 +49,21 @@ _SELDOM = 0.1  # of its drives: who crashes or leaves the road more often has no
     "Speed of the ego, and of everybody in proportion, within the limits of the roads: km/h, or 'road' "
     "for these alone.  [default: SafeBench's speed]"
 )
-@click.option("--steps", default=60_000, show_default=True, help="Steps of 0.1 s, rounded up to whole rounds.")
-@click.option("--round", "round_", default=5_000, show_default=True, help="Steps between two evaluations.")
+@click.option(
+    "--steps",
+    default=60_000,
+    show_default=True,
+    type=click.IntRange(1, 10**9),
+    help="Steps of 0.1 s, rounded up to whole rounds.",
+)
+@click.option(
+    "--round",
+    "round_",
+    default=5_000,
+    show_default=True,
+    type=click.IntRange(1, 10**9),
+    help="Steps between two evaluations.",
+)
 @SEED
 @MAP
 @SIMULATOR_OPTION
@@ -62,7 +77,7 @@ def train(steps: int, round_: int, out: Path, **options: Any) -> None:
     chatscene train --speed road --out egos/at-speed
     chatscene evaluate runs/cyclist --ego egos/sac/policy.npz
     """
-    if round_ > 0 and steps % round_:
+    if steps % round_:
         say(f"{-(-steps // round_) * round_} steps instead of {steps}: whole rounds of {round_} (--round)", err=True)
     trained = chatscene.train(out, steps=steps, round=round_, progress=progress(), **options)
     say_trained(trained, as_json=False)
@@ -76,10 +91,18 @@ def train(steps: int, round_: int, out: Path, **options: Any) -> None:
 @click.option(
     "--choice", default="paper", show_default=True, help="Routes that choose the checkpoint: paper or held-out."
 )
-@click.option("--episodes", default=500, show_default=True, help="Scenes driven.")
-@click.option("--train-routes", default=8, show_default=True, help="Number of routes to train on; the rest test.")
+@click.option("--episodes", default=500, show_default=True, type=MANY, help="Scenes driven.")
+@click.option(
+    "--train-routes", default=8, show_default=True, type=MANY, help="Number of routes to train on; the rest test."
+)
 @click.option("--reward", default="safebench", show_default=True, help="safebench or progress.")
-@click.option("--ordinary-share", default=0.0, show_default=True, help="Share of the episodes on ordinary routes.")
+@click.option(
+    "--ordinary-share",
+    default=0.0,
+    show_default=True,
+    type=Finite(0.0, 1.0, max_open=True),
+    help="Share of the episodes on ordinary routes.",
+)
 @SIMULATOR_THERE
 @PHYSICS_THERE
 @SEED

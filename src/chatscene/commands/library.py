@@ -9,7 +9,7 @@ from typing import Unpack
 
 import click
 
-from chatscene.commands.options import JSON, READER, READING, WORKERS, Reading
+from chatscene.commands.options import JSON, MANY, READER, READING, WORKERS, Reading
 from chatscene.commands.output import console, progress, say
 
 COMPONENT = click.Choice(["behavior", "geometry", "spawn"])
@@ -59,7 +59,7 @@ def show(snippet_id: str, own: str) -> None:
 @library.command()
 @click.argument("text")
 @click.option("--component", type=COMPONENT, default="behavior", show_default=True)
-@click.option("--top", default=5, show_default=True)
+@click.option("--top", default=5, show_default=True, type=MANY, help="How many.")
 @OWN
 @JSON
 def search(text: str, component: str, top: int, own: str, as_json: bool) -> None:
@@ -83,7 +83,7 @@ def search(text: str, component: str, top: int, own: str, as_json: bool) -> None
 
 @library.command()
 @OWN
-@click.option("--scenes", default=10, show_default=True, help="Scenes per program.")
+@click.option("--scenes", default=10, show_default=True, type=MANY, help="Scenes per program.")
 @WORKERS
 @JSON
 def lint(own: str, scenes: int, jobs: int, executor: str, as_json: bool) -> None:

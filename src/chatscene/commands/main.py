@@ -28,7 +28,7 @@ from chatscene.commands.measure import benchmark, drive, evaluate
 from chatscene.commands.output import say
 from chatscene.commands.proposal import COMMANDS, describe
 from chatscene.commands.rate import rate
-from chatscene.commands.refusal import REFUSED, complain
+from chatscene.commands.refusal import REFUSED, complain, no_such_name
 from chatscene.commands.reproduce import reproduce
 from chatscene.commands.sections import write_sections
 from chatscene.commands.serve_carla import serve_carla
@@ -75,7 +75,7 @@ class _Errors(click.Group):
         except (click.ClickException, click.exceptions.Exit, click.Abort):
             raise
         except Exception as error:
-            told = lack_of_memory(error) or error
+            told = lack_of_memory(error) or no_such_name(error) or error
             if not isinstance(told, ChatSceneError):
                 raise
             complain(told)

@@ -23,6 +23,7 @@ from chatscene.commands.options import (
     EGO_OPTION,
     EXECUTOR_OPTION,
     JSON,
+    MANY,
     MAP_WITH_SITE,
     PHYSICS_OPTION,
     READING,
@@ -62,8 +63,8 @@ if TYPE_CHECKING:
 @EDITS
 @MAP_WITH_SITE
 @EGO_OPTION
-@click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
-@click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
+@click.option("--scenes", default=50, show_default=True, type=MANY, help="Simulations per scenario and route.")
+@click.option("--routes", default=1, show_default=True, type=MANY, help="Routes per scenario.")
 @SEED
 @AVOIDABLE
 @SPEED
@@ -79,7 +80,7 @@ if TYPE_CHECKING:
 @click.option(
     "--jobs",
     default=None,
-    type=click.IntRange(min=1),
+    type=MANY,
     help="Number of worker processes. Default: chosen automatically.",
 )
 @EXECUTOR_OPTION
@@ -187,7 +188,7 @@ def explain(text: str | None, report: Path | None, show_program: bool, as_json: 
 
 @click.command()
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
-@click.option("--jobs", default=1, type=click.IntRange(min=1), help="Number of worker processes.  [default: 1]")
+@click.option("--jobs", default=1, type=MANY, help="Number of worker processes.  [default: 1]")
 @EXECUTOR_OPTION
 @AGAIN
 @JSON

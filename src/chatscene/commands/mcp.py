@@ -15,7 +15,10 @@ from chatscene.commands.output import say
 @click.option("--http", is_flag=True, help="Serve HTTP on loopback with a token, instead of the standard streams.")
 @click.option("--port", default=0, type=click.IntRange(0, 65535), help="Port on loopback.  [default: a free one]")
 @click.option(
-    "--language-model", default="offline", show_default=True, help="Who reads: openai:MODEL, gguf:FILE, or offline."
+    "--language-model",
+    default="offline",
+    show_default=True,
+    help="Who reads: openai:MODEL, gguf:FILE, or offline.",
 )
 def mcp(folder: Path, http: bool, port: int, language_model: str) -> None:
     """Serve agents by the Model Context Protocol: they make, drive and judge scenes in FOLDER. Needs the extra 'mcp'.

@@ -16,15 +16,19 @@ from chatscene.commands.options import (
     GENERATOR_AGAIN,
     JSON,
     LIBRARY_AGAIN,
+    MANY,
     MAP,
     NEW_FOLDER,
     PHYSICS_OPTION,
     PHYSICS_THERE,
     SEED,
+    SEEDS,
     SIMULATOR_OPTION,
     SIMULATOR_THERE,
     SPEED,
     WORKERS,
+    EgoName,
+    GeneratorName,
     road_speed,
     sampler_option,
 )
@@ -42,7 +46,10 @@ if TYPE_CHECKING:
 @click.command()
 @click.argument("scenes", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option(
-    "--ego", multiple=True, help="By name, file or package.module:factory; repeat.  [default: planner, idm, sac]"
+    "--ego",
+    cls=EgoName,
+    multiple=True,
+    help="By name, file or package.module:factory; repeat.  [default: planner, idm, sac]",
 )
 @AS_WRITTEN
 @SPEED
@@ -77,15 +84,17 @@ def evaluate(scenes: tuple[Path, ...], out: Path | None, as_json: bool, **option
 
 
 @click.command()
-@click.option("--generator", default="chatscene", show_default=True, help="Generator of the scenes.")
+@click.option("--generator", cls=GeneratorName, default="chatscene", show_default=True, help="Generator of the scenes.")
 @click.option(
     "--budget",
     default="small",
     show_default=True,
     help="'paper': 20,000 simulations; 'small': minutes; 'reference': each generator's own number of tries.",
 )
-@click.option("--ego", "egos", multiple=True, help="Ego to measure. Repeatable.  [default: sac, ppo, td3]")
-@click.option("--surrogate", default="sac", show_default=True, help="The ego that scenes are searched against.")
+@click.option("--ego", "egos", cls=EgoName, multiple=True, help="Ego to measure. Repeatable.  [default: sac, ppo, td3]")
+@click.option(
+    "--surrogate", cls=EgoName, default="sac", show_default=True, help="The ego that scenes are searched against."
+)
 @MAP
 @AVOIDABLE
 @sampler_option(PAPER.sampler)
@@ -129,12 +138,14 @@ def benchmark(
 
 
 @click.command()
-@click.option("--ego", "egos", multiple=True, required=True, help="By name, file or package.module:factory; repeat.")
+@click.option(
+    "--ego", "egos", cls=EgoName, multiple=True, required=True, help="By name, file or package.module:factory; repeat."
+)
 @MAP
 @SIMULATOR_OPTION
 @PHYSICS_OPTION
-@click.option("--scenes", default=5, show_default=True, help="Draws of traffic per course.")
-@click.option("--seed", default=20_000, show_default=True, help="Seed of the traffic.")
+@click.option("--scenes", default=5, show_default=True, type=MANY, help="Draws of traffic per course.")
+@click.option("--seed", default=20_000, show_default=True, type=SEEDS, help="Seed of the traffic.")
 @road_speed(
     "Speed of the egos, and of everybody in proportion, within the limits of the roads: km/h, or 'road' for "
     "these alone.  [default: egos are told nothing]"

@@ -3,37 +3,119 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable
 from functools import reduce
 from importlib import import_module
 from pathlib import Path
-from typing import Any, TypedDict
+from typing import Any, ClassVar, TypedDict
 
 import click
 from click.core import ParameterSource
 
+from chatscene.errors import ChatSceneError
+from chatscene.plugins import Kind, check_name
 from chatscene.settings import EGO, EXECUTOR, MOST_READINGS, PHYSICS, READERS, SIMULATOR, SimulationSettings
 
 Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
+
+
+class Finite(click.FloatRange):
+    """A finite number in a range; click takes NaN for one of any range."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The number."""
+        number = super().convert(value, param, ctx)
+        if not math.isfinite(number):
+            self.fail(f"{value!r} is no finite number.", param, ctx)
+        return number
+
+
+MANY = click.IntRange(1, 1_000_000)
+SEEDS = click.IntRange(0, 2**63 - 1)
+KMH = Finite(1.0, 300.0)
 
 
 NAMES = "{names}"
 
 
 class Named(click.Option):
-    """An option that names a plug-in, whose help lists what is built in: the table is read when the help is shown."""
+    """An option that names a plug-in: a name that leads nowhere is refused before anything is begun.
 
-    def __init__(self, *arguments: Any, kind: str, **named: Any) -> None:
-        """An option of click's, and where the table of its kind is: ``module:TABLE``."""
-        super().__init__(*arguments, **named)
-        self._kind = kind
+    Its help lists what is built in, where it asks for `NAMES`. The table is read only when it is needed.
+    """
+
+    kind: ClassVar[str]
+    """Where the table of its kind is, ``module:TABLE``."""
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
         """What click shows of it."""
-        module, _, table = self._kind.partition(":")
-        built_in = getattr(import_module(module), table).built_in
-        self.help = (self.help or "").replace(NAMES, ", ".join(built_in))
+        if NAMES in (self.help or ""):
+            self.help = (self.help or "").replace(NAMES, ", ".join(self._table().built_in))
         return super().get_help_record(ctx)
+
+    def process_value(self, ctx: click.Context, value: Any) -> Any:
+        """What is typed, or the default, which is not looked up."""
+        names = super().process_value(ctx, value)
+        if ctx.get_parameter_source(self.name or "") is ParameterSource.COMMANDLINE:
+            for name in (names,) if isinstance(names, str) else names:
+                try:
+                    check_name(self._table(), name)
+                except ChatSceneError as error:
+                    raise click.BadParameter(str(error), ctx, self) from error
+        return names
+
+    def _table(self) -> Kind[Any]:
+        module, _, table = self.kind.partition(":")
+        return getattr(import_module(module), table)
+
+
+class EgoName(Named):
+    """An option that names an ego."""
+
+    kind = "chatscene.ego.policy:EGOS"
+
+
+class SimulatorName(Named):
+    """An option that names a simulator."""
+
+    kind = "chatscene.simulate.simulator:SIMULATORS"
+
+
+class ExecutorName(Named):
+    """An option that names an executor."""
+
+    kind = "chatscene.runs.executor:EXECUTORS"
+
+
+class EmbedderName(Named):
+    """An option that names a text encoder."""
+
+    kind = "chatscene.models.encoders.embedding:EMBEDDERS"
+
+
+class ReaderName(Named):
+    """An option that names a reader, or a language model that reads."""
+
+    kind = "chatscene.read.reader:READERS"
+
+
+class ExporterName(Named):
+    """An option that names an exporter."""
+
+    kind = "chatscene.exports.exporter:EXPORTERS"
+
+
+class GeneratorName(Named):
+    """An option that names a generator."""
+
+    kind = "chatscene.search.generator:GENERATORS"
+
+
+class SamplerName(Named):
+    """An option that names a sampler."""
+
+    kind = "chatscene.search.sampler:SAMPLERS"
 
 
 def together(*options: Decorator) -> Decorator:
@@ -42,7 +124,7 @@ def together(*options: Decorator) -> Decorator:
 
 
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON for a script instead of text.")
-SEED = click.option("--seed", default=0, show_default=True, help="Seed of everything random.")
+SEED = click.option("--seed", default=0, show_default=True, type=SEEDS, help="Seed of everything random.")
 NEW_FOLDER = click.option(
     "--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="A new folder, or one to continue."
 )
@@ -63,6 +145,19 @@ def usable_map(ctx: click.Context, option: click.Parameter, name: str | None) ->
     return name
 
 
+def usable_library(_context: click.Context, _option: click.Parameter, folder: str) -> str:
+    """The folder of own snippets that the user names, held to what every one is before anything is begun with it.
+
+    Raises:
+        SnippetError: It has no snippets, or one that is broken.
+    """
+    if folder:
+        from chatscene.library.load import library_with
+
+        library_with(folder)
+    return folder
+
+
 MAP = click.option(
     "--map",
     default="town",
@@ -79,12 +174,15 @@ MAP_WITH_SITE = click.option(
 )
 SIMULATOR_OPTION = click.option(
     "--simulator",
+    cls=SimulatorName,
     default=SIMULATOR,
     show_default=True,
     help="Simulator: native (C, same numbers as embedded, which takes over where needed), embedded, "
     "confined (in the sandbox), carla[:HOST[:PORT]] (a CARLA server), or package.module:factory.",
 )
-SIMULATOR_THERE = click.option("--simulator", default=None, help="Simulator.  [default: that of the runs]")
+SIMULATOR_THERE = click.option(
+    "--simulator", cls=SimulatorName, default=None, help="Simulator.  [default: that of the runs]"
+)
 PHYSICS_OPTION = click.option(
     "--physics",
     type=click.Choice(PHYSICS),
@@ -97,25 +195,24 @@ PHYSICS_THERE = click.option(
 )
 EXECUTOR_OPTION = click.option(
     "--executor",
+    cls=ExecutorName,
     default=EXECUTOR,
     show_default=True,
     help="Where parts run: processes of this machine, or ray:HOST:PORT, a cluster. Results are the same.",
 )
 WORKERS = together(
-    click.option(
-        "--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Number of parts that run at a time."
-    ),
+    click.option("--jobs", default=1, show_default=True, type=MANY, help="Number of parts that run at a time."),
     EXECUTOR_OPTION,
 )
 
 # Who drives, how fast, and what is searched for.
 
 EGO_OPTION = click.option(
-    "--ego", default=EGO, show_default=True, help="An ego by name, file or package.module:factory."
+    "--ego", cls=EgoName, default=EGO, show_default=True, help="An ego by name, file or package.module:factory."
 )
 SPEED = click.option(
     "--speed",
-    type=click.FloatRange(1.0, 300.0),
+    type=KMH,
     default=None,
     metavar="KMH",
     help="Speed of the ego [km/h] where the text says none.  [default: the speed of the road]",
@@ -128,11 +225,11 @@ ROAD = "road"
 
 def _road_speed(context: click.Context, parameter: click.Parameter, value: str | None) -> float | None:
     """A speed [km/h], as it is typed; as fast as any road allows where it is that of the road."""
-    from chatscene.maps.limits import KMH, MOTORWAY
+    from chatscene.maps import limits
 
     if value is None or value == ROAD:
-        return None if value is None else round(MOTORWAY / KMH, 6)
-    return click.FloatRange(1.0, 300.0)(value, parameter, context)
+        return None if value is None else round(limits.MOTORWAY / limits.KMH, 6)
+    return KMH(value, parameter, context)
 
 
 def road_speed(said: str) -> Decorator:
@@ -150,8 +247,7 @@ def sampler_option(default: str) -> Decorator:
         "--sampler",
         default=default,
         show_default=True,
-        cls=Named,
-        kind="chatscene.search.sampler:SAMPLERS",
+        cls=SamplerName,
         help=f"How to search: {NAMES}, or package.module:factory.",
     )
 
@@ -180,10 +276,20 @@ class Reading(TypedDict):
 
 READING = together(
     click.option(
-        "--library", default="", metavar="DIR", help="Folder of your own snippets. TEXT is then served by snippets."
+        "--library",
+        default="",
+        metavar="DIR",
+        callback=usable_library,
+        help="Folder of your own snippets. TEXT is then served by snippets.",
     ),
-    click.option("--embedder", default="minilm", show_default=True, help="Text encoder."),
-    click.option("--language-model", default="offline", show_default=True, help="openai:MODEL, gguf:FILE, or offline."),
+    click.option("--embedder", cls=EmbedderName, default="minilm", show_default=True, help="Text encoder."),
+    click.option(
+        "--language-model",
+        cls=ReaderName,
+        default="offline",
+        show_default=True,
+        help="Who reads: openai:MODEL, gguf:FILE, offline, or another reader, package.module:factory.",
+    ),
 )
 READER = click.option(
     "--reader",
@@ -264,6 +370,7 @@ AS_WRITTEN = click.option(
 JUDGED = together(
     click.option(
         "--ego",
+        cls=EgoName,
         default=None,
         help="Who drives a program.  [default: its own ego; planner where it has none or was imported]",
     ),

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 import click
 
 from chatscene.commands.library import COMPONENT
-from chatscene.commands.options import JSON, READING, Reading
+from chatscene.commands.options import JSON, MANY, READING, SEEDS, Reading
 from chatscene.commands.output import progress, say
 from chatscene.settings import OFFLINE
 
@@ -34,7 +34,7 @@ FOLDER = click.option(
     type=click.Path(path_type=Path, file_okay=False),
     help="Folder of your own snippets; made if it is not there.",
 )
-SCENES = click.option("--scenes", default=10, show_default=True, type=click.IntRange(min=1), help="Scenes per program.")
+SCENES = click.option("--scenes", default=10, show_default=True, type=MANY, help="Scenes per program.")
 PROPOSAL = click.argument("proposal_id", metavar="ID")
 
 
@@ -42,7 +42,7 @@ PROPOSAL = click.argument("proposal_id", metavar="ID")
 @click.option("--component", type=COMPONENT, default=None, help="What to propose; goes with --base.")
 @click.option("--base", type=BASES, default=None, help="For which base scenario.")
 @click.option("--rephrase", default=None, metavar="ID", help="Propose wordings of this snippet of yours instead.")
-@click.option("--n", "count", default=5, show_default=True, type=click.IntRange(min=1), help="How many to ask for.")
+@click.option("--n", "count", default=5, show_default=True, type=MANY, help="How many to ask for.")
 @click.option("--language-model", required=True, metavar="NAME", help="openai:MODEL or gguf:FILE.")
 @FOLDER
 @SCENES
@@ -224,9 +224,9 @@ def edit(proposal_id: str, own: Path, scenes: int) -> None:
 
 @click.command()
 @click.option("--base", type=BASES, default=None, help="Only scenarios of this base scenario.")
-@click.option("--n", "count", default=10, show_default=True, type=click.IntRange(min=1), help="How many.")
+@click.option("--n", "count", default=10, show_default=True, type=MANY, help="How many.")
 @click.option("--instruction", default="", metavar="TEXT", help="What the sentences are about.")
-@click.option("--seed", default=0, show_default=True, help="Another seed, other sentences.")
+@click.option("--seed", default=0, show_default=True, type=SEEDS, help="Another seed, other sentences.")
 @READING
 @JSON
 def describe(

@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 import chatscene
-from chatscene.commands.options import DRIVEN_AGAIN, JSON, WORKERS
+from chatscene.commands.options import DRIVEN_AGAIN, JSON, SEEDS, WORKERS
 from chatscene.commands.output import progress, say
 from chatscene.settings import EGO
 
@@ -22,10 +22,10 @@ FIRST_LOOK = 20  # scenes of a run that is made only to have its situation rated
     "--scenes",
     default=200,
     show_default=True,
-    type=click.IntRange(min=0),
+    type=click.IntRange(0, 1_000_000),
     help="Scenes to draw in addition to the run's.",
 )
-@click.option("--seed", default=0, show_default=True, type=click.IntRange(min=0), help="Seed of these scenes.")
+@click.option("--seed", default=0, show_default=True, type=SEEDS, help="Seed of these scenes.")
 @click.option(
     "--exposure",
     metavar="FILE",

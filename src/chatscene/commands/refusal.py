@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import shlex
 import sys
@@ -9,10 +10,20 @@ from collections.abc import Generator
 from contextlib import contextmanager
 
 from chatscene.commands.output import say
-from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
 from chatscene.report.refused import refusal, suggested
 
 REFUSED = 3  # exit status
+
+
+def no_such_name(error: Exception) -> ChatSceneError | None:
+    """An error as ours where somebody named a file that no file system can have; None for any other."""
+    if not (isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG):
+        return None
+    name = str(error.filename)
+    return SettingsError(
+        f"no file or folder can be called {name[:20]!r}… ({len(name)} characters); give a shorter name"
+    )
 
 
 def complain(error: ChatSceneError) -> None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from chatscene.commands.options import SimulatorName
 from chatscene.commands.output import say
 from chatscene.settings import PHYSICS, SimulationSettings
 
@@ -37,7 +38,11 @@ PORTS = click.IntRange(1, 65534)  # streams are on the next
     help="Folder for clients' recordings. [default: a private temporary folder]",
 )
 @click.option(
-    "--simulator", default=SimulationSettings().simulator, show_default=True, help="Simulator that moves the bodies."
+    "--simulator",
+    cls=SimulatorName,
+    default=SimulationSettings().simulator,
+    show_default=True,
+    help="Simulator that moves the bodies.",
 )
 @click.option(
     "--physics",

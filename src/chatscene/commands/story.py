@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 import chatscene
-from chatscene.commands.options import JSON, JUDGED
+from chatscene.commands.options import JSON, JUDGED, SEEDS, Finite
 from chatscene.commands.output import say
 from chatscene.errors import SettingsError
 
@@ -17,10 +17,12 @@ from chatscene.errors import SettingsError
 @click.command()
 @click.argument("what", metavar="WHAT", type=click.Path(path_type=Path))
 @click.option("--scene", default=None, metavar="ID", help="A scene of a run.  [default: the first it keeps]")
-@click.option("--seed", default=0, show_default=True, type=click.IntRange(min=0), help="Of a program's values.")
+@click.option("--seed", default=0, show_default=True, type=SEEDS, help="Of a program's values.")
 @JUDGED
 @click.option("--picture", type=click.Path(path_type=Path), default=None, help="Write a moment from above, as PNG.")
-@click.option("--at", type=float, default=None, metavar="SECONDS", help="Which moment.  [default: the nearest one]")
+@click.option(
+    "--at", type=Finite(0.0), default=None, metavar="SECONDS", help="Which moment.  [default: the nearest one]"
+)
 @JSON
 def story(what: Path, picture: Path | None, at: float | None, as_json: bool, **options: Any) -> None:
     """Say what happened in a drive of WHAT, in words, with times and speeds. Nothing is judged.

@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 import chatscene
-from chatscene.commands.options import CHOOSING, JSON, JUDGED, READING
+from chatscene.commands.options import CHOOSING, JSON, JUDGED, READING, SEEDS, Finite
 from chatscene.commands.output import say
 from chatscene.commands.refusal import complain, refusing
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
@@ -26,12 +26,12 @@ _USUAL = VerifySettings()
 @click.option(
     "--draws", default=_USUAL.draws, show_default=True, type=click.IntRange(1, 1_000), help="Drives that are judged."
 )
-@click.option("--seed", default=_USUAL.seed, show_default=True, type=click.IntRange(min=0), help="Of their values.")
+@click.option("--seed", default=_USUAL.seed, show_default=True, type=SEEDS, help="Of their values.")
 @click.option(
     "--least",
     default=_USUAL.least,
     show_default=True,
-    type=click.FloatRange(0.0, 1.0),
+    type=Finite(0.0, 1.0),
     help="The share of the drives that must show a fact, of those that came to it.",
 )
 @JUDGED
@@ -39,6 +39,7 @@ _USUAL = VerifySettings()
     "--budget",
     default=_USUAL.budget,
     show_default=True,
+    type=Finite(0.0, 1e6),
     metavar="SECONDS",
     help="Processor time for scenes that cannot be driven, over all drives; then no more are tried.",
 )

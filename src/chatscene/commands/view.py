@@ -9,7 +9,7 @@ from typing import Unpack
 
 import click
 
-from chatscene.commands.options import EGO_OPTION, MAP_WITH_SITE, READING, SEED, Reading
+from chatscene.commands.options import EGO_OPTION, MANY, MAP_WITH_SITE, READING, SEED, Reading
 from chatscene.commands.output import say
 from chatscene.errors import RunError
 
@@ -19,7 +19,7 @@ from chatscene.errors import RunError
 @click.option("--port", default=0, type=click.IntRange(0, 65535), help="Port on loopback.  [default: a free one]")
 @MAP_WITH_SITE
 @EGO_OPTION
-@click.option("--scenes", default=50, show_default=True, type=click.IntRange(min=1), help="Simulations per run.")
+@click.option("--scenes", default=50, show_default=True, type=MANY, help="Simulations per run.")
 @SEED
 @READING
 def view(

@@ -202,6 +202,7 @@ EGOS: Kind[EgoPolicy] = Kind(
         "td3": "chatscene.ego.trained:td3",
     },
     forms=(f"a file ({', '.join(FILES)})",),
+    beyond=lambda name: Path(name).suffix in FILES,
     error=EgoError,
 )
 

@@ -298,7 +298,9 @@ def _read(path: Path) -> Xml.Element:
     except OSError as error:
         raise MapError(f"map {path.name!r} cannot be read: {error.strerror} ({path})") from error
     except Xml.ParseError as error:
-        raise MapError(f"map {path.name!r} is not complete XML: {error}; is the file truncated? ({path})") from error
+        raise MapError(
+            f"map {path.name!r} is not complete XML: {error}; give an .xodr file, or export it again ({path})"
+        ) from error
     except (ValueError, LookupError) as error:
         why = f"is no XML in an encoding that is known: {error}; save it as UTF-8"
         raise MapError(f"map {path.name!r} {why} ({path})") from error

@@ -12,7 +12,7 @@ from functools import partial
 from typing import Any, Protocol
 
 from chatscene.errors import SettingsError
-from chatscene.plugins import Kind, make, without_address
+from chatscene.plugins import Kind, check_name, make, without_address
 from chatscene.settings import EXECUTOR
 
 
@@ -62,6 +62,7 @@ class Workers:
     def __post_init__(self) -> None:
         if self.jobs < 1:
             raise SettingsError(f"there is no work with {self.jobs} jobs; use at least one")
+        check_name(EXECUTORS, self.executor)
 
     def needed(self, tasks: int) -> int:
         """How many workers so many tasks need; 0 if they are done in this process."""

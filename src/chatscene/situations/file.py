@@ -16,6 +16,7 @@ from chatscene.situations.form import parsed, to_plain
 from chatscene.terms.situation import Situation
 
 MOST_BYTES = 2**20
+SHORT = "others: [{id: A, kind: car, starts: {where: ahead}, does: [{act: brake}]}]"  # the file of a situation
 _PLAIN = ("tag:yaml.org,2002:map", "tag:yaml.org,2002:seq")
 MOST_NODES = 20_000  # of a file: names for what stands elsewhere could make a short one endless
 
@@ -57,6 +58,8 @@ def read_text(text: str, called: str = "the situation") -> Situation:
     written: object = None
     try:
         written = _plain(text, lines)
+        if written is None:
+            raise SituationError(f"{called} says nothing; write a situation, such as: {SHORT}")
         return parsed(written)
     except yaml.MarkedYAMLError as error:
         at = error.problem_mark or error.context_mark
@@ -96,7 +99,7 @@ def _plain(text: str, lines: dict[Place, int]) -> object:
     loader = yaml.SafeLoader(text)
     try:
         node = loader.get_single_node()
-        return _value(loader, node, (), lines) if node is not None else {}
+        return None if node is None else _value(loader, node, (), lines)
     except RecursionError:
         raise Malformed([Fault((), "it is nested too deeply, or in itself")]) from None
     except yaml.MarkedYAMLError:

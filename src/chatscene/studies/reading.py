@@ -117,6 +117,8 @@ def load_sentences(name: str | Path) -> tuple[Sentence, ...]:
                 found.append(replace(sentence, slots=concluded(sentence.slots)))
             except (ValueError, TypeError) as error:
                 raise SettingsError(f"{name}, line {number} is not a sentence with its facts: {error}") from error
+    if not found:
+        raise SettingsError(f"{name} has no sentence; write one a line, as JSON with its facts")
     return tuple(found)
 
 

@@ -27,7 +27,7 @@ from chatscene.files.caches import cache_folder, keep
 from chatscene.models.encoders.onnx_cut import OnnxFile
 from chatscene.models.encoders.wordpiece import tokenize
 from chatscene.plugins import Kind, make
-from chatscene.terms.episode import fixed
+from chatscene.terms.arrays import fixed
 
 Vectors = NDArray[np.float32]
 
@@ -360,6 +360,7 @@ EMBEDDERS: Kind[Embedder] = Kind(
         "sentence-t5-large": "chatscene.models.encoders.embedding:sentence_t5_large",
     },
     forms=(f"{_FOLDER}FOLDER",),
+    beyond=lambda name: name.startswith(_FOLDER),
 )
 
 
