@@ -36,7 +36,8 @@ from chatscene.simulate.simulator import simulate
 from chatscene.situations.faults import Malformed
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Speed
-from chatscene.terms.episode import Array, Episode, Track
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Episode, Track
 from chatscene.terms.scene import Rejected, Scene
 from chatscene.terms.situation import EGO, Other, Situation
 from chatscene.terms.vocabulary import EgoRoute, RoadKind, Setting

@@ -13,7 +13,8 @@ from chatscene.build.build import build
 from chatscene.program.judge import failures, judge
 from chatscene.program.watching import watch
 from chatscene.situations.form import from_plain
-from chatscene.terms.episode import Array, Episode
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Episode
 
 
 def ego(*deeds: dict[str, Any], **more: Any) -> dict[str, Any]:

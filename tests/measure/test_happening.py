@@ -10,8 +10,9 @@ import pytest
 from chatscene.measure.happening import happened
 from chatscene.report.span import span
 from chatscene.report.what_happened import kept_in_words, outcome_in_words
+from chatscene.terms.arrays import Array
 from chatscene.terms.criticality import Happening
-from chatscene.terms.episode import Array, Ending, Episode, Event, EventKind, Role, Track
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 
 STEPS, DT = 201, 0.1
 TIME = np.arange(STEPS) * DT

@@ -8,7 +8,8 @@ import pytest
 
 from chatscene.measure.criticality import criticality
 from chatscene.measure.speeds import risks, speeds, whom_it_meets
-from chatscene.terms.episode import Array, Ending, Episode, Event, EventKind, Role, Track
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 
 DT = 0.1
 NORTH, WEST = math.pi / 2, math.pi

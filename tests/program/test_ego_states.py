@@ -10,7 +10,7 @@ from chatscene.program.assemble import assemble
 from chatscene.program.meaning import EGO_STATES
 from chatscene.program.orders import ORDERS
 from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.episode import Array
+from chatscene.terms.arrays import Array
 from chatscene.terms.scenario import EgoState, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
 

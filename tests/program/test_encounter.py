@@ -13,7 +13,8 @@ from chatscene.program.encounter import meeting, way_of
 from chatscene.program.judge import Finding, failures, judge
 from chatscene.program.watching import watch
 from chatscene.terms.amount import Acceleration, Length, Speed
-from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, SignalTrack, Track
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Episode, Event, EventKind, Role, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Contact, Deed, Ego, Other, Road, Situation, Start

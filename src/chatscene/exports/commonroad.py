@@ -23,7 +23,8 @@ from chatscene.exports.xml_element import element, told
 from chatscene.maps.lanelets import Beside, Lanelet, lanelets_along, lanelets_of
 from chatscene.maps.network import load_network
 from chatscene.terms.actors import BY_CLASS
-from chatscene.terms.episode import Array, Ending, Episode, Track
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Ending, Episode, Track
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
 AROUND = 50.0  # [m] from anybody, at any time, within which lanelets are part of the scene

@@ -18,7 +18,8 @@ from chatscene.exports.bodies import wheelbase_of
 from chatscene.exports.exporter import KeptScene
 from chatscene.exports.openscenario_entities import entity
 from chatscene.exports.xml_element import element
-from chatscene.terms.episode import Array, Track
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Track
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
 # A date that is asked for and that nobody kept; one of our own clock would make every export another file.

@@ -23,7 +23,8 @@ from chatscene.program.assemble import assemble
 from chatscene.program.sample import scene_at
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.episode import Array, Episode
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Episode
 from chatscene.terms.plan import Foreign, Plan
 from chatscene.terms.plan_text import PARAMETERS, plan_of, print_plan
 from chatscene.terms.scenario import Scenario, Slots, SubDescriptions

@@ -122,7 +122,7 @@ class ScenarioFile:
         if keeps_left(map_path):
             given.notes[:] = map(lanes_on_map, given.notes)
             given.refusals[:] = map(lanes_on_map, given.refusals)
-            only_plans = tuple(map(lanes_on_map, only_plans))
+            not_as_written = tuple(map(lanes_on_map, not_as_written))
         given.raise_refusals(self._path)
         assert board is not None
         notes = tuple(dict.fromkeys(given.notes))

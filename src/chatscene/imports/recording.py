@@ -9,7 +9,8 @@ import numpy as np
 
 from chatscene.errors import ScenarioError
 from chatscene.terms.actors import BY_CLASS, LIMITS, PROPS
-from chatscene.terms.episode import Array, Role, Track
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Role, Track
 from chatscene.terms.nouns import with_article
 from chatscene.terms.vocabulary import UserKind
 

@@ -12,7 +12,8 @@ import numpy as np
 from PIL import Image, ImageChops, ImageDraw
 
 from chatscene.terms.actors import Manner, manner_of
-from chatscene.terms.episode import Array, Episode, Role, Track, contact_point
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Episode, Role, Track, contact_point
 
 WIDTH, HEIGHT = 640, 360  # [px]
 OVERSAMPLE = 2  # drawn larger and scaled down, for smooth edges

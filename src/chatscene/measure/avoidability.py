@@ -26,8 +26,9 @@ from chatscene.simulate.boxes import Boxes
 from chatscene.simulate.native.lines import follow
 from chatscene.simulate.simulator import Simulator, limited
 from chatscene.terms.actors import LIMITS, Limits, has_lamps
+from chatscene.terms.arrays import Array, fixed
 from chatscene.terms.braking import Braking
-from chatscene.terms.episode import Array, Episode, Role, Track, fixed
+from chatscene.terms.episode import Episode, Role, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import CAR, Scene, ScenicProgram
 

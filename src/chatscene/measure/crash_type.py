@@ -9,8 +9,9 @@ import numpy as np
 
 from chatscene.measure.criticality import fault, part_struck, severity_of
 from chatscene.simulate.boxes import least_gap
+from chatscene.terms.arrays import paces
 from chatscene.terms.braking import STANDSTILL
-from chatscene.terms.episode import QUIET, Ending, Episode, Track, paces
+from chatscene.terms.episode import QUIET, Ending, Episode, Track
 
 PLACE = 10.0  # [m] of the ego's way within which two crashes are in one place
 HEADED = ("same way", "to the left", "oncoming", "to the right")  # the other, as the ego sees it, by quarter turns

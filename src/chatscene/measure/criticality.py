@@ -14,8 +14,9 @@ import numpy as np
 from chatscene.simulate.boxes import NOTHING, Boxes, Pair, between, least_gap, post_encroachment, times_to_collision
 from chatscene.simulate.contact import side_touched
 from chatscene.terms.actors import BY_CLASS, LIMITS
+from chatscene.terms.arrays import Array
 from chatscene.terms.criticality import Criticality, Fault, Severity
-from chatscene.terms.episode import Array, Episode, Event, Role, Track
+from chatscene.terms.episode import Episode, Event, Role, Track
 
 STILL = 0.05  # [m], who moved less than this until contact never moved
 CRAWL = 0.1  # [m/s], below this an ego follows nobody

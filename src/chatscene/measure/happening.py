@@ -8,8 +8,9 @@ import numpy as np
 
 from chatscene.measure.criticality import headways
 from chatscene.simulate.boxes import gaps, times_to_collision
+from chatscene.terms.arrays import Array
 from chatscene.terms.criticality import Happened, Happening
-from chatscene.terms.episode import Array, Episode
+from chatscene.terms.episode import Episode
 
 LATELY = 2.0  # [s] for which who has come before the ego is near, though the ego comes no nearer
 SOON, NEAR = 1.5, 2.0  # [s], [m] below which a nearest gap is an encounter

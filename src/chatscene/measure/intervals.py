@@ -24,7 +24,7 @@ from chatscene.measure.score import (
     MOST_TIME,
     MOST_YAW_RATE,
 )
-from chatscene.terms.episode import Array
+from chatscene.terms.arrays import Array
 from chatscene.terms.metrics import Measurements, Metrics, Mode
 
 T = TypeVar("T")

@@ -13,7 +13,8 @@ from itertools import combinations
 import numpy as np
 
 from chatscene.errors import SettingsError
-from chatscene.terms.episode import Array, Episode, EventKind, Track, changes, paces
+from chatscene.terms.arrays import Array, changes, paces
+from chatscene.terms.episode import Episode, EventKind, Track
 from chatscene.terms.metrics import Measurements, Metrics, Mode
 
 MOST_OFF_ROAD = 50.0  # [m]

@@ -11,7 +11,8 @@ from chatscene.measure.criticality import line_of_contact, part_struck
 from chatscene.measure.severity import Found, Hurt, curves_for
 from chatscene.simulate.boxes import gaps
 from chatscene.terms.actors import BY_CLASS, LOOSE
-from chatscene.terms.episode import Array, Episode, Event, Track, changes, changes_at
+from chatscene.terms.arrays import Array, changes, changes_at
+from chatscene.terms.episode import Episode, Event, Track
 from chatscene.terms.speeds import Speeds
 
 REACTS = 1.0  # [m/s²] of speed that is lost: more than rolling out

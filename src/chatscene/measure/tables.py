@@ -16,8 +16,8 @@ import numpy as np
 
 from chatscene.measure.intervals import DRAWS, percentiles, resample, resample_scores
 from chatscene.measure.score import score, wilson
+from chatscene.terms.arrays import Array
 from chatscene.terms.criticality import Fault
-from chatscene.terms.episode import Array
 from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Cell, Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario

@@ -13,7 +13,8 @@ from functools import lru_cache
 import numpy as np
 
 from chatscene.terms.actors import AIR_DRAG, BY_CLASS, LIMITS
-from chatscene.terms.episode import Array, Episode, Track, changes, fixed
+from chatscene.terms.arrays import Array, changes, fixed
+from chatscene.terms.episode import Episode, Track
 from chatscene.terms.surroundings import DRY, GRAVITY
 
 FAST = 50.0 / 3.6  # [m/s]

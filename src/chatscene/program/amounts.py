@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from chatscene.program.deeds import STANDING, Act, runs
 from chatscene.program.watching import Seen
-from chatscene.terms.episode import Array, changes
+from chatscene.terms.arrays import Array, changes
 from chatscene.terms.seeing import loss_of
 from chatscene.terms.vocabulary import GOES_ON, Heads, acts_of
 from chatscene.terms.vocabulary import Act as Said

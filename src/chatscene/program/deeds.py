@@ -19,7 +19,7 @@ from chatscene.program.watching import Seen, in_frame, percentile
 from chatscene.simulate.roadside import crossing_step
 from chatscene.terms.actors import BY_CLASS, AdversaryKind, RoadUser
 from chatscene.terms.acts import Action
-from chatscene.terms.episode import Array, changes, changes_at
+from chatscene.terms.arrays import Array, changes, changes_at
 from chatscene.terms.seeing import GAIN
 
 STANDING = 0.3  # [m/s]

@@ -16,7 +16,7 @@ from chatscene.program.lateral import LANE
 from chatscene.program.watching import Seen
 from chatscene.terms.actors import BY_CLASS, AdversaryKind, Manner, manner_of
 from chatscene.terms.acts import Action
-from chatscene.terms.episode import Array, changes
+from chatscene.terms.arrays import Array, changes
 from chatscene.terms.seeing import gain_of, loss_of
 from chatscene.terms.vocabulary import Act as Said
 

@@ -20,7 +20,8 @@ from chatscene.program.finding import Finding
 from chatscene.program.meaning import TOGETHER
 from chatscene.simulate.boxes import Boxes, gaps, near_any, overlaps, times_to_collision
 from chatscene.simulate.native.lines import follow
-from chatscene.terms.episode import Array, Episode, Track, paces
+from chatscene.terms.arrays import Array, paces
+from chatscene.terms.episode import Episode, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation

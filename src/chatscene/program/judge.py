@@ -44,8 +44,9 @@ from chatscene.program.watching import Seen, percentile, watch
 from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
+from chatscene.terms.arrays import Array
 from chatscene.terms.backing import as_it_backs, backs, drive_as_it_backs, turned_about
-from chatscene.terms.episode import Array, Episode, Track
+from chatscene.terms.episode import Episode, Track
 from chatscene.terms.mirroring import mirrored_drive, mirrored_route, mirrored_situation, mirrored_words
 from chatscene.terms.rolling import as_it_rolls
 from chatscene.terms.route import Route

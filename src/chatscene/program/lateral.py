@@ -10,7 +10,7 @@ from chatscene.program.deeds import Act
 from chatscene.program.finding import Finding
 from chatscene.program.watching import Seen, moved_over
 from chatscene.terms.amount import Amount
-from chatscene.terms.episode import Array
+from chatscene.terms.arrays import Array
 from chatscene.terms.lateral import seen_of_ego
 from chatscene.terms.situation import LATERALS, Deed, Lateral, Other, Start
 from chatscene.terms.vocabulary import ASIDE, Heads, Side, Where, acts_of

@@ -16,7 +16,8 @@ from chatscene.program.watching import Seen, headings, in_frame, moved_over, wat
 from chatscene.situations.phrases import ROADS, one_seen
 from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.acts import Action
-from chatscene.terms.episode import OTHER, Array, Episode, Role, Track
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import OTHER, Episode, Role, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import WAITING, EgoState, Maneuver, Occluder, Place, Position, Side, Site, Slots, includes
 from chatscene.terms.vocabulary import RoadKind

@@ -15,7 +15,7 @@ from chatscene.program.finding import Finding, not_judged
 from chatscene.program.lateral import LANE
 from chatscene.program.watching import Seen
 from chatscene.terms.amount import Amount
-from chatscene.terms.episode import Array
+from chatscene.terms.arrays import Array
 from chatscene.terms.route import Route
 from chatscene.terms.situation import EGO, Deed, Start
 from chatscene.terms.vocabulary import ASIDE, BEYOND_JUNCTION, HALTS, NOSE_TO_TAIL, Heads, Tempo, Where, acts_of

@@ -12,7 +12,8 @@ from chatscene.program.doing import DRIFTED, ON_LINE, accelerates
 from chatscene.program.finding import Finding, not_judged
 from chatscene.program.meaning import EGO_STATES
 from chatscene.program.watching import watch
-from chatscene.terms.episode import Array, Episode, EventKind
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import EgoState
 from chatscene.terms.situation import Deed, Situation

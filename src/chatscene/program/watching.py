@@ -9,8 +9,9 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from chatscene.simulate.native.lines import follow
+from chatscene.terms.arrays import Array, fixed
 from chatscene.terms.conclusions import LANE_CHANGES
-from chatscene.terms.episode import Array, Episode, SignalTrack, Track, fixed
+from chatscene.terms.episode import Episode, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Maneuver, Place, includes

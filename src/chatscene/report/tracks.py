@@ -13,8 +13,9 @@ import shapely
 from chatscene.report.span import span
 from chatscene.simulate.boxes import gaps, times_to_collision
 from chatscene.terms.actors import Manner, manner_of, noun_of
+from chatscene.terms.arrays import Array
 from chatscene.terms.criticality import LONGEST
-from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, SignalTrack, Track, contact_point
+from chatscene.terms.episode import Episode, Event, EventKind, Role, SignalTrack, Track, contact_point
 
 MARGIN = 70.0  # [m] of map around a drive
 TOLERANCE = 0.03  # [m] by which a line of the map may be off

@@ -12,8 +12,8 @@ from chatscene.measure.criticality import fault, part_struck
 from chatscene.measure.severity import in_kmh, none_told, told
 from chatscene.measure.speeds import risks, speeds
 from chatscene.terms.actors import named, noun_of
+from chatscene.terms.arrays import Array
 from chatscene.terms.criticality import Fault
-from chatscene.terms.episode import Array
 from chatscene.terms.speeds import Speeds
 
 _PARTS = {"front": "front", "rear": "rear", "left": "left side", "right": "right side", "": ""}

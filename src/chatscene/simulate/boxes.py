@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from chatscene.simulate.native.engine import boxes_of
 from chatscene.simulate.native.lines import engine
-from chatscene.terms.episode import Array, Track, fixed
+from chatscene.terms.arrays import Array, fixed
+from chatscene.terms.episode import Track
 
 Steps = NDArray[np.int64]
 
@@ -215,7 +216,6 @@ def overlaps(a: Boxes, b: Boxes, at: Steps, most: int) -> tuple[Steps, Steps]:
     width = a.x.shape[-1]
     native = engine()
     if native is not None:
-        at = np.ascontiguousarray(at, np.int64)
         return native.overlaps(_told(a), (a.x.size // max(width, 1), width), _told(b), at, most, reach * reach)
     rows = Boxes(a.x.ravel(), a.y.ravel(), a.cos.ravel(), a.sin.ravel(), a.half_length, a.half_width)
     found, least = [(at[:0], at[:0])], most

@@ -19,7 +19,8 @@ from chatscene.errors import MapError
 from chatscene.maps.junctions import StopLine, junction_control, junction_signals
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.limits import limits_along
-from chatscene.terms.episode import Event, EventKind, SignalTrack, Track, fixed
+from chatscene.terms.arrays import fixed
+from chatscene.terms.episode import Event, EventKind, SignalTrack, Track
 from chatscene.terms.profile import allowed_speeds
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Control

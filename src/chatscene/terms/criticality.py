@@ -79,7 +79,7 @@ class Measure(NamedTuple):
 
 
 def _measured(name: str, meaning: str, unit: str, more: str, *, touched: bool = False) -> Any:
-    return field(default=None, metadata={"measure": Measure(name, meaning, unit, more, touched)})
+    return field(metadata={"measure": Measure(name, meaning, unit, more, touched)})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -126,8 +126,8 @@ class Criticality:
     distance: float | None = _measured(
         "least distance", "least gap between the ego and an adversary; 0 at contact", "m", "better", touched=True
     )
-    impact_speed: float | None = None
-    severity: Severity | None = None
+    impact_speed: float | None
+    severity: Severity | None
 
 
 CRITICALITY: Mapping[str, Measure] = {

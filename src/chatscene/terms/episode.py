@@ -6,22 +6,12 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
-from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.terms.arrays import Array, changes_at
 from chatscene.terms.surroundings import Surroundings
-
-Array = NDArray[np.float64]
-Kept = TypeVar("Kept", bound=NDArray[Any])
-
-
-def fixed(array: Kept) -> Kept:
-    """An array as it is kept and given out more than once: nobody can write to it, but who made it."""
-    view = array.view()
-    view.setflags(write=False)
-    return view
 
 
 class Role(StrEnum):
@@ -56,21 +46,6 @@ class Ending(StrEnum):
     TIMEOUT = "timeout"
     SCENARIO_DONE = "scenario-done"  # the Scenic program ended it
     OVER = "over"  # nothing is to come any more, and nobody can meet the ego
-
-
-def changes(values: Array) -> Array:
-    """(T - 1,) By how much each is greater than the one before: `np.diff`, whose call takes longer than its work."""
-    return values[1:] - values[:-1]
-
-
-def changes_at(values: Array) -> Array:
-    """(T,) The same at each row; 0 in row 0."""
-    return np.concatenate((values[:1] - values[:1], changes(values)))
-
-
-def paces(x: Array, y: Array) -> Array:
-    """(T - 1,) How far [m] each place is from the one before."""
-    return np.hypot(changes(x), changes(y))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -15,7 +15,8 @@ from typing import Any, cast
 import numpy as np
 
 from chatscene.terms.amount import Amount
-from chatscene.terms.episode import Array, Episode, Event, SignalTrack, Track
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Episode, Event, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Evidence, Other, Situation, When

@@ -10,7 +10,8 @@ import numpy as np
 from chatscene.imports.recording import DT, Recording
 from chatscene.simulate.boxes import Boxes, Pair
 from chatscene.simulate.contact import side_touched
-from chatscene.terms.episode import Array, Ending, Episode, Event, EventKind, Track
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Control, Maneuver, Place

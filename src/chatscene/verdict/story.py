@@ -23,7 +23,8 @@ from chatscene.program.watching import Seen, watch
 from chatscene.settings import VerifySettings
 from chatscene.simulate.boxes import gaps
 from chatscene.terms.actors import named
-from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, Track
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Episode, Event, EventKind, Role, Track
 from chatscene.terms.mirroring import mirrored_drive, mirrored_route, mirrored_words
 from chatscene.terms.route import Route
 from chatscene.terms.vocabulary import Act as Said

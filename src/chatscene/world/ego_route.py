@@ -17,7 +17,7 @@ from chatscene.maps.lane_runs import centre_line
 from chatscene.maps.limits import limits_along
 from chatscene.maps.onward import route_through
 from chatscene.maps.routes import TO_LINE, find_routes, from_line
-from chatscene.terms.episode import fixed
+from chatscene.terms.arrays import fixed
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.profile import allowed_speeds
 from chatscene.terms.route import Beside, Equipment, Route, RouteQuery

@@ -11,7 +11,8 @@ from chatscene.program import encounter
 from chatscene.simulate import boxes
 from chatscene.simulate.boxes import Boxes, in_numpy, near_any, overlaps
 from chatscene.simulate.native.engine import Engine, NoEngine, boxes_of, load_engine
-from chatscene.terms.episode import Array, Role, Track
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Role, Track
 
 
 @pytest.fixture(scope="module")
@@ -71,6 +72,16 @@ def test_the_nearest_overlaps_are_the_same(engine: Engine, monkeypatch: pytest.M
         assert found == expected
         found_any += bool(found)
     assert found_any > 10
+
+
+@pytest.mark.parametrize(("shape", "moments"), [((2, 4), 4), ((1, 5), 4), ((1, 4), 3)])
+def test_boxes_that_are_not_as_many_as_is_said_are_refused(
+    engine: Engine, shape: tuple[int, int], moments: int
+) -> None:
+    column = np.zeros(4)
+    told = boxes_of(column, column, column, column, 2.4, 0.9)
+    with pytest.raises(ValueError, match="4 boxes"):
+        engine.overlaps(told, shape, told, np.arange(moments), 1, 1.0)
 
 
 def test_what_is_near_any_is_the_same(engine: Engine, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -20,7 +20,7 @@ from chatscene.read.learned.numbers import Found
 from chatscene.read.learned.sequence import Step
 from chatscene.read.learned.text import Read
 from chatscene.read.learned.weights import Weights
-from chatscene.terms.episode import fixed
+from chatscene.terms.arrays import fixed
 
 Floats = NDArray[np.float32]
 

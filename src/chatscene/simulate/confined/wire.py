@@ -18,7 +18,8 @@ import numpy as np
 
 from chatscene.errors import ChatSceneError, ProgramStopped, SandboxError
 from chatscene.files.bounded import parse_json
-from chatscene.terms.episode import Array, Ending, Episode, Event, EventKind, Reached, Role, SignalTrack, Track
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Reached, Role, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Control, Maneuver, Place, Site

@@ -373,6 +373,9 @@ class Engine:
         self, a: Boxes, shape: tuple[int, int], b: Boxes, at: NDArray[np.int64], most: int, square: float
     ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Where boxes overlap that are nearest in time; see `chatscene.simulate.boxes.overlaps`."""
+        if a.kept[0].size != shape[0] * shape[1] or b.kept[0].size != len(at):
+            raise ValueError(f"{a.kept[0].size} boxes are no {shape}, or {b.kept[0].size} are not at {len(at)} moments")
+        at = np.ascontiguousarray(at, np.int64)
         found = np.empty((2, 4 * shape[0] * len(at)), np.int64)  # at most two steps before and two after each
         count = self._library.overlaps(
             *(*shape, ctypes.byref(a), len(at), ctypes.byref(b), at.ctypes.data),

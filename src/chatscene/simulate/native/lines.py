@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from chatscene.simulate.native.building import NoEngine
 from chatscene.simulate.native.engine import Engine, Line, load_engine
-from chatscene.terms.episode import Array
+from chatscene.terms.arrays import Array
 from chatscene.terms.polyline import Polyline
 
 
