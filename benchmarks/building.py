@@ -25,7 +25,7 @@ import click
 from as_said import drawn_as_said
 
 from chatscene.build.asked import Meets
-from chatscene.build.build import Built
+from chatscene.build.build import Built, build
 from chatscene.build.deeds import Steps, steps_for
 from chatscene.build.possible import impossible
 from chatscene.build.starts import STARTS
@@ -137,7 +137,7 @@ def outcome(situation: Situation, drives: int, ego: str) -> tuple[str, list[str]
     if cannot := [one.said for one in impossible(situation)]:
         return "impossible", cannot, []
     try:
-        made = rehearsed(situation)
+        made = rehearsed(build(situation), situation)
     except NotBuilt as refusal:
         return "refused", [str(refusal)], []
     shown, seen, reasons, times = 0, 0, list[str](), list[str]()

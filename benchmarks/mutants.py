@@ -35,7 +35,7 @@ from as_said import drawn_as_said, recorded
 from building import drive, simulator
 from gallery import SITUATIONS
 
-from chatscene.build.build import Built
+from chatscene.build.build import Built, build
 from chatscene.build.possible import impossible
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt, NothingFits
 from chatscene.program.deeds import STANDING
@@ -227,7 +227,7 @@ def truths(seed: int, count: int) -> Iterator[Truth]:
             if any(True for _ in faults_of(situation)) or any(True for _ in impossible(situation)):
                 continue
             try:
-                built = rehearsed(situation)
+                built = rehearsed(build(situation), situation)
             except NotBuilt:
                 continue
             if built.left_out:

@@ -9,7 +9,7 @@ import pytest
 from chatscene.build.build import Built, build
 from chatscene.report.stated import explain_stated
 from chatscene.search.generators.situated import Situated
-from chatscene.search.rehearsal import as_rehearsed, declared, rehearsed, with_range
+from chatscene.search.rehearsal import declared, rehearsed, with_range
 from chatscene.settings import RetrievalSettings
 from chatscene.situations.file import to_yaml
 from chatscene.situations.form import from_plain
@@ -48,11 +48,11 @@ def ranges(built: Built) -> dict[str, ParameterRange]:
 )
 def test_a_program_whose_drives_show_what_was_said_stays_as_it_is(shown: Situation) -> None:
     built = build(shown)
-    assert as_rehearsed(built, shown) is built
+    assert rehearsed(built, shown) is built
 
 
 def test_who_comes_too_late_comes_sooner_and_is_told_so() -> None:
-    built, shifted = build(DOOR), rehearsed(DOOR)
+    built, shifted = build(DOOR), rehearsed(build(DOOR), DOOR)
     before, after = ranges(built)["OPT_A_OFFSET"], ranges(shifted)["OPT_A_OFFSET"]
     assert after.low > before.low
     assert after.high - after.low == pytest.approx(before.high - before.low)
@@ -63,8 +63,8 @@ def test_who_comes_too_late_comes_sooner_and_is_told_so() -> None:
 
 
 def test_a_shifted_program_says_its_ranges_in_its_text() -> None:
-    for one in rehearsed(DOOR).program.parameters:
-        assert declared(one) in rehearsed(DOOR).program.source
+    for one in rehearsed(build(DOOR), DOOR).program.parameters:
+        assert declared(one) in rehearsed(build(DOOR), DOOR).program.source
 
 
 def test_a_range_of_a_program_is_another_in_its_text_as_well() -> None:
@@ -115,4 +115,4 @@ def test_what_no_shift_helps_stays_as_it_was_built() -> None:
         }
     )
     built = build(cannot)
-    assert as_rehearsed(built, cannot) is built
+    assert rehearsed(built, cannot) is built

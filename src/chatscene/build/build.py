@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -71,12 +72,13 @@ class Built:
     bound: frozenset[str] = frozenset()
 
 
-def build(situation: Situation, *, name: str = "situation") -> Built:
+def build(situation: Situation, *, name: str = "situation", at_most: float = math.inf) -> Built:
     """The program of a situation.
 
     Args:
         situation: What is to happen.
         name: What the scenario is called.
+        at_most: What an ego wants at most [m/s] of which no speed was said.
 
     Raises:
         NotBuilt: A fact of it cannot be built, or no map has such a place; the message names the fact.
@@ -85,7 +87,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     if situation.map is not None and keeps_left(resolve_map(situation.map)):
         return _in_the_mirror(situation, name)
     try:
-        return _as_fast_as_it_can(situation, name)
+        return _as_fast_as_it_can(situation, name, at_most)
     except NotBuilt as error:
         raise NotBuilt(as_written(str(error), situation)) from error
 
@@ -108,7 +110,7 @@ def _in_the_mirror(situation: Situation, name: str) -> Built:
     )
 
 
-def _as_fast_as_it_can(situation: Situation, name: str) -> Built:
+def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built:
     """The program of a situation, as `build`, whose refusals name places as they are built."""
     if not situation.adversaries:
         raise NotBuilt(NOBODY)
@@ -117,7 +119,8 @@ def _as_fast_as_it_can(situation: Situation, name: str) -> Built:
     situation = replace(situation, others=tuple(along_the_road(wrong_way(one)) for one in situation.others))
     said, situation = situation, at_a_corner(in_queue(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation))))))
     check_met(situation)
-    speeds, refused = speeds_to_try(situation), list[NotBuilt]()
+    every, refused = speeds_to_try(situation), list[NotBuilt]()
+    speeds = tuple(speed for speed in every if speed <= at_most) or every[-1:]
     for speed in speeds:
         try:
             made = _built(situation, said, speed, name)

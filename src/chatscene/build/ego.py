@@ -257,6 +257,9 @@ def _pedals(
         case Act.SLOW_DOWN | Act.BRAKE:
             yield _slower(ledger, deed, at, there, begins, speed)
         case Act.GO_ALONG | Act.FOLLOW if deed.manner is Manner.SLOW or deed.speed is not None:
+            said = ledger.situation.ego.speed
+            if deed.speed is None and begins <= 0.0 and said is not None and said.low > SLOW:
+                raise NotBuilt(f"{at}.manner: slow, of an ego at {said}; say one of the two")
             ledger.take(f"{at}.speed" if deed.speed is not None else f"{at}.manner")
             till = _lasts(ledger, deed, at)
             yield Order(at_most=deed.speed.high if deed.speed is not None else SLOW, till=begins + till)

@@ -279,7 +279,8 @@ class _Judge:
                 yield Finding(path=f"{path}.act", shown=False, told=told)
                 continue
             timely = [one for one in after if due(deed, one, done, seen)] or after
-            sided = act is Said.DRIFT  # who swerves comes back, which is no swerve to the other side
+            # Who swerves comes back, which is no swerve to the other side; who was on that one before has no need to.
+            sided = act is Said.DRIFT or (k > 0 and _other_way(one.does[k - 1], deed))
             once = self._fitting(
                 path, deed, [one for one in timely if sided and to_side(deed, one, seen)] or timely, seen
             )
@@ -403,6 +404,11 @@ class _Judge:
         if deed.whom in (None, EGO) or not (tracks := self._tracks(deed.whom or EGO)):
             return seen
         return watch(self.episode, self.route, seen.track, of=tracks[0])
+
+
+def _other_way(before: Deed, deed: Deed) -> bool:
+    """Whether both lead aside of a line, each to the other side of the other."""
+    return {before.act, deed.act} <= ASIDE and {before.to, deed.to} == {Side.LEFT, Side.RIGHT}
 
 
 def _side(left: float) -> str:

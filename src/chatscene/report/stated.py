@@ -35,9 +35,9 @@ Editor = Callable[[Situation, str], tuple["Edited", Built]]
 
 @lru_cache(maxsize=8)
 def _rehearsed(built: Built, situation: Situation) -> ScenicProgram:
-    from chatscene.search.rehearsal import as_rehearsed  # who asks for no program drives nothing
+    from chatscene.search.rehearsal import rehearsed  # who asks for no program drives nothing
 
-    return as_rehearsed(built, situation).program
+    return rehearsed(built, situation).program
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -13,8 +13,9 @@ from functools import lru_cache
 from itertools import islice
 
 from chatscene.build.build import Built, build
+from chatscene.build.coming import speeds_to_try
 from chatscene.ego.policy import EgoPolicy, load_ego
-from chatscene.errors import ChatSceneError
+from chatscene.errors import ChatSceneError, NotBuilt
 from chatscene.maps.network import resolve_map
 from chatscene.program.judge import failures, judge
 from chatscene.program.sample import drawn_scene, scene_at
@@ -33,25 +34,14 @@ ROUNDS = 2  # in which every range is tried
 MOST = 100  # of programs that are tried
 STEPS: dict[str, tuple[float, ...]] = {"s": (0.5, 1.0, 2.0, 3.0, 4.0), "m": (2.0, 5.0, 10.0, 20.0)}
 """By how much more or less ranges are shifted, by their units: when somebody acts first, then where it is."""
+NEARER = (0.5, 0.25, 2.0)
+"""By which factors places are moved, too: a road may be long."""
 SHARES = (0.15, 0.3)
 """By which share of its middle a range of another unit is shifted: how somebody does it."""
 
 
-def rehearsed(situation: Situation, *, name: str = "situation") -> Built:
-    """The program of a situation, as `chatscene.build.build.build`, after drives of it.
-
-    Args:
-        situation: What was said.
-        name: What the scenario is called.
-
-    Raises:
-        NotBuilt: A fact of it cannot be built.
-    """
-    return as_rehearsed(build(situation, name=name), situation)
-
-
-def as_rehearsed(built: Built, situation: Situation) -> Built:
-    """A program whose drives show what was said, as far as its ranges let them.
+def rehearsed(built: Built, situation: Situation) -> Built:
+    """A program whose drives show what was said, as far as what was not said lets them.
 
     It is driven by the ego that drives where none is named, in the native simulator; so what it comes to depends on
     the situation alone.
@@ -61,9 +51,27 @@ def as_rehearsed(built: Built, situation: Situation) -> Built:
         situation: What was said.
 
     Returns:
-        It itself if most drives show all that was said, or if no shift helps; else one with other ranges, which are
-        told among what was assumed.
+        It itself if most drives show all that was said, if it cannot be driven, or if nothing helps; else one with
+        other ranges, which are told among what was assumed, or with a slower ego, where its speed was not said.
     """
+    shown = _shown(built, situation)
+    if shown is None and (slowly := _with_slow_ego(built, situation)) is not None:
+        shown = _shown(slowly, situation)
+    return shown or built
+
+
+def _with_slow_ego(built: Built, situation: Situation) -> Built | None:
+    """The program with the slowest ego that it may be built with; None if it has that, or cannot be built so."""
+    slowest = speeds_to_try(situation)[-1]
+    try:
+        made = build(replace(situation, map=built.map), name=built.program.scenario_id, at_most=slowest)
+    except NotBuilt:
+        return None
+    return made if made.program.source != built.program.source else None
+
+
+def _shown(built: Built, situation: Situation) -> Built | None:
+    """A program of whose drives enough show all, with other ranges if need be; None if none does."""
     try:
         stage = _Stage.of(built, situation)
         first = stage.missing(built.program)
@@ -83,7 +91,7 @@ def as_rehearsed(built: Built, situation: Situation) -> Built:
         if best is start or not best.count:
             break
     if not _is_enough(best.missing):
-        return built
+        return None
     told = tuple(_told(built.program.parameters, best.program.parameters))
     return replace(built, program=best.program, assumed=(*built.assumed, *told))
 
@@ -177,6 +185,8 @@ def _moved(one: ParameterRange) -> Iterator[tuple[float, float]]:
         low, high = one.low + by, one.high + by
         if low > 0.0 or one.low <= 0.0:  # what is a size stays one
             yield low, high
+    if one.unit == "m" and one.low > 0.0:
+        yield from ((factor * one.low, factor * one.high) for factor in NEARER)
     yield one.low, middle
     yield middle, one.high
 

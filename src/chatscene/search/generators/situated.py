@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 
-from chatscene.build.build import NOBODY, Built
+from chatscene.build.build import NOBODY, Built, build
 from chatscene.build.place import PACKAGED
 from chatscene.errors import NotBuilt
 from chatscene.interpret.scenario_names import scenario_id
@@ -84,4 +84,5 @@ def on_any_map(situation: Situation) -> Situation:
 
 @lru_cache(maxsize=8)
 def _built(text: str, name: str) -> Built:
-    return rehearsed(read_text(text), name=name)
+    situation = read_text(text)
+    return rehearsed(build(situation, name=name), situation)
