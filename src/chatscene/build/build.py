@@ -85,18 +85,18 @@ def build(situation: Situation, *, name: str = "situation", at_most: float = mat
         MapError: There is no such map.
     """
     if situation.map is not None and keeps_left(resolve_map(situation.map)):
-        return _in_the_mirror(situation, name)
+        return _in_the_mirror(situation, name, at_most)
     try:
         return _as_fast_as_it_can(situation, name, at_most)
     except NotBuilt as error:
         raise NotBuilt(as_written(str(error), situation)) from error
 
 
-def _in_the_mirror(situation: Situation, name: str) -> Built:
+def _in_the_mirror(situation: Situation, name: str, at_most: float) -> Built:
     """The program of a situation on a map of left-hand traffic, of which there is the mirror image."""
     seen = situation if situation.evidence.mirrored else mirrored_situation(situation)
     try:
-        made = _as_fast_as_it_can(seen, name)
+        made = _as_fast_as_it_can(seen, name, at_most)
     except NotBuilt as error:
         raise NotBuilt(mirrored_words(as_written(str(error), seen))) from error
     title, _, code = made.program.source.partition("\n\n")
