@@ -3,6 +3,7 @@
 import gc
 import importlib
 import pkgutil
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -61,6 +62,13 @@ def pytest_configure(config: pytest.Config) -> None:
     gc.freeze()
     gc.enable()
     gc.set_threshold(20_000, 20, 5)  # maps and libraries, which stay too, are looked through less often
+    gc.callbacks.append(look_through_once)
+
+
+def look_through_once(phase: str, collection: dict[str, Any]) -> None:
+    """Leave out of later collections what a full one has left, which is maps, libraries and networks: they stay."""
+    if phase == "stop" and collection["generation"] == 2:
+        gc.freeze()
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
