@@ -27,6 +27,7 @@ BACK_ASIDE = 0.1  # [m] toward its line, from which somebody goes back to that
 MOST_OF = 0.6
 BARELY = math.radians(5)  # by which somebody is turned who does not yet turn off
 TURNED_OFF = math.radians(60)  # who has turned by so much has not gone straight on
+ROUND_ABOUT = math.radians(140)  # by which somebody is turned who has turned round
 ROUND = math.radians(30)  # from the ego's way, from which somebody is seen to turn round
 GOES_WITH = 0.5  # cosine of the angle to the ego's way up to which somebody goes along that
 FOLLOWS = 40.0  # [m] behind somebody: who is farther does not follow …
@@ -216,15 +217,21 @@ def _from_way(s: Seen) -> Array:
     return np.unwrap(s.track.heading - way)
 
 
-def _turned(s: Seen) -> Array:
+def turned_by(s: Seen) -> Array:
     """(T,) [rad], how far somebody has turned, of itself: neither with a way that bends nor against one."""
     way = _from_way(s)
     return np.minimum(np.abs(s.track.heading - s.track.heading[0]), np.abs(way - way[0]))
 
 
+def _turns_once(s: Seen, times: Iterable[Act]) -> Iterator[Act]:
+    """The times that somebody turns or exits, who does not end up turned round: it goes back the other way."""
+    turned = turned_by(s)[-1]
+    yield from () if ROUND_ABOUT < turned < 2.0 * math.pi - ROUND_ABOUT else times
+
+
 def _not_turning_off(s: Seen, times: Iterable[Act]) -> Iterator[Act]:
     """The times that somebody goes aside that are not a turn into another road, in which it goes aside as well."""
-    turned = _turned(s)
+    turned = turned_by(s)
     off = turned[-1] > (TURNED_MIDWAY if _speed(s)[-1] < STANDING else TURNED)
     turns = int(np.flatnonzero(turned < BARELY)[-1]) if off else len(turned)
     yield from (once for once in times if not off or (once.done is not None and once.done <= turns))
@@ -250,7 +257,7 @@ def _goes_straight(s: Seen) -> Iterable[Act]:
 
 def _turns_round(s: Seen) -> Iterator[Act]:
     """It turns round; who follows a way that bends has not begun to."""
-    yield from (o for o in ACTIONS[Action.U_TURN](s) if o.done is not None or _turned(s)[-1] > ROUND)
+    yield from (o for o in ACTIONS[Action.U_TURN](s) if o.done is not None or turned_by(s)[-1] > ROUND)
 
 
 def _exits(s: Seen) -> Iterator[Act]:
@@ -306,9 +313,9 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.GO_ALONG: _moves_on,
     Said.GO_STRAIGHT: _goes_straight,
     Said.FOLLOW: follows,
-    Said.EXIT: _exits,
-    Said.TURN_LEFT: ACTIONS[Action.TURN_LEFT],
-    Said.TURN_RIGHT: ACTIONS[Action.TURN_RIGHT],
+    Said.EXIT: lambda s: _turns_once(s, _exits(s)),
+    Said.TURN_LEFT: lambda s: _turns_once(s, ACTIONS[Action.TURN_LEFT](s)),
+    Said.TURN_RIGHT: lambda s: _turns_once(s, ACTIONS[Action.TURN_RIGHT](s)),
     Said.U_TURN: _turns_round,
     Said.CROSS: ACTIONS[Action.CROSS],
     Said.ENTER: enters,

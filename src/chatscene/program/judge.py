@@ -206,7 +206,9 @@ class _Judge:
         yield from self._start(one, at, seen)
         yield from self._deeds(one, at, seen, done)
         yield from self._lasting(one, at, seen, done)
-        yield from of_somebody(self.situation, one, seen, self.route)
+        ends = [done[name].done for k in range(len(one.does)) if (name := f"{one.id}.{k}") in done]
+        after = max((len(seen.track.x) if end is None else end for end in ends), default=0)
+        yield from of_somebody(self.situation, one, seen, self.route, self.episode.tracks, after)
 
     def _start(self, one: Other, at: str, seen: Seen) -> Iterator[Finding]:
         start = one.starts

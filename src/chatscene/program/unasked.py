@@ -2,29 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 import numpy as np
 
 from chatscene.program.contacts import is_of, is_with
-from chatscene.program.deeds import BRAKES, LOSING, STANDING, braking, runs
-from chatscene.program.doing import ACTS, BARELY
+from chatscene.program.deeds import BRAKES, LOSING, MOVING, OF_GRIP, STANDING, braking, runs
+from chatscene.program.doing import ACTS, BARELY, TURNED_OFF, turned_by
 from chatscene.program.finding import Finding
 from chatscene.program.meaning import TOGETHER
 from chatscene.program.own import BROKEN
 from chatscene.program.watching import Seen, headings
 from chatscene.simulate.boxes import Boxes, Pair
 from chatscene.terms.actors import Manner, manner_of
-from chatscene.terms.episode import Episode, EventKind
+from chatscene.terms.episode import Episode, EventKind, Track
 from chatscene.terms.nouns import with_article
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import LETS_GO, SLOWS, Act, EgoLight, Heads, RightOfWay, Role, Tempo, Where, acts_of
+from chatscene.terms.vocabulary import (
+    LETS_GO,
+    SIDEWAYS,
+    SLOWS,
+    Act,
+    EgoLight,
+    Heads,
+    RightOfWay,
+    Role,
+    Tempo,
+    Where,
+    acts_of,
+)
 
 DEEP = 0.3  # [m] that two bodies are in each other, from which one is seen to drive through the other
 LEFT_PLACE = 1.0  # [m] from where it stood, from which somebody stands there no more
-LEFT_LANE = 2.2  # [m] aside of where it began, from which a road user has left its lane
+LEFT_LANE = 2.2  # [m] aside of where it began, from which a road user has left its lane …
+LEFT_LINE = 1.4  # [m] … or is seen to leave its line, where no contact is said for which it may have to
 STRAIGHT = 0.2  # [rad] that a road turns at most of which lanes are told by how far aside of the ego's way somebody is
 INSIDE = 1.3  # [m] from the ego's line to the nearest of a body that stands in its way
 STAYS = 2.0  # [s] that somebody stands at least who does not just wait
@@ -33,6 +46,19 @@ IN_LANE = SLOWS | acts_of(Tempo.STANDS, Tempo.SETS_OFF, Tempo.GAINS, Heads.ALONG
 """What is done without leaving the lane, and by its own will."""
 GOES_BACK = acts_of(Tempo.BACKS, Tempo.PAUSES, Tempo.WAITS, Heads.BACK, Heads.ROUND, Heads.EDGE)
 """What may be done by going back."""
+ALONG = (IN_LANE | SIDEWAYS | acts_of(Heads.BY, Heads.BEHIND, Heads.CLOSE)) - acts_of(Tempo.STANDS)
+"""What is done by who goes on along the road."""
+SWINGS = acts_of(Heads.SWINGS)
+STAYS_BEHIND = acts_of(Heads.BEHIND, Heads.CLOSE)
+"""What is done by who follows another."""
+KEEPS_TO = STAYS_BEHIND | acts_of(Heads.LEVEL)
+"""What is done by who is as fast as another."""
+GETS_AHEAD = acts_of(Heads.BY, Heads.BEFORE, Heads.LEVEL)
+"""What brings who is behind another ahead of that."""
+LOST = 4.0  # [m/s] that somebody loses, or half of its speed, who is seen to brake for nothing
+FIRMLY = 2.5  # [m/s²] with which it does, or the same share of the grip as of who is seen to brake at all
+AHEAD = 3.0  # [s] ahead of somebody, at its speed, is for whom it may have to brake
+IN_FRONT = 2.5  # [m] aside of its line at most
 _SAID = {
     EventKind.RED_LIGHT: (EgoLight.RED, EgoLight.YELLOW, EgoLight.TURNS_RED, EgoLight.TURNS_GREEN),
     EventKind.STOP_SIGN: (RightOfWay.STOP_SIGN,),
@@ -94,8 +120,14 @@ def _in_each_other(a: Boxes, b: Boxes, until: int | None) -> int:
     return int(np.argmax(deep)) if deep.any() else 0
 
 
-def of_somebody(situation: Situation, one: Other, seen: Seen, route: Route) -> Iterator[Finding]:
-    """What somebody does who is only told to change speed in its lane: it brakes more often, or leaves that.
+def of_somebody(
+    situation: Situation, one: Other, seen: Seen, route: Route, others: Sequence[Track], after: int
+) -> Iterator[Finding]:
+    """What somebody does that is no part of what it is told to.
+
+    It comes to stand in the way, goes back, turns off; it brakes for nobody, or who is only told to change speed in its
+    lane brakes more often, or leaves that. `others` are all that it may have to brake for, `after` the step at which
+    all is done that it was told to.
 
     Who comes against the ego in its lane leaves that where it was said that the two do not touch.
     """
@@ -106,6 +138,8 @@ def of_somebody(situation: Situation, one: Other, seen: Seen, route: Route) -> I
     if acts and GOES_BACK.isdisjoint(acts) and (back := _back(seen)) is not None:
         told = f"{one.id} goes back, which nobody said"
         yield Finding(path=f"unasked.{one.id}.back", shown=False, told=told, at=back * seen.dt)
+    if acts and ALONG.issuperset(acts) and not one.starts.where.row.junction and route.junction is None:
+        yield from _along_the_road(one, seen, others, after if np.ptp(headings(route.line)) < STRAIGHT else None)
     if not acts or not IN_LANE.issuperset(acts):
         return
     if set(acts) == {Act.STAND}:
@@ -128,10 +162,62 @@ def of_somebody(situation: Situation, one: Other, seen: Seen, route: Route) -> I
     if straight and not goes_by and not one.starts.where.row.junction:
         aside = np.abs(seen.aside - seen.aside[0])  # of the lanes: an ego that changes lanes moves its own way over
         inside = (seen.at > 0.0) & (seen.at < route.length)
-        if (gone := inside & (aside > LEFT_LANE)).any() and abs(np.cos(seen.bearing[0])) > 0.9:
+        least = LEFT_LINE if contact is None else LEFT_LANE
+        if (gone := inside & (aside > least)).any() and abs(np.cos(seen.bearing[0])) > 0.9:
             step = int(np.argmax(gone))
             told = f"{one.id} goes {aside[step]:.1f} m aside, which nobody said"
             yield Finding(path=f"unasked.{one.id}.lane", shown=False, told=told, at=step * seen.dt)
+
+
+def _along_the_road(one: Other, seen: Seen, others: Sequence[Track], after: int | None) -> Iterator[Finding]:
+    """What somebody does who is only told to go along a road: it leaves that, gets past the ego, brakes for nobody."""
+    acts = {deed.act for deed in one.does}
+    if acts.isdisjoint(SWINGS) and (off := _turns_off(seen)) is not None:
+        told = f"{one.id} turns off or round, which nobody said"
+        yield Finding(path=f"unasked.{one.id}.turn", shown=False, told=told, at=off * seen.dt)
+    behind = acts & STAYS_BEHIND and acts.isdisjoint(GETS_AHEAD)
+    if behind and (passes := next((once for once in ACTS[Act.OVERTAKE](seen) if once.done is not None), None)):
+        told = f"{one.id} gets past the ego, which nobody said"
+        yield Finding(path=f"unasked.{one.id}.past", shown=False, told=told, at=passes.began * seen.dt)
+    free = acts.isdisjoint(SLOWS | KEEPS_TO) and all(deed.speed is None for deed in one.does)
+    if free and after is not None and (brakes := _brakes_for_nobody(seen, others, after)) is not None:
+        told = f"{one.id} brakes for nobody, which nobody said"
+        yield Finding(path=f"unasked.{one.id}.brakes", shown=False, told=told, at=brakes * seen.dt)
+
+
+def _turns_off(seen: Seen) -> int | None:
+    """Since when somebody turns off the road along which it goes, or round; None of who does not."""
+    turned = turned_by(seen)
+    if manner_of(seen.track.kind) is Manner.WALKS or turned[-1] <= TURNED_OFF:
+        return None
+    return int(np.flatnonzero(turned < BARELY)[-1])
+
+
+def _brakes_for_nobody(seen: Seen, others: Sequence[Track], after: int) -> int | None:
+    """Since when somebody loses much speed, hard, with nobody ahead for whom it had to; None of who does not."""
+    speed = np.abs(seen.track.speed)
+    for first, end in runs(braking(seen)):
+        began = max(first - 1, 0)
+        lost, seconds = float(speed[began] - speed[end - 1]), (end - 1 - began) * seen.dt
+        firm = lost >= min(FIRMLY, OF_GRIP * seen.grip) * seconds
+        much = speed[began] > MOVING and lost >= min(LOST, 0.5 * speed[began])
+        if began >= after and much and firm and not _blocked(seen, others, began):
+            return began
+    return None
+
+
+def _blocked(seen: Seen, others: Sequence[Track], step: int) -> bool:
+    """Whether somebody is ahead of somebody, or may come there, near enough to have to brake for."""
+    me = seen.track
+    cos, sin = np.cos(me.heading[step]), np.sin(me.heading[step])
+    for other in others:
+        x, y = other.x[step] - me.x[step], other.y[step] - me.y[step]
+        ahead, aside = x * cos + y * sin, y * cos - x * sin
+        near = AHEAD * abs(me.speed[step]) + (me.length + other.length) / 2
+        comes = AHEAD * abs(other.speed[step] * np.sin(other.heading[step] - me.heading[step]))
+        if other is not me and 0.0 < ahead < near and abs(aside) < IN_FRONT + other.width / 2 + comes:
+            return True
+    return False
 
 
 def _back(seen: Seen) -> int | None:
