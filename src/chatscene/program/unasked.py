@@ -187,10 +187,11 @@ def _along_the_road(one: Other, seen: Seen, others: Sequence[Track], after: int 
 
 def _turns_off(seen: Seen) -> int | None:
     """Since when somebody turns off the road along which it goes, or round; None of who does not."""
-    turned = turned_by(seen)
-    if manner_of(seen.track.kind) is Manner.WALKS or turned[-1] <= TURNED_OFF:
+    beside = (seen.at > 0.0) & (seen.at < seen.line.length)  # elsewhere nothing tells where its road leads
+    turned = np.where(beside, turned_by(seen), 0.0)
+    if manner_of(seen.track.kind) is Manner.WALKS or turned.max() <= TURNED_OFF:
         return None
-    return int(np.flatnonzero(turned < BARELY)[-1])
+    return int(np.flatnonzero(turned[: int(turned.argmax())] < BARELY)[-1])
 
 
 def _brakes_for_nobody(seen: Seen, others: Sequence[Track], after: int) -> int | None:
