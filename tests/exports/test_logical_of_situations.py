@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -12,18 +13,21 @@ import pytest
 
 from asam_checker import assert_nothing_wrong
 from chatscene.build.build import build
-from chatscene.errors import RunError
+from chatscene.errors import MapError
 from chatscene.exports.exporter import KeptScene, MapFile
 from chatscene.exports.openscenario_logical import OpenScenarioLogical
 from chatscene.exports.retold import retold
+from chatscene.imports.import_file import import_scenario
 from chatscene.imports.openscenario import read_openscenario
-from chatscene.maps.network import resolve_map
+from chatscene.maps.network import load_network, resolve_map
 from chatscene.program.sample import scene_at
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import load_simulator
 from chatscene.situations.form import from_plain
+from chatscene.terms.carried import program_in, properties_of, with_values
 from chatscene.terms.scene import Rejected
 from chatscene.terms.storyboard import Storyboard
+from chatscene.world.ego_route import choose_route
 from places import TESTS
 
 GOLDEN = TESTS / "golden" / "logical"
@@ -48,6 +52,9 @@ SAID: dict[str, dict[str, Any]] = {
 }
 
 
+STEPS = {"led": 10}
+
+
 @cache
 def kept(said: str) -> KeptScene:
     made = build(from_plain(SAID[said]))
@@ -55,6 +62,8 @@ def kept(said: str) -> KeptScene:
     scene = scene_at(made.program, 0, 0.5, name="scene-000")
     session = load_simulator(path, SimulationSettings()).open(made.program, scene)
     assert not isinstance(session, Rejected)
+    for _ in range(STEPS.get(said, 0)):
+        session.step((0.0, 0.0))
     episode = session.episode(scene.id, "idm")
     session.close()
     return KeptScene(
@@ -115,12 +124,65 @@ def test_a_time_to_a_place_is_asked_of_the_ego_and_a_distance_is_kept_to_it(tmp_
     assert "; not said: A drives at " in written("cuts-in", tmp_path).read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize(
-    ("deed", "why"), [({"act": "weave"}, "no action that does this"), ({"act": "reverse"}, "no action that does this")]
-)
-def test_what_the_format_has_no_word_for_is_refused_by_its_phase(deed: dict[str, Any], why: str) -> None:
-    SAID["refused"] = one("car", "ahead", deed)
+@pytest.mark.parametrize("act", ["weave", "reverse"])
+def test_who_does_what_the_format_has_no_word_for_is_led_along_its_track_and_that_is_told(
+    act: str, tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    SAID["led"] = one("car", "ahead", {"act": act})
     kept.cache_clear()
-    with pytest.raises(RunError, match=rf"A, phase \d.*{why}"):
-        retold(kept("refused"))
-    del SAID["refused"]
+    path = written("led", tmp_path)
+    text = path.read_text(encoding="utf-8")
+    assert re.search(r"; not said: A goes as it was driven, as phase \d, .*no action that does this", text)
+    assert '<Trajectory name="A as driven"' in text
+    assert_nothing_wrong(path, caplog, "openscenario")
+    del SAID["led"]
+
+
+@pytest.mark.parametrize("said", SAID)
+def test_a_program_comes_back_as_it_was_with_the_ends_that_the_file_declares(said: str, tmp_path: Path) -> None:
+    back = import_scenario(written(said, tmp_path)).program.read_text(encoding="utf-8")
+    program = kept(said).joined()
+    numbers = {one.name: (float(one.low), float(one.high)) for one in program.parameters}
+    assert back.partition("\n")[2] == with_values(program.source, numbers).rstrip("\n") + "\n"
+
+
+def test_a_parameter_that_was_changed_in_a_file_is_changed_in_its_program(tmp_path: Path) -> None:
+    path = written("steps-out", tmp_path)
+    text = path.read_text(encoding="utf-8")
+    name, high = re.findall(r'ParameterDeclaration name="(\w+)".*?lessOrEqual" value="([^"]+)"', text, re.DOTALL)[0]
+    path.write_text(text.replace(f'lessOrEqual" value="{high}"', f'lessOrEqual" value="{float(high) + 1.0!r}"', 1))
+    back = import_scenario(path).program.read_text(encoding="utf-8")
+    assert re.search(rf"param {name} = Range\(.*, {re.escape(repr(float(high) + 1.0))}\)", back)
+    one = import_scenario(path, out=tmp_path / "one.scenic", given={name: float(high)})
+    assert f"({float(high)!r})" in one.program.read_text(encoding="utf-8")
+
+
+def test_a_file_of_which_an_event_or_the_map_was_changed_says_what_its_events_say(tmp_path: Path) -> None:
+    path = written("steps-out", tmp_path)
+    as_it_was = path.read_text(encoding="utf-8")
+    carried = import_scenario(path).program.read_text(encoding="utf-8")
+    path.write_text(as_it_was.replace('Dimensions width="2.13"', 'Dimensions width="2.0"', 1), encoding="utf-8")
+    changed = import_scenario(path, out=tmp_path / "changed.scenic").program.read_text(encoding="utf-8")
+    path.write_text(as_it_was, encoding="utf-8")
+    town = tmp_path / kept("steps-out").map.name
+    town.write_bytes(town.read_bytes() + b"<!-- another -->")
+    elsewhere = import_scenario(path, out=tmp_path / "elsewhere.scenic").program.read_text(encoding="utf-8")
+    assert "selectRoute" in carried
+    assert "selectRoute" not in changed
+    assert "selectRoute" not in elsewhere
+
+
+def test_a_program_of_another_route_than_the_first_comes_back_with_that_one() -> None:
+    source = "model chatscene.world.model\negoRoute = selectRoute(maneuver='straight')\n"
+    properties = dict(properties_of(source, 3, b"map", []))
+    assert program_in(properties, b"map", []) == source.replace("(maneuver", "(only=3, maneuver")
+    assert program_in(properties, b"another map", []) is None
+    assert program_in(properties, b"map", [("Entities", {}, [])]) is None
+    assert program_in(properties, b"map", [("ParameterDeclarations", {"any": "1"}, [])]) is not None
+    assert program_in({}, b"map", []) is None
+    network = load_network(resolve_map("town"))
+    third = choose_route(network, "town.xodr", 3, maneuver="straight").route
+    alone = choose_route(network, "town.xodr", 0, only=3, maneuver="straight")
+    assert (alone.route.id, alone.count) == (third.id, 1)
+    with pytest.raises(MapError, match="has 1 routes"):
+        choose_route(network, "town.xodr", 1, only=3, maneuver="straight")

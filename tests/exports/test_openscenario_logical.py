@@ -171,7 +171,7 @@ def test_what_is_said_of_every_packaged_behavior_is_read_back_as_the_same_plan_f
         board = board_of(behavior, plain, site)
         tracks = {one.name: track(one.name, one.kind) for one in board.actors}
         path = tmp_path / "one.xosc"
-        Xml.ElementTree(scenario(board, tracks, "town.xodr", behavior.id, 20.0)).write(path)
+        Xml.ElementTree(scenario(board, tracks, "town.xodr", behavior.id, 20.0, 0.1)).write(path)
         back = read_openscenario(path, "town").board
         assert isinstance(back, Storyboard)
         assert back.actors == board.actors, behavior.id

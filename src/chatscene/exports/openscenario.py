@@ -62,7 +62,7 @@ class OpenScenario:
                     {},
                     element("Actions", {}, environment(scene.episode.surroundings), *map(_start, tracks)),
                 ),
-                _story([_follows(track, scene.episode.dt) for track in tracks if _moves(track)]),
+                _story([follows(track, scene.episode.dt) for track in tracks if _moves(track)]),
                 element("StopTrigger", {}, after(scene.episode.duration, "the drive is over", "greaterThan")),
             ),
         )
@@ -155,8 +155,8 @@ def actors_of(*names: str) -> Xml.Element:
     )
 
 
-def _follows(track: Track, dt: float) -> Xml.Element:
-    """An actor's trajectory; each has a group of its own, so that one is taken out by taking its group out."""
+def follows(track: Track, dt: float) -> Xml.Element:
+    """An actor's trajectory as driven; each has a group of its own, so that one is taken out with its group."""
     vertices = [element("Vertex", {"time": step * dt}, at) for step, at in enumerate(_positions(track))]
     action = element(
         "FollowTrajectoryAction",

@@ -1,8 +1,10 @@
-"""ASAM OpenSCENARIO XML 1.2, a logical scenario: what the plans say, with parameters; what was driven is not in it.
+"""ASAM OpenSCENARIO XML 1.2, a logical scenario: what the plans say, with parameters.
 
-Beside it lie a file with the distribution of each parameter and the OpenDRIVE map. As it stands, the scenario has the
-values of the scene. Whoever acts has a variable that counts his phases, by which the trigger of each event asks whether
-its turn has come. Origins and headings are as in `chatscene.exports.openscenario`.
+What no plan says in the words of the format is followed as it was driven, and told in the description of the file. The
+program itself stands in the properties of its head, from which it comes back as it was. Beside it lie a file with the
+distribution of each parameter and the OpenDRIVE map. As it stands, the scenario has the values of the scene. Whoever
+acts has a variable that counts his phases, by which the trigger of each event asks whether its turn has come. Origins
+and headings are as in `chatscene.exports.openscenario`.
 """
 
 from __future__ import annotations
@@ -13,7 +15,7 @@ from xml.etree import ElementTree as Xml
 
 from chatscene.exports.bodies import wheelbase_of
 from chatscene.exports.exporter import KeptScene
-from chatscene.exports.openscenario import DATE, after, environment
+from chatscene.exports.openscenario import DATE, after, environment, follows
 from chatscene.exports.openscenario_entities import entity
 from chatscene.exports.openscenario_events import (
     Events,
@@ -27,8 +29,10 @@ from chatscene.exports.openscenario_events import (
 )
 from chatscene.exports.retold import retold
 from chatscene.exports.xml_element import element
+from chatscene.terms.carried import Row, properties_of
 from chatscene.terms.episode import Track
 from chatscene.terms.mirrored_scenario import mirrored_attributes
+from chatscene.terms.mirroring import mirrored_drive
 from chatscene.terms.plan import (
     Number,
 )
@@ -45,13 +49,15 @@ class OpenScenarioLogical:
             RunError: The format cannot say it; the message names the actor, the phase and what is missing.
         """
         board = retold(scene)
-        tracks = {track.actor: track for track in scene.episode.tracks}
+        episode = mirrored_drive(scene.episode) if board.mirrored else scene.episode
+        tracks = {track.actor: track for track in episode.tracks}
         text = "; not said: ".join((f"{scene.episode.scene_id}: {scene.text}", *board.unsaid))
         name = f"{scene.stem}.xosc"
-        told = scenario(board, tracks, scene.map.name, text, scene.episode.duration)
+        told = scenario(board, tracks, scene.map.name, text, episode.duration, episode.dt)
         if board.mirrored:
             for one in told.iter():
                 one.attrib = mirrored_attributes(one.tag, one.attrib)
+        carry(told, scene)
         found = {
             name: _whole(told),
             scene.map.name: scene.map.content,
@@ -93,7 +99,21 @@ def _distribution(board: Storyboard, name: str, text: str) -> Xml.Element:
     )
 
 
-def scenario(board: Storyboard, tracks: Mapping[str, Track], map_name: str, text: str, duration: float) -> Xml.Element:
+def carry(told: Xml.Element, scene: KeptScene) -> None:
+    """Put the program of a scene into the head of its scenario, for who can read it (`chatscene.terms.carried`)."""
+    header = told.find("FileHeader")
+    assert header is not None
+    lines = properties_of(scene.joined().source, scene.route, scene.map.content, _rows(told))
+    header.append(element("Properties", {}, *(_property(name, value) for name, value in lines)))
+
+
+def _rows(told: Xml.Element) -> Iterator[Row]:
+    return ((one.tag, one.attrib, _rows(one)) for one in told)
+
+
+def scenario(
+    board: Storyboard, tracks: Mapping[str, Track], map_name: str, text: str, duration: float, dt: float
+) -> Xml.Element:
     """The scenario of a storyboard.
 
     Args:
@@ -102,6 +122,7 @@ def scenario(board: Storyboard, tracks: Mapping[str, Track], map_name: str, text
         map_name: The name of the map's file.
         text: What the file is about.
         duration: When the scenario ends [s].
+        dt: The step of the tracks [s], along which some are led.
     """
     ego, *others = board.actors
     acting = [one for one in others if one.plan is not None]
@@ -145,10 +166,11 @@ def scenario(board: Storyboard, tracks: Mapping[str, Track], map_name: str, text
                     "Act",
                     {"name": "the plans"},
                     *(one.group() for one in told),
+                    *(follows(tracks[one.name], dt) for one in others if one.led),
                     element("StartTrigger", {}, after(0.0, "it begins", "greaterOrEqual")),
                 ),
             )
-            if told
+            if told or any(one.led for one in others)
             else element("Story", {"name": "nobody acts"}),
             element("StopTrigger", {}, after(duration, "it is over", "greaterThan")),
         ),

@@ -95,29 +95,39 @@ class _Retelling:
                 self._names = type(thing.behavior).makeGenerator.__globals__
         self._ego_line = line_of(self._objects[0].route)
         self._base = _Placed(scene.values, _poses(placed))
-        self._texts = self._said()
+        self._texts: list[str] = []
+        self._ends: dict[str, tuple[_Placed, _Placed]] = {}
         self._pairs: dict[tuple[str, str], _Placed] = {}  # everybody with both at the upper ends of their ranges
 
     def storyboard(self) -> Storyboard:
-        plans = [self._plan(index) for index in range(len(self._objects))]
+        unsaid: list[str] = []
+        plans, why = self._plans()
         read = {p for plan in plans if plan for p in _parameters(plan)}
         placing = _PARAM.sub("", _DEFINED.sub("", self._program.source))
         named = {name for name in self._scene.values if re.search(rf"\b{name}\b", placing)}
-        self._ends = self._at_ends(sorted((set(self._scene.values) - read) | named))
+        try:
+            self._ends = self._at_ends(sorted((set(self._scene.values) - read) | named))
+        except Unsayable as reason:
+            unsaid.append(f"everybody starts where they do in this scene, as {reason}")
         tracks = [self._track(pose) for pose in self._base.poses]
         lines: dict[str, Polyline] = {EGO_ROUTE: _thinned(self._ego_line)}
         lanes: dict[str, int] = {}
         actors: list[Actor] = []
-        unsaid: list[str] = []
         for index, (plan, track) in enumerate(zip(plans, tracks, strict=True)):
-            plain = None if plan is None else self._plainly(plan, index, track)
+            try:
+                plain = self._told(index, plan, track, why)
+                name, line = self._way(index, track, plain)
+                actor = self._actor(index, track, plain, name, line)
+            except (Unsayable, NotCovered) as reason:
+                unsaid.append(f"{track.actor} goes as it was driven, as {str(reason).removeprefix(f'{track.actor}, ')}")
+                plain, (name, line) = None, self._own_way(index, track)
+                actor = self._led(index, track, name, line)
             if plain:
                 lines |= plain.lines
                 lanes |= plain.lanes
                 unsaid += [f"{track.actor} {one}" for one in plain.unsaid]
-            name, line = self._way(index, track, plain)
             lines.setdefault(name, line)
-            actors.append(self._actor(index, track, plain, name, line))
+            actors.append(actor)
         order = {Role.EGO: 0, Role.ADVERSARY: 1}
         ranked = sorted(zip(actors, tracks, strict=True), key=lambda pair: order.get(pair[1].role, 2))
         return Storyboard(
@@ -144,6 +154,29 @@ class _Retelling:
         if isinstance(placed, Rejected):
             raise Unsayable(f"with other values of its parameters there is no such scene ({placed.reason})")
         return placed
+
+    def _told(self, index: int, plan: Plan | None, track: Track, why: Mapping[int, str]) -> Plain | None:
+        """What somebody does in plain words; None of the ego and of what stands."""
+        if index in why:
+            raise Unsayable(why[index])
+        return None if plan is None else self._plainly(plan, index, track)
+
+    def _plans(self) -> tuple[list[Plan | None], dict[int, str]]:
+        """What each does, in the order of the objects, and why that is not known of some."""
+        count = len(self._objects)
+        try:
+            self._texts = self._said()
+        except Unsayable as reason:
+            return [None] * count, {index: str(reason) for index in range(1, count)}
+        plans: list[Plan | None] = []
+        why: dict[int, str] = {}
+        for index in range(count):
+            try:
+                plans.append(self._plan(index))
+            except Unsayable as reason:
+                plans.append(None)
+                why[index] = str(reason)
+        return plans, why
 
     def _said(self) -> list[str]:
         """The text that places each thing, in the order of the objects."""
@@ -306,6 +339,11 @@ class _Retelling:
         turn = math.remainder(heading - self._ego_line.heading_at(along), math.tau)
         if plain is None and abs(turn) < _TURNED and 0.0 < along < self._ego_line.length:
             return EGO_ROUTE, _thinned(self._ego_line)
+        return self._own_way(index, track)
+
+    def _own_way(self, index: int, track: Track) -> tuple[str, Polyline]:
+        """A line of somebody's own through its start, the way that it faces."""
+        x, y, heading = self._base.poses[index]
         ends = [(x + d * math.cos(heading), y + d * math.sin(heading)) for d in (-_OWN, _OWN)]
         return f"{_plain(track.actor)}Way", _thinned(Polyline(ends))
 
@@ -327,6 +365,20 @@ class _Retelling:
             ),
             speed=float(track.speed[0]),
             plan=plain.plan if plain else None,
+        )
+
+    def _led(self, index: int, track: Track, name: str, line: Polyline) -> Actor:
+        """Somebody who starts where it did, and is led along its track where it moves."""
+        x, y, _ = self._base.poses[index]
+        along, left, _ = line.project(x, y)
+        return Actor(
+            name=track.actor,
+            kind=track.kind if track.kind in BY_CLASS else THING,
+            length=track.length,
+            width=track.width,
+            start=Start(line=name, along=number(along).expression, left=number(left).expression, turn=0.0),
+            speed=float(track.speed[0]),
+            led=bool(np.ptp(track.x) or np.ptp(track.y) or np.ptp(track.heading)),
         )
 
     def _kind(self, index: int) -> str:

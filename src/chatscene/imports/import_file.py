@@ -8,7 +8,7 @@ from pathlib import Path
 
 from chatscene.errors import ForeignCodeRefused, MapError, ScenarioError, SettingsError
 from chatscene.files.atomic import write_whole
-from chatscene.imports.openscenario import Imported, ScenarioFile
+from chatscene.imports.openscenario import Carried, Imported, ScenarioFile
 from chatscene.imports.stranger_xml import read_xml
 from chatscene.imports.variants import Variants, variants_of
 from chatscene.imports.written import written
@@ -105,7 +105,7 @@ def import_scenario(
         _free(out)
         scenario = ScenarioFile(path, map_name, ego=ego, within=within, root=root)
         scenario.check_declared(told)
-        return _written({out: _program(scenario.said(told), path, out)})
+        return _written({out: _program(_read(scenario, told), path, out)})
     if variant is None and at_most is None and found.count > MOST_PROGRAMS:
         found = found.searched()
     if twice := sorted(set(told) & found.names):
@@ -117,7 +117,7 @@ def import_scenario(
     scenario = ScenarioFile(found.scenario, map_name, ego=ego, within=within)
     scenario.check_declared(told)
     made, refused = _programs(
-        chosen, where, lambda values: scenario.said({**told, **values}, found.spans), path, partly
+        chosen, where, lambda values: _read(scenario, {**told, **values}, found.spans), path, partly
     )
     every = f"{found.count} variants of {found.scenario.name}"
     if len(chosen) == 1:
@@ -171,7 +171,7 @@ def _chosen(found: Variants, variant: int | None, at_most: int | None, path: Pat
 def _programs(
     chosen: Mapping[int, Mapping[str, str]],
     where: Mapping[int, Path],
-    said: Callable[[Mapping[str, str]], Imported],
+    said: Callable[[Mapping[str, str]], Imported | Carried],
     path: Path,
     partly: bool,
 ) -> tuple[dict[Path, _Program], dict[int, str]]:
@@ -210,7 +210,14 @@ def _free(out: Path) -> None:
         raise SettingsError(f"{out} is there already; delete it, or give another name with --out")
 
 
-def _program(read: Imported, path: Path, out: Path) -> _Program:
+def _read(
+    scenario: ScenarioFile, told: Mapping[str, str], spans: Mapping[str, tuple[float, float]] | None = None
+) -> Imported | Carried:
+    """What a scenario says: the program that it carries, else what its events tell."""
+    return scenario.carried(told, spans) or scenario.said(told, spans)
+
+
+def _program(read: Imported | Carried, path: Path, out: Path) -> _Program:
     """The program of what was read.
 
     Args:
@@ -221,6 +228,16 @@ def _program(read: Imported, path: Path, out: Path) -> _Program:
     Raises:
         ScenarioError: It is more than a program of a user's may be.
     """
+    if isinstance(read, Carried):
+        text = f"# {path.name} carries this program; its events tell the same to others.\n{read.source}"
+        try:
+            foreign_program(out.stem, text)
+        except ForeignCodeRefused as error:
+            why = str(error).partition("\n")[0]
+            raise ScenarioError(
+                f"{path} carries a program that cannot be run: {why}; leave out its properties"
+            ) from error
+        return _Program(text, read.map_path, read.notes, ())
     board = read.board
     if isinstance(board, StoryProgram):
         text = written_story(board, path.name)

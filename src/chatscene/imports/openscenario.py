@@ -7,20 +7,21 @@ line, all of it at once.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
 from chatscene.errors import ScenarioError, SettingsError, no_such
 from chatscene.imports.catalogs import Catalogs, written_out
-from chatscene.imports.given import Given, Refused
+from chatscene.imports.given import Given, Refused, finite
 from chatscene.imports.map_named import Maps
 from chatscene.imports.stranger_xml import Element, read_xml
 from chatscene.imports.told_as_plan import PlanReader
 from chatscene.imports.told_as_story import StoryReader
 from chatscene.imports.written_story import StoryProgram
 from chatscene.maps.left_hand import keeps_left, lanes_on_map
+from chatscene.terms.carried import Row, carries, program_in, with_values
 from chatscene.terms.mirrored_scenario import mirrored_attributes
 from chatscene.terms.storyboard import Storyboard
 
@@ -48,6 +49,21 @@ class Imported:
     notes: tuple[str, ...]
     as_written: StoryProgram | None = None
     not_as_written: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Carried:
+    """The program that a scenario carries, as no event of it was changed.
+
+    Attributes:
+        source: It, with the parameters that the file declares.
+        map_path: The map that it lies on.
+        notes: What was taken otherwise than it is written, each with its line.
+    """
+
+    source: str
+    map_path: Path
+    notes: tuple[str, ...]
 
 
 class ScenarioFile:
@@ -128,6 +144,41 @@ class ScenarioFile:
         notes = tuple(dict.fromkeys(given.notes))
         return Imported(board=board, map_path=map_path, notes=notes, as_written=whole, not_as_written=not_as_written)
 
+    def carried(
+        self, told: Mapping[str, str] | None = None, spans: Mapping[str, tuple[float, float]] | None = None
+    ) -> Carried | None:
+        """The program that the scenario carries; None where it carries none, or its events or map were changed since.
+
+        Args:
+            told: As of `said`.
+            spans: As of `said`.
+
+        Raises:
+            ScenarioError: A parameter has a range or a value that cannot be.
+            MapError: The map is not there, or is broken.
+        """
+        header = self._root.find("FileHeader", "Properties")
+        told_of = header.inside if header else []
+        properties = {one.attributes.get("name", ""): one.attributes.get("value", "") for one in told_of}
+        if not carries(properties):
+            return None
+        given = Given(told=told or {}, spans=spans or {}, within=self._within)
+        given.declare(self._root)
+        map_path = self._maps.of(given)
+        given.raise_refusals(self._path)
+        source = program_in(properties, map_path.read_bytes(), _rows(self._root))
+        if source is None:
+            return None
+        values = {one.name: (one.low, one.high) for one in given.ranges.values()}
+        for name, value in given.values.items():
+            if name not in given.ranges:
+                try:
+                    values[name] = (finite(self._root, value), finite(self._root, value))
+                except Refused as reason:
+                    given.refusals.append(str(reason))
+        given.raise_refusals(self._path)
+        return Carried(source=with_values(source, values), map_path=map_path, notes=tuple(given.notes))
+
     def _read(self, given: Given, map_path: Path) -> _Read:
         """What a file says, and what was noted: as plans, where nothing of it is refused; else as a story."""
         whole = written_out(self._root, self._path, given, self._catalogs)
@@ -146,6 +197,10 @@ class ScenarioFile:
         told.notes += [f"{why}; so it cannot be driven with --as-written" for why in untold]
         why_not = tuple(dict.fromkeys((*untold, *as_story.refusals)))  # of a story, refusals refuse the file
         return plans if for_plans else story, told, story if said else None, why_not
+
+
+def _rows(one: Element) -> Iterator[Row]:
+    return ((inner.tag, inner.attributes, _rows(inner)) for inner in one.inside)
 
 
 def _in_the_mirror(one: Element) -> Element:

@@ -48,7 +48,8 @@ class Actor:
         width: [m].
         start: Where it is at first.
         speed: How fast it is then [m/s].
-        plan: What it does; None of the ego and of what stands all the time.
+        plan: What it does; None of the ego, of what stands all the time, and of who is led.
+        led: Whether it is led along its track, as no plain plan says what it does.
     """
 
     name: str
@@ -58,6 +59,7 @@ class Actor:
     start: Start
     speed: float = 0.0
     plan: Plan | None = None
+    led: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -166,16 +166,25 @@ def has_route(network: Any, map_path: str, **query: Any) -> bool:
 
 
 def choose_route(
-    network: Any, map_path: str, index: int, *, at_line: bool = False, to_line: float = TO_LINE, **query: Any
+    network: Any,
+    map_path: str,
+    index: int,
+    *,
+    only: int | None = None,
+    at_line: bool = False,
+    to_line: float = TO_LINE,
+    **query: Any,
 ) -> EgoRoute:
     """The `index`-th route that the geometry asks for; from its junction's line on, if it is to begin there.
 
-    `to_line` is how far [m] the middle of who waits there is from the junction's entry.
+    `only` is the number of the one that counts, and `to_line` how far [m] the middle of who waits at a line is from the
+    junction's entry.
 
     Raises:
         MapError: There are fewer routes than that.
     """
     routes = routes_for(network, map_path, **query)
+    routes = routes if only is None else routes[only : only + 1]
     if index >= len(routes):
         raise MapError(
             f"map {Path(map_path).stem!r} has {len(routes)} routes for this geometry, so there is no route {index}; "
