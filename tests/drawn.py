@@ -7,7 +7,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from chatscene.situations.check import COMES_OVER, JUNCTIONS, TURNS
+from chatscene.situations.check import JUNCTIONS, TO_A_SIDE, TURNS
 from chatscene.terms.act_amounts import AMOUNTS
 from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Share, Speed
 from chatscene.terms.situation import (
@@ -154,7 +154,7 @@ def situations(draw: st.DrawFn) -> Situation:
             lateral=draw(maybe(laterals())),
         )
         side = start.side or (where.row.sides[0] if len(where.row.sides) == 1 else None)
-        does = [replace(one, to=None) if one.act in COMES_OVER and one.to is side else one for one in does]
+        does = [replace(one, to=None) if one.act in TO_A_SIDE and one.to is side else one for one in does]
         role = Role.ADVERSARY if not others else draw(st.sampled_from(Role))
         hidden = draw(maybe(st.sampled_from([one.id for one in others]))) if others else None
         count = draw(st.sampled_from((1, 1, 1, 2, 0)))

@@ -15,7 +15,7 @@ EGO = "planner"  # who drives where no ego is named: it sees everybody and has t
 SIMULATOR = "native"  # what a run's scenes drive in where no simulator is named (decision 0081)
 EXECUTOR = "processes"  # who works on the parts of a run where nobody is named
 PAPER_READER = "paper"  # the paper's own way: snippets, by wording alone
-READERS = ("situation", PAPER_READER)
+READ_AS = ("situation", PAPER_READER)
 OFFLINE = "offline"  # the project's own reader, in place of a language model
 
 
@@ -198,14 +198,14 @@ class RetrievalSettings:
     library: str = ""
     embedder: str = "minilm"
     language_model: str = OFFLINE
-    reader: str = READERS[0]
+    reader: str = READ_AS[0]
     reading: int = 0
     stated: str = ""
 
     def __post_init__(self) -> None:
         check_settings(self, {"candidates": (1, 1_000), "refuse_below": (0.0, 1.0), "reading": (0, MOST_READINGS)})
-        if self.reader not in READERS:
-            raise SettingsError(no_such("reader", self.reader, READERS))
+        if self.reader not in READ_AS:
+            raise SettingsError(no_such("reader", self.reader, READ_AS))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -18,11 +18,11 @@ from chatscene.terms.scenario import (
     Control,
     EgoState,
     Maneuver,
-    Measure,
     Occluder,
     Place,
     Position,
     Quantity,
+    QuantityKind,
     Side,
     Site,
     Slots,
@@ -51,8 +51,13 @@ def test_each_value_of_a_fact_has_a_word_of_a_situation(words: Any, table: Mappi
 def test_each_body_has_the_plainest_kind_and_each_measure_stands_somewhere() -> None:
     assert {kind for kind in AdversaryKind if rows.KINDS[kind].row.body is not kind} == set()
     assert rows.KINDS[AdversaryKind.CAR] is UserKind.CAR
-    placed = {Measure.DISTANCE, Measure.TRIGGER, Measure.ASIDE, Measure.EGO_SPEED}  # of no deed of another
-    assert set(Measure) - placed - set(rows.AMOUNTS) == set()
+    placed = {
+        QuantityKind.DISTANCE,
+        QuantityKind.TRIGGER,
+        QuantityKind.ASIDE,
+        QuantityKind.EGO_SPEED,
+    }  # of no deed of another
+    assert set(QuantityKind) - placed - set(rows.AMOUNTS) == set()
 
 
 CAR, WALKS, RIDES = AdversaryKind.CAR, AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE
@@ -132,7 +137,7 @@ def test_an_act_that_breaks_a_rule_or_has_a_pace_is_one_deed() -> None:
 @pytest.mark.parametrize("position", [Position.AHEAD, Position.ONCOMING])
 @pytest.mark.parametrize("aside", [1, -1])
 def test_to_which_side_of_its_own_somebody_swerves_comes_back(position: Position, aside: int) -> None:
-    number = Quantity(measure=Measure.ASIDE, value=aside, said="to a side")
+    number = Quantity(measure=QuantityKind.ASIDE, value=aside, said="to a side")
     slots = Slots(adversary=CAR, actions=(Action.SWERVE,), position=position)
     there = in_a_situation(slots, (number,), Surroundings())
     to_its_left = aside == 1

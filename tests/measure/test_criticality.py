@@ -11,7 +11,7 @@ from shapely import Polygon, box
 from shapely.affinity import rotate, translate
 
 from chatscene.measure.criticality import criticality, fault
-from chatscene.report.measures import Measure
+from chatscene.report.measures import InWords
 from chatscene.terms.criticality import CRITICALITY, Criticality, Fault, Severity
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 from places import ROOT
@@ -392,6 +392,6 @@ def test_every_measure_has_its_words_and_its_definition_on_the_page() -> None:
 
 
 def test_a_measure_of_which_no_more_is_said_is_told_without_a_gap() -> None:
-    assert Measure("least mean distance", "better", "m").in_one == "least mean distance; more is better"
-    assert Measure("friction demand", "", of="share").in_one == "friction demand: share"
-    assert Measure("speed", "").in_one == "speed"
+    assert InWords("least mean distance", "better", "m").in_one == "least mean distance; more is better"
+    assert InWords("friction demand", "", of="share").in_one == "friction demand: share"
+    assert InWords("speed", "").in_one == "speed"

@@ -89,7 +89,7 @@ def test_a_row_that_lacks_what_its_manner_asks_for_says_what() -> None:
 
 @every_kind
 def test_what_a_kind_is_called_first_names_that_kind_in_a_text(kind: AdversaryKind) -> None:
-    assert KINDS[kind].row.general or is_named(KINDS[kind], kind.noun)
+    assert KINDS[kind].row.general or is_named(KINDS[kind], kind.row.noun)
 
 
 def test_a_kind_survives_being_copied_and_written_down() -> None:

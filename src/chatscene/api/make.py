@@ -148,7 +148,10 @@ def run(
     if own and speed is not None:
         own = replace(own, program=_at_speed(own.program, speed))
     if own:
-        map, notes = _map_of(own, on, shut_in=within is not None)  # noqa: A001
+        from chatscene.imports.collection import map_for
+        from chatscene.search.generators.their_map import their_map
+
+        map, notes = their_map(own.map_path, map_for(own, on, shut_in=within is not None))  # noqa: A001
         for line in (*own.changed(), *notes):
             progress(f"{line}\n", 0, 0)
     situation = made.record if isinstance(made, Stated) else None
@@ -428,22 +431,6 @@ def _at_speed(program: ScenicProgram, speed: float) -> ScenicProgram:
         why = "drives as it is written" if program.as_written else "is written for another world model"
         raise SettingsError(f"{program.called} {why}, so that its ego is not told a speed")
     return at_speed(program, speed / 3.6)
-
-
-def _map_of(own: ForeignProgram, chosen: str | None, *, shut_in: bool) -> tuple[str | None, tuple[str, ...]]:
-    """The map of a program, and what there is to say of it.
-
-    Args:
-        own: The program.
-        chosen: The map that its user names, or None.
-        shut_in: Whether it may name no map that the record of an import beside it tells.
-    """
-    from chatscene.imports.collection import map_beside
-    from chatscene.search.generators.their_map import their_map
-
-    if chosen is None and own.map_path is None and not shut_in:
-        chosen = map_beside(own.path)
-    return their_map(own.map_path, chosen)
 
 
 def _own(path: Path, *, trusted: bool, as_written: bool, given: Mapping[str, object] | None) -> ForeignProgram:

@@ -31,7 +31,6 @@ from chatscene.build.place import (
     is_marked,
 )
 from chatscene.build.relations import grip_of, speed_beside
-from chatscene.build.sideways import COMES_OVER
 from chatscene.build.starts import start_of
 from chatscene.build.timing import Body
 from chatscene.situations.phrases import one_seen
@@ -40,7 +39,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.rolling import rolls
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other
-from chatscene.terms.vocabulary import SIDEWAYS, Act, Breach, Role, Where
+from chatscene.terms.vocabulary import COMES_OVER, SIDEWAYS, Act, Breach, Role, Where
 from chatscene.world.places import ownLane, speedOn
 
 HURRIES = (1.0, 1.5)  # of the speed from which a watcher calls somebody fast

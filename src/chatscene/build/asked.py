@@ -16,7 +16,9 @@ from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.vocabulary import (
+    ENDS,
     GOES_ON,
+    HALTS,
     NOSE_TO_TAIL,
     PLAIN,
     STOPS,
@@ -264,8 +266,8 @@ def goes_slowly(one: Other) -> bool:
 
 
 _OVER = {
-    Meets.ACROSS: (acts_of(Heads.ACROSS, Heads.IN), STOPS | acts_of(Tempo.LIES)),
-    Meets.THROUGH: (acts_of(Heads.THROUGH, Heads.ACROSS), STOPS | acts_of(Tempo.LIES)),
+    Meets.ACROSS: (acts_of(Heads.ACROSS, Heads.IN), ENDS),
+    Meets.THROUGH: (acts_of(Heads.THROUGH, Heads.ACROSS), ENDS),
 }
 """What leads somebody over the ego's way, and what ends that in it."""
 
@@ -289,7 +291,7 @@ def passes_with(one: Other, hidden: Other) -> bool:
     return hidden.hidden_by == one.id and goes and one.starts.where is hidden.starts.where is Where.ONCOMING
 
 
-ENDS_THERE = STOPS | acts_of(Tempo.STANDS, Tempo.LIES)
+ENDS_THERE = ENDS | HALTS
 """What ends the way of somebody where it is."""
 
 

@@ -31,7 +31,7 @@ _LOSES = LOSES | acts_of(Tempo.BACKS)
 _STANDS = HALTS | acts_of(Tempo.LIES)
 _PASSES = frozenset((EgoRoute.BYPASS, EgoRoute.OVERTAKE, EgoRoute.LANE_CHANGE_LEFT, EgoRoute.LANE_CHANGE_RIGHT))
 """Ways on which the ego goes round whoever stands in its lane."""
-_COMES_OVER = COMES_IN | acts_of(Tempo.BACKS)
+_GETS_IN_THE_WAY = COMES_IN | acts_of(Tempo.BACKS)
 _BESIDE = frozenset(
     (Where.ROADSIDE, Where.KERB, Where.DRIVEWAY, Where.CROSSING, Where.MEDIAN, Where.BUS_BAY, Where.AHEAD)
 )
@@ -203,7 +203,7 @@ def is_held_up(situation: Situation) -> bool:
     """Whether somebody before the ego has it lose speed: who does so in its lane, stands there, or comes into it."""
     return _stands_ahead(situation) or any(
         (one.starts.where is Where.AHEAD and not _LOSES.isdisjoint(_acts(one)))
-        or (one.starts.where in _BESIDE and not _COMES_OVER.isdisjoint(_acts(one)))
+        or (one.starts.where in _BESIDE and not _GETS_IN_THE_WAY.isdisjoint(_acts(one)))
         for one in situation.others
         if one.role is not Role.HIDES
     )

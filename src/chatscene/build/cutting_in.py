@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.contact import misses, touches
 from chatscene.build.over_lanes import lane_after
-from chatscene.build.sideways import COMES_OVER, seconds_over
+from chatscene.build.sideways import seconds_over
 from chatscene.build.timing import Body
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.situations.phrases import one_of
 from chatscene.terms.situation import EGO, Other, Situation
-from chatscene.terms.vocabulary import CHANGES, Act, Heads, Part, Role, Striker, Where, acts_of
+from chatscene.terms.vocabulary import CHANGES, COMES_OVER, Act, Heads, Part, Role, Striker, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor

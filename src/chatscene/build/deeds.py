@@ -54,6 +54,14 @@ def _each(acts: Iterable[Act], steps: Steps) -> dict[Act, Steps]:
     return dict.fromkeys(acts, steps)
 
 
+def _paced(room: str, fastest: str = "25") -> Steps:
+    """Goes as far behind somebody, ``ego``, as a parameter has it, and no faster than that [m/s]."""
+    pace = f"PaceOnPath({{p}}, ego, -(ego.length + self.length) / 2 - ${room}, {fastest})"
+    binds = {"distance": room, "time": "PACE_TIME"}
+    return Steps(does=(f"{pace} for $PACE_TIME seconds",), last=(pace,), binds=binds, lasting=True)
+
+
+SLOW_FOR = 2.0  # [s] that somebody goes on at the speed that it has lost some to
 GO = "DrivePath({p}, $SPEED)"
 BRAKES = f"BrakeOnPath({{p}}, $BRAKE) until {STILL}"
 _EASES = "BrakeOnPath({p}, $EASE) until self.pose[3] < $SLOW"
@@ -98,7 +106,7 @@ ALONG: dict[Act, Steps] = {
         ),
     ),
     Act.SLOW_DOWN: Steps(
-        does=(_EASES, "DrivePath({p}, $SLOW) for 2 seconds"),
+        does=(_EASES, f"DrivePath({{p}}, $SLOW) for {SLOW_FOR:g} seconds"),
         last=(_EASES, "DrivePath({p}, $SLOW)"),
         binds={"speed": "SLOW"},
         going=True,
@@ -159,12 +167,7 @@ ALONG: dict[Act, Steps] = {
         binds={"time": "PACE_TIME"},
         lasting=True,
     ),
-    Act.TAILGATE: Steps(
-        does=("PaceOnPath({p}, ego, -(ego.length + self.length) / 2 - $GAP, 25) for $PACE_TIME seconds",),
-        last=("PaceOnPath({p}, ego, -(ego.length + self.length) / 2 - $GAP, 25)",),
-        binds={"distance": "GAP", "time": "PACE_TIME"},
-        lasting=True,
-    ),
+    Act.TAILGATE: _paced("GAP"),
     **_each((Act.CUT_IN, Act.MERGE, Act.ENTER), _INTO_OWN),
     Act.LANE_CHANGE: _INTO_OWN,
     Act.CUT_OUT: Steps(
@@ -287,7 +290,7 @@ def seen_to_pass(steps: Steps) -> Steps:
     return replace(steps, does=(comes, *steps.does), last=(comes, *steps.last) if steps.last else ())
 
 
-COMES_OVER = 1.2  # [s] from when somebody turns the wheel until it is where the ego's side is
+TURNED_IN = 1.2  # [s] from when somebody turns the wheel until it is where the ego's side is
 
 
 def gets_by(*, comes_back: bool) -> Steps:
@@ -306,7 +309,7 @@ def sideswipes(level: float) -> Steps:
     Args:
         level: How far [m] ahead of the ego's middle the part is that it touches.
     """
-    gains = f"{COMES_OVER:g} * max(0, self.pose[3] - ego.pose[3])"
+    gains = f"{TURNED_IN:g} * max(0, self.pose[3] - ego.pose[3])"
     passes = f"DrivePath({{p}}, $FAST) until headway(egoRoute, ego, self) > {level:.3g} - {gains}"
     over = f"DrivePath({OWN}, $FAST)"
     return replace(ALONG[Act.OVERTAKE], does=(passes, f"{over} for 3 seconds"), last=(passes, over))
@@ -349,19 +352,9 @@ def yielding_to(name: str, *, against: bool = False, through: bool = False) -> S
 
 
 SEEN_TO_STAND = 0.5  # [s]
-BEHIND_ANOTHER = Steps(
-    does=("PaceOnPath({p}, ego, -(ego.length + self.length) / 2 - $ROOM, 25) for $PACE_TIME seconds",),
-    last=("PaceOnPath({p}, ego, -(ego.length + self.length) / 2 - $ROOM, 25)",),
-    binds={"distance": "ROOM", "time": "PACE_TIME"},
-    lasting=True,
-)
+BEHIND_ANOTHER = _paced("ROOM")
 """Of somebody who follows another: ``ego`` is then whom it follows."""
-AS_FAST_BEHIND = replace(
-    BEHIND_ANOTHER,
-    does=(BEHIND_ANOTHER.does[0].replace(", 25)", ", $SPEED)"),),
-    last=(BEHIND_ANOTHER.last[0].replace(", 25)", ", $SPEED)"),),
-    binds={"distance": "ROOM", "time": "PACE_TIME", "speed": "SPEED"},
-)
+AS_FAST_BEHIND = replace(_paced("ROOM", "$SPEED"), binds={**BEHIND_ANOTHER.binds, "speed": "SPEED"})
 """The same, no faster than was said."""
 DRIFTS_OVER = Steps(
     does=(
@@ -373,7 +366,7 @@ DRIFTS_OVER = Steps(
 )
 """Of somebody who drifts out of the next lane all over into the ego's."""
 BRAKES_TO = Steps(
-    does=("BrakeOnPath({p}, $BRAKE) until self.pose[3] < $SLOW", "DrivePath({p}, $SLOW) for 2 seconds"),
+    does=("BrakeOnPath({p}, $BRAKE) until self.pose[3] < $SLOW", f"DrivePath({{p}}, $SLOW) for {SLOW_FOR:g} seconds"),
     last=("BrakeOnPath({p}, $BRAKE) until self.pose[3] < $SLOW", "DrivePath({p}, $SLOW)"),
     binds={"acceleration": "BRAKE", "speed": "SLOW"},
     going=True,
@@ -440,7 +433,7 @@ ACROSS: dict[Act, Steps] = {
         pace=Pace.GAINS,
     ),
     Act.SLOW_DOWN: Steps(
-        does=("MoveAhead($SLOW) for 2 seconds",),
+        does=(f"MoveAhead($SLOW) for {SLOW_FOR:g} seconds",),
         last=("MoveAhead($SLOW)",),
         binds={"speed": "SLOW"},
         going=True,

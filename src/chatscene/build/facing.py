@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from chatscene.build.asked import Asked, Meets, Stand
-from chatscene.situations.check import COMES_OVER
+from chatscene.situations.check import TO_A_SIDE
 from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import Act, Facing, Heads, Manner, Side, Where, acts_of
 
@@ -72,5 +72,5 @@ def said_anyway(one: Other, meets: Meets) -> Iterator[str]:
         yield f"{at}.starts.facing"
     for k, deed in enumerate(one.does):
         comes_from = Side.LEFT if one.starts.where is Where.ONCOMING else one.starts.side
-        if deed.act in COMES_OVER and deed.to is not None and deed.to is not comes_from:
+        if deed.act in TO_A_SIDE and deed.to is not None and deed.to is not comes_from:
             yield f"{at}.does.{k}.to"

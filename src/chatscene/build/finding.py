@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
@@ -30,7 +30,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.maps.open_road import BLOCKER_AT, CHANGE_AT, OPEN_ROAD
 from chatscene.maps.routes import APPROACHES, ELSEWHERE
 from chatscene.maps.sites import APPROACHED, PASSED, PAST
-from chatscene.situations.check import COMES_OVER
+from chatscene.situations.check import TO_A_SIDE
 from chatscene.situations.facts import said_in
 from chatscene.terms.backing import backs, turned_about
 from chatscene.terms.pace import NOMINAL
@@ -54,6 +54,9 @@ from chatscene.world.ego_route import EgoRoute as Route
 from chatscene.world.ego_route import choose_route, has_route
 from chatscene.world.places import lanesBeside, timetable
 
+_Load = Callable[[str], tuple[Any, str]]
+"""The roads of a map by its name, and its file."""
+
 
 def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
     """The first query that a map answers with a route on which all ways are that others need.
@@ -76,10 +79,10 @@ def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
                 f" {situation.ego.route}"
             )
     rooms: dict[str, float] = {}
-    lacking = _Lacking()
-    for more in _worth_looking_for(situation, tuple(_lengths(situation, speed, road)), rooms):
+    lacking, load = _Lacking(), cache(_map)
+    for more in _worth_looking_for(situation, tuple(_lengths(situation, speed, road)), rooms, load):
         lacking = _Lacking()  # what is told is what the shortest road lacks
-        if found := _found(situation, speed, more, road, lacking, rooms):
+        if found := _found(situation, speed, more, road, lacking, rooms, load):
             _take(ledger, found)
             far = min(max(1.0, more), further(speed))
             far = found.route.eventAt / BACKED if backs(situation) else far
@@ -105,19 +108,26 @@ class _Lacking:
     nowhere: list[str] = field(default_factory=list[str])
 
 
-def _worth_looking_for(situation: Situation, lengths: tuple[float, ...], rooms: Mapping[str, float]) -> Iterator[float]:
+def _worth_looking_for(
+    situation: Situation, lengths: tuple[float, ...], rooms: Mapping[str, float], load: _Load
+) -> Iterator[float]:
     """The lengths of road, but those between where not even the shortest is anywhere, once the longest is not found."""
     yield lengths[0]
     if between := lengths[1:-1]:
-        yield from between if rooms or _is_somewhere(situation, lengths[-1]) else ()
+        yield from between if rooms or _is_somewhere(situation, lengths[-1], load) else ()
     yield from lengths[1:][-1:]
 
 
 def _found(
-    situation: Situation, speed: float, more: float, road: float, lacking: _Lacking, rooms: dict[str, float]
+    situation: Situation,
+    speed: float,
+    more: float,
+    road: float,
+    lacking: _Lacking,
+    rooms: dict[str, float],
+    load: _Load,
 ) -> Found | None:
     """The first route on so many times the usual road; what each map lacks goes into `lacking` and `rooms`."""
-    load = cache(_map)
     for sides in _open_sides(situation):
         for name, query in queries_for(situation, sides):
             if found := _answered(
@@ -127,9 +137,8 @@ def _found(
     return None
 
 
-def _is_somewhere(situation: Situation, more: float) -> bool:
+def _is_somewhere(situation: Situation, more: float, load: _Load) -> bool:
     """Whether any map has any of the roads that are asked for, so many times as long as usual."""
-    load = cache(_map)
     asked = ((name, query) for sides in _open_sides(situation) for name, query in queries_for(situation, sides))
     return any(has_route(*load(name), **_longer(query, more)) for name, query in asked)
 
@@ -144,10 +153,11 @@ def without_one_fact(situation: Situation, speed: float) -> str:
     said = [(path, str(value)) for path, value in said_in(situation) if path.startswith("road.")]
     if situation.road.ego_light is not None:  # which there is only where there is a light
         said = [(path, value) for path, value in said if path != "road.control"]
+    load = cache(_map)
     helps = [
         f"{path}: {value}"
         for path, value in said
-        if _found(replace(situation, road=_without(situation.road, path)), speed, 1.0, 0.0, _Lacking(), {})
+        if _found(replace(situation, road=_without(situation.road, path)), speed, 1.0, 0.0, _Lacking(), {}, load)
     ]
     if helps:
         return f"a place is found without {' or without '.join(helps)}"
@@ -280,7 +290,7 @@ def comes_from(one: Other) -> Side | None:
     past = next((deed.to for deed in one.does if deed.act is Act.OVERTAKE and deed.to is not None), None)
     if past is not None and one.starts.where in NEXT_LANE:
         return past
-    to = next((deed.to for deed in one.does if deed.act in COMES_OVER and deed.to is not None), None)
+    to = next((deed.to for deed in one.does if deed.act in TO_A_SIDE and deed.to is not None), None)
     return None if to is None else Side.LEFT if to is Side.RIGHT else Side.RIGHT
 
 

@@ -11,6 +11,7 @@ from chatscene.build.place import GOES_OVER, LANE, NEXT_LANE
 from chatscene.terms.situation import Contact, Deed, Other, Situation
 from chatscene.terms.vocabulary import (
     ASIDE,
+    COMES_OVER,
     GOES_ON,
     NOSE,
     SIDES_OF,
@@ -33,7 +34,7 @@ AT_CORNER = 1.0  # [m] of where somebody is level with a corner, next to where i
 CORNER = 0.3  # of half its length ahead of its middle, or behind: from there on it is a corner that is touched
 Level = tuple[float, float]
 """How far [m] ahead of the ego's middle that of the other is, from and to."""
-_COMES_OVER = ASIDE | acts_of(Heads.OVER, Heads.BEFORE, Heads.MERGES, Heads.IN)
+_MOVES_OVER = ASIDE | COMES_OVER
 _TURNS_OVER = {Side.LEFT: Act.TURN_RIGHT, Side.RIGHT: Act.TURN_LEFT}
 _GOES_ON = GOES_ON | acts_of(Heads.THROUGH, Heads.LEVEL)
 _TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.ENTER_DRIVEWAY))
@@ -45,7 +46,7 @@ def comes_over(situation: Situation, one: Other) -> bool:
     if not one.does or one.starts.where is not Where.BESIDE or side is None or _stands(situation.ego.does):
         return False
     *before, last = one.does
-    over = (last.act in _COMES_OVER and last.to is not side) or last.act is _TURNS_OVER[side]
+    over = (last.act in _MOVES_OVER and last.to is not side) or last.act is _TURNS_OVER[side]
     said = (last.distance, last.time if last.act is Act.CUT_IN else None, last.when, last.lateral)
     level = last.whom is None and all(one is None for one in said)
     return over and level and all(deed.act in _GOES_ON for deed in before)

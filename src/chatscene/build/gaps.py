@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import Meets, goes_slowly
 from chatscene.build.contact import misses
 from chatscene.build.cutting_in import SLOWER, comes_before, gets_before, leaves, seconds_to_get_before, set_speed
-from chatscene.build.deeds import OWN
+from chatscene.build.deeds import OWN, SLOW_FOR
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.relations import speed_of
@@ -27,7 +27,6 @@ _COMES_BEFORE = acts_of(Heads.BEFORE, Heads.TURNS)
 _OVER = acts_of(Heads.OVER, Heads.MERGES, Heads.IN)
 WAITS = 0.6  # of its speed, the least of who lets the ego come near again
 BACK_OVER = 0.5  # [s] in which who comes against the ego goes back to its lane before it
-SLOW_FOR = 2.0  # [s] that somebody goes on at the speed that it has lost some to
 SETTLES = 2.5  # [s] in which somebody who has passed another comes to be as far ahead of it as was said
 HALF_BY = 0.6  # of its time beside whom it passes, in which somebody meets the ego that it does not miss
 CLOSE = (1.0, 3.0)  # [m], from and to, that somebody leaves who comes in suddenly, or all but touches the ego

@@ -48,10 +48,12 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
     if actor.one.starts.side not in (None, side):
         raise NothingBuilds(f"nothing builds yet: {actor.path}, which hides {hidden.one.id} from its side")
     actor.ledger.take(*(f"others.{name}.hidden_by" for name in hidden_with(actor, hidden.one)))
-    if actor.one.starts.where not in BESIDE and in_our_lane(actor) is None:
+    aside = _in_our_lane(actor)
+    if actor.one.starts.where not in BESIDE and aside is None:
         where = actor.one.starts.where
         actor.ledger.assume(f"{actor.one.id} stands beside the road, and not {where}, so that it hides {hidden.one.id}")
-    if (aside := in_our_lane(actor)) is not None:
+    if aside is not None:
+        actor.ledger.take(f"{actor.path}.starts.lateral")
         length = actor.limits.length
         away = _room(actor, hidden, hidden.numbers.middle("X")) + (0.5 + n // 2) * length + n // 2 * BETWEEN
         at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:.3g}"
@@ -71,7 +73,7 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
     return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
 
 
-def in_our_lane(actor: Actor) -> float | None:
+def _in_our_lane(actor: Actor) -> float | None:
     """How far [m] to the left of the middle of our lane somebody is parked who was said to be partly in it.
 
     None of who is not, or is at the other edge of the road, where others come.
@@ -79,7 +81,6 @@ def in_our_lane(actor: Actor) -> float | None:
     lateral, start = actor.one.starts.lateral, actor.one.starts
     if lateral is None or lateral.beyond is not None or start.where not in PARTLY or start.side is Side.LEFT:
         return None
-    actor.ledger.take(f"{actor.path}.starts.lateral")
     low, high = in_lane(lateral, lateral.side or Side.RIGHT, actor.limits, actor.ego_limits.width, 0.0)
     return 0.5 * (low + high)
 

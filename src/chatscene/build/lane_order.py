@@ -9,11 +9,10 @@ from chatscene.build.actor import Actor
 from chatscene.build.aside import avoids, seconds_aside
 from chatscene.build.asked import ROOM, Meets, stands_first
 from chatscene.build.local import WIDER
-from chatscene.build.sideways import COMES_OVER
 from chatscene.build.towards import done_to, screens
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO
-from chatscene.terms.vocabulary import COMES_IN, SIDEWAYS, SLOWS, Role, Where
+from chatscene.terms.vocabulary import COMES_IN, COMES_OVER, SIDEWAYS, SLOWS, Role, Where
 from chatscene.world.places import FOLLOWING_BRAKE
 
 HEADWAY = 1.3  # [s] that somebody is behind another who comes in between that and the ego

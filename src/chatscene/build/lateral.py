@@ -13,14 +13,13 @@ from chatscene.terms.actors import Limits
 from chatscene.terms.amount import Amount
 from chatscene.terms.lateral import PLACED, PLACED_IN_OURS, aside_of_ego
 from chatscene.terms.situation import LATERALS, Lateral, Other
-from chatscene.terms.vocabulary import ASIDE, Act, Heads, Side, Where, acts_of
+from chatscene.terms.vocabulary import ASIDE, INTO_OURS, Act, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 _MOVED = re.compile(r"\.offset\([-\d.]+\)$")
 _ON_FOOT = "pointOn(egoRoute, level{i})"
-_INTO_OURS = acts_of(Heads.BEFORE, Heads.MERGES, Heads.IN, Heads.FROM_EDGE, Heads.OVER)
 _LEAST, _MOST = {"overlap": 0.05, "clearance": 0.2}, {"overlap": 0.95, "clearance": 2.0}
 """Where a bound of a number is left open: from and to; of a length within the lane, from 0 to its edge."""
 _FARTHEST = 10.0  # [m] beside the lanes that somebody is, where only a least was said
@@ -71,7 +70,7 @@ def led_aside(actor: Actor, k: int, steps: Steps) -> Steps:
     side, chosen = _side(lateral, one)
     toward = actor.stand.meets is Meets.TOWARD
     texts = (*steps.does, *steps.last)
-    if deed.act in _INTO_OURS and (line := next((line for line in (OWN, "{ours}") if line in "".join(texts)), "")):
+    if deed.act in INTO_OURS and (line := next((line for line in (OWN, "{ours}") if line in "".join(texts)), "")):
         low, high = in_lane(lateral, side, actor.limits, actor.ego_limits.width, 0.0)
     elif deed.act is Act.OVERTAKE and lateral.clearance is not None and "{beside}" in "".join(texts):
         line, side = "{beside}", deed.to or Side.LEFT

@@ -12,13 +12,12 @@ import shapely
 from chatscene.build.place import LANE, NEXT_LANE, lane_beside
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import Deed, Other, Situation
-from chatscene.terms.vocabulary import Heads, Side, Where, acts_of
+from chatscene.terms.vocabulary import OVER_A_LINE, Heads, Side, Where, acts_of
 from chatscene.world.ego_route import EgoRoute as Route
 from chatscene.world.places import ownLane
 
 _SIGN = {Side.LEFT: 1, Side.RIGHT: -1}
-_INTO_OURS = acts_of(Heads.BEFORE, Heads.MERGES, Heads.IN)
-_CHANGES = acts_of(Heads.OVER, Heads.OUT)
+_ENDS_IN_OURS = acts_of(Heads.BEFORE, Heads.MERGES, Heads.IN)
 _ALONG = NEXT_LANE | {Where.AHEAD, Where.BEHIND}
 
 
@@ -32,9 +31,9 @@ def lane_after(one: Other, deeds: Sequence[Deed], k: int) -> int:
     """The lane in which somebody who goes along the road is after its k-th deed, counted so."""
     lane = first_lane(one)
     for deed in deeds[: k + 1]:
-        if deed.act in _INTO_OURS:
+        if deed.act in _ENDS_IN_OURS:
             lane = 0
-        elif deed.act in _CHANGES:
+        elif deed.act in OVER_A_LINE:
             if deed.to is not None:
                 lane += _SIGN[deed.to]
             else:

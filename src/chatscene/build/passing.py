@@ -16,13 +16,13 @@ from chatscene.build.sideways import USUAL
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO
-from chatscene.terms.vocabulary import COMES_IN, STOPS, Act, Heads, Role, Side, Tempo, Where, acts_of
+from chatscene.terms.vocabulary import COMES_IN, ENDS, HALTS, Act, Heads, Role, Side, Tempo, Where, acts_of
 from chatscene.world.places import FOLLOWING_BRAKE, lanes_beside
 
 SPREAD = 5.0  # [m] by which where somebody begins is drawn
 BEHIND = 30.0  # [m] of road behind who comes against the ego
 _PASSES = NEXT_LANE | {Where.BEHIND}
-_STOPS = STOPS | acts_of(Tempo.STANDS, Tempo.LIES, Tempo.BACKS, Heads.EDGE)
+_STOPS = ENDS | HALTS | acts_of(Tempo.BACKS, Heads.EDGE)
 
 
 def come_after_who_passes(actors: Sequence[Actor]) -> None:

@@ -40,7 +40,7 @@ from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import Limits
-from chatscene.terms.vocabulary import HALTS, STOPS, Act, Heads, Manner, Role, Striker, Tempo, Where, acts_of
+from chatscene.terms.vocabulary import ENDS, HALTS, STOPS, Act, Heads, Manner, Role, Striker, Tempo, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -49,7 +49,6 @@ GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
 AS_SAID, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
 ON_FOOT, ROUNDS_IN = 1.2, 0.2  # [s] in which somebody on foot turns round at least; longer than it takes to stand
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
-ENDS_BACKING = STOPS | acts_of(Tempo.LIES)  # by which who backs comes to a stand: it does not set off forwards for that
 STAYS = acts_of(Tempo.GAINS, Heads.DRIFTS)  # it goes on so, whatever time that took
 OPENS_BEFORE, OPENS_INTO = (-1.1, -0.5), (-1.4, -1.1)  # [s] later than one could stop for it that a door is opened
 OPENS_AHEAD = (0.5, 1.5)  # [s] sooner than usual that one is opened in the lane that the ego comes along
@@ -280,7 +279,7 @@ class Phases:
         twice = k > 0 and self.actor.deeds[k].act is self.actor.deeds[k - 1].act is Act.BRAKE
         if twice and self.actor.stand.meets is not Meets.ACROSS:
             return True
-        backs = k > 0 and self.actor.deeds[k - 1].act is Act.REVERSE and self.actor.deeds[k].act in ENDS_BACKING
+        backs = k > 0 and self.actor.deeds[k - 1].act is Act.REVERSE and self.actor.deeds[k].act in ENDS
         if self.goes_on_braking(k) or backs or not steps.going or (steps.pace is Pace.GAINS and before.high <= CRAWLS):
             return False
         return still or (bool(before.name) and steps.pace is not Pace.GAINS)
@@ -311,7 +310,7 @@ class Phases:
             if metres > RUN_UP:
                 return
             actor.numbers.move("X", metres)
-        near = RESTS if deed in ENDS_BACKING else f"{MOVE} until abs(offsetFrom(egoRoute, self)) < {OUTSIDE}"
+        near = RESTS if deed in ENDS else f"{MOVE} until abs(offsetFrom(egoRoute, self)) < {OUTSIDE}"
         yield self._at(k, near, before=True)
 
     def _at(self, k: int, text: str, *, before: bool = False) -> str:

@@ -20,7 +20,7 @@ from chatscene.terms.actors import LIMITS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import backs
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import PLAIN, STOPS, Act, Role, Side, Tempo, Where, acts_of
+from chatscene.terms.vocabulary import PLAIN, STOPS, WAITING, Act, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -38,8 +38,7 @@ BEFORE_MET = 5.0  # [s] before somebody at a junction is met, when who hides it 
 EASES = (0.35, 0.5)  # of its brakes, from and to, that who was not said to brake hard stops with
 _OUTSIDE = re.compile(r'besideRoad\((.*), "(left|right)", \$X\)')
 _NEXT = frozenset((Where.AHEAD_BESIDE, Where.BESIDE))
-_COMES_OVER = frozenset((Where.ROADSIDE, Where.CROSSING, Where.DRIVEWAY, Where.KERB))
-_STANDS = acts_of(Tempo.STANDS, Tempo.WAITS)
+_FROM_OUTSIDE = frozenset((Where.ROADSIDE, Where.CROSSING, Where.DRIVEWAY, Where.KERB))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,7 +65,7 @@ def from_its_lane(situation: Situation, one: Other, hidden: Other) -> bool:
     if beside_lane(situation) or backs(situation):
         return False  # of whom it is seen from elsewhere
     drives = one.kind.moves is Moves.DRIVES and one.role is not Role.ADVERSARY
-    in_lane = one.starts.where in _NEXT | {Where.ONCOMING} and hidden.starts.where in _COMES_OVER
+    in_lane = one.starts.where in _NEXT | {Where.ONCOMING} and hidden.starts.where in _FROM_OUTSIDE
     at_line = one.starts.where in _NEXT and hidden.starts.where is Where.ARM
     at_line = at_line and (None in (one.starts.side, hidden.starts.side) or one.starts.side is hidden.starts.side)
     waits = one.starts.where is hidden.starts.where is Where.ONCOMING and not passes_with(one, hidden)
@@ -135,9 +134,9 @@ def _beside_lane(actor: Actor, hidden: Actor) -> Screen:
     lead = hidden.filled(
         f"({meeting_of(hidden).metres:.2f} / $SPEED + $OFFSET)"
     )  # before the ego is there it comes out
-    if acts <= _STANDS:
+    if acts <= WAITING:
         return Screen(way=way, at=at, farther=farther, sign=sign)
-    if acts <= _STANDS | STOPS | PLAIN and acts & STOPS:
+    if acts <= WAITING | STOPS | PLAIN and acts & STOPS:
         _come_in_time(actor, hidden)
         return _comes_to_stand(actor, Screen(way=way, at=at, sign=sign), f"{seconds} - {lead} - {STOOD:g}")
     if acts <= PLAIN and against:
@@ -162,9 +161,9 @@ def _at_junction(actor: Actor, hidden: Actor) -> Screen:
     else:
         raise _refused(actor, hidden, "it is not between the ego and the arm")
     screen = Screen(way=way, at=at, sign="-")
-    if acts <= _STANDS:
+    if acts <= WAITING:
         return screen
-    if acts <= _STANDS | STOPS | PLAIN and acts & STOPS:
+    if acts <= WAITING | STOPS | PLAIN and acts & STOPS:
         return _comes_to_stand(actor, screen, f"{actor.ego.seconds(f'egoMeet{other}')} - {BEFORE_MET:g}")
     raise _refused(actor, hidden, "say that it stands or stops")
 

@@ -10,7 +10,7 @@ from chatscene.build.asked import stands_first
 from chatscene.build.deeds import OWN, Steps
 from chatscene.build.place import LANE
 from chatscene.errors import NotBuilt
-from chatscene.terms.vocabulary import Heads, Manner, Side, acts_of
+from chatscene.terms.vocabulary import COMES_OVER, OVER_A_LINE, Manner, Side
 from chatscene.world.places import lanes_beside
 
 if TYPE_CHECKING:
@@ -27,9 +27,6 @@ SLOWLY = 2.0 * AT_SPEED
 CLEARS = 2.4  # [s] that who takes so long needs more than who turns at once, until it is out of a lane, at most
 """[s]: drivers take 4.6 s in the mean (T. Toledo and D. Zohar, "Modeling duration of lane changes", 2007)."""
 OVER_LINE, ALONG_LINE = 1.0, 5.0  # [s], [m] at least from when somebody turns the wheel until it crosses the line
-_CHANGES = acts_of(Heads.OVER, Heads.OUT)
-COMES_OVER = acts_of(Heads.OVER, Heads.BEFORE, Heads.MERGES, Heads.IN)
-"""How somebody comes over to another lane; who gets out of a lane does so before what stands in it."""
 
 
 def takes_long(actor: Actor, k: int, steps: Steps) -> Steps:
@@ -57,7 +54,7 @@ def _takes(actor: Actor, k: int) -> tuple[float, float] | None:
     deed = actor.deeds[k]
     if deed.time is None:
         return (AT_SPEED, SLOWLY) if over_at_speed(actor, k) else None
-    if deed.act not in _CHANGES:
+    if deed.act not in OVER_A_LINE:
         return None
     if deed.time.high < QUICKEST:
         at = f"{actor.path}.does.{k}.time"

@@ -16,13 +16,12 @@ from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import CRAWLS, Pace
 from chatscene.build.place import LANE, NEXT_LANE, at_junction, leaves_by_ramp
 from chatscene.build.timing import Course, course
-from chatscene.terms.vocabulary import Act, Heads, acts_of
+from chatscene.terms.vocabulary import INTO_OURS, Act
 
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
 SOONER = 0.8  # [s] than the ego somebody comes over from a stand that is not to be struck
-_COMES_OVER = acts_of(Heads.BEFORE, Heads.MERGES, Heads.IN, Heads.FROM_EDGE, Heads.OVER)
 BEGUN = 0.8  # [s]: what is done so long before the ego is there is seen to begin
 LATEST = 12.0  # [s] that somebody goes with the ego before it does anything
 OVER_LANE = 3.0  # [s] in which somebody at speed is in the next lane
@@ -155,7 +154,7 @@ class UnderWay:
     def _from_a_stand(self) -> float:
         """How long [s] before the ego somebody sets off that stood in its lane, or comes over into that."""
         actor = self.phases.actor
-        if actor.one.starts.where not in NEXT_LANE or actor.deeds[self.first].act not in _COMES_OVER:
+        if actor.one.starts.where not in NEXT_LANE or actor.deeds[self.first].act not in INTO_OURS:
             return 3.6
         over = self.phases.body.covers(0.5 * actor.limits.length + LANE, self._wish())
         return over + (0.0 if touches(actor.ledger.situation, actor.one) else SOONER)

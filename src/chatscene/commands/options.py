@@ -15,7 +15,7 @@ from click.core import ParameterSource
 
 from chatscene.errors import ChatSceneError
 from chatscene.plugins import Kind, check_name
-from chatscene.settings import EGO, EXECUTOR, MOST_READINGS, PHYSICS, READERS, SIMULATOR, SimulationSettings
+from chatscene.settings import EGO, EXECUTOR, MOST_READINGS, PHYSICS, READ_AS, SIMULATOR, SimulationSettings
 
 Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
 
@@ -293,8 +293,8 @@ READING = together(
 )
 READER = click.option(
     "--reader",
-    type=click.Choice(READERS),
-    default=READERS[0],
+    type=click.Choice(READ_AS),
+    default=READ_AS[0],
     show_default=True,
     help="How TEXT is read: as a situation, of which a program is built; or, as in the paper, by wording alone, with "
     "snippets and without refusals.",

@@ -15,6 +15,7 @@ from chatscene.maps.carla_towns import is_town
 from chatscene.maps.network import PACKAGED, name_of, resolve_map
 from chatscene.runs.atomic import read_json, write_json
 from chatscene.runs.digests import digest_of
+from chatscene.search.generators.foreign import ForeignProgram
 
 RECORD = "imported.json"
 MOST_ABOUT = 300  # characters of what a file says of itself
@@ -153,6 +154,22 @@ def _record(folder: Path) -> _Record:
         raise RunError(
             f"{where} is no record of an import that this version reads: {at}: {first['msg']}; import the folder anew"
         ) from error
+
+
+def map_for(own: ForeignProgram, chosen: str | None, *, shut_in: bool) -> str | None:
+    """The map that a program's user names, else the one that it was imported with, where it names none itself.
+
+    Args:
+        own: The program.
+        chosen: The map that its user names, or None.
+        shut_in: Whether no record beside it may tell its map.
+
+    Raises:
+        RunError: The map was changed.
+    """
+    if chosen is None and own.map_path is None and not shut_in:
+        return map_beside(own.path)
+    return chosen
 
 
 def map_beside(program: Path) -> str | None:

@@ -19,7 +19,7 @@ from chatscene.read.reader import in_one_line
 from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.frame import About, Clauses, Frame, Note
-from chatscene.terms.scenario import Measure, Scenario, Unused, Why
+from chatscene.terms.scenario import QuantityKind, Scenario, Unused, Why
 from chatscene.terms.situation import Situation
 
 
@@ -82,8 +82,8 @@ def said_by(frame: Frame, situation: Situation) -> Frame:
         frame,
         clauses=cut(frame.text, words),
         outright=concluded(facts.slots),
-        quantities=tuple(one for one in numbers if one.measure is not Measure.EGO_SPEED),
-        ego_speed=next((one for one in numbers if one.measure is Measure.EGO_SPEED), None),
+        quantities=tuple(one for one in numbers if one.measure is not QuantityKind.EGO_SPEED),
+        ego_speed=next((one for one in numbers if one.measure is QuantityKind.EGO_SPEED), None),
         surroundings=facts.surroundings,
         unused=tuple(Unused(said=words, why=Why.WORDS) for words in unread(situation, frame.text)),
         words=words,

@@ -15,7 +15,7 @@ from chatscene.settings import PAPER_READER, RetrievalSettings
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import base_of, concluded
 from chatscene.terms.frame import About, Frame, Note
-from chatscene.terms.scenario import Component, Measure, Scenario, Slots
+from chatscene.terms.scenario import Component, QuantityKind, Scenario, Slots
 from chatscene.terms.slots import slots_of
 from chatscene.terms.snippet import Snippet
 
@@ -78,7 +78,7 @@ def understood(frame: Frame) -> Scenario:
     """The scenario of a frame: its facts with what follows from them."""
     slots = concluded(frame.outright)
     if Action.SWERVE not in slots.actions:  # who does not swerve does it to no side
-        quantities = tuple(one for one in frame.quantities if one.measure is not Measure.ASIDE)
+        quantities = tuple(one for one in frame.quantities if one.measure is not QuantityKind.ASIDE)
         frame = replace(frame, quantities=quantities)
     return Scenario(
         id=named(frame.text),

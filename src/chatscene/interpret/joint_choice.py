@@ -7,10 +7,19 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.errors import NothingFits
 from chatscene.library.compatibility import Compatibility
+from chatscene.situations.phrases import one_seen
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.snippet import Snippet, Tried
 
 Scores = NDArray[np.float64]
+
+
+def none_left(kind: AdversaryKind | None, tried: Sequence[Tried]) -> NothingFits:
+    """The error where no triple is left that has such an adversary, or any."""
+    who = "an adversary" if kind is None else f"{one_seen(kind.row.scenic)} as adversary"
+    return NothingFits(f"nothing {'else ' if tried else ''}in the library has {who}")
 
 
 def highest(

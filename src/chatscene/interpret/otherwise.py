@@ -101,10 +101,11 @@ def _kind(scenario: Scenario, words: Sequence[Mapping[str, Any]]) -> list[str]:
         return []
     named = _named(words)
     if not named:
-        return [f"guessed: {with_article(kind.noun)}, which no word names"]
-    if any(name in text for text in named for name in (kind.noun.lower(), kind.value.replace("-", " "))):
+        return [f"guessed: {with_article(kind.row.noun)}, which no word names"]
+    if any(name in text for text in named for name in (kind.row.noun.lower(), kind.value.replace("-", " "))):
         return []
-    return [f"{', '.join(map(repr, named))} {'is' if len(named) == 1 else 'are'} shown as {with_article(kind.noun)}"]
+    shown = f"{'is' if len(named) == 1 else 'are'} shown as {with_article(kind.row.noun)}"
+    return [f"{', '.join(map(repr, named))} {shown}"]
 
 
 def _named(words: Sequence[Mapping[str, Any]]) -> list[str]:

@@ -15,8 +15,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.errors import NothingFits
-from chatscene.interpret.joint_choice import highest
+from chatscene.interpret.joint_choice import highest, none_left
 from chatscene.interpret.nearest import cosines
 from chatscene.interpret.wording import parts_of
 from chatscene.library.bind import does
@@ -24,7 +23,6 @@ from chatscene.library.compatibility import compatibility
 from chatscene.library.load import Library, library_with
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.settings import RetrievalSettings
-from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.frame import Frame
 from chatscene.terms.scenario import Component, SubDescriptions
@@ -66,8 +64,7 @@ def nearest_triple(
     joint = compatibility(library)
     at = highest(joint, [scores[c] for c in Component], joint.able(kind), tried)
     if at is None:
-        who = "an adversary" if kind is None else f"{one_seen(kind.row.scenic)} as adversary"
-        raise NothingFits(f"nothing {'else ' if tried else ''}in the library has {who}")
+        raise none_left(kind, tried)
     behavior, geometry, spawn = (_match(library, c, scores[c], i) for c, i in zip(Component, at, strict=True))
     return Retrieval(
         behavior=behavior,

@@ -16,13 +16,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
-from chatscene.interpret.joint_choice import highest
+from chatscene.interpret.joint_choice import highest, none_left
 from chatscene.interpret.wording_index import WordingIndex
 from chatscene.library.bind import distances, out_of_reach, settable
 from chatscene.library.compatibility import compatibility, incompatibility
 from chatscene.library.load import Library
 from chatscene.settings import RetrievalSettings
-from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import BRINGS, Action, reordered
 from chatscene.terms.acts import TURNS as TURNING
@@ -133,8 +132,7 @@ def _best(
     free = tuple(ok & (ranked[component].conflicts == 0) for ok, component in zip(allowed, Component, strict=True))
     found = highest(joint, scores, free, tried) or highest(joint, scores, allowed, tried)
     if found is None:
-        who = "an adversary" if kind is None else f"{one_seen(kind.row.scenic)} as adversary"
-        raise NothingFits(f"nothing {'else ' if tried else ''}in the library has {who}")
+        raise none_left(kind, tried)
     return tuple(ranked[component].match(i) for component, i in zip(Component, found, strict=True))
 
 

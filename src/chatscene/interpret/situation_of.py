@@ -34,7 +34,7 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Amount, Length, Speed
 from chatscene.terms.conclusions import JUNCTIONS
-from chatscene.terms.scenario import Control, Distance, EgoState, Measure, Quantity, Site, Slots
+from chatscene.terms.scenario import Control, Distance, EgoState, Quantity, QuantityKind, Site, Slots
 from chatscene.terms.situation import Around, Deed, Ego, Other, Road, Situation, Start, When
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
 from chatscene.terms.vocabulary import (
@@ -58,7 +58,7 @@ _ROUNDED = 0.01  # of SI units, to which a number is rounded when it is read
 
 
 def _ego_speed(numbers: Sequence[Quantity]) -> Speed | None:
-    return next((_amount(Speed, one) for one in numbers if one.measure is Measure.EGO_SPEED), None)
+    return next((_amount(Speed, one) for one in numbers if one.measure is QuantityKind.EGO_SPEED), None)
 
 
 def in_a_situation(slots: Slots, numbers: Sequence[Quantity], around: Surroundings) -> Situation:
@@ -130,7 +130,7 @@ def _other(name: str, role: Role, slots: Slots, numbers: Sequence[Quantity], who
     kind = KINDS[slots.adversary]
     start = _start(slots, kind, numbers, junction=whole.place in JUNCTIONS or whole.control is not None)
     deeds = _numbered(_deeds(slots, start), numbers, start)
-    speed = next((one for one in numbers if one.measure is Measure.SPEED), None)
+    speed = next((one for one in numbers if one.measure is QuantityKind.SPEED), None)
     if speed is not None and not any("speed" in deed.act.row.takes for deed in deeds):  # so it drove at it before
         start = replace(start, speed=_amount(Speed, speed))
     hidden = HIDES if role is Role.ADVERSARY and slots.occluder is not None else None
@@ -155,7 +155,7 @@ def _start(slots: Slots, kind: UserKind, numbers: Sequence[Quantity], *, junctio
         where = Where.ON_RAMP
     if slots.site is Site.BUS_BAY and where is Where.KERB:
         where = Where.BUS_BAY
-    distance = next((_amount(Length, one) for one in numbers if one.measure is Measure.DISTANCE), None)
+    distance = next((_amount(Length, one) for one in numbers if one.measure is QuantityKind.DISTANCE), None)
     if distance is None and slots.distance is not None:
         low, high = slots.distance.bounds(slots.position)
         distance = Length(low, high) if slots.distance is Distance.FAR else Length(-float("inf"), high)
@@ -247,10 +247,10 @@ def _numbered(deeds: tuple[Deed, ...], numbers: Sequence[Quantity], start: Start
             at = next((i for i, deed in enumerate(made) if name in deed.act.row.takes), None)
             if at is not None:
                 made[at] = replace(made[at], **{name: _amount(kind, one)})
-        elif one.measure is Measure.TRIGGER and made:
+        elif one.measure is QuantityKind.TRIGGER and made:
             at = next((i for i, deed in enumerate(made) if not deed.act.row.lasting), len(made) - 1)
             made[at] = replace(made[at], when=When(ego_within=_amount(Length, one)))
-        elif one.measure is Measure.ASIDE:
+        elif one.measure is QuantityKind.ASIDE:
             at = next((i for i, deed in enumerate(made) if deed.act is Act.SWERVE), None)
             if at is not None:
                 made[at] = replace(made[at], to=next(to for to in Side if aside_of(to, start.where) == one.value))

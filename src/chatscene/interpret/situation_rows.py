@@ -5,7 +5,7 @@ from __future__ import annotations
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Acceleration, Amount, Duration, Speed
-from chatscene.terms.scenario import Control, EgoState, Maneuver, Measure, Occluder, Place, Position, Site
+from chatscene.terms.scenario import Control, EgoState, Maneuver, Occluder, Place, Position, QuantityKind, Site
 from chatscene.terms.situation import Deed, Road
 from chatscene.terms.vocabulary import (
     Act,
@@ -136,10 +136,10 @@ ACTS: dict[Action, Act] = {
 }
 """What each act of the reader is."""
 MANNERS = {Action.DIAGONAL: Manner.SLANTING, Action.SLOW: Manner.SLOW, Action.FAST: Manner.FAST}
-AMOUNTS: dict[Measure, tuple[str, type[Amount]]] = {
-    Measure.SPEED: ("speed", Speed),
-    Measure.TIME: ("time", Duration),
-    Measure.DECELERATION: ("acceleration", Acceleration),
+AMOUNTS: dict[QuantityKind, tuple[str, type[Amount]]] = {
+    QuantityKind.SPEED: ("speed", Speed),
+    QuantityKind.TIME: ("time", Duration),
+    QuantityKind.DECELERATION: ("acceleration", Acceleration),
 }
 """Which amount of a deed each measure is, and its type."""
 

@@ -33,11 +33,11 @@ from chatscene.terms.scenario import (
     Control,
     EgoState,
     Maneuver,
-    Measure,
     Occluder,
     Place,
     Position,
     Quantity,
+    QuantityKind,
     Site,
     Slots,
 )
@@ -68,7 +68,7 @@ ACTIONS: dict[Act, Action] = {
     Act.STAND: Action.STAND,
     Act.CROSS: Action.CROSS,
 }
-_MEASURES = (("speed", Measure.SPEED), ("time", Measure.TIME), ("acceleration", Measure.DECELERATION))
+_MEASURES = (("speed", QuantityKind.SPEED), ("time", QuantityKind.TIME), ("acceleration", QuantityKind.DECELERATION))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -213,26 +213,26 @@ def _site(situation: Situation) -> Site | None:
 
 def _quantities(who: Other, ego: Ego) -> Iterator[Quantity]:
     """The numbers that were said of somebody and of the ego."""
-    if (drives := _number(Measure.EGO_SPEED, ego.speed)) is not None:
+    if (drives := _number(QuantityKind.EGO_SPEED, ego.speed)) is not None:
         yield drives
-    if (there := _number(Measure.DISTANCE, who.starts.distance)) is not None:
+    if (there := _number(QuantityKind.DISTANCE, who.starts.distance)) is not None:
         yield there
     for name, measure in _MEASURES:
-        amounts = [getattr(deed, name) for deed in who.does] + [who.starts.speed] * (measure is Measure.SPEED)
+        amounts = [getattr(deed, name) for deed in who.does] + [who.starts.speed] * (measure is QuantityKind.SPEED)
         said = next((one for amount in amounts if (one := _number(measure, amount)) is not None), None)
         if said is not None:
             yield said
     near = (deed.when.ego_within for deed in who.does if deed.when is not None)
     if (
-        trigger := next((one for one in (_number(Measure.TRIGGER, amount) for amount in near) if one), None)
+        trigger := next((one for one in (_number(QuantityKind.TRIGGER, amount) for amount in near) if one), None)
     ) is not None:
         yield trigger
     aside = next((deed.to for deed in who.does if deed.act is Act.SWERVE and deed.to is not None), None)
     if aside is not None:
-        yield Quantity(measure=Measure.ASIDE, value=aside_of(aside, who.starts.where), said=f"to the {aside}")
+        yield Quantity(measure=QuantityKind.ASIDE, value=aside_of(aside, who.starts.where), said=f"to the {aside}")
 
 
-def _number(measure: Measure, amount: Amount | None) -> Quantity | None:
+def _number(measure: QuantityKind, amount: Amount | None) -> Quantity | None:
     if amount is None or amount.than_ego or not amount.exact:
         return None
     return Quantity(measure=measure, value=amount.low, said=str(amount))

@@ -11,9 +11,9 @@ from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scenario import (
     WAITING,
     Distance,
-    Measure,
     Place,
     Quantity,
+    QuantityKind,
     Scenario,
     Side,
     Slots,
@@ -29,12 +29,12 @@ DECIMALS, ROUNDING = 3, 1e-3  # of a narrowed range, and how far that may step o
 SHARE = 0.1  # of a quantity, to either side: what a person means by a number
 
 _NAMES = {
-    Measure.DISTANCE: "OPT_GEO_Y",
-    Measure.SPEED: "OPT_ADV_SPEED",
-    Measure.TIME: "OPT_STOP_TIME",
-    Measure.TRIGGER: "OPT_ADV_DISTANCE",
-    Measure.DECELERATION: "OPT_BRAKE",
-    Measure.ASIDE: "OPT_SWERVE",
+    QuantityKind.DISTANCE: "OPT_GEO_Y",
+    QuantityKind.SPEED: "OPT_ADV_SPEED",
+    QuantityKind.TIME: "OPT_STOP_TIME",
+    QuantityKind.TRIGGER: "OPT_ADV_DISTANCE",
+    QuantityKind.DECELERATION: "OPT_BRAKE",
+    QuantityKind.ASIDE: "OPT_SWERVE",
 }
 _SWERVES = re.compile(
     r"SwerveOnPath\([^,]+, [^,]+, (-?)globalParameters\.OPT_SWERVE\)"
@@ -77,10 +77,10 @@ def bound(triple: Triple, scenario: Scenario) -> Bound:
     unused: list[Unused] = []
     parts = list(triple)
     quantities = _for(triple, scenario)
-    if scenario.slots.distance is not None and all(q.measure is not Measure.DISTANCE for q in quantities):
+    if scenario.slots.distance is not None and all(q.measure is not QuantityKind.DISTANCE for q in quantities):
         parts = [_begun(part, scenario.slots.distance) for part in parts]
     for quantity in quantities:
-        if quantity.measure is Measure.ASIDE:
+        if quantity.measure is QuantityKind.ASIDE:
             swerving = _swerving(parts[0], quantity.value, scenario.slots.side)
             parts[0] = swerving or parts[0]
             unused += [] if swerving else [Unused(said=quantity.said, why=Why.NUMBER)]
@@ -102,7 +102,7 @@ def _swerving(behavior: Snippet, aside: float, side: Side | None) -> Snippet | N
     if swerves is None:
         toward_us = _BY_THE_EGO.search(behavior.source) is not None and side is (Side.RIGHT if aside > 0 else Side.LEFT)
         return behavior if toward_us else None
-    parameter = next((p for p in behavior.parameters if p.name == _NAMES[Measure.ASIDE]), None)
+    parameter = next((p for p in behavior.parameters if p.name == _NAMES[QuantityKind.ASIDE]), None)
     if parameter is None:
         return None
     if (aside > 0) == (swerves[1] == "" and parameter.low > 0):
@@ -121,7 +121,7 @@ def as_done(quantity: Quantity, kind: AdversaryKind) -> Quantity:
 
     The rest that slows it, a few tenths of m/s², is left out of account.
     """
-    if quantity.measure is not Measure.DECELERATION:
+    if quantity.measure is not QuantityKind.DECELERATION:
         return quantity
     return replace(quantity, value=round(quantity.value / kind.row.limits.brake, DECIMALS))
 
@@ -135,7 +135,7 @@ def distances(snippet: Snippet) -> frozenset[Distance]:
 def _start(snippet: Snippet, distance: Distance) -> tuple[ParameterRange, float, float] | None:
     """The parameter that says how far from the ego the adversary starts, and the part of its range that is said."""
     for parameter in snippet.parameters:
-        if parameter.name == _NAMES[Measure.DISTANCE] and _from_ego(parameter):
+        if parameter.name == _NAMES[QuantityKind.DISTANCE] and _from_ego(parameter):
             least, most = distance.bounds(snippet.slots.position)
             low = parameter.low if distance is Distance.NEAR else max(parameter.low, least)
             high = min(parameter.high, most)
@@ -153,7 +153,7 @@ def narrowed(triple: Triple, ranges: Mapping[str, tuple[float, float]]) -> Tripl
     for i, part in enumerate(triple):
         for parameter in part.parameters:
             low, high = ranges.get(parameter.name, (parameter.low, parameter.high))
-            if parameter.name == _NAMES[Measure.ASIDE] and (low, high) == (-parameter.high, -parameter.low):
+            if parameter.name == _NAMES[QuantityKind.ASIDE] and (low, high) == (-parameter.high, -parameter.low):
                 parts[i] = _set(parts[i], parameter, low, high)  # to the other side
                 continue
             if not parameter.low - ROUNDING <= low <= high <= parameter.high + ROUNDING:
@@ -179,7 +179,7 @@ def out_of_reach(snippet: Snippet, quantities: Sequence[Quantity], kind: Adversa
 
 def settable(quantity: Quantity, snippets: Sequence[Snippet], kind: AdversaryKind | None) -> bool:
     """Whether some parameter of snippets can be set to a quantity, for an adversary."""
-    if quantity.measure is Measure.ASIDE:
+    if quantity.measure is QuantityKind.ASIDE:
         return any(pattern.search(snippet.source) for pattern in (_SWERVES, _BY_THE_EGO) for snippet in snippets)
     told = [(as_done(quantity, _acts(s, kind)), p) for s in snippets for p in s.parameters]
     return any(_speaks_of(one, p) and _in_reach(p, one) for one, p in told)
@@ -201,13 +201,13 @@ def _from_ego(parameter: ParameterRange) -> bool:
 
 def _speaks_of(quantity: Quantity, parameter: ParameterRange) -> bool:
     """Whether a parameter measures what a quantity does, and on the side of the ego that was said."""
-    if quantity.measure is Measure.ASIDE:
+    if quantity.measure is QuantityKind.ASIDE:
         return False  # no range of values is meant
     if parameter.name != _NAMES.get(quantity.measure):
         return False
-    if quantity.measure is Measure.TIME:
+    if quantity.measure is QuantityKind.TIME:
         return _STANDING.match(parameter.meaning) is not None
-    if quantity.measure is not Measure.DISTANCE:
+    if quantity.measure is not QuantityKind.DISTANCE:
         return True
     other = _BEHIND_EGO if _SAID_AHEAD.search(quantity.said) else None
     other = _AHEAD_OF_EGO if _SAID_BEHIND.search(quantity.said) else other

@@ -33,7 +33,7 @@ from chatscene.program.encounter import encounter
 from chatscene.program.finding import Finding, failures, not_judged
 from chatscene.program.lateral import is_aside, of_lateral
 from chatscene.program.meaning import TOGETHER, in_between, left_of_ego
-from chatscene.program.measured import SLACK_LENGTH, SLACK_SPEED, Measure, held_at_most
+from chatscene.program.measured import SLACK_LENGTH, SLACK_SPEED, Yardstick, held_at_most
 from chatscene.program.own import of_ego
 from chatscene.program.roads import of_road
 from chatscene.program.said import due, gently, to_side, untold, waits_for_others
@@ -112,14 +112,14 @@ class _Judge:
     episode: Episode
     route: Route
     through: bool
-    measure: Measure = field(init=False)
+    measure: Yardstick = field(init=False)
     waiting: Waiting = field(init=False)
     waits: list[tuple[str, Deed, Act, Seen]] = field(default_factory=list[tuple[str, Deed, Act, Seen]])
 
     def __post_init__(self) -> None:
         wanted = percentile(self.episode.ego_track.speed, 90)  # as nothing held it
         self.waiting = Waiting(self.situation, self.episode, self.route, self.contact)
-        self.measure = Measure(ego_speed=wanted, cut=self.contact is not None)
+        self.measure = Yardstick(ego_speed=wanted, cut=self.contact is not None)
 
     @property
     def contact(self) -> int | None:

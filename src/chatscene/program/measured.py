@@ -18,7 +18,7 @@ from chatscene.terms.amount import Amount
 from chatscene.terms.arrays import Array
 from chatscene.terms.route import Route
 from chatscene.terms.situation import EGO, Deed, Start
-from chatscene.terms.vocabulary import ASIDE, BEYOND_JUNCTION, HALTS, NOSE_TO_TAIL, Heads, Tempo, Where, acts_of
+from chatscene.terms.vocabulary import ASIDE, BEYOND_JUNCTION, NOSE_TO_TAIL, RESTS, Heads, Tempo, Where, acts_of
 from chatscene.terms.vocabulary import Act as Said
 
 SLACK = 0.15  # of a number that was said: what a watcher does not see
@@ -35,7 +35,7 @@ GAINING = acts_of(Tempo.GAINS, Tempo.SETS_OFF, Heads.FROM_EDGE)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Measure:
+class Yardstick:
     """How numbers of a drive are held against what was said.
 
     Attributes:
@@ -157,7 +157,7 @@ class Measure:
 
     def stand(self, path: str, deed: Deed, once: Act, seen: Seen) -> Finding | None:
         """How long somebody stands, if that was said."""
-        if deed.time is None or deed.act not in HALTS | acts_of(Tempo.PAUSES):
+        if deed.time is None or deed.act not in RESTS:
             return None
         first, end = stood(seen, once)
         found = self.number(f"{path}.time", deed.time, np.array([(end - first) * seen.dt]), SLACK_TIME, "stands for")

@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar, TypeVar
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
 from chatscene.errors import SettingsError
-from chatscene.settings import READERS, RetrievalSettings, SearchSettings, Settings, SimulationSettings
+from chatscene.settings import READ_AS, RetrievalSettings, SearchSettings, Settings, SimulationSettings
 from chatscene.terms.edit import with_edits
 from chatscene.terms.nouns import with_article
 from chatscene.terms.simulator import SimulatorIdentity
@@ -519,7 +519,7 @@ def settings_of(record: MapRecord) -> Settings:
 
 def _as_called_now(reading: Mapping[str, Any]) -> Mapping[str, Any]:
     """How a text is read, as a record of whichever version has it: what was called so before 0134 is the usual way."""
-    return {**reading, "reader": READERS[0]} if reading.get("reader") in ("facts", "learned") else reading
+    return {**reading, "reader": READ_AS[0]} if reading.get("reader") in ("facts", "learned") else reading
 
 
 S = TypeVar("S")

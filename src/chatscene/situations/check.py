@@ -27,7 +27,7 @@ TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.TURN))
 MOST = 20  # of others, of one of them, and of the deeds of one: more is no situation that a person means
 RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.STOP_SIGN}
 """What rules a junction where somebody breaks such a rule."""
-COMES_OVER = acts_of(Heads.ACROSS, Heads.BEFORE)
+TO_A_SIDE = acts_of(Heads.ACROSS, Heads.BEFORE)
 """Acts that lead from where somebody is at first to the other side."""
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
 _WAYS = {
@@ -125,7 +125,7 @@ def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
         if one.hidden_by == one.id:
             yield Fault((*at, "hidden_by"), "nobody hides itself")
     for k, deed in enumerate(one.does):
-        if deed.act in COMES_OVER and deed.to is not None and deed.to is side:
+        if deed.act in TO_A_SIDE and deed.to is not None and deed.to is side:
             yield Fault((*at, "does", k, "to"), f"it is on the {deed.to} at first, and comes to the other side")
         if not one.kind.can(deed.act):
             yield Fault((*at, "does", k, "act"), f"{one.kind!s} {_WAYS[one.kind.moves]}, and cannot {deed.act!s}")

@@ -659,11 +659,6 @@ class AdversaryKind(StrEnum):
         return self if self.row.told_apart else self.acts_as
 
     @property
-    def noun(self) -> str:
-        """What it is called first of all."""
-        return self.row.noun
-
-    @property
     def is_vulnerable(self) -> bool:
         """Whether it is on foot or on two wheels."""
         return self.row.manner in (Manner.WALKS, Manner.RIDES)
@@ -714,7 +709,7 @@ def manner_of(kind: str) -> Manner | None:
 
 def noun_of(kind: str) -> str:
     """What a track is of in words, by its class: ``Pedestrian`` a pedestrian, ``BusStop`` a bus stop."""
-    return BY_CLASS[kind].noun if kind in BY_CLASS else re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()
+    return BY_CLASS[kind].row.noun if kind in BY_CLASS else re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()
 
 
 def one_of_class(kind: str) -> str:

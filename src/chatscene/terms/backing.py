@@ -12,7 +12,7 @@ from dataclasses import replace
 from chatscene.terms.episode import Episode, Event
 from chatscene.terms.route import Beside
 from chatscene.terms.situation import Deed, Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Part, Side, Tempo, Where, acts_of
+from chatscene.terms.vocabulary import WAITING, Act, EgoRoute, Part, Side, Where
 
 BACKWARDS: dict[EgoRoute | None, Beside] = {
     EgoRoute.REVERSE: Beside.BACKWARDS,
@@ -22,7 +22,6 @@ BACKWARDS: dict[EgoRoute | None, Beside] = {
 """How the ways of an ego begin that it can drive backwards."""
 
 _OPPOSITE = {"left": "right", "right": "left", "front": "rear", "rear": "front"}
-_STAYS = acts_of(Tempo.STANDS, Tempo.WAITS)
 _COMES_ALONG = {Where.BEHIND: Where.ONCOMING_IN_OUR_LANE, Where.AHEAD: Where.BEHIND}
 """Where somebody is on the way of an ego that backs along its lane."""
 
@@ -32,7 +31,7 @@ def backs(situation: Situation) -> bool:
     ego = situation.ego
     if ego.route is EgoRoute.REVERSE:
         return True
-    first = next((deed.act for deed in ego.does if deed.act not in _STAYS), None)
+    first = next((deed.act for deed in ego.does if deed.act not in WAITING), None)
     return ego.route in BACKWARDS and first is Act.REVERSE
 
 

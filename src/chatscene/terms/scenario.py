@@ -212,7 +212,7 @@ def _words(value: object) -> str:
     return str(value)
 
 
-class Measure(StrEnum):
+class QuantityKind(StrEnum):
     """What a number in a sentence measures."""
 
     DISTANCE = "distance"  # from the ego to where the adversary starts [m]
@@ -234,7 +234,7 @@ class Quantity:
         said: The words.
     """
 
-    measure: Measure
+    measure: QuantityKind
     value: float
     said: str
 

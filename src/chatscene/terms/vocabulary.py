@@ -577,6 +577,12 @@ STOPS = acts_of(Tempo.HALTS, Tempo.BRAKES)
 """What may bring somebody to a stand who is under way."""
 HALTS = acts_of(Tempo.STANDS, Tempo.HALTS)
 """By what somebody stands, and nothing else."""
+RESTS = HALTS | acts_of(Tempo.PAUSES)
+"""The same, with what is done for a while."""
+ENDS = STOPS | acts_of(Tempo.LIES)
+"""By which somebody who is under way comes to rest where it then is."""
+WAITING = acts_of(Tempo.STANDS, Tempo.WAITS)
+"""What somebody does who stands as it begins, for good or until something happens."""
 GOES_ON = acts_of(Heads.ALONG, Heads.BEHIND)
 """What somebody does who drives on in its lane."""
 PLAIN = acts_of(Heads.ALONG, Heads.THROUGH)
@@ -589,6 +595,12 @@ ROLLING = acts_of(Heads.ACROSS, Heads.IN)
 """What a thing does that rolls or is blown."""
 COMES_IN = acts_of(Heads.ACROSS, Heads.IN, Heads.FROM_EDGE)
 """What is done by whoever is outside the ego's lane and comes into it: begun before, and done when it is in."""
+OVER_A_LINE = acts_of(Heads.OVER, Heads.OUT)
+"""What leads from a lane to another one, whoever is in that."""
+COMES_OVER = acts_of(Heads.OVER, Heads.BEFORE, Heads.MERGES, Heads.IN)
+"""How somebody comes over to another lane; who gets out of a lane does so before what stands in it."""
+INTO_OURS = COMES_OVER | acts_of(Heads.FROM_EDGE)
+"""The same, also from the side of the road."""
 
 
 class Manner(Word):

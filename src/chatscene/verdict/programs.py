@@ -23,7 +23,7 @@ from chatscene.errors import (
     SettingsError,
     StuckBehavior,
 )
-from chatscene.imports.collection import map_beside
+from chatscene.imports.collection import map_for
 from chatscene.maps.network import PACKAGED, TOWN, resolve_map
 from chatscene.measure.avoidability import avoidable_if_driven
 from chatscene.measure.unplayed import unplayed
@@ -56,8 +56,8 @@ def watch_program(path: Path, settings: VerifySettings) -> Watching:
     )
     if settings.within:
         own.check_map(Path(settings.within))
-    elif not settings.map_name and own.map_path is None:
-        settings = replace(settings, map_name=map_beside(path) or "")
+    named = map_for(own, settings.map_name or None, shut_in=bool(settings.within))
+    settings = replace(settings, map_name=named or "")
     driver = "its own ego drives" if own.program.as_written else f"{settings.ego or EGO} drives the ego"
     notes = (*own.changed(), driver, *left_out(own.program))
     return _watched([_Part(own, range(settings.draws))], "Scenic program", settings, notes, _Variants())

@@ -17,15 +17,12 @@ from chatscene.situations.words import told
 from chatscene.terms.episode import Episode, Role
 from chatscene.terms.mirroring import as_said_on
 from chatscene.terms.situation import Situation
-from chatscene.terms.vocabulary import HALTS, EgoRoute, Tempo, acts_of
+from chatscene.terms.vocabulary import RESTS, EgoRoute
 from chatscene.verdict.said import Asked
 from chatscene.verdict.verdict import Draw, Verdict
 from chatscene.verdict.watched import Watched, Watching
 from chatscene.verdict.weighing import beside, facts_of, findings_of, with_what_is_seen
 from chatscene.verdict.who import Cast, Played, as_cast, cast_of
-
-STANDS = HALTS | acts_of(Tempo.PAUSES)
-"""What somebody may be said to do who then never moves."""
 
 
 def weighed(found: Watching, what: str, asked: Asked, settings: VerifySettings) -> Verdict:
@@ -135,7 +132,7 @@ def _moves(speed: object) -> bool:
 
 def _still(situation: Situation, episodes: Sequence[Episode], least: float) -> Iterator[str]:
     """An ego that never moves, of which nobody said that it stands."""
-    stays = any(deed.act in STANDS for deed in situation.ego.does) or situation.ego.route is EgoRoute.PARK
+    stays = any(deed.act in RESTS for deed in situation.ego.does) or situation.ego.route is EgoRoute.PARK
     still = sum(not _moves(one.ego_track.speed) for one in episodes)
     if still > (1.0 - least) * len(episodes) and not stays:
         yield f"the ego never moves in {still} of {len(episodes)} drives, which nobody said"
@@ -143,7 +140,7 @@ def _still(situation: Situation, episodes: Sequence[Episode], least: float) -> I
 
 def _motionless(situation: Situation, episodes: Sequence[Episode]) -> Iterator[str]:
     """Road users that never move in any drive, and of whom nobody said that they stand."""
-    said = {one.id for one in situation.others if not one.does or any(deed.act in STANDS for deed in one.does)}
+    said = {one.id for one in situation.others if not one.does or any(deed.act in RESTS for deed in one.does)}
     for track in episodes[0].adversaries:
         name = track.actor.partition("-")[0]
         if name in said or track.role is not Role.ADVERSARY:
