@@ -138,6 +138,14 @@ def test_who_does_what_the_format_has_no_word_for_is_led_along_its_track_and_tha
     del SAID["led"]
 
 
+def test_a_door_that_opens_is_led_along_its_track(tmp_path: Path) -> None:
+    SAID["led"] = one("car", "kerb", {"act": "stand"}, {"act": "open-door"}, side="right")
+    kept.cache_clear()
+    text = written("led", tmp_path).read_text(encoding="utf-8")
+    assert re.search(r"; not said: A-door goes as it was driven, as it is no road user", text)
+    del SAID["led"]
+
+
 @pytest.mark.parametrize("said", SAID)
 def test_a_program_comes_back_as_it_was_with_the_ends_that_the_file_declares(said: str, tmp_path: Path) -> None:
     back = import_scenario(written(said, tmp_path)).program.read_text(encoding="utf-8")

@@ -295,7 +295,9 @@ class _Retelling:
                 known[expression] = found if isinstance(found, float | int | str | bool) else line_of(found)
             return known[expression]
 
-        kind = BY_CLASS[track.kind]
+        kind = BY_CLASS.get(track.kind)
+        if kind is None:  # as a door, which is a thing and moves
+            raise Unsayable("it is no road user")
         return Site(
             limits=LIMITS[track.kind],
             grip=self._scene.episode.surroundings.surface.row.friction * 9.81,
