@@ -35,12 +35,12 @@ EVERY = 0.1  # [s] of ours
 LONGEST = 60.0  # [s]
 
 
-def of_esmini(library: Path, path: Path, most: float) -> dict[str, Any] | str:
+def of_esmini(library: Path, path: Path, most: float, options: tuple[str, ...] = ()) -> dict[str, Any] | str:
     """Origins by road user: times, x, y, headings; or why there are none."""
     import ctypes
 
     esmini = loaded(library)
-    for option in (b"disable_stdout", b"disable_log"):
+    for option in (b"disable_stdout", b"disable_log", *(one.encode() for one in options)):
         esmini.SE_SetOption(option)
     esmini.SE_SetOptionValue(b"traj_filter", b"0")
     if esmini.SE_Init(str(path).encode(), 1, 0, 0, 0) != 0:  # with controllers disabled: as the file says
@@ -62,15 +62,22 @@ def of_esmini(library: Path, path: Path, most: float) -> dict[str, Any] | str:
 
 def of_ours(path: Path, most: float) -> tuple[dict[str, Any], tuple[str, ...]]:
     """The same of our player, as the file is written; and what was noted of it."""
-    from chatscene.imports.openscenario import read_openscenario
+    from chatscene.imports.names import labels
+    from chatscene.imports.openscenario import ScenarioFile
+    from chatscene.imports.stranger_xml import read_xml
     from chatscene.imports.written_story import written_story
     from chatscene.program.sample import scene_at
     from chatscene.search.generators.foreign import foreign_program
     from chatscene.settings import SimulationSettings
     from chatscene.simulate.embedded.physics import make_simulator
+    from chatscene.terms.episode import Role
     from chatscene.terms.scene import Rejected
 
-    read = read_openscenario(path)
+    root = read_xml(path)
+    group = root.find("ParameterDeclarations")
+    declared = [one.attributes for one in group.inside] if group else []
+    values = {one["name"]: one["value"] for one in declared if "$" not in one.get("value", "$")}
+    read = ScenarioFile(path, root=root).said(told=values)  # no value is drawn from a range
     whole = read.as_written
     if whole is None:
         raise ValueError("it says nothing of what the ego does")
@@ -90,9 +97,15 @@ def of_ours(path: Path, most: float) -> tuple[dict[str, Any], tuple[str, ...]]:
         episode = drive.episode(scene.id, "as written")
     finally:
         drive.close()
+    others = whole.members[1:]
+    adversary = next(iter([one for one in others if one.acts] or others), None)
+    called = dict(zip(labels(one.name for one in whole.members), whole.members, strict=True))
+    if adversary is not None:
+        called[Role.ADVERSARY] = adversary
     found: dict[str, Any] = {}
     times = np.arange(len(episode.tracks[0].x)) * EVERY
-    for member, track in zip(whole.members, episode.tracks, strict=True):
+    for track in episode.tracks:
+        member = called[track.actor]
         x = track.x - member.ahead * np.cos(track.heading)
         y = track.y - member.ahead * np.sin(track.heading)
         found[member.name] = np.column_stack((times, x, y, track.heading, track.speed))
@@ -121,9 +134,8 @@ class Beside:
 def beside(name: str, ours: Any, theirs: Any) -> Beside:
     """How one road user compares."""
     end = min(ours[-1, 0], theirs[-1, 0])
-    own = ours[
-        (ours[:, 0] > 0.0) & (ours[:, 0] <= end + 1e-9)
-    ]  # what is told of the beginning, we do in our first step
+    # what is told of the beginning, we do in our first step; at the end nothing is known of the tenth after it
+    own = ours[(ours[:, 0] > 0.0) & (ours[:, 0] <= end - SOON + 1e-9)]
     shifts = np.arange(-SOON, SOON + 1e-9, FINE)
     gaps = []
     for shift in (0.0, *shifts):
@@ -143,10 +155,10 @@ def beside(name: str, ours: Any, theirs: Any) -> Beside:
     return Beside(name, float(1.0 - away.mean()), float(least.max()), first, float(gaps[0].max()))
 
 
-def compared(library: Path, path: Path, most: float) -> dict[str, Any]:
+def compared(library: Path, path: Path, most: float, options: tuple[str, ...]) -> dict[str, Any]:
     """What became of one file."""
     with multiprocessing.get_context("spawn").Pool(1) as fresh:  # esmini keeps state in its process
-        theirs = fresh.apply(of_esmini, (library, path, most))
+        theirs = fresh.apply(of_esmini, (library, path, most, options))
     if isinstance(theirs, str):
         return {"file": str(path), "status": "not esmini's", "why": theirs}
     try:
@@ -197,6 +209,7 @@ def main() -> None:
     parser.add_argument("files", type=Path, nargs="+")
     parser.add_argument("--most", type=float, default=LONGEST, help="of a drive [s]")
     parser.add_argument("--each", action="store_true", help="a line for each road user, too")
+    parser.add_argument("--option", action="append", default=[], help="of esmini, such as align_routepositions")
     parser.add_argument("--out", type=Path, help="where to keep a line of JSON for each file")
     asked = parser.parse_args()
     paths = [p for one in asked.files for p in (sorted(one.rglob("*.xosc")) if one.is_dir() else [one])]
@@ -206,7 +219,7 @@ def main() -> None:
         text = path.read_text(encoding="utf-8", errors="replace")
         if "<Storyboard" not in text or "ParameterValueDistribution" in text:
             continue
-        row = compared(asked.library, path.resolve(), asked.most)
+        row = compared(asked.library, path.resolve(), asked.most, tuple(asked.option))
         count[row["status"]] += 1
         far = f"{row['farthest']:.2f} m, from {row['first']} s" if row.get("first") is not None else row.get("why", "")
         print(f"{row['status']:>14}  {path.name}: {far}", flush=True)

@@ -209,7 +209,7 @@ CONTINUOUS = (
         (scenario(events=event(DISTANCE).replace("<Event ", '<Event maximumExecutionCount="--5" ')), "'--5' is no number"),
         (scenario(events=event(DISTANCE).replace("<Event ", '<Event maximumExecutionCount="1.5" ')), "to be a whole number"),
         (routed(WAYPOINT.format(AT.format(136))), "no line of two points"),
-        (routed(""), "no line of two points"),
+        (routed(""), "no route of two waypoints"),
         (routed("".join(WAYPOINT.format(f'<RoadPosition roadId="1" s="{s}" t="0"/>') for s in (1, 900_000))), "900000 m is not on it"),
         (scenario(events=event(FOLLOWS)), "no line of two points"),
         (scenario(events=event("<LongitudinalAction/>")), "nobody does this here"),

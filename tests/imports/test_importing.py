@@ -393,7 +393,6 @@ def test_a_map_that_lies_beside_the_file_is_found_however_it_is_named(name: str,
 @pytest.mark.parametrize(
     ("name", "why"),
     [
-        ("", "names no map"),
         ("town.osgb", "is no .xodr file"),
         ("$Nobody", r"<LogicFile>: it speaks of \$Nobody, which the file does not declare"),
         ("C:\\maps\\town.xodr", "name it with --map C:/maps/town.xodr"),
@@ -446,9 +445,11 @@ def test_the_ego_begins_as_far_beside_its_lane_and_turned_as_much_as_is_written(
     assert placed_there in written(board, "theirs.xosc")
 
 
-def test_an_ego_that_faces_against_its_lane_is_refused_and_not_turned_round(beside: Path) -> None:
-    with pytest.raises(ScenarioError, match=r"faces 180 degrees away from its way"):
-        read(beside, placed('<WorldPosition x="136.75" y="-374" h="-1.570796"/>'))
+def test_an_ego_that_faces_against_its_lane_goes_against_it_and_that_is_noted(beside: Path) -> None:
+    found = read(beside, placed('<WorldPosition x="136.75" y="-374" h="-1.570796"/>'))
+    assert board_of(found).actors[0].start.turn == pytest.approx(0.0, abs=1e-3)
+    assert board_of(found).lines["egoRoute"].heading_at(5.0) == pytest.approx(-math.pi / 2, abs=1e-3)
+    assert any("faces against its lane; its way leads against it" in note for note in found.notes)
 
 
 def test_an_ego_whose_direction_is_not_told_faces_along_its_lane_and_that_is_noted(beside: Path) -> None:

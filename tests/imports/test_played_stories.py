@@ -17,9 +17,9 @@ from chatscene.search.generators.foreign import foreign_program
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.storyboard import Storyboard
 from chatscene.world.story.conditions import truth_of
-from chatscene.world.story.entities import Entity
+from chatscene.world.story.entities import Entity, room
 from chatscene.world.story.places import Place, place_of
-from chatscene.world.story.ways import way_of
+from chatscene.world.story.ways import Line, Way, way_of
 from played import DISTANCE, STATE, TIME, driven, read, speed, story
 from red_team.scenario_files import NEAR, alone, event, scenario
 
@@ -290,3 +290,46 @@ def test_that_a_plan_follows_its_line_from_where_somebody_is_is_noted(beside: Pa
     )
     assert isinstance(found.board, Storyboard)
     assert any("follows its line from where it is" in note for note in found.notes)
+
+
+HEADWAY = '<ByEntityCondition><TriggeringEntities triggeringEntitiesRule="any"><EntityRef entityRef="lead"/></TriggeringEntities><EntityCondition><TimeHeadwayCondition entityRef="ego" value="0.1" freespace="true" rule="greaterThan" relativeDistanceType="longitudinal"/></EntityCondition></ByEntityCondition>'
+
+
+def test_there_is_no_headway_to_somebody_behind(beside: Path) -> None:
+    found = driven(beside, stopped_by(HEADWAY, scenario(events=event(DISTANCE, TIME.format(90)))), 20)
+    assert str(found.ending) != "scenario-done"  # the ego is 29 m behind
+
+
+def test_who_comes_to_the_end_of_a_line_of_lanes_goes_on_as_far_beside_it() -> None:
+    line, onward = Polyline([(0.0, 0.0), (10.0, 0.0)]), Polyline([(10.0, 0.0), (30.0, 0.0)])
+    way = Way(SimpleNamespace(origin=(9.0, 1.5, 0.0)), line)  # type: ignore[arg-type]
+    way.goes(3.0, 0.1)
+    assert way.over == pytest.approx(2.0)
+    way.goes_on_along(onward)
+    assert way.goes(1.0, 0.1)[:2] == pytest.approx((13.0, 1.5))
+
+
+def test_who_follows_times_evenly_changes_speed_steadily_and_comes_to_each_place_in_time() -> None:
+    who = SimpleNamespace(origin=(0.0, 0.0, 0.0), speed=10.0)
+    world = SimpleNamespace(time=0.0)
+    table = ((0.0, 0.0), (2.0, 20.0), (3.0, 25.0))
+    way = Line(who, world, Polyline([(0.0, 0.0), (25.0, 0.0)]), (False, table, True), 0.0)  # type: ignore[arg-type]
+    world.time = 2.5
+    assert way.speed() == pytest.approx(5.0)
+    assert way.goes(0.0, 0.0)[0] == pytest.approx(23.75)
+    assert way.goes(0.0, 0.5)[0] == pytest.approx(25.0)
+
+
+def test_who_has_more_time_than_it_takes_to_stop_waits_at_its_place() -> None:
+    who, world = SimpleNamespace(origin=(0.0, 0.0, 0.0), speed=10.0), SimpleNamespace(time=0.0)
+    table = ((0.0, 0.0), (4.0, 10.0), (6.0, 10.0))
+    way = Line(who, world, Polyline([(0.0, 0.0), (10.0, 0.0)]), (False, table, True), 0.0)  # type: ignore[arg-type]
+    assert [way.goes(0.0, t)[0] for t in (2.0, 3.0, 5.0)] == pytest.approx([10.0, 10.0, 10.0])
+    assert way.goes(0.0, 1.0)[0] == pytest.approx(7.5)
+
+
+@pytest.mark.parametrize(("turn", "taken"), [(0.0, 4.0), (math.pi / 2, 3.0), (math.pi / 4, 2.0 + 3.0 / math.sqrt(2))])
+def test_a_body_takes_of_a_distance_what_it_is_as_it_is_turned(turn: float, taken: float) -> None:
+    agent = SimpleNamespace(length=4.0, width=2.0)
+    one, other = (SimpleNamespace(agent=agent, pose=(x, 0.0, h, 0.0)) for x, h in ((0.0, 0.0), (20.0, turn)))
+    assert room(one, other, "longitudinal", "entity") == pytest.approx(taken)  # type: ignore[arg-type]

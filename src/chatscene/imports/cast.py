@@ -11,7 +11,7 @@ from chatscene.imports.entities import Entities
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.names import Names
 from chatscene.imports.positions import Pose, Positions
-from chatscene.imports.shapes import Shape, shape_of, thinned
+from chatscene.imports.shapes import Shape, shape_of, thinned_finely
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written_story import Line, Told
 from chatscene.terms.polyline import Polyline
@@ -129,7 +129,7 @@ class Cast:
                 raise Refused(trajectory, f"it lies beside {frame[:40]!r}, who is not there")
             base = (0.0, 0.0, 0.0) if own else self.positions.known_of(trajectory, frame)
             points = [_in_frame(base, (x, y, 0.0))[:2] for x, y in shape.points]
-            kept = tuple((round(points[i][0], 3), round(points[i][1], 3)) for i in thinned(points))
+            kept = tuple((round(points[i][0], 3), round(points[i][1], 3)) for i in thinned_finely(points))
             return (("beside", self.names[frame], 0.0, 0.0, 0.0), kept), shape
         if len(frames) > 1 and actor is not None:
             raise Refused(trajectory, "its places lie beside several road users, who move; put it beside one")

@@ -162,7 +162,7 @@ class _Writer:
         if self._count > MOST:
             raise ScenarioError(f"{self._path} has more than {MOST} elements with its catalogs; cut it down")
         if one.tag == "CatalogReference" and within not in _NOT_NEEDED:
-            return self._entry(one, scope, depth)
+            return self._entry(one, scope, depth, within)
         declared = one.find("ParameterDeclarations") if one is not self._root else None
         if declared is not None:
             scope = {**{d.attributes.get("name", ""): d.attributes.get("value", "") for d in declared.inside}, **scope}
@@ -187,13 +187,16 @@ class _Writer:
             )
         return found
 
-    def _entry(self, one: Element, scope: Mapping[str, str], depth: int) -> Element:
+    def _entry(self, one: Element, scope: Mapping[str, str], depth: int, within: str) -> Element:
         here = replace(one, attributes=self._bound(one, scope))
         try:
             catalog, entry = self._given.text(here, "catalogName"), self._given.text(here, "entryName")
             found = self._found(here, catalog, entry, depth)
         except Refused as reason:
-            self._given.refusals.append(str(reason))
+            if within == "EnvironmentAction":  # what happens does not hang on it
+                self._given.note(one, f"{reason.why}; light and weather stay as they are")
+            else:
+                self._given.refusals.append(str(reason))
             return replace(here, inside=[])
         told = {
             p.attributes.get("parameterRef", "").lstrip("$"): self._bound(p, scope).get("value", "")

@@ -27,7 +27,8 @@ def surroundings_of(actions: Element, given: Given) -> Surroundings:
     for one in actions.all("GlobalAction"):
         inner = one.inside[0] if one.inside else one
         if inner.tag == "EnvironmentAction":
-            worlds.append(one)
+            if inner.find("CatalogReference") is None:  # else its catalog is not there, which is noted
+                worlds.append(one)
         elif inner.tag not in _ELSEWHERE:
             raise Refused(inner, "of the world only its weather and who is there is told in Init")
     if not worlds:

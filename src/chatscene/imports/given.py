@@ -31,6 +31,7 @@ class Refused(Exception):  # noqa: N818 - reads as what it says
 
     def __init__(self, element: Element, why: str) -> None:
         super().__init__(f"{element.where}: <{element.tag}>: {why}")
+        self.why = why
 
 
 @dataclass(slots=True)

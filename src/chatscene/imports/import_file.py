@@ -8,6 +8,7 @@ from pathlib import Path
 
 from chatscene.errors import ForeignCodeRefused, MapError, ScenarioError, SettingsError
 from chatscene.files.atomic import write_whole
+from chatscene.imports.open_ground import is_open_ground
 from chatscene.imports.openscenario import Carried, Imported, ScenarioFile
 from chatscene.imports.stranger_xml import read_xml
 from chatscene.imports.variants import Variants, variants_of
@@ -265,16 +266,21 @@ def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
         SettingsError: One cannot be written.
     """
     done: list[Path] = []
+    grounds = {out: out.with_suffix(".xodr") for out, one in made.items() if is_open_ground(one.map_path)}
+    for ground in grounds.values():
+        _free(ground)
     try:
         for out, one in made.items():
             write_whole(out, one.text.encode())
             done.append(out)
+        for out, ground in grounds.items():
+            write_whole(ground, made[out].map_path.read_bytes())
     except OSError as error:
-        for out in done:
+        for out in (*done, *grounds.values()):
             out.unlink(missing_ok=True)
-        raise SettingsError(f"cannot write {list(made)[len(done)]}: {error.strerror}") from error
-    maps = tuple(one.map_path for one in made.values())
-    others = [f"{out.name} lies on another map, {one.map_path}" for out, one in made.items() if one.map_path != maps[0]]
+        raise SettingsError(f"cannot write {[*made, *grounds.values()][len(done)]}: {error.strerror}") from error
+    maps = tuple(grounds.get(out, one.map_path) for out, one in made.items())
+    others = [f"{out.name} lies on another map, {at}" for out, at in zip(made, maps, strict=True) if at != maps[0]]
     every = (*notes, *others, *(note for one in made.values() for note in one.notes))
     return ImportedScenario(
         program=done[0],

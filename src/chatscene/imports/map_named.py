@@ -10,6 +10,7 @@ from pathlib import Path
 from chatscene.errors import MapError, ScenarioError
 from chatscene.imports.catalogs import ABSOLUTE, lies_within, relative
 from chatscene.imports.given import Given, Refused
+from chatscene.imports.open_ground import open_ground
 from chatscene.imports.stranger_xml import Element
 from chatscene.maps.carla_towns import PACKAGE, carla_town, how_to_have
 from chatscene.maps.network import PACKAGED, load_network, resolve_map
@@ -19,24 +20,31 @@ class Maps:
     """Finds the map of a scenario, each once: the one that is asked for, else the one that the scenario names.
 
     Args:
-        root: The scenario.
-        path: Where it lies.
+        path: Where the scenario lies.
         map_name: The map that is asked for; None for the one that the scenario names by a path from its own folder.
     """
 
-    def __init__(self, root: Element, path: Path, map_name: str | None) -> None:
-        self._logic, self._path, self._asked = root.find("RoadNetwork", "LogicFile"), path, map_name
+    def __init__(self, path: Path, map_name: str | None) -> None:
+        self._path, self._asked = path, map_name
         self._found: dict[str | None, Path] = {}
         self._broken: dict[str | None, MapError | ScenarioError] = {}
 
-    def of(self, given: Given) -> Path:
+    def of(self, given: Given, root: Element) -> Path:
         """The map, where parameters have these values.
 
+        Args:
+            given: The parameters.
+            root: The scenario, with its catalogs written out.
+
         Raises:
-            ScenarioError: The scenario names none, or one that does not lie there.
+            ScenarioError: The scenario names one that does not lie there, or none, and its places are told by roads.
             MapError: The map is broken.
         """
-        named = self._named(given) if self._asked is None else None
+        logic = root.find("RoadNetwork", "LogicFile")
+        named = self._named(logic, given) if self._asked is None else None
+        if named == "":
+            given.note(root, "it names no road network; a straight road lies under its ego, with open ground about")
+            return open_ground(root, given, self._path)  # wherever its ego begins
         if named in self._broken:
             raise self._broken[named]
         if named not in self._found:
@@ -48,20 +56,18 @@ class Maps:
                 raise
             self._found[named] = found
         found = self._found[named]
-        if self._logic and named is not None and found == carla_town(found.stem):
+        if logic and named is not None and found == carla_town(found.stem):
             given.note(
-                self._logic,
+                logic,
                 f"the map that it names is not there; it lies on CARLA's {found.stem} of the package {PACKAGE}",
             )
         return found
 
-    def _named(self, given: Given) -> str:
+    def _named(self, logic: Element | None, given: Given) -> str:
         try:
-            named = given.text(self._logic, "filepath", "") if self._logic else ""
+            named = given.text(logic, "filepath", "") if logic else ""
         except Refused as reason:
             raise ScenarioError(f"{self._path}: {reason}; name the map with --map") from reason
-        if not named:
-            raise ScenarioError(f"{self._path} names no map; name one with --map")
         return named.replace("\\", "/")
 
 

@@ -9,17 +9,18 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
-from chatscene.errors import MapError
 from chatscene.imports.entities import Entities
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.positions import Pose, Positions
 from chatscene.imports.shapes import line_through, shape_of
 from chatscene.imports.stranger_xml import Element
-from chatscene.maps.onward import LENGTH, route_onward
+from chatscene.maps.lane_curves import middle_line
+from chatscene.maps.onward import LENGTH, SHORTEST
 from chatscene.terms.actors import BY_CLASS, LIMITS, Manner
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.storyboard import EGO_ROUTE, Actor, Start
 from chatscene.terms.sums import number, valued
+from chatscene.world.places import headingLine, laneLine
 
 _T = TypeVar("_T")
 
@@ -243,8 +244,8 @@ class Opening:
         length = max(LENGTH, _DRIVES * speed)
         if not asked:
             self._given.note(one, "the ego has no route; it goes on by the straightest lanes")
-            return self._onward(one, place, length=length)
-        return self._line_of_route(asked[0], place, one)
+            return self._onward(one, place, length, faced=self._faces(name) is not None)
+        return self._line_of_route(asked[0], place)
 
     def _backwards(self, one: Element, place: Pose) -> Polyline:
         """The way of an ego that backs: straight, the way its back points."""
@@ -252,45 +253,80 @@ class Opening:
         self._given.note(one, "the ego drives backwards; it goes straight")
         return Polyline([(x - d * math.cos(heading), y - d * math.sin(heading)) for d in (0.0, _BACKS)])
 
-    def _line_of_route(self, route: Element, place: Pose | None, one: Element | None = None) -> Polyline:
+    def _line_of_route(self, route: Element, place: Pose | None) -> Polyline:
         """The line of a Route or of a Position to come to, from a place on if one is told."""
-        one = one or route
         positions = [p for waypoint in route.all("Waypoint") for p in waypoint.all("Position")] or route.all("Position")
         points = [self._positions.pose(position)[:2] for position in positions]
         if len(points) < 2 and place is not None:
             points = [place[:2], *points]
-        line = self._through(one, route, points)
+        line = self._through(route, points)
         if place is None:
             return line
         along, aside, _ = line.project(*place[:2])
         if abs(aside) < OFF and along < line.length - 1.0:
             return line.between(along, line.length)
-        return self._through(one, route, [place[:2], *points])
+        return self._through(route, [place[:2], *points])
 
-    def _through(self, one: Element, route: Element, points: Sequence[tuple[float, float]]) -> Polyline:
-        """A line through points: straight where there is road all the way, else by the lanes that lead there."""
-        network = self._positions.network
-        line = line_through(route, points)
-        if all(network.laneAt(point) is not None for point in line.resampled(_DENSE).points.tolist()):
-            return line
-        lanes = [network.laneAt(point) for point in points]
-        if None in lanes:
-            raise Refused(route, f"its waypoint {lanes.index(None) + 1} lies on no lane")
-        way = list(dict.fromkeys(lanes))
-        linked = [way[0]]
-        for lane in way[1:]:
-            linked += _lanes_to(linked[-1], lane, route)
-        return self._onward(one, (*points[0], 0.0), linked, sum(part.centerline.length for part in linked))
-
-    def _onward(self, one: Element, place: Pose, lanes: Sequence[Any] = (), length: float = LENGTH) -> Polyline:
+    def _through(self, route: Element, points: Sequence[tuple[float, float]]) -> Polyline:
+        """A line through points: by the lanes that lead there; where none do, straight if there is road all the way."""
+        network, line = self._positions.network, line_through(route, points)
         try:
-            return route_onward(self._positions.network, self._map_path.stem, place[:2], lanes, length).line
-        except MapError as error:
-            raise Refused(one, str(error)) from error
+            lanes = _linked([network.laneAt(point) for point in points], route)
+        except Refused:
+            if all(network.laneAt(point) is not None for point in line.resampled(_DENSE).points.tolist()):
+                return line
+            raise
+        whole = Polyline.join(*(middle_line(lane) for lane in lanes))
+        begin, end = (whole.project(*points[i])[0] for i in (0, -1))
+        return whole.between(begin, end) if end - begin > OFF else line  # else it leads against the lane
+
+    def _onward(self, one: Element, place: Pose, length: float, *, faced: bool) -> Polyline:
+        """The way from a place on by the straightest lanes; straight on beside all lanes and beyond the last.
+
+        Who is told to face against a lane goes against it.
+
+        Args:
+            one: Who goes.
+            place: From where.
+            length: How far at most [m].
+            faced: Whether it is told which way that road user faces.
+        """
+        network, (x, y, heading) = self._positions.network, place
+        lane = network.laneAt((x, y))
+        if lane is None:
+            self._given.note(one, "the ego stands on no lane; its way leads straight on")
+            return headingLine(x, y, heading, length)
+        line = middle_line(lane)
+        along = line.project(x, y)[0]
+        if abs(math.remainder(heading - line.heading_at(along), math.tau)) > math.pi / 2 and faced:
+            self._given.note(one, "the ego faces against its lane; its way leads against it")
+            line, along = Polyline(line.points[::-1]), line.length - along
+        else:
+            line = laneLine(lane, along + length, middle_line)
+        if (left := line.length - along) >= SHORTEST:
+            return line.between(along, min(line.length, along + length))
+        self._given.note(one, f"the ego's lane ends {max(left, 0.0):.0f} m ahead of it; its way leads straight on")
+        end = min(along, line.length - 1e-2)
+        straight = headingLine(*line.point_at(line.length), line.heading_at(line.length), SHORTEST)
+        return Polyline.join(line.between(end, line.length), straight)
 
 
 def _alike(one: Polyline, other: Polyline) -> bool:
     return one.points.shape == other.points.shape and bool((abs(one.points - other.points) < 1e-6).all())
+
+
+def _linked(lanes: Sequence[Any], route: Element) -> list[Any]:
+    """The lanes that lead from one to the next of some, with those.
+
+    Raises:
+        Refused: None do, or one is missing.
+    """
+    if None in lanes:
+        raise Refused(route, f"its waypoint {lanes.index(None) + 1} lies on no lane")
+    found = [lanes[0]]
+    for lane in lanes[1:]:
+        found += _lanes_to(found[-1], lane, route) if lane is not found[-1] else []
+    return found
 
 
 def _lanes_to(first: Any, last: Any, route: Element) -> list[Any]:

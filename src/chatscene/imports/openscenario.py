@@ -99,7 +99,7 @@ class ScenarioFile:
             raise ScenarioError(f"{path} is of version {'.'.join(str(part) for part in version)}; known are 1.0 to 1.3")
         if root.find("Entities") is None or root.find("Storyboard", "Init", "Actions") is None:
             raise ScenarioError(f"{path} tells no scenario: it has no Entities, or no Storyboard with an Init")
-        self._maps, self._catalogs = Maps(root, path, map_name), Catalogs(root, path)
+        self._maps, self._catalogs = Maps(path, map_name), Catalogs(root, path)
 
     def check_declared(self, names: Iterable[str]) -> None:
         """Hold parameters that are told from outside to those that the scenario declares.
@@ -130,8 +130,9 @@ class ScenarioFile:
         while True:  # once more where a parameter varies that stands where nothing may vary
             given = Given(fixed=fixed, told=told or {}, spans=spans or {}, within=self._within)
             given.declare(self._root)
-            map_path = self._maps.of(given)
-            board, given, whole, not_as_written = self._read(given, map_path)
+            written = written_out(self._root, self._path, given, self._catalogs)
+            map_path = self._maps.of(given, written)
+            board, given, whole, not_as_written = self._read(written, given, map_path)
             if given.wanted <= fixed:
                 break
             fixed |= given.wanted
@@ -164,7 +165,7 @@ class ScenarioFile:
             return None
         given = Given(told=told or {}, spans=spans or {}, within=self._within)
         given.declare(self._root)
-        map_path = self._maps.of(given)
+        map_path = self._maps.of(given, self._root)
         given.raise_refusals(self._path)
         source = program_in(properties, map_path.read_bytes(), _rows(self._root))
         if source is None:
@@ -179,9 +180,8 @@ class ScenarioFile:
         given.raise_refusals(self._path)
         return Carried(source=with_values(source, values), map_path=map_path, notes=tuple(given.notes))
 
-    def _read(self, given: Given, map_path: Path) -> _Read:
+    def _read(self, whole: Element, given: Given, map_path: Path) -> _Read:
         """What a file says, and what was noted: as plans, where nothing of it is refused; else as a story."""
-        whole = written_out(self._root, self._path, given, self._catalogs)
         if keeps_left(map_path):
             whole = _in_the_mirror(whole)
         as_story = given.copied()

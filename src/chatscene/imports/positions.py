@@ -12,13 +12,14 @@ from chatscene.imports.given import Given, Refused
 from chatscene.imports.player import InLane
 from chatscene.imports.shapes import Pose, line_through, shape_of
 from chatscene.imports.stranger_xml import Element
+from chatscene.maps.lane_curves import DrawnRoad, middle_line
 from chatscene.maps.neighbours import number_beside, numbered_beside
 from chatscene.maps.network import check_opendrive, load_network, map_digest
-from chatscene.maps.plain_form import name_of
-from chatscene.maps.scenic_parser import read_other_makers
+from chatscene.maps.road_ways import Stretch, reached, roads_between
 from chatscene.terms.polyline import Polyline
 from chatscene.world.places import laneLine
 
+_ROUNDED = 0.1  # [m] beyond its end to which a place on a road may be told
 _BEYOND = 300.0  # [m] beyond the last waypoint of a route, where a place may still be: it goes straight on
 
 
@@ -43,7 +44,7 @@ class Positions:
         return load_network(self._map_path)
 
     @cached_property
-    def _roads(self) -> Any:
+    def _roads(self) -> dict[str, DrawnRoad]:
         """The roads as they are written, by number; that the network can be made shows that they can be read."""
         assert self.network is not None
         return _roads_of(self._map_path, map_digest(self._map_path))
@@ -115,59 +116,70 @@ class Positions:
         told = inside.inside[0] if inside is not None and inside.inside else None
         if route is None or told is None or told.tag not in ("FromLaneCoordinates", "FromRoadCoordinates"):
             raise Refused(one, "where on its route it is, is not told by pathS")
-        line = self.route_line(route)
-        along = g.number(told, "pathS")
+        along, waypoints = g.number(told, "pathS"), [p for w in route.all("Waypoint") for p in w.all("Position")]
+        if not all(p.find("LanePosition") or p.find("RoadPosition") for p in waypoints):
+            return self._on_line(one, told, line_through(route, [self.pose(p) for p in waypoints]), along)
+        way = self._way(route, [p.inside[0] for p in waypoints])
+        length = sum(part.length for part in way)
+        if not 0.0 <= along <= length + _BEYOND:
+            raise Refused(told, f"its route is {length:.0f} m long, and {along:g} m is not on it")
+        part, along = reached(way, along)
+        road, way_on = self._roads[part.road], 1 if part.last >= part.first else -1
+        s = min(max(part.first + way_on * along, 0.0), road.length)
+        straight = along - abs(s - part.first)  # beyond the end of its last road
+        if told.tag == "FromRoadCoordinates":
+            left, against = way_on * self._left * g.number(told, "t", "0"), way_on < 0
+        else:
+            number, offset = g.count(told, "laneId"), g.number(told, "laneOffset", "0")
+            if way_on < 0 and number < 0:
+                number, offset = -number, -offset
+                g.note(told, "its route runs against its road; its lane is taken to be counted as the route runs")
+            left, against = self._middle(told, road, s, number) + offset, number > 0
+        x, y, heading = road.place(s, left)
+        onward = heading + (0.0 if way_on > 0 else math.pi)
+        x, y = x + straight * math.cos(onward), y + straight * math.sin(onward)
+        return x, y, self._turned(one, heading + (math.pi if against else 0.0))
+
+    def _on_line(self, one: Element, told: Element, line: Polyline, along: float) -> Pose:
+        """So far along a route through places that are told by no road, straight from one to the next."""
+        if told.tag == "FromLaneCoordinates":
+            raise Refused(told, "there are no lanes on its route; write its waypoints as LanePosition")
         if not 0.0 <= along <= line.length + _BEYOND:
             raise Refused(told, f"its route is {line.length:.0f} m long, and {along:g} m is not on it")
         there = (*line.point_at(along), line.heading_at(along))
-        if told.tag == "FromRoadCoordinates":
-            x, y, heading = _beside(there, self._left * g.number(told, "t", "0"))
-            return x, y, self._turned(one, heading)
-        number = g.count(told, "laneId")
-        x, y, heading = there
-        section = self.network.laneSectionAt(_beside(there, -1.0)[:2]) or self.network.laneSectionAt(there[:2])
-        if section is None:
-            raise Refused(told, "there is no lane at that place of its route")
-        beside = self.beside(told, section, number if int(section.openDriveID) * number > 0 else -number)
-        middle = laneLine(beside.lane, 0.0)
-        s, _, _ = middle.project(x, y)
-        px, py = middle.point_at(s)
-        x, y, heading = _beside((px, py, heading), g.number(told, "laneOffset", "0"))
+        x, y, heading = _beside(there, self._left * self._given.number(told, "t", "0"))
         return x, y, self._turned(one, heading)
 
-    def route_line(self, route: Element) -> Polyline:
-        """The reference lines of the roads between the waypoints of a route, in its order."""
-        roads: dict[str, tuple[float, float]] = {}
-        for position in (p for waypoint in route.all("Waypoint") for p in waypoint.all("Position")):
-            one = position.inside[0] if position.inside else position
-            if one.tag not in ("LanePosition", "RoadPosition"):
-                return line_through(route, [self.pose(p) for w in route.all("Waypoint") for p in w.all("Position")])
-            number, s = self._given.text(one, "roadId"), self._given.number(one, "s")
-            first, _ = roads.get(number, (s, s))
-            roads[number] = (first, s)
-        parts = [self._stretch(route, number, *ends) for number, ends in roads.items()]
-        return line_through(route, [point for part in _in_order(parts) for point in part])
+    def _way(self, route: Element, waypoints: list[Element]) -> list[Stretch]:
+        """The roads between the waypoints of a route, whatever lanes they name."""
+        places: list[tuple[str, float]] = []
+        for one in waypoints:
+            number, road = self._road(one, self._given.text(one, "roadId"))
+            places.append((number, self._on_it(one, road, self._given.number(one, "s"))))
+        way: list[Stretch] = []
+        for first, last in pairwise(places):
+            found = roads_between(self._roads, first, last)
+            if found is None:
+                raise Refused(route, "from one of its waypoints no road leads to the next")
+            way += found
+        if not way:
+            raise Refused(route, "it is no route of two waypoints or more")
+        return way
 
-    def _stretch(self, one: Element, number: str, first: float, last: float) -> list[tuple[float, float]]:
-        """The reference line of a road between two arc lengths; the whole of it where only one is told."""
-        road = self._road(one, number)
-        length = sum(piece.length for piece in road.ref_line)
-        for s in (first, last):
-            self._on_it(one, number, s, length)
-        if first == last:
-            first, last = (0.0, length) if first <= length / 2 else (length, 0.0)
-        count = max(int(abs(last - first)), 1)
-        return [_reference(road, first + (last - first) * i / count)[0] for i in range(count + 1)]
+    def _on_it(self, one: Element, road: DrawnRoad, s: float) -> float:
+        """An arc length on a road; a little beyond its end is its end."""
+        if not -_ROUNDED <= s <= road.length + _ROUNDED:
+            raise Refused(
+                one, f"road {self._given.text(one, 'roadId')} is {road.length:.0f} m long, and {s:g} m is not on it"
+            )
+        return min(max(s, 0.0), road.length)
 
-    def _on_it(self, one: Element, number: str, s: float, length: float) -> None:
-        if not 0.0 <= s <= length:
-            raise Refused(one, f"road {number} is {length:.0f} m long, and {s:g} m is not on it")
-
-    def _road(self, one: Element, number: str) -> Any:
-        road = next((road for key, road in self._roads.items() if str(key) == number), None)
-        if road is None:
-            raise Refused(one, f"the map {self._map_path.name} has no road {number[:40]!r}; give another with --map")
-        return road
+    def _road(self, one: Element, name: str) -> tuple[str, DrawnRoad]:
+        """A road by its name in the map, with its number."""
+        found = next(((number, road) for number, road in self._roads.items() if road.name == name), None)
+        if found is None:
+            raise Refused(one, f"the map {self._map_path.name} has no road {name[:40]!r}; give another with --map")
+        return found
 
     def _turned(self, one: Element, usual: float) -> float:
         turn = one.find("Orientation")
@@ -184,22 +196,15 @@ class Positions:
 
     def _on_road(self, one: Element, s: float, lane: int, aside: float) -> Pose:
         """A point by its arc length on a road; of lane 0, `aside` counts from the road's reference line."""
-        number = self._given.text(one, "roadId")
-        road = self._road(one, number)
-        length = sum(piece.length for piece in road.ref_line)
-        self._on_it(one, number, s, length)
-        (x, y), heading = _reference(road, s)
-        left = aside + (0.0 if lane == 0 else self._middle(one, road, s, lane))
-        return x - left * math.sin(heading), y + left * math.cos(heading), heading
+        _, road = self._road(one, self._given.text(one, "roadId"))
+        s = self._on_it(one, road, s)
+        return road.place(s, aside + (0.0 if lane == 0 else self._middle(one, road, s, lane)))
 
-    def _middle(self, one: Element, road: Any, s: float, lane: int) -> float:
+    def _middle(self, one: Element, road: DrawnRoad, s: float, lane: int) -> float:
         """How far to the left of a road's reference line the middle of a lane is."""
-        section = [part for part in road.lane_secs if part.s0 <= s][-1]
-        if lane not in section.lanes:
-            raise Refused(one, f"road {road.id_} has no lane {lane} there, but {sorted(section.lanes)}")
-        outer = section.get_offsets(s)
-        inner = outer.get(lane - 1 if lane > 0 else lane + 1, 0.0)
-        return float(road.get_ref_line_offset(s) + (outer[lane] + inner) / 2)
+        if lane not in road.lanes_at(s):
+            raise Refused(one, f"road {road.name} has no lane {lane} there, but {road.lanes_at(s)}")
+        return road.middle_at(s, lane)
 
     def _relative(self, one: Element) -> Pose:
         """So far along the lanes from somebody, and so many lanes or metres beside."""
@@ -212,9 +217,9 @@ class Positions:
             of = self.in_lane(section, (x, y, facing))
             section = self.beside(one, section, number_beside(of.number, of.left * lanes))
         ahead = self._given.number(one, "ds" if "ds" in one.attributes else "dsLane", "0")
-        line = laneLine(section.lane, 0.0)
+        line = laneLine(section.lane, 0.0, middle_line)
         along, aside, _ = line.project(x, y)
-        line = laneLine(section.lane, along + ahead + 1.0)
+        line = laneLine(section.lane, along + ahead + 1.0, middle_line)
         against = int(section.openDriveID) > 0  # the lane's own line runs as it is driven, t counts left of the road's
         told = "offset" if one.tag == "RelativeLanePosition" else "dt"
         beside = self._given.number(one, told, "0")
@@ -234,7 +239,7 @@ class Positions:
     def in_lane(self, section: Any, pose: Pose) -> InLane:
         """The lane of a section, for somebody who stands in it and faces along or against it."""
         number = int(section.openDriveID)
-        line = laneLine(section.lane)
+        line = laneLine(section.lane, of=middle_line)
         turn = math.remainder(pose[2] - line.heading_at(line.project(pose[0], pose[1])[0]), math.tau)
         along = abs(turn) <= math.pi / 2
         return InLane(number, 1 if along == (number < 0) else -1)
@@ -266,47 +271,13 @@ class Positions:
 
 
 @lru_cache(maxsize=4)
-def _roads_of(path: Path, digest: str) -> Any:
-    """The roads of a map as they are written, by name."""
+def _roads_of(path: Path, digest: str) -> dict[str, DrawnRoad]:
+    """The roads of a map as they are written, by number."""
     del digest  # tells one content of a file from another
-    from scenic.formats.opendrive.xodr_parser import RoadMap
-
-    read_other_makers()
-    roads = RoadMap()
-    roads.parse(str(path))
-    names = {road.get("id"): name_of(road) for road in check_opendrive(path).iter("road")}
-    return {names[str(number)]: road for number, road in roads.roads.items()}
-
-
-def _in_order(parts: list[list[tuple[float, float]]]) -> list[list[tuple[float, float]]]:
-    """Stretches one after the other, each turned so that it begins near where the one before ends."""
-    if len(parts) > 1 and min(math.dist(parts[0][0], p) for p in (parts[1][0], parts[1][-1])) < min(
-        math.dist(parts[0][-1], p) for p in (parts[1][0], parts[1][-1])
-    ):
-        parts[0].reverse()
-    for before, part in pairwise(parts):
-        if math.dist(before[-1], part[-1]) < math.dist(before[-1], part[0]):
-            part.reverse()
-    return parts
+    return {road.get("id", ""): DrawnRoad(road) for road in check_opendrive(path).iter("road")}
 
 
 def _beside(pose: Pose, left: float) -> Pose:
     """A place so far [m] to the left of another, turned as that is."""
     x, y, heading = pose
     return x - left * math.sin(heading), y + left * math.cos(heading), heading
-
-
-def _reference(road: Any, s: float) -> tuple[tuple[float, float], float]:
-    """A point on a road's reference line and its heading."""
-    before = 0.0
-    for piece in road.ref_line:
-        if s <= before + piece.length or piece is road.ref_line[-1]:
-            at = min(s - before, piece.length)
-            x, y, _ = piece.point_at(at)
-            step = min(0.01, piece.length)
-            start = min(max(at - step / 2, 0.0), piece.length - step)
-            x0, y0, _ = piece.point_at(start)
-            x1, y1, _ = piece.point_at(start + step)
-            return (float(x), float(y)), math.atan2(y1 - y0, x1 - x0)
-        before += piece.length
-    raise AssertionError("a road has a reference line")

@@ -18,9 +18,10 @@ _MOST = 20_000  # points
 _HIGHEST = 12  # order of a NURBS
 _SHORTEST = 0.02  # [m] that a line is long at least: a program says its points to the centimetre
 _OFF = 0.02  # [m] that a line in a program may be beside the one that was read
+_FINELY = 0.002  # [m] the same where there is room
 _TURNED = 0.01  # [rad] to which it is told which way somebody looks
 _EXACT = 0.001  # [m] to which ways are told
-_MOST_TIMES = 120  # of one road user; with eight of them a program is still short enough
+MOST_TIMES = 120  # of one road user; with eight of them a program is still short enough
 Pose = tuple[float, float, float]  # x, y [m], heading [rad]
 Places = Callable[[Element], Pose]
 
@@ -241,6 +242,14 @@ def thinned(points: Sequence[tuple[float, float]], off: float = _OFF) -> list[in
     return _needed(points, off, _beside)
 
 
+def thinned_finely(points: Sequence[tuple[float, float]]) -> list[int]:
+    """The same within 2 mm; of a longer line as near as leaves room in the program."""
+    off = _FINELY
+    while len(kept := thinned(points, off)) > MOST_TIMES and off < _OFF:
+        off *= 2.0
+    return kept
+
+
 def thinned_faces(faces: Sequence[tuple[float, float]]) -> list[int]:
     """The indices of ways [m] and headings [rad, not wrapped] that are needed to look to a hundredth as is told."""
     return _needed(faces, _TURNED, _late)
@@ -253,7 +262,7 @@ def thinned_in_time(table: Sequence[tuple[float, float]]) -> list[int]:
     room in the program. Who brakes as hard as it can never makes up what it begins too late.
     """
     off = _EXACT
-    while len(kept := _needed(table, off, _late)) > _MOST_TIMES and off < _OFF:
+    while len(kept := _needed(table, off, _late)) > MOST_TIMES and off < _OFF:
         off *= 2.0
     return kept
 

@@ -9,7 +9,7 @@ from typing import Any
 from chatscene.imports.cast import Cast, told_number
 from chatscene.imports.given import Refused
 from chatscene.imports.opening import LEFT_ALONE
-from chatscene.imports.shapes import Shape, thinned_faces, thinned_in_time
+from chatscene.imports.shapes import MOST_TIMES, Shape, thinned_faces, thinned_in_time
 from chatscene.imports.story_conditions import text_or_number
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written_story import Told
@@ -247,7 +247,11 @@ class StoryActions:
             return ("line", line, (), start, *faces)
         scale, shift = self._given.number(timing, "scale", "1"), self._given.number(timing, "offset", "0")
         absolute = self._given.text(timing, "domainAbsoluteRelative", "relative") == "absolute"
-        return ("line", line, (absolute, _table(shape.points, shape.times, scale, shift)), start, *faces)
+        table = _table(shape.points, shape.times, scale, shift)
+        mode = one.find("TrajectoryFollowingMode") or one
+        if self._given.text(mode, "followingMode", "follow") == "position" or len(table) > MOST_TIMES:
+            return ("line", line, (absolute, _thinned(table)), start, *faces)
+        return ("line", line, (absolute, table, True), start, *faces)
 
     def _way(self, one: Element, name: str | None) -> Told:
         if name is None:
@@ -273,10 +277,15 @@ def _faces(shape: Shape) -> tuple[Told, ...]:
 def _table(
     points: tuple[tuple[float, float], ...], times: tuple[float, ...], scale: float, shift: float
 ) -> tuple[tuple[float, float], ...]:
-    """When how much of a line is to be behind somebody, without what lies between two others evenly."""
+    """When how much of a line is to be behind somebody."""
     gone = 0.0
     table = [(times[0] * scale + shift, 0.0)]
     for (a, b), time in zip(pairwise(points), times[1:], strict=True):
         gone += math.dist(a, b)
         table.append((time * scale + shift, gone))
+    return tuple(table)
+
+
+def _thinned(table: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
+    """A table without what lies between two others evenly."""
     return tuple((round(table[i][0], 3), round(table[i][1], 3)) for i in thinned_in_time(table))

@@ -17,7 +17,7 @@ from chatscene.imports.opening import EGO_DOES, Opening
 from chatscene.imports.story_actions import StoryActions
 from chatscene.imports.story_conditions import DEPTHS, StoryConditions
 from chatscene.imports.stranger_xml import Element
-from chatscene.imports.written_story import Member, StoryProgram, Told
+from chatscene.imports.written_story import Line, Member, StoryProgram, Told
 from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.plan import Expression, Parameter, walk
@@ -28,6 +28,7 @@ from chatscene.world.story.pace import SHORT, lasts
 from chatscene.world.story.places import AWAY
 
 _BACKS = 3.0  # [m/s] at which somebody drives backwards at most
+_ITS_ROUTE: Told = ("", "way", Line(EGO_ROUTE))  # what the ego's route of Init is to its story
 _MOST_TIMES = 1_000  # that an event happens
 
 
@@ -182,6 +183,10 @@ class StoryReader(Opening):
                     return position
         return None
 
+    def _speed(self, name: str) -> float:
+        """How fast somebody is at first [m/s]."""
+        return self._first_speed(name, self._entities.body(self._objects[name])[0])
+
     def _first_speed(self, name: str, kind: str) -> float:
         """How fast somebody is at first [m/s]."""
         for action in self._inits.get(name, []):
@@ -230,19 +235,11 @@ class StoryReader(Opening):
         actions = StoryActions(cast)
         groups: list[Told] = []
         for name, member in members.items():
-            told: list[Told] = []
-            stood = name == cast.ego and member.speed != speed
-            if stood:
-                told.append(("", "speed", "step", "time", 0.0, ("to", speed)))
-            for action in self._inits.get(name, []):
-                if action.tag == "TeleportAction" or self._only_speed(action) or self._is_its_route(name, cast, action):
-                    continue
-                does = partial(actions.of, name, action, at_first=True)
-                found = self.of_ego(does) if name == cast.ego else self._attempt(does)
-                if found is not None and found != ("nothing",):
-                    told.append(("", *found))
-            if len(told) > stood:
+            told = [found for action in self._inits.get(name, []) for found in self._begun(name, action, cast, actions)]
+            if any(one != _ITS_ROUTE for one in told):
                 self._begins.add(name)
+            if name == cast.ego and member.speed != speed:
+                told.insert(0, ("", "speed", "step", "time", 0.0, ("to", speed)))
             if told:
                 if not _moves(member.kind):
                     self._given.refusals.append(str(Refused(self._objects[name], "a thing does nothing here")))
@@ -250,6 +247,18 @@ class StoryReader(Opening):
                 groups.append(("", 1, (member.name,), (event,)))
         if groups:
             yield ("", None, None, tuple(groups))
+
+    def _begun(self, name: str, action: Element, cast: Cast, actions: StoryActions) -> Iterator[Told]:
+        """What somebody is told by an action of Init, beyond a place and a speed."""
+        if action.tag == "TeleportAction" or self._only_speed(action):
+            return
+        if self._is_its_route(name, cast, action):
+            yield _ITS_ROUTE
+            return
+        does = partial(actions.of, name, action, at_first=True)
+        found = self.of_ego(does) if name == cast.ego else self._attempt(does)
+        if found is not None and found != ("nothing",):
+            yield ("", *found)
 
     def _is_its_route(self, name: str, cast: Cast, action: Element) -> bool:
         """Whether an action of Init gives the ego its route, which it has."""

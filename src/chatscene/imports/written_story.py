@@ -6,8 +6,11 @@ import textwrap
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 
+import shapely
+import shapely.affinity
+
 from chatscene.imports.names import ODD, labels
-from chatscene.imports.shapes import thinned
+from chatscene.imports.shapes import thinned, thinned_finely
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.plan import Expression
 from chatscene.terms.plan_text import BEHAVIOR, print_expression
@@ -19,6 +22,7 @@ from chatscene.terms.surroundings import Surroundings
 from chatscene.world.actors import QUARTER
 
 _COLUMNS = 110
+_OVERLAPS = ", with allowCollisions True"
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,6 +101,7 @@ def written_story(story: StoryProgram, name: str) -> str:
     around = ", ".join(f"{key} = '{value}'" for key, value in asdict(story.surroundings).items())
     acting = [one for one in story.members[1:] if one.acts]
     other = next(iter(acting or story.members[1:]), None)
+    within = _overlapping(story.members)
     plays = other is not None and (other.acts or story.stop is not None)  # somebody is to play it to its end
     ego = story.members[0]
     called = labels(one.name for one in story.members)
@@ -112,9 +117,10 @@ def written_story(story: StoryProgram, name: str) -> str:
         *(told_line(line, path) for line, path in {EGO_ROUTE: story.route, **story.lines}.items()),
         *([f"behavior {BEHAVIOR}():\n    {played(story)}"] if plays else []),
         *([as_written(f"do {BEHAVIOR}()" if plays else played(story))] if ego.acts else []),
-        _ego(ego, story.route),
+        _ego(ego, story.route) + (_OVERLAPS if ego.name in within else ""),
         *(
             _placed(one, i, called[i], adversary=one is other, plays=one is other and plays)
+            + (_OVERLAPS if one.name in within else "")
             for i, one in enumerate(story.members)
             if i
         ),
@@ -125,8 +131,9 @@ def written_story(story: StoryProgram, name: str) -> str:
 def told_line(name: str, line: Polyline) -> str:
     """A line, as it stands in a program: the ego's route, or points that are followed as they are."""
     points: list[tuple[float, float]] = [(x, y) for x, y in line.points.tolist()]
-    told = ", ".join(f"({points[i][0]:.2f}, {points[i][1]:.2f})" for i in thinned(points))
     made = "routeThrough" if name == EGO_ROUTE else ""
+    kept, digits = (thinned(points), 2) if made else (thinned_finely(points), 3)
+    told = ", ".join(f"({points[i][0]:.{digits}f}, {points[i][1]:.{digits}f})" for i in kept)
     return f"{name} = {made}(\n{textwrap.fill(told, _COLUMNS, initial_indent='    ', subsequent_indent='    ')})"
 
 
@@ -193,6 +200,23 @@ def _ego(one: Member, route: Polyline) -> str:
     return (
         f"ego = new {one.kind} at pointOn({EGO_ROUTE}, {along:.3f}{beside}), "
         f"facing directionOn({EGO_ROUTE}, {along:.3f}{turned}), with route {EGO_ROUTE}{_properties(one)}{wants}{does}"
+    )
+
+
+def _overlapping(members: tuple[Member, ...]) -> frozenset[str]:
+    """Who stands in somebody else at first, as a trailer on its coupling does."""
+    boxes = [
+        shapely.affinity.rotate(
+            shapely.box(one.x - one.length / 2, one.y - one.width / 2, one.x + one.length / 2, one.y + one.width / 2),
+            one.heading,
+            use_radians=True,
+        )
+        for one in members
+    ]
+    return frozenset(
+        one.name
+        for i, one in enumerate(members)
+        if any(boxes[i].intersects(box) for j, box in enumerate(boxes) if j != i)
     )
 
 

@@ -187,6 +187,7 @@ def furnished(path: Path, root: Xml.Element, make: Callable[[], Any]) -> Any:
     setattr(network, "furniture", furniture)  # noqa: B010 - a class of somebody else's
     setattr(network, "speed_limits", limits)  # noqa: B010
     setattr(network, "mirrored", keeps_left(path))  # noqa: B010
+    setattr(network, "written", path.read_bytes())  # noqa: B010 - for what is seldom asked of a map
     return network
 
 

@@ -63,16 +63,18 @@ def route_through(network: Any, map_name: str, points: Sequence[tuple[float, flo
         points: The line, in driving order [m], map frame.
 
     Raises:
-        MapError: It is too short, or begins on no lane.
+        MapError: It is too short.
     """
     line = Polyline(points)
     if line.length < SHORTEST:
         raise MapError(f"the ego's way is {line.length:.0f} m long; a route has at least {SHORTEST:.0f} m")
-    found = [network.laneAt(point) for point in line.resampled(1.0).points.tolist()]
-    if found[0] is None:
-        x, y = line.point_at(0.0)
-        raise MapError(f"the ego's way begins on no lane, at ({x:.1f}, {y:.1f})")
-    return _route(map_name, line, list(dict.fromkeys(lane for lane in found if lane is not None)))
+    found = [lane for point in line.resampled(1.0).points.tolist() if (lane := network.laneAt(point)) is not None]
+    return _route(map_name, line, list(dict.fromkeys(found or [_nearest(network, line.point_at(0.0))])))
+
+
+def _nearest(network: Any, point: tuple[float, float]) -> Any:
+    """The lane nearest to a point that lies on none, as in a car park."""
+    return min(network.lanes, key=lambda lane: (lane.distanceTo(point), lane.uid))
 
 
 def _route(map_name: str, line: Polyline, lanes: list[Any]) -> Route:

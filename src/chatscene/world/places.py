@@ -8,7 +8,7 @@ specifiers.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -304,16 +304,22 @@ def neighbourPath(route: EgoRoute, side: str) -> Polyline:  # noqa: N802
     return line_beside(route.network, route.route, side)
 
 
-def laneLine(lane: Any, least: float = 200.0) -> Polyline:  # noqa: N802
-    """The centre line of a lane and of the straightest lanes after it, at least `least` [m] if the map goes on."""
+def laneLine(lane: Any, least: float = 200.0, of: Callable[[Any], Polyline] = centre_line) -> Polyline:  # noqa: N802
+    """The line of a lane and of the straightest lanes after it, at least `least` [m] if the map goes on.
+
+    Args:
+        lane: Scenic's lane.
+        least: How long it is [m].
+        of: What line of a lane is meant: its centre line, as it is driven by, or `chatscene.maps.lane_curves`' own.
+    """
     if lane is None:
         raise ValueError("it stands on no lane that it could follow; place it on one, or give it a path")
-    line = centre_line(lane)
+    line = of(lane)
     while line.length < least and lane.maneuvers:
         straight = [m for m in lane.maneuvers if m.type.name == "STRAIGHT"]
         maneuver = (straight or list(lane.maneuvers))[0]
         parts = [part for part in (maneuver.connectingLane, maneuver.endLane) if part is not None]
-        line = Polyline.join(line, *(centre_line(part) for part in parts))
+        line = Polyline.join(line, *(of(part) for part in parts))
         lane = maneuver.endLane
     return line
 

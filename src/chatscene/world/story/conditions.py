@@ -145,14 +145,19 @@ def _between(kind: str, who: Entity, told: list[Any], world: World) -> Callable[
         def motion() -> Motion:
             return whom.origin[:2], whom.velocity
 
-    if kind == "apart":
-        return lambda: holds(far(), value)
-
-    def seconds() -> float:
-        pace = closing(who, motion(), how, frame) if kind == "collision-in" else who.speed
+    def seconds(pace: float) -> float:
         return far() / pace if pace > _STILL else math.inf
 
-    return lambda: holds(seconds(), value)
+    def is_behind() -> bool:
+        return seen(who.origin, who.line, motion()[0], frame if how else "entity")[0] < 0.0
+
+    match kind:
+        case "apart":
+            return lambda: holds(far(), value)
+        case "headway":  # to somebody behind there is none
+            return lambda: not is_behind() and holds(seconds(who.speed), value)
+        case _:
+            return lambda: holds(seconds(closing(who, motion(), how, frame)), value)
 
 
 def _to(who: Entity, place: tuple[float, ...], how: str, frame: str, freespace: bool) -> float:

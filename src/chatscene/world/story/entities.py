@@ -8,11 +8,15 @@ from typing import Any
 
 import shapely
 
+from chatscene.maps.lane_curves import middle_line
 from chatscene.maps.neighbours import numbered_beside
 from chatscene.terms.polyline import Polyline
 from chatscene.world.places import laneLine
 
 STANDS = 0.1  # [m/s] below which somebody stands
+_ENDS = 0.5  # [m] of lane before the end of a road, that are none to go on
+_NEAR = 20.0  # [m] from a lane within which somebody beside it goes along it
+_FAR = 10_000.0  # [m] straight ahead, which nobody comes to the end of
 _ONWARD = 400.0  # [m] of a lane and of those it leads to that are followed at once
 Motion = tuple[tuple[float, float], tuple[float, float]]  # x, y [m]; velocity along both [m/s]
 _ACROSS = math.pi / 4  # [rad] from a lane's direction, beyond which somebody follows no lane
@@ -31,6 +35,11 @@ class Bounds:
     top: float = math.inf
     up: float = math.inf
     down: float = math.inf
+
+    @property
+    def each(self) -> tuple[float, float, float]:
+        """All of them."""
+        return self.top, self.up, self.down
 
 
 class Entity:
@@ -61,7 +70,8 @@ class Entity:
         self.led, self.bounds, self.is_watched = led, bounds or Bounds(), False
         self.pose: tuple[float, float, float, float] = agent.pose
         self.speed = self.pose[3]
-        self.line: Polyline = agent.route.line if getattr(agent, "route", None) is not None else self.own_line()
+        route = None if led else getattr(agent, "route", None)
+        self.line: Polyline = self.own_line() if route is None else route.line
         self.travelled = self.rests = self.lost = self.gained = 0.0
         self._before = self.pose
 
@@ -95,23 +105,43 @@ class Entity:
             self.travelled += gone
         self.rests = self.rests + dt if abs(speed) < STANDS else 0.0
         if self.is_watched:
-            self.lost = self.lost + dt if self._network.roadAt((x, y)) is None else 0.0
+            self.lost = self.lost + dt if self._network.elementAt((x, y)) is None else 0.0
         self.gained = (speed - before) / dt
         self._before = pose
 
     def own_line(self) -> Polyline:
-        """The line of the lane that it stands on and of those it leads to; straight ahead where it follows no lane."""
+        """The line of its lane, or of the nearest one beside it, and of those it leads to; else straight ahead.
+
+        Straight ahead is where no lane is near, or none runs nearly the way that it faces.
+        """
         x, y, heading = self.origin
-        section = None if self.agent.isWalker else self._network.laneSectionAt((x, y))
+        section = self._network.laneSectionAt((x, y))
+        if section is None:
+            nearest = self.section()
+            section = nearest if nearest.distanceTo((x, y)) < _NEAR else None
         if section is not None:
-            line = laneLine(section.lane, 0.0)
+            line = laneLine(section.lane, 0.0, middle_line)
             along = line.project(x, y)[0]
             turn = math.remainder(heading - line.heading_at(along), math.tau)
             if abs(turn) < _ACROSS:
-                return laneLine(section.lane, along + _ONWARD)
+                return laneLine(section.lane, along + _ONWARD, middle_line)
             if abs(turn) > math.pi - _ACROSS:
                 return Polyline(line.points[::-1])
-        return Polyline([(x + d * math.cos(heading), y + d * math.sin(heading)) for d in (-1.0, _ONWARD)])
+        return Polyline([(x + d * math.cos(heading), y + d * math.sin(heading)) for d in (-1.0, _FAR)])
+
+    def onward_line(self, line: Polyline) -> Polyline | None:
+        """The line of the lane at the end of a line, and of those it leads to; None where that leads nowhere."""
+        (x, y), heading = line.point_at(line.length), line.heading_at(line.length)
+        section = self._network.laneSectionAt((x, y))
+        if section is None:
+            return None
+        lane = laneLine(section.lane, 0.0, middle_line)
+        at = lane.project(x, y)[0]
+        if math.cos(heading - lane.heading_at(at)) < 0.0:
+            at, found = lane.length - at, Polyline(lane.points[::-1])
+        else:
+            found = laneLine(section.lane, at + _ONWARD, middle_line)
+        return found.between(at, found.length) if found.length - at > _ENDS else None
 
     def lane_line(self, number: int) -> Polyline:
         """The line of a lane of its road, by its number in OpenDRIVE, in the order in which it goes along it.
@@ -126,10 +156,10 @@ class Entity:
             raise ValueError(
                 f"{self.name} is to change to lane {number}, and beside lane {section.openDriveID} is none"
             )
-        line = laneLine(found.lane, 0.0)
+        line = laneLine(found.lane, 0.0, middle_line)
         along = line.project(x, y)[0]
         with_it = math.cos(heading - line.heading_at(along)) >= 0.0
-        return laneLine(found.lane, along + _ONWARD) if with_it else Polyline(line.points[::-1])
+        return laneLine(found.lane, along + _ONWARD, middle_line) if with_it else Polyline(line.points[::-1])
 
     def section(self) -> Any:
         """Scenic's lane section that it is on, or the nearest one."""
@@ -142,7 +172,7 @@ class Entity:
         section = self.section()
         number = int(section.openDriveID)
         x, y, heading = self.origin
-        line = laneLine(section.lane, 0.0)
+        line = laneLine(section.lane, 0.0, middle_line)
         along = math.cos(heading - line.heading_at(line.project(x, y)[0])) >= 0.0
         return number, 1 if along == (number < 0) else -1
 
@@ -168,10 +198,20 @@ def apart(one: Entity, other: Entity, how: str, frame: str, *, freespace: bool) 
     """
     if how not in ("longitudinal", "lateral"):
         return one.box().distance(other.box()) if freespace else math.dist(one.origin[:2], other.origin[:2])
-    along, aside = offset(one, other, frame, of_centres=freespace)
-    far, size = (along, "length") if how == "longitudinal" else (aside, "width")
-    room = (getattr(one.agent, size) + getattr(other.agent, size)) / 2 if freespace else 0.0
-    return max(abs(far) - room, 0.0)
+    far = offset(one, other, frame, of_centres=freespace)[0 if how == "longitudinal" else 1]
+    return max(abs(far) - (room(one, other, how, frame) if freespace else 0.0), 0.0)
+
+
+def room(one: Entity, other: Entity, how: str, frame: str) -> float:
+    """How much of a distance between centres [m] is taken by two bodies, as they are turned; see `apart`."""
+    axis = one.pose[2] if frame == "entity" else one.line.heading_at(one.line.project(*one.pose[:2])[0])
+    axis += 0.0 if how == "longitudinal" else math.pi / 2
+    return sum(_half(who, who.pose[2] - axis) for who in (one, other))
+
+
+def _half(who: Entity, turn: float) -> float:
+    """Half of what a body takes up along an axis [m] that it is turned from."""
+    return (abs(math.cos(turn)) * who.agent.length + abs(math.sin(turn)) * who.agent.width) / 2
 
 
 def offset(one: Entity, other: Entity, frame: str, *, of_centres: bool = False) -> tuple[float, float]:

@@ -19,6 +19,7 @@ _NEAR = 0.1  # [m] within which a distance is reached
 _SPRING = 0.4  # of the largest acceleration, per metre: how hard a distance is pulled to, with no swinging past it
 _STANDS = 1e-6  # [m/s]
 UNBOUND = 1e3  # [m/s] and [m/s²], from which on a limit is none
+_FREE = (UNBOUND,) * 3
 
 
 class Pace:
@@ -175,7 +176,7 @@ class Distance(Pace):
         room = (who.agent.length + other.agent.length) / 2 if self._freespace else 0.0
         want = self._amount if self._unit == "m" else self._amount * abs(other.speed)
         off = self._side * (want + room) + ahead  # how far on it has still to come
-        top, up, down = self._limits
+        top, up, down = self._limits if self._limits == _FREE else map(min, self._limits, who.bounds.each)
         self.done = not self._for_good and abs(off) < _NEAR
         if min(up, down) >= UNBOUND:
             self.jump = off
@@ -199,7 +200,7 @@ class Meeting(Pace):
         self._ours, self._theirs = world.place(ours), world.place(theirs)
         self._final = target_of(final[0], world)[0] if final else None
         self._steady = final[1:] if final else (0.0, 0.0)
-        self._last, self._is_linear = (math.inf, math.inf), False
+        self._last, self._is_linear, self._line = (math.inf, math.inf), False, who.line
 
     def speed(self, dt: float) -> float:
         """Its speed after a step."""
@@ -207,6 +208,8 @@ class Meeting(Pace):
             return self._who.speed
         left, theirs = abs(_left(self._who, self._ours.pose())), abs(_left(self._other, self._theirs.pose()))
         pace, speed = abs(self._other.speed), self._who.speed
+        if self._who.line is not self._line:  # along which the place may be farther
+            self._line, self._last = self._who.line, (math.inf, math.inf)
         self.done = left > self._last[0] or theirs > self._last[1] or (pace > _STANDS and theirs / pace < dt)
         self._last = left, theirs
         if self.done:

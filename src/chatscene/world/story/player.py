@@ -11,7 +11,7 @@ from weakref import WeakKeyDictionary
 from scenic.core.simulators import Action
 
 from chatscene.world.story.conditions import truth_of
-from chatscene.world.story.entities import Bounds, Entity, along
+from chatscene.world.story.entities import Bounds, Entity
 from chatscene.world.story.pace import SHORT, Pace, Steady, Waits, lasts, pace_of
 from chatscene.world.story.places import AWAY, Place, place_of
 from chatscene.world.story.ways import Way, way_of
@@ -19,7 +19,6 @@ from chatscene.world.story.ways import Way, way_of
 _STOPPING = frozenset(("overwrite", "override"))
 _FINE = 0.01  # [s] at most between two looks at what is due, where an ego under test drives
 _FINEST = 0.001  # [s] the same where everybody is led: who brakes from 30 m/s stands within 0.03 m of its place
-_ENDS = 0.5  # [m] of lane before the end of a road, that are none to go on
 
 
 @dataclass(slots=True, eq=False)
@@ -389,10 +388,9 @@ class Mover:
         if not self._who.led:
             return
         x, y, heading = self._who.origin
-        self._goes(Way(self._who, self._who.line))
         self._paces(Steady(0.0))
         self._who.put(x + AWAY, y + AWAY, heading, 0.0)
-        self._way = Way(self._who, self._who.line)
+        self._along_its_lane()
 
     def moves(self, dt: float) -> None:
         """Be moved for a time [s], if the story leads it."""
@@ -401,9 +399,9 @@ class Mover:
             return
         before, table = who.speed, self._way.speed()
         speed = self._pace.speed(dt) if table is None else table
-        gone = (before + speed) / 2.0 * dt + self._pace.jump
+        gone, way = (before + speed) / 2.0 * dt, self._way
+        way.at += self._pace.jump  # which is along the line, whatever somebody does beside it
         self._pace.jump = 0.0
-        way = self._way
         who.put(*way.goes(gone, dt), speed)
         if way.ends and way.done:
             self._along_its_lane()
@@ -416,13 +414,13 @@ class Mover:
     def _goes_on(self, way: Way) -> None:
         """Go on by the lanes to which a line leads that is over; where there are none, somebody stands at its end."""
         who = self._who
-        line = who.own_line()
-        if line.length - along(line, *who.origin[:2])[0] < _ENDS:
+        line = who.onward_line(way.line)
+        if line is None:
             self._paces(Steady(0.0))
             who.put(*way.goes(-way.over, 0.0), 0.0)
         else:
             way.goes_on_along(line)
-            who.line = line
+            who.line = way.line
 
 
 _stories: WeakKeyDictionary[Any, Story] = WeakKeyDictionary()

@@ -2,7 +2,8 @@
 
 ('lane', shape, dimension, amount, target, left)      target: ('to', number) or ('of', whom, lanes to its left)
 ('aside', shape, most lateral acceleration, target, for good)   target: ('to' or 'mine', left) or ('of', whom, left)
-('line', points or (place, points), times, start, faces)   times: () or (absolute, ((s, m), …)); start: where on it [m];
+('line', points or (place, points), times, start, faces)   times: () or (absolute, ((s, m), …), evenly); start: where on
+                                                      it [m]; evenly: each piece at a steady acceleration;
                                                       faces: none, or ((m, rad), …): which way it looks where
 ('way', points)                                       a route: followed from now on
 ('beside', whom, distance, side, freespace, for good)
@@ -27,7 +28,8 @@ from chatscene.world.story.places import moved
 Pose = tuple[float, float, float]  # x, y [m], heading [rad]
 
 _STEP_ASIDE = 0.5  # [m/s²] across, with which somebody goes aside where nothing is told
-_ACROSS = 0.5  # [m] before and behind, between which the direction of a line is seen
+_NO_WAY = 1e-6  # [m]
+_ACROSS = 0.1  # [m] before and behind, between which the direction of a line is seen
 
 
 class Way:
@@ -59,9 +61,8 @@ class Way:
         return self
 
     def goes_on_along(self, line: Polyline) -> None:
-        """Go on as before, along another line that begins where this one ends."""
-        x, y = self.line.point_at(self.at)
-        self.line, self.at = line, along(line, x, y)[0]
+        """Go on as before, along another line that begins where this one ends, and as far beside it."""
+        self.at, self.line = self.over, line
 
     def goes(self, gone: float, dt: float) -> Pose:
         """Where somebody is who goes so far [m] in a time [s]: x [m], y [m], heading [rad]."""
@@ -191,10 +192,11 @@ class Line(Way):
     def __init__(self, who: Entity, world: World, line: Polyline, times: Any, start: float, faces: Any = ()) -> None:
         super().__init__(who, line, 0.0)
         self.at, self._world, self._faces, self._start = min(start, line.length), world, tuple(faces), start
-        absolute, self._table = times or (False, ())
+        absolute, self._table, *evenly = times or (False, ())
         self.timed, self.done = bool(self._table), False
         self._began = 0.0 if absolute else world.time - (_when(self._table, start) if start > 0.0 else 0.0)
         backs = who.speed < 0.0 and not self.timed
+        self._gains = _steadily(self._table, who.speed) if evenly and evenly[0] else None
         self._turn = math.pi if backs else 0.0
         self._way = -1.0 if backs or (self._faces and math.cos(self._looks() - _bearing(line, self.at)) < 0.0) else 1.0
 
@@ -208,7 +210,7 @@ class Line(Way):
         """Where it is on the line after that."""
         if self._table:
             time = self._world.time + dt - self._began
-            self.at = max(_due(self._table, time), self._start)
+            self.at = max(_due(self._table, time, self._gains), self._start)
             self.done = time >= self._table[-1][0] - 1e-9
         else:
             self.at += gone * self._way
@@ -221,7 +223,7 @@ class Line(Way):
         if not self._table:
             return None
         time = self._world.time - self._began
-        slope = _slope(self._table, time)
+        slope = _slope(self._table, time, self._gains)
         back = self._faces and math.cos(self._looks() - _bearing(self.line, self.at)) < 0.0
         return -slope if back else slope
 
@@ -238,22 +240,47 @@ def _bearing(line: Polyline, at: float) -> float:
     return math.atan2(y1 - y0, x1 - x0)
 
 
-def _due(table: Sequence[tuple[float, float]], time: float) -> float:
+Gains = list[tuple[float, float]]  # of each piece of a table: speed at its beginning [m/s] and acceleration [m/s²]
+
+
+def _steadily(table: Sequence[tuple[float, float]], speed: float) -> Gains:
+    """How fast each piece is begun and how fast that changes, so that speeds do not jump; who stops, waits."""
+    gains: Gains = []
+    for (t0, s0), (t1, s1) in pairwise(table):
+        time, way = max(t1 - t0, 1e-9), s1 - s0
+        gain = 2.0 * (way - speed * time) / time**2 if way > _NO_WAY else 0.0
+        if way > _NO_WAY and speed + gain * time < 0.0:  # it would come back
+            gain = -(speed**2) / (2.0 * way)
+        begins = speed if way > _NO_WAY else 0.0
+        gains.append((begins, gain))
+        speed = max(begins + gain * time, 0.0)
+    return gains
+
+
+def _due(table: Sequence[tuple[float, float]], time: float, gains: Gains | None = None) -> float:
     """How much of a line is behind somebody at a time [m]."""
     if time <= table[0][0]:
         return table[0][1]
-    for (t0, s0), (t1, s1) in pairwise(table):
+    for i, ((t0, s0), (t1, s1)) in enumerate(pairwise(table)):
         if time < t1:
-            return s0 + (s1 - s0) * (time - t0) / max(t1 - t0, 1e-9)
+            if gains is None:
+                return s0 + (s1 - s0) * (time - t0) / max(t1 - t0, 1e-9)
+            speed, gain = gains[i]
+            passed = min(time - t0, -speed / gain if gain < 0.0 else math.inf)
+            return s0 + speed * passed + gain * passed**2 / 2.0
     return table[-1][1]
 
 
-def _slope(table: Sequence[tuple[float, float]], time: float) -> float:
+def _slope(table: Sequence[tuple[float, float]], time: float, gains: Gains | None = None) -> float:
     """How fast that grows at a time [m/s]; behind the last, as before it."""
     if time < table[0][0] or len(table) < 2:
         return 0.0
-    (t0, s0), (t1, s1) = next((pair for pair in pairwise(table) if time < pair[1][0]), (table[-2], table[-1]))
-    return (s1 - s0) / max(t1 - t0, 1e-9)
+    i = next((i for i, one in enumerate(table[1:]) if time < one[0]), len(table) - 2)
+    (t0, s0), (t1, s1) = table[i], table[i + 1]
+    if gains is None:
+        return (s1 - s0) / max(t1 - t0, 1e-9)
+    speed, gain = gains[i]
+    return max(speed + gain * (min(time, t1) - t0), 0.0)
 
 
 def _when(table: Sequence[tuple[float, float]], at: float) -> float:
