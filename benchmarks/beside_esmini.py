@@ -166,7 +166,10 @@ def compared(library: Path, path: Path, most: float, options: tuple[str, ...]) -
     except Exception as error:  # noqa: BLE001 - whatever it is, it is told
         return {"file": str(path), "status": "not ours", "why": f"{type(error).__name__}: {error}"[:300]}
     theirs = _called(ours, theirs)
-    found = [beside(name, track, theirs[name]) for name, track in ours.items() if name in theirs]
+    both = {name: track for name, track in ours.items() if name in theirs}
+    if both and min(min(t[-1, 0], theirs[name][-1, 0]) for name, t in both.items()) < EVERY + SOON:
+        return {"file": str(path), "status": "over at once", "why": "one of both drives has no second step"}
+    found = [beside(name, track, theirs[name]) for name, track in both.items()]
     away = [one for one in found if one.first is not None]
     last = (max(float(t[-1, 0]) for t in ours.values()), max(float(t[-1, 0]) for t in theirs.values()))
     return {
