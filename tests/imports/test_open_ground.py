@@ -19,7 +19,10 @@ NO_ROADS = {"map_name": ""}
 
 @pytest.fixture(autouse=True)
 def own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("chatscene.imports.open_ground.cache_folder", lambda kind: tmp_path / "cache" / kind)
+    def below(kind: str) -> Path:
+        return tmp_path / "cache" / kind
+
+    monkeypatch.setattr("chatscene.imports.open_ground.cache_folder", below)
 
 
 def test_a_file_without_roads_lies_on_open_ground_with_a_road_under_its_ego(beside: Path) -> None:

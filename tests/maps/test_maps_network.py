@@ -58,7 +58,7 @@ def test_a_map_that_is_not_there_is_named_with_the_nearest_there_is(tmp_path: Pa
     [
         ("", "XML"),
         ("not a map", "XML"),
-        (SMALL.format(plan=LINE, kind="driving")[:300], "truncated|cut off"),
+        (SMALL.format(plan=LINE, kind="driving")[:300], "not complete XML"),
         ("<osm></osm>", "not OpenDRIVE"),
         ("<OpenDRIVE></OpenDRIVE>", "without a"),
         (SMALL.format(plan=LINE, kind="sidewalk"), "lane"),
@@ -77,7 +77,7 @@ def test_a_broken_map_is_refused_with_the_file_and_the_fault(
 def test_the_town_cut_in_half_is_refused(tmp_path: Path, cache: Path) -> None:
     path = tmp_path / "half.xodr"
     path.write_bytes(TOWN.read_bytes()[:100_000])
-    with pytest.raises(MapError, match=r"truncated|cut off"):
+    with pytest.raises(MapError, match=r"not complete XML"):
         load_network(path)
 
 

@@ -82,6 +82,7 @@ from fake_run import (
     scene,
     started,
 )
+from places import FIXTURES
 
 NASTY = """</script><script>alert(1)</script><img src=x onerror="alert(2)"> & 'quotes' "too" {{script}} <!--"""
 
@@ -375,12 +376,27 @@ def _caught(words: Sequence[str], monkeypatch: pytest.MonkeyPatch) -> dict[str, 
     return caught
 
 
-def _other(option: click.Option) -> list[str]:
-    """An option with a value that is not its default."""
-    if option.name == "language_model":  # else it is asked at once, and what it read is run as a situation
-        return [option.opts[0], "some 'thing else", "--reader", "paper"]
-    if option.name == "map":  # else it is refused at once
-        return [option.opts[0], "outskirts"]
+THERE = {
+    "map": ("outskirts",),
+    "ego": ("idm",),
+    "sampler": ("random",),
+    "simulator": ("confined",),
+    "embedder": ("t5:some 'folder",),
+    # else it is asked at once, and what it read is run as a situation
+    "language_model": ("openai:some 'thing else", "--reader", "paper"),
+}
+"""A value that is not the default, of options that name something that must be there."""
+
+
+def _other(option: click.Option, folder: Path) -> list[str]:
+    """An option with a value that is not its default; what it names is written below a folder."""
+    if option.name == "library":
+        library = folder / "some 'library"
+        (library / "behavior").mkdir(parents=True)
+        shutil.copy(FIXTURES / "library" / "behavior" / "brake.scenic", library / "behavior")
+        return [option.opts[0], str(library)]
+    if option.name in THERE:  # what is not there is refused at once
+        return [option.opts[0], *THERE[option.name]]
     if option.is_flag:
         return [option.opts[0]]
     if option.multiple:
@@ -403,7 +419,7 @@ def test_the_command_to_run_it_again_leaves_out_no_option(
 ) -> None:
     there = ["--map", "town"]  # the one that is taken for this text
     text = "a car surprises us" if option.name == "reading" else "a car cuts in"  # which is not sure alone
-    first = _caught(["run", text, *there, *_other(option), "--out", str(tmp_path / "x")], monkeypatch)
+    first = _caught(["run", text, *there, *_other(option, tmp_path), "--out", str(tmp_path / "x")], monkeypatch)
     assert first
     assert first != _caught(["run", text, *there, "--out", str(tmp_path / "x")], monkeypatch)
     run = create(tmp_path / "run", asked(**first))

@@ -150,6 +150,8 @@ class ScenarioFile:
     ) -> Carried | None:
         """The program that the scenario carries; None where it carries none, or its events or map were changed since.
 
+        Nor is it taken where somebody is named as the ego: then what the events say of that one is asked for.
+
         Args:
             told: As of `said`.
             spans: As of `said`.
@@ -161,7 +163,7 @@ class ScenarioFile:
         header = self._root.find("FileHeader", "Properties")
         told_of = header.inside if header else []
         properties = {one.attributes.get("name", ""): one.attributes.get("value", "") for one in told_of}
-        if not carries(properties):
+        if self._ego is not None or not carries(properties):
             return None
         given = Given(told=told or {}, spans=spans or {}, within=self._within)
         given.declare(self._root)

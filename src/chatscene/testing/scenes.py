@@ -319,7 +319,7 @@ def _struck_by_ego(episode: Episode) -> bool:
 
 
 def _of_text(asked: Asked, text: str) -> Found:
-    understood = explain_text(text, asked.settings, map_name=asked.map_name)
+    understood = explain_text(text, asked.settings, map_name=asked.map_name or None)
     program, scenario = understood.program, understood.scenario
     built_on = understood.built.map if isinstance(understood, Stated) else map_with(scenario.slots.site)
     path = resolve_map(asked.map_name or built_on)
