@@ -18,6 +18,7 @@ from chatscene.terms.polyline import Polyline
 from chatscene.terms.storyboard import Storyboard
 from chatscene.world.story.conditions import truth_of
 from chatscene.world.story.entities import Entity, room
+from chatscene.world.story.pace import NO_TIME, pace_of
 from chatscene.world.story.places import Place, place_of
 from chatscene.world.story.ways import Line, Way, way_of
 from played import DISTANCE, STATE, TIME, driven, read, speed, story
@@ -333,3 +334,18 @@ def test_a_body_takes_of_a_distance_what_it_is_as_it_is_turned(turn: float, take
     agent = SimpleNamespace(length=4.0, width=2.0)
     one, other = (SimpleNamespace(agent=agent, pose=(x, 0.0, h, 0.0)) for x, h in ((0.0, 0.0), (20.0, turn)))
     assert room(one, other, "longitudinal", "entity") == pytest.approx(taken)  # type: ignore[arg-type]
+
+
+def test_a_second_place_of_init_is_where_somebody_begins(beside: Path) -> None:
+    again = f"<PrivateAction>{JUMP}</PrivateAction><PrivateAction><LongitudinalAction><SpeedAction>"
+    text = scenario().replace("<PrivateAction><LongitudinalAction><SpeedAction>", again, 1)
+    found = driven(beside, text, 5)
+    assert float(found.tracks[1].y[2]) == pytest.approx(-300.0, abs=5.0)
+
+
+@pytest.mark.parametrize(("time", "after"), [(0.0, 20.0), (4.0, 5.0), (NO_TIME, 5.0)])
+def test_a_speed_of_a_profile_is_there_at_its_time_and_without_one_as_soon_as_may_be(time: float, after: float) -> None:
+    who, world = SimpleNamespace(speed=0.0), SimpleNamespace(time=0.0)
+    pace = pace_of(("profile", "", ((time, 20.0),), 5.0), who, world)  # type: ignore[arg-type]
+    assert pace is not None
+    assert pace.speed(1.0) == pytest.approx(after)

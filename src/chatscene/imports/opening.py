@@ -115,6 +115,10 @@ class Opening:
                 return position
         return next((found for action in inits if (found := action.find("FollowTrajectoryAction")) is not None), None)
 
+    def _puts_first(self, name: str, action: Element) -> bool:
+        """Whether somebody has its first place by a TeleportAction; by another one, it is put elsewhere at once."""
+        return action.find("Position") is self._placed_first(name)
+
     def _origin(self, name: str, one: Element) -> Pose:
         """Where somebody's origin is at first.
 

@@ -13,7 +13,7 @@ from chatscene.imports.shapes import MOST_TIMES, Shape, thinned_faces, thinned_i
 from chatscene.imports.story_conditions import text_or_number
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written_story import Told
-from chatscene.world.story.pace import UNBOUND
+from chatscene.world.story.pace import NO_TIME, UNBOUND
 
 _NOTHING: Told = ("nothing",)
 _SHAPES = frozenset(["linear", "cubic", "sinusoidal", "step"])
@@ -163,7 +163,7 @@ class StoryActions:
         most = self._given.number(limits, "maxAcceleration", "3") if limits is not None else 3.0
         whom = self._cast.who(one) if "entityRef" in one.attributes else ""
         entries = tuple(
-            (self._cast.value(part, "time", "0"), self._cast.value(part, "speed"))
+            (self._cast.value(part, "time", str(NO_TIME)), self._cast.value(part, "speed"))
             for part in one.all("SpeedProfileEntry")
         )
         if not entries:

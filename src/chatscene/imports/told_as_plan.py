@@ -69,6 +69,8 @@ class PlanReader(Opening):
         for action in self._inits.get(name, []):
             if action.tag in LEFT_ALONE:
                 self._given.note(action, LEFT_ALONE[action.tag])
+            elif action.tag == "TeleportAction" and not self._puts_first(name, action):
+                raise Refused(action, "it has a place already")
             elif action.tag not in ("TeleportAction", "LongitudinalAction"):
                 raise Refused(action, "in Init, somebody is placed and given a speed; write the rest as an event")
         acts = bool(events and events[0]) or speed != 0

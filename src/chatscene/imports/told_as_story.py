@@ -250,7 +250,7 @@ class StoryReader(Opening):
 
     def _begun(self, name: str, action: Element, cast: Cast, actions: StoryActions) -> Iterator[Told]:
         """What somebody is told by an action of Init, beyond a place and a speed."""
-        if action.tag == "TeleportAction" or self._only_speed(action):
+        if self._only_speed(action) or (action.tag == "TeleportAction" and self._puts_first(name, action)):
             return
         if self._is_its_route(name, cast, action):
             yield _ITS_ROUTE

@@ -19,6 +19,7 @@ _NEAR = 0.1  # [m] within which a distance is reached
 _SPRING = 0.4  # of the largest acceleration, per metre: how hard a distance is pulled to, with no swinging past it
 _STANDS = 1e-6  # [m/s]
 UNBOUND = 1e3  # [m/s] and [m/s²], from which on a limit is none
+NO_TIME = -1.0  # in the place of the time of a speed that is to be reached as soon as may be
 _FREE = (UNBOUND,) * 3
 
 
@@ -146,7 +147,7 @@ class Profile(Pace):
         self._points: list[tuple[float, float]] = [(0.0, who.speed - (base.speed if base else 0.0))]
         for time, speed in entries:
             at, before = self._points[-1]
-            lasts = time if time > 0.0 else abs(speed - before) / most
+            lasts = time if time >= 0.0 else abs(speed - before) / most
             self._points.append((at + lasts, speed))
 
     def speed(self, dt: float) -> float:
