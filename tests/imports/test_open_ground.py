@@ -11,6 +11,8 @@ from chatscene.imports.import_file import import_scenario
 from chatscene.imports.openscenario import Imported
 from chatscene.imports.written_story import StoryProgram, written_story
 from chatscene.maps.network import load_network
+from chatscene.settings import VerifySettings
+from chatscene.verdict.programs import watch_openscenario
 from played import DISTANCE, read, story
 from red_team.scenario_files import AT, event, scenario
 
@@ -87,3 +89,10 @@ def test_a_place_a_little_beyond_the_end_of_its_road_is_its_end(beside: Path) ->
     on_short_road(beside, '<LanePosition roadId="1" laneId="-1" s="60.05"/>')
     with pytest.raises(ScenarioError, match="road 1 is 60 m long, and 61 m is not on it"):
         on_short_road(beside, '<LanePosition roadId="1" laneId="-1" s="61"/>')
+
+
+def test_a_file_without_roads_is_judged(beside: Path) -> None:
+    path = beside / "no-roads.xosc"
+    path.write_text(scenario(**NO_ROADS))
+    found = watch_openscenario(path, VerifySettings(draws=1))
+    assert len(found.drives) == 1

@@ -101,14 +101,15 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
                 continue
             # Resolved, since it is read in a process that works elsewhere.
             parts.append(_Part(replace(own, map_path=lies.resolve()), numbers, variant))
-    notes = (
-        *map(_not_judged, (*made.refused, *untold)),
-        "its own ego drives" if as_written else f"{settings.ego or EGO} drives the ego",
-        *made.notes,
-    )
-    left = made.count - len(made.programs) - len(made.refused)
-    variants = _Variants() if settings.variant else _Variants(made.count, left)
-    return _watched(parts, "OpenSCENARIO file", settings, notes, variants)
+        notes = (
+            *map(_not_judged, (*made.refused, *untold)),
+            "its own ego drives" if as_written else f"{settings.ego or EGO} drives the ego",
+            *made.notes,
+        )
+        left = made.count - len(made.programs) - len(made.refused)
+        variants = _Variants() if settings.variant else _Variants(made.count, left)
+        # Within, since the map of a file without roads lies in this folder.
+        return _watched(parts, "OpenSCENARIO file", settings, notes, variants)
 
 
 def _as_written(settings: VerifySettings) -> bool | None:
