@@ -22,7 +22,7 @@ from chatscene.program.judge import judge
 from chatscene.program.sample import scene_at
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import load_simulator, simulate
-from chatscene.situations.form import from_plain
+from chatscene.situations.form import from_plain, to_plain
 from chatscene.terms.episode import Episode
 from chatscene.terms.mirrored_scenario import mirrored_attributes
 from chatscene.terms.mirroring import as_said_on, mirrored_situation, mirrored_words
@@ -104,6 +104,14 @@ def test_a_side_of_a_text_that_a_reader_swapped_is_as_the_text_has_it() -> None:
     assert as_said_on(swapped, keeps_left=False) is swapped
 
 
+def test_what_is_as_a_left_hand_map_has_it_stays_if_it_is_asked_for_again(left: Path) -> None:
+    for text in ("A cyclist crosses from the nearside.", "A car pulls out from the kerb and stops."):
+        read = chatscene.explain(text, map=left).situation
+        assert chatscene.explain(read, map=left).situation == read
+        assert from_plain(to_plain(read)) == read
+        assert as_said_on(read, keeps_left=True) is read
+
+
 def test_a_reference_to_a_deed_by_its_act_is_mirrored_with_the_act() -> None:
     turns = {"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": [{"act": "turn-left"}]}
     after = {"act": "brake", "when": {"after": "A.turn-left"}}
@@ -121,6 +129,8 @@ def test_a_reference_to_a_deed_by_its_act_is_mirrored_with_the_act() -> None:
         ("Left-front, right", "Right-front, left"),
         ("left out: the right of way", "left out: the right of way"),
         ("turn-left (turns left)", "turn-right (turns right)"),
+        ("its way is left-turn", "its way is right-turn"),
+        ("what is left of the bus is left", "what is right of the bus is left"),
     ],
 )
 def test_words_are_mirrored_but_for_what_is_no_side(told: str, other: str) -> None:

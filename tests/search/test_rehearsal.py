@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from chatscene.build.build import Built, build
+from chatscene.errors import ProgramError
 from chatscene.report.stated import explain_stated
 from chatscene.search.generators.situated import Situated
 from chatscene.search.rehearsal import declared, rehearsed, with_range
@@ -60,6 +61,29 @@ def test_who_comes_too_late_comes_sooner_and_is_told_so() -> None:
         f"OPT_A_OFFSET is {after.low:g} to {after.high:g} s, not {before.low:g} to {before.high:g} s, since drives"
         " show what was said only then"
     ]
+
+
+def test_a_slower_ego_that_cannot_be_driven_takes_nobody_s_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    situation = said("car", "ahead", "brake")
+    built = build(situation)
+    slower: list[Built] = []
+
+    def shown(tried: Built, _: Situation) -> Built | None:
+        if tried is not built:
+            slower.append(tried)
+            raise ProgramError("it ends in an error")
+        return None
+
+    monkeypatch.setattr("chatscene.search.rehearsal._shown", shown)
+    assert rehearsed(built, situation) is built
+    assert slower
+
+
+def test_an_explanation_with_its_program_tells_what_was_shifted() -> None:
+    explained = explain_stated(DOOR)
+    (line,) = explained.shifted
+    assert line.startswith("assumed: OPT_A_OFFSET is ")
+    assert line.removeprefix("assumed: ") in explained.as_dict()["assumed"]
 
 
 def test_a_shifted_program_says_its_ranges_in_its_text() -> None:

@@ -10,6 +10,7 @@ import click
 
 import chatscene
 from chatscene.commands.output import console, say
+from chatscene.errors import SettingsError
 from chatscene.files.bounded import is_there
 
 if TYPE_CHECKING:
@@ -25,10 +26,17 @@ def situation_file(text: str) -> Situation | None:
 
     Raises:
         SituationError: It cannot be read, or is none.
+        SettingsError: It is a file of another kind.
     """
-    if not text.lower().endswith(SUFFIXES) or (" " in text and not is_there(Path(text))):
-        return None
-    return chatscene.read_situation(text)
+    there = is_there(Path(text))
+    if text.lower().endswith(SUFFIXES) and (there or " " not in text):
+        return chatscene.read_situation(text)
+    if there:
+        raise SettingsError(
+            f"{text!r} is a file, and not the text of a situation; a file with a situation ends in .yaml or .json, one "
+            "with a report is given with --report, one with a program with --program"
+        )
+    return None
 
 
 def say_understood(understood: Stated | Understood, *, program: bool) -> None:
@@ -41,7 +49,7 @@ def say_understood(understood: Stated | Understood, *, program: bool) -> None:
         return
     say(str(understood))
     if program:
-        say(understood.program.source)
+        say("\n".join((*understood.shifted, understood.program.source)))
 
 
 @click.command()

@@ -81,7 +81,7 @@ def build(
     """
     saving = Saving(desk, save_as)
     made = chatscene.explain(_situation(desk, situation, file), set=facts or None)
-    program = f"\n{made.program.source}" if show_program else ""
+    program = "\n".join(("", *made.shifted, made.program.source)) if show_program else ""
     return f"{made}\n{saving.written(made)}{program}"
 
 

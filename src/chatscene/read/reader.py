@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Protocol
 
 from chatscene.errors import SettingsError
-from chatscene.files.bounded import is_there
 from chatscene.plugins import Kind, make
 from chatscene.settings import OFFLINE
 from chatscene.terms.reading import SituationReading
@@ -60,17 +58,12 @@ def check_text(text: str) -> None:
     """Hold a text to what a reader takes.
 
     Raises:
-        SettingsError: It is empty, longer than `LONGEST`, or the name of a file.
+        SettingsError: It is empty or longer than `LONGEST`.
     """
     if not text.strip():
         raise SettingsError("the text is empty; describe a situation, such as 'a cyclist cuts across from the left'")
     if len(text) > LONGEST:
         raise SettingsError(f"the text has {len(text)} characters; describe one situation in at most {LONGEST}")
-    if is_there(Path(text)):
-        raise SettingsError(
-            f"{text!r} is a file, and not the text of a situation; a file with a situation ends in .yaml or .json, one "
-            "with a report is given with --report, one with a program with --program"
-        )
 
 
 def in_one_line(text: str) -> str:

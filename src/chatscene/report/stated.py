@@ -13,7 +13,7 @@ from chatscene.build.build import Built, build
 from chatscene.errors import OfferedReading
 from chatscene.files.bounded import is_there
 from chatscene.maps.left_hand import keeps_left
-from chatscene.maps.network import resolve_map
+from chatscene.maps.network import map_digest, resolve_map
 from chatscene.read.quotes import left_over, not_in_words, words_of
 from chatscene.report.accounting import in_words, parts_of
 from chatscene.situations.facts import with_fact
@@ -34,10 +34,10 @@ Editor = Callable[[Situation, str], tuple["Edited", Built]]
 
 
 @lru_cache(maxsize=8)
-def _rehearsed(built: Built, situation: Situation) -> ScenicProgram:
+def _rehearsed(built: Built, situation: Situation, ground: str) -> Built:  # noqa: ARG001 - a map may change
     from chatscene.search.rehearsal import rehearsed  # who asks for no program drives nothing
 
-    return rehearsed(built, situation).program
+    return rehearsed(built, situation)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,7 +46,7 @@ class Stated:
 
     Attributes:
         situation: What was said.
-        built: The program, what was assumed and what is left out.
+        built: The program before it is rehearsed, what was assumed and what is left out.
         reader: Who read it in a text; empty if it was stated.
         editor: Who applies edits in words; who reads without a language model if None.
         readings: What else the text may say that it was read in.
@@ -66,7 +66,17 @@ class Stated:
     @property
     def program(self) -> ScenicProgram:
         """Its program, as a run has it."""
-        return _rehearsed(self.built, self.situation)
+        return self.rehearsed.program
+
+    @property
+    def rehearsed(self) -> Built:
+        """Its program, as a run has it, and what was assumed for that."""
+        return _rehearsed(self.built, self.situation, map_digest(resolve_map(self.built.map)))
+
+    @property
+    def shifted(self) -> tuple[str, ...]:
+        """What is assumed besides since the program was rehearsed, in lines; asking for it drives the program."""
+        return tuple(f"assumed: {one}" for one in self.rehearsed.assumed if one not in self.built.assumed)
 
     @property
     def generator(self) -> str:
@@ -115,8 +125,8 @@ class Stated:
             "told": told(self.situation),
             "situation": to_plain(self.situation),
             "map": self.built.map,
-            "assumed": list(self.built.assumed),
-            "left_out": list(self.built.left_out),
+            "assumed": list(self.rehearsed.assumed),
+            "left_out": list(self.rehearsed.left_out),
             "not_read": list(left_over(self.situation)),
             "words": self._words(),
             "reader": self.reader,

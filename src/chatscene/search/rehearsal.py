@@ -8,6 +8,7 @@ shifted or halved, one after the other, until most do. What was said stays, and 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import islice
@@ -16,7 +17,7 @@ from chatscene.build.build import Built, build
 from chatscene.build.coming import speeds_to_try
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import ChatSceneError, NotBuilt
-from chatscene.maps.network import resolve_map
+from chatscene.maps.network import MapContent, resolve_map
 from chatscene.program.judge import failures, judge
 from chatscene.program.sample import drawn_scene, scene_at
 from chatscene.settings import EGO, SimulationSettings
@@ -54,9 +55,13 @@ def rehearsed(built: Built, situation: Situation) -> Built:
         It itself if most drives show all that was said, if it cannot be driven, or if nothing helps; else one with
         other ranges, which are told among what was assumed, or with a slower ego, where its speed was not said.
     """
-    shown = _shown(built, situation)
+    try:
+        shown = _shown(built, situation)
+    except ChatSceneError:  # that it does not run is told by whoever runs it
+        return built
     if shown is None and (slowly := _with_slow_ego(built, situation)) is not None:
-        shown = _shown(slowly, situation)
+        with suppress(ChatSceneError):
+            shown = _shown(slowly, situation)
     return shown or built
 
 
@@ -71,12 +76,13 @@ def _with_slow_ego(built: Built, situation: Situation) -> Built | None:
 
 
 def _shown(built: Built, situation: Situation) -> Built | None:
-    """A program of whose drives enough show all, with other ranges if need be; None if none does."""
-    try:
-        stage = _Stage.of(built, situation)
-        first = stage.missing(built.program)
-    except ChatSceneError:  # that it does not run is told by whoever runs it
-        return built
+    """A program of whose drives enough show all, with other ranges if need be; None if none does.
+
+    Raises:
+        ChatSceneError: It cannot be driven.
+    """
+    stage = _Stage.of(built, situation)
+    first = stage.missing(built.program)
     if _is_enough(first):
         return built
     best = _Tried(program=built.program, missing=first)
@@ -130,7 +136,7 @@ class _Stage:
 
     @classmethod
     def of(cls, built: Built, situation: Situation) -> _Stage:
-        simulator = _simulator(built.map)
+        simulator = _simulator(MapContent.of(resolve_map(built.map)))
         return cls(situation=situation, simulator=simulator, route=simulator.route(built.program, 0), ego=load_ego(EGO))
 
     def missing(self, program: ScenicProgram) -> Missing:
@@ -163,8 +169,8 @@ class _Stage:
 
 
 @lru_cache(maxsize=4)
-def _simulator(map_name: str) -> Simulator:
-    return load_simulator(resolve_map(map_name), SimulationSettings(simulator="native"))
+def _simulator(of: MapContent) -> Simulator:
+    return load_simulator(of.path, SimulationSettings(simulator="native"))
 
 
 def _shifted(program: ScenicProgram, bound: Iterable[str]) -> Iterator[ScenicProgram]:

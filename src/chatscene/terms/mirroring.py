@@ -28,7 +28,7 @@ IN_THE_MIRROR = "The map keeps to the left and is read as its mirror image: here
 _OPPOSITE = {"left": "right", "right": "left"}
 _NEAR_OR_OFF = re.compile(r"\b(?:near|off)[ -]?side\b", re.IGNORECASE)
 _LEFT_AND_RIGHT = re.compile(r"\b(left|right)\b(?! of way)(?!-of-way)", re.IGNORECASE)
-_LOST = re.compile(r"\bleft (?:out|over|away)\b|\b(?:is|are) left\b", re.IGNORECASE)
+_LOST = re.compile(r"\bleft (?:out|over|away)\b|\b(?:is|are) left\b(?!-| of\b)", re.IGNORECASE)
 
 
 def mirrored_words(told: str) -> str:
@@ -58,14 +58,14 @@ def as_said_on(situation: Situation, *, keeps_left: bool) -> Situation:
 
     Who reads takes the nearside for the right, and swaps left and right of a text of left-hand traffic, as most maps
     keep to the right. On a map that keeps to the left, a side that words call left or right is that, and one that they
-    call by the kerb, or do not name, lies on the other side than it was read on.
+    call by the kerb, or do not name, lies on the other side than it was read on. What comes of it stays if it is asked
+    for again.
     """
-    if not keeps_left:
+    evidence = situation.evidence
+    if not keeps_left or evidence.keeps_left:
         return situation
-    if situation.evidence.mirrored:
-        made = mirrored_situation(situation)
-        return replace(made, evidence=replace(made.evidence, mirrored=False))
-    return cast("Situation", _by_the_kerb(situation, "", situation.evidence))
+    made = mirrored_situation(situation) if evidence.mirrored else _by_the_kerb(situation, "", evidence)
+    return replace(cast("Situation", made), evidence=replace(evidence, mirrored=False, keeps_left=True))
 
 
 def _by_the_kerb(value: Any, path: str, evidence: Evidence) -> Any:

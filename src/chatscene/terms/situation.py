@@ -262,11 +262,13 @@ class Evidence(_Closed):
         quoted: By the path of a fact, as ``others.A.kind``, or of a whole, as ``others.A``, the words that give it.
         assumed: The paths of facts that no words give.
         mirrored: Whether left and right of the text are swapped, as it is of left-hand traffic.
+        keeps_left: Whether sides are as on a map that keeps to the left: those of the kerb are swapped for it already.
     """
 
     quoted: Mapping[str, str] = field(default_factory=dict[str, str])
     assumed: tuple[str, ...] = ()
     mirrored: bool = False
+    keeps_left: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -62,12 +62,16 @@ def _stated(stated: Stated) -> Turn:
         "told": stated.told,
         "parts": _parts(stated.situation.about, told["words"]),
         "facts": [[path, _said(value)] for path, value in said_in(stated.situation)],
-        "notes": list(stated.told_first),
+        "notes": _notes(stated),
         "readings": [one.as_dict() for one in stated.readings],
         "confidence": None,
         "snippets": [],
         "program": told["program"],
     }
+
+
+def _notes(stated: Stated) -> list[str]:
+    return [*stated.told_first, *stated.shifted]
 
 
 def _retrieved(understood: Understood) -> Turn:
@@ -100,7 +104,7 @@ def _changed(edited: Changed, *, back: bool = False) -> Turn:
         "sentence": between(before.told, after.told),
         "changes": changes,
         "difference": list(lines_changed(before.program.source, after.program.source)),
-        "notes": [] if back else [one for one in after.told_first if one not in before.told_first],
+        "notes": [] if back else [one for one in _notes(after) if one not in _notes(before)],
         "program": after.program.source,
     }
 

@@ -11,6 +11,7 @@ from chatscene.build.place import PACKAGED
 from chatscene.errors import NotBuilt
 from chatscene.interpret.scenario_names import scenario_id
 from chatscene.interpret.slots_of import facts_of, parties_of
+from chatscene.maps.network import map_digest, resolve_map
 from chatscene.read.quotes import not_in_words
 from chatscene.search.generator import Choice, Written
 from chatscene.search.generators.exploring import Exploring
@@ -82,7 +83,12 @@ def on_any_map(situation: Situation) -> Situation:
     return replace(situation, map=None) if situation.map in PACKAGED else situation
 
 
-@lru_cache(maxsize=8)
 def _built(text: str, name: str) -> Built:
+    lies = read_text(text).map
+    return _rehearsed(text, name, map_digest(resolve_map(lies)) if lies is not None else "")
+
+
+@lru_cache(maxsize=8)
+def _rehearsed(text: str, name: str, ground: str) -> Built:  # noqa: ARG001 - a map may change
     situation = read_text(text)
     return rehearsed(build(situation, name=name), situation)
