@@ -17,7 +17,7 @@ from chatscene.errors import MapError
 from chatscene.exports.exporter import KeptScene, MapFile
 from chatscene.exports.openscenario_logical import OpenScenarioLogical
 from chatscene.exports.retold import retold
-from chatscene.imports.import_file import import_scenario
+from chatscene.imports.import_file import CARRIED, LEFT_OUT, import_scenario
 from chatscene.imports.openscenario import read_openscenario
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.program.sample import scene_at
@@ -178,6 +178,18 @@ def test_a_file_of_which_an_event_or_the_map_was_changed_says_what_its_events_sa
     assert "selectRoute" in carried
     assert "selectRoute" not in changed
     assert "selectRoute" not in elsewhere
+
+
+def test_a_program_that_was_changed_in_its_file_is_left_out_and_what_was_taken_is_told(tmp_path: Path) -> None:
+    path = written("steps-out", tmp_path)
+    taken = import_scenario(path)
+    assert CARRIED in taken.notes
+    as_it_was = path.read_text(encoding="utf-8")
+    assert "startOf(egoRoute)" in as_it_was
+    path.write_text(as_it_was.replace("startOf(egoRoute)", "startOf( egoRoute)", 1), encoding="utf-8")
+    changed = import_scenario(path, out=tmp_path / "changed.scenic")
+    assert LEFT_OUT in changed.notes
+    assert "selectRoute" not in changed.program.read_text(encoding="utf-8")
 
 
 def test_a_program_of_another_route_than_the_first_comes_back_with_that_one() -> None:

@@ -311,7 +311,7 @@ def test_who_comes_to_the_end_of_a_line_of_lanes_goes_on_as_far_beside_it() -> N
 
 
 def test_who_follows_times_evenly_changes_speed_steadily_and_comes_to_each_place_in_time() -> None:
-    who = SimpleNamespace(origin=(0.0, 0.0, 0.0), speed=10.0)
+    who = SimpleNamespace(origin=(0.0, 0.0, 0.0), pose=(0.0, 0.0, 0.0, 10.0), speed=10.0)
     world = SimpleNamespace(time=0.0)
     table = ((0.0, 0.0), (2.0, 20.0), (3.0, 25.0))
     way = Line(who, world, Polyline([(0.0, 0.0), (25.0, 0.0)]), (False, table, True), 0.0)  # type: ignore[arg-type]
@@ -321,8 +321,20 @@ def test_who_follows_times_evenly_changes_speed_steadily_and_comes_to_each_place
     assert way.goes(0.0, 0.5)[0] == pytest.approx(25.0)
 
 
+@pytest.mark.parametrize(("heading", "speed"), [(0.0, 10.0), (math.pi, -10.0)])
+def test_who_begins_further_along_times_or_backs_along_them_does_not_jump(heading: float, speed: float) -> None:
+    who = SimpleNamespace(origin=(50.0, 0.0, heading), pose=(50.0, 0.0, heading, speed), speed=speed)
+    world, table = SimpleNamespace(time=0.0), ((0.0, 0.0), (10.0, 100.0))
+    way = Line(who, world, Polyline([(0.0, 0.0), (100.0, 0.0)]), (False, table, True), 50.0)  # type: ignore[arg-type]
+    assert way.goes(0.0, 0.1)[0] == pytest.approx(51.0)
+    assert way.goes(0.0, 5.0)[0] == pytest.approx(100.0)
+
+
 def test_who_has_more_time_than_it_takes_to_stop_waits_at_its_place() -> None:
-    who, world = SimpleNamespace(origin=(0.0, 0.0, 0.0), speed=10.0), SimpleNamespace(time=0.0)
+    who, world = (
+        SimpleNamespace(origin=(0.0, 0.0, 0.0), pose=(0.0, 0.0, 0.0, 10.0), speed=10.0),
+        SimpleNamespace(time=0.0),
+    )
     table = ((0.0, 0.0), (4.0, 10.0), (6.0, 10.0))
     way = Line(who, world, Polyline([(0.0, 0.0), (10.0, 0.0)]), (False, table, True), 0.0)  # type: ignore[arg-type]
     assert [way.goes(0.0, t)[0] for t in (2.0, 3.0, 5.0)] == pytest.approx([10.0, 10.0, 10.0])

@@ -119,10 +119,13 @@ def test_the_shortest_way_by_roads_leads_through_the_junction_and_against_a_road
     crossing: dict[str, DrawnRoad],
 ) -> None:
     way = roads_between(crossing, ("1", 60.0), ("2", 30.0))
-    assert way == [Stretch("1", 60.0, 100.0), Stretch("4", 0.0, 15.0), Stretch("2", 80.0, 30.0)]
+    assert way == [Stretch("1", 60.0, 100.0, 1), Stretch("4", 0.0, 15.0, 1), Stretch("2", 80.0, 30.0, -1)]
     assert way is not None
     assert reached(way, 50.0) == (way[1], 10.0)
     assert reached(way, 200.0) == (way[2], 145.0)
+    ends_at_once = roads_between(crossing, ("1", 60.0), ("2", 80.0))
+    assert ends_at_once is not None
+    assert (ends_at_once[-1].length, ends_at_once[-1].way) == (0.0, -1)
 
 
 def test_there_is_no_way_by_roads_where_none_is_linked(crossing: dict[str, DrawnRoad]) -> None:

@@ -40,6 +40,13 @@ def test_the_mirror_image_of_a_left_hand_map_is_read_as_the_right_hand_map_that_
     assert [stand.forward for stand in network.furniture.standing] == [one.forward for one in town.furniture.standing]
 
 
+def test_the_rule_of_a_road_may_be_written_by_the_numbers_of_its_letters(left: Path, tmp_path: Path) -> None:
+    path = tmp_path / "numbers.xodr"
+    path.write_text(left.read_text().replace('rule="LHT"', 'rule="&#76;HT"'))
+    assert b"LHT" not in path.read_bytes()
+    assert keeps_left(path)
+
+
 def test_no_digit_of_a_map_is_lost_in_the_mirror(left: Path) -> None:
     tree = Xml.parse(left)
     mirror(tree.getroot())

@@ -20,6 +20,8 @@ from chatscene.search.generators.foreign import foreign_program
 from chatscene.terms.mirroring import IN_THE_MIRROR
 
 MOST_PROGRAMS = 100  # written at once
+CARRIED = "the program that its head carries is taken; its events tell the same to others"
+LEFT_OUT = "the program that its head carries is left out: an ego is named, or it, the events or the map were changed"
 _TOLD = 3  # parameters named in a note
 
 
@@ -215,7 +217,10 @@ def _read(
     scenario: ScenarioFile, told: Mapping[str, str], spans: Mapping[str, tuple[float, float]] | None = None
 ) -> Imported | Carried:
     """What a scenario says: the program that it carries, else what its events tell."""
-    return scenario.carried(told, spans) or scenario.said(told, spans)
+    if (carried := scenario.carried(told, spans)) is not None:
+        return replace(carried, notes=(CARRIED, *carried.notes))
+    said = scenario.said(told, spans)
+    return replace(said, notes=(LEFT_OUT, *said.notes)) if scenario.carries_program else said
 
 
 def _program(read: Imported | Carried, path: Path, out: Path) -> _Program:
@@ -230,7 +235,7 @@ def _program(read: Imported | Carried, path: Path, out: Path) -> _Program:
         ScenarioError: It is more than a program of a user's may be.
     """
     if isinstance(read, Carried):
-        text = f"# {path.name} carries this program; its events tell the same to others.\n{read.source}"
+        text = f"# {path.name} carries this program, and says that its events tell the same to others.\n{read.source}"
         try:
             foreign_program(out.stem, text)
         except ForeignCodeRefused as error:
@@ -266,27 +271,29 @@ def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
         SettingsError: One cannot be written.
     """
     done: list[Path] = []
-    grounds = {out: out.with_suffix(".xodr") for out, one in made.items() if is_open_ground(one.map_path)}
-    for ground in grounds.values():
-        _free(ground)
-    try:
-        for out, one in made.items():
-            write_whole(out, one.text.encode())
-            done.append(out)
-        for out, ground in grounds.items():
-            write_whole(ground, made[out].map_path.read_bytes())
-    except OSError as error:
-        for out in (*done, *grounds.values()):
-            out.unlink(missing_ok=True)
-        raise SettingsError(f"cannot write {[*made, *grounds.values()][len(done)]}: {error.strerror}") from error
-    maps = tuple(grounds.get(out, one.map_path) for out, one in made.items())
+    grounds: dict[Path, Path] = {}  # one file for all programs that lie on the same
+    for out, one in made.items():
+        if is_open_ground(one.map_path) and one.map_path not in grounds:
+            grounds[one.map_path] = out.with_suffix(".xodr")
+            _free(grounds[one.map_path])
+    contents = {out: one.text.encode() for out, one in made.items()}
+    contents |= {ground: lies.read_bytes() for lies, ground in grounds.items()}
+    for out, content in contents.items():
+        try:
+            write_whole(out, content)
+        except OSError as error:
+            for written_before in done:
+                written_before.unlink(missing_ok=True)
+            raise SettingsError(f"cannot write {out}: {error.strerror}") from error
+        done.append(out)
+    maps = tuple(grounds.get(one.map_path, one.map_path) for one in made.values())
     others = [f"{out.name} lies on another map, {at}" for out, at in zip(made, maps, strict=True) if at != maps[0]]
     every = (*notes, *others, *(note for one in made.values() for note in one.notes))
     return ImportedScenario(
         program=done[0],
         map_path=maps[0],
         notes=tuple(dict.fromkeys(every)),
-        programs=tuple(done),
+        programs=tuple(made),
         maps=maps,
         not_as_written=tuple(one.not_as_written for one in made.values()),
     )

@@ -145,6 +145,16 @@ class ScenarioFile:
         notes = tuple(dict.fromkeys(given.notes))
         return Imported(board=board, map_path=map_path, notes=notes, as_written=whole, not_as_written=not_as_written)
 
+    @property
+    def carries_program(self) -> bool:
+        """Whether a program travels in its head, whatever the events say now."""
+        return carries(self._properties())
+
+    def _properties(self) -> dict[str, str]:
+        head = self._root.find("FileHeader", "Properties")
+        told = head.inside if head else []
+        return {one.attributes.get("name", ""): one.attributes.get("value", "") for one in told}
+
     def carried(
         self, told: Mapping[str, str] | None = None, spans: Mapping[str, tuple[float, float]] | None = None
     ) -> Carried | None:
@@ -160,16 +170,13 @@ class ScenarioFile:
             ScenarioError: A parameter has a range or a value that cannot be.
             MapError: The map is not there, or is broken.
         """
-        header = self._root.find("FileHeader", "Properties")
-        told_of = header.inside if header else []
-        properties = {one.attributes.get("name", ""): one.attributes.get("value", "") for one in told_of}
-        if self._ego is not None or not carries(properties):
+        if self._ego is not None or not self.carries_program:
             return None
         given = Given(told=told or {}, spans=spans or {}, within=self._within)
         given.declare(self._root)
         map_path = self._maps.of(given, self._root)
         given.raise_refusals(self._path)
-        source = program_in(properties, map_path.read_bytes(), _rows(self._root))
+        source = program_in(self._properties(), map_path.read_bytes(), _rows(self._root))
         if source is None:
             return None
         values = {one.name: (one.low, one.high) for one in given.ranges.values()}

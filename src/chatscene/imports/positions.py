@@ -124,7 +124,7 @@ class Positions:
         if not 0.0 <= along <= length + _BEYOND:
             raise Refused(told, f"its route is {length:.0f} m long, and {along:g} m is not on it")
         part, along = reached(way, along)
-        road, way_on = self._roads[part.road], 1 if part.last >= part.first else -1
+        road, way_on = self._roads[part.road], part.way
         s = min(max(part.first + way_on * along, 0.0), road.length)
         straight = along - abs(s - part.first)  # beyond the end of its last road
         if told.tag == "FromRoadCoordinates":

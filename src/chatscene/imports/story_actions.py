@@ -249,7 +249,10 @@ class StoryActions:
         absolute = self._given.text(timing, "domainAbsoluteRelative", "relative") == "absolute"
         table = _table(shape.points, shape.times, scale, shift)
         mode = one.find("TrajectoryFollowingMode") or one
-        if self._given.text(mode, "followingMode", "follow") == "position" or len(table) > MOST_TIMES:
+        steadily = self._given.text(mode, "followingMode", "follow") == "follow"
+        if steadily and len(table) > MOST_TIMES:
+            self._given.note(one, f"its line has more than {MOST_TIMES} times; it is gone along evenly between them")
+        if not steadily or len(table) > MOST_TIMES:
             return ("line", line, (absolute, _thinned(table)), start, *faces)
         return ("line", line, (absolute, table, True), start, *faces)
 

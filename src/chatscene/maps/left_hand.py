@@ -130,7 +130,8 @@ def mirror(root: Xml.Element) -> None:
 
 
 def _says(content: bytes) -> bool:
-    return LEFT.encode() in content or LEFT.encode("utf-16-le") in content or LEFT.encode("utf-16-be") in content
+    """Whether a file may say so: letters may also be written by their numbers."""
+    return any(one in content for one in (b"&#", LEFT.encode(), LEFT.encode("utf-16-le"), LEFT.encode("utf-16-be")))
 
 
 @lru_cache(maxsize=8)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from chatscene.maps.lane_curves import DrawnRoad
 
@@ -19,12 +19,14 @@ class Stretch:
     Attributes:
         road: Its name.
         first: Where it begins on the road's reference line [m].
-        last: Where it ends there [m]; less than `first` where it is gone against the line.
+        last: Where it ends there [m].
+        way: 1 where it is gone along the line, -1 where it is gone against it.
     """
 
     road: str
     first: float
     last: float
+    way: int
 
     @property
     def length(self) -> float:
@@ -57,7 +59,7 @@ def roads_between(roads: Mapping[str, DrawnRoad], begin: OnRoad, goal: OnRoad) -
     """
     (name, s), (last, to) = begin, goal
     if name == last:
-        return [Stretch(name, s, to)]
+        return [Stretch(name, s, to, 1 if to >= s else -1)]
     waiting: list[tuple[float, int, str, list[Stretch]]] = []
     for at in ("start", "end"):
         part = _left_at(roads, name, s, at)
@@ -74,14 +76,15 @@ def roads_between(roads: Mapping[str, DrawnRoad], begin: OnRoad, goal: OnRoad) -
             seen.add((following, entered))
             enters = 0.0 if entered == "start" else roads[following].length
             leaves = _OTHER[entered]
-            part = Stretch(following, enters, to) if following == last else _left_at(roads, following, enters, leaves)
+            part = _left_at(roads, following, enters, leaves)
+            part = replace(part, last=to) if following == last else part
             heapq.heappush(waiting, (gone + part.length, count, leaves, [*way, part]))
             count += 1
     return None
 
 
 def _left_at(roads: Mapping[str, DrawnRoad], name: str, s: float, at: str) -> Stretch:
-    return Stretch(name, s, 0.0 if at == "start" else roads[name].length)
+    return Stretch(name, s, 0.0, -1) if at == "start" else Stretch(name, s, roads[name].length, 1)
 
 
 def _after(roads: Mapping[str, DrawnRoad], name: str, at: str) -> Iterator[tuple[str, str]]:

@@ -14,7 +14,7 @@ from typing import Any
 
 from chatscene.terms.scene import OWN_MODEL
 
-_LINE, _STORY, _MAP = "chatscene.program.", "chatscene.story", "chatscene.map"
+_LINE, _PROGRAM, _STORY, _MAP = "chatscene.program.", "chatscene.digest", "chatscene.story", "chatscene.map"
 _OF_ITS_OWN = frozenset(("FileHeader", "ParameterDeclarations"))
 """Elements that may be changed: who made the file, and the values of its parameters."""
 _ROUTE = re.compile(r"\bselectRoute\(")
@@ -35,6 +35,7 @@ def properties_of(source: str, route: int, map_content: bytes, story: Iterable[R
         story: The elements inside the scenario.
     """
     pinned = _ROUTE.sub(f"selectRoute(only={route}, ", source, count=1) if route else source
+    yield _PROGRAM, _hash("\n".join((*pinned.splitlines(), "")).encode())
     yield _STORY, _digest(story)
     yield _MAP, _hash(map_content)
     for number, line in enumerate(pinned.splitlines(), 1):
@@ -42,13 +43,16 @@ def properties_of(source: str, route: int, map_content: bytes, story: Iterable[R
 
 
 def program_in(properties: Mapping[str, str], map_content: bytes, story: Iterable[Row]) -> str | None:
-    """The program that travels in properties; None where there is none, or the rest does not say the same any more."""
+    """The program that travels in properties; None where there is none, or it, the rest or the map was changed since.
+
+    Whoever changes it on purpose can seal it anew; it is a stranger's program like any other.
+    """
     lines = [properties[name] for name in sorted(properties) if name.startswith(_LINE)]
     source = "\n".join((*lines, ""))
     if not lines or _OWN.search(source) is None:
         return None
-    same = properties.get(_STORY) == _digest(story) and properties.get(_MAP) == _hash(map_content)
-    return source if same else None
+    sealed = {_PROGRAM: _hash(source.encode()), _STORY: _digest(story), _MAP: _hash(map_content)}
+    return source if all(properties.get(name) == one for name, one in sealed.items()) else None
 
 
 def carries(properties: Mapping[str, str]) -> bool:

@@ -196,7 +196,10 @@ class Line(Way):
         self.timed, self.done = bool(self._table), False
         self._began = 0.0 if absolute else world.time - (_when(self._table, start) if start > 0.0 else 0.0)
         backs = who.speed < 0.0 and not self.timed
-        self._gains = _steadily(self._table, who.speed) if evenly and evenly[0] else None
+        self._gains: Gains | None = None
+        if evenly and evenly[0]:
+            self._table = _from(self._table, start)
+            self._gains = _steadily(self._table, _speed_along(who, line, self.at))
         self._turn = math.pi if backs else 0.0
         self._way = -1.0 if backs or (self._faces and math.cos(self._looks() - _bearing(line, self.at)) < 0.0) else 1.0
 
@@ -238,6 +241,17 @@ def _bearing(line: Polyline, at: float) -> float:
     """The direction [rad] of a line at a place on it [m], without the corners of its pieces."""
     (x0, y0), (x1, y1) = line.point_at(at - _ACROSS), line.point_at(at + _ACROSS)
     return math.atan2(y1 - y0, x1 - x0)
+
+
+def _speed_along(who: Entity, line: Polyline, at: float) -> float:
+    """How fast somebody goes along a line at a place on it [m/s]; 0 for who goes the other way."""
+    return max(who.speed if math.cos(who.pose[2] - _bearing(line, at)) >= 0.0 else -who.speed, 0.0)
+
+
+def _from(table: Sequence[tuple[float, float]], start: float) -> Sequence[tuple[float, float]]:
+    """A table from a place on the line [m] on."""
+    later = [one for one in table if one[1] > start]
+    return table if start <= 0.0 or not later else [(_when(table, start), start), *later]
 
 
 Gains = list[tuple[float, float]]  # of each piece of a table: speed at its beginning [m/s] and acceleration [m/s²]
