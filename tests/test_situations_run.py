@@ -95,7 +95,9 @@ def test_a_situation_is_explained_without_running_and_its_facts_are_set_by_path(
     assert made["situation"]["others"][0]["kind"] == "truck"
     assert "new Truck at" in made["program"]
     assert "wantedSpeed 5.556" in made["program"]
-    assert made["assumed"] == ["A is on the right, which was not said"]
+    side, shifted = made["assumed"]
+    assert side == "A is on the right, which was not said"
+    assert shifted.startswith("OPT_A_OFFSET is ")  # the program that stands there is rehearsed
     shown = CliRunner().invoke(main, ["explain", str(finished / "van.yaml"), "--program"]).output
     assert "new Van at" in shown
     assert "model chatscene.world.model" in shown

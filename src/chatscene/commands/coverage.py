@@ -8,7 +8,7 @@ from typing import Unpack
 
 import click
 
-from chatscene.commands.options import JSON, MANY, MAP_WITH_SITE, READING, SEED, WORKERS, EgoName, Reading
+from chatscene.commands.options import EGOS, JSON, MANY, MAP_WITH_SITE, READING, SEED, WORKERS, Named, Reading
 from chatscene.commands.output import console, progress, say
 
 
@@ -31,7 +31,8 @@ from chatscene.commands.output import console, progress, say
 @click.option(
     "--ego",
     "egos",
-    cls=EgoName,
+    cls=Named,
+    kind=EGOS,
     multiple=True,
     help="By name, file or package.module:factory; repeat. Runs have the first.  [default: sac, idm]",
 )

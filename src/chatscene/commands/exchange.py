@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 import chatscene
-from chatscene.commands.options import JSON, NAMES, ExporterName, param_option, usable_map
+from chatscene.commands.options import EXPORTERS, JSON, NAMES, Named, param_option, usable_map
 from chatscene.commands.output import say
 
 
@@ -18,7 +18,8 @@ from chatscene.commands.output import say
 @click.option(
     "--to",
     required=True,
-    cls=ExporterName,
+    cls=Named,
+    kind=EXPORTERS,
     help=f"The format: {NAMES}, or package.module:factory.",
 )
 @click.option(

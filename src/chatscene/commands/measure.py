@@ -13,7 +13,9 @@ import chatscene
 from chatscene.commands.options import (
     AS_WRITTEN,
     AVOIDABLE,
+    EGOS,
     GENERATOR_AGAIN,
+    GENERATORS,
     JSON,
     LIBRARY_AGAIN,
     MANY,
@@ -27,8 +29,7 @@ from chatscene.commands.options import (
     SIMULATOR_THERE,
     SPEED,
     WORKERS,
-    EgoName,
-    GeneratorName,
+    Named,
     road_speed,
     sampler_option,
 )
@@ -47,7 +48,8 @@ if TYPE_CHECKING:
 @click.argument("scenes", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option(
     "--ego",
-    cls=EgoName,
+    cls=Named,
+    kind=EGOS,
     multiple=True,
     help="By name, file or package.module:factory; repeat.  [default: planner, idm, sac]",
 )
@@ -84,16 +86,25 @@ def evaluate(scenes: tuple[Path, ...], out: Path | None, as_json: bool, **option
 
 
 @click.command()
-@click.option("--generator", cls=GeneratorName, default="chatscene", show_default=True, help="Generator of the scenes.")
+@click.option(
+    "--generator", cls=Named, kind=GENERATORS, default="chatscene", show_default=True, help="Generator of the scenes."
+)
 @click.option(
     "--budget",
     default="small",
     show_default=True,
     help="'paper': 20,000 simulations; 'small': minutes; 'reference': each generator's own number of tries.",
 )
-@click.option("--ego", "egos", cls=EgoName, multiple=True, help="Ego to measure. Repeatable.  [default: sac, ppo, td3]")
 @click.option(
-    "--surrogate", cls=EgoName, default="sac", show_default=True, help="The ego that scenes are searched against."
+    "--ego", "egos", cls=Named, kind=EGOS, multiple=True, help="Ego to measure. Repeatable.  [default: sac, ppo, td3]"
+)
+@click.option(
+    "--surrogate",
+    cls=Named,
+    kind=EGOS,
+    default="sac",
+    show_default=True,
+    help="The ego that scenes are searched against.",
 )
 @MAP
 @AVOIDABLE
@@ -139,7 +150,13 @@ def benchmark(
 
 @click.command()
 @click.option(
-    "--ego", "egos", cls=EgoName, multiple=True, required=True, help="By name, file or package.module:factory; repeat."
+    "--ego",
+    "egos",
+    cls=Named,
+    kind=EGOS,
+    multiple=True,
+    required=True,
+    help="By name, file or package.module:factory; repeat.",
 )
 @MAP
 @SIMULATOR_OPTION

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import reduce
 from importlib import import_module
 from pathlib import Path
-from typing import Any, ClassVar, TypedDict
+from typing import Any, TypedDict
 
 import click
 from click.core import ParameterSource
@@ -39,14 +39,27 @@ KMH = Finite(1.0, 300.0)
 NAMES = "{names}"
 
 
+# Where the table of each kind of plug-in is: read only when a name is looked up.
+EGOS = "chatscene.ego.policy:EGOS"
+SIMULATORS = "chatscene.simulate.simulator:SIMULATORS"
+EXECUTORS = "chatscene.runs.executor:EXECUTORS"
+EMBEDDERS = "chatscene.models.encoders.embedding:EMBEDDERS"
+READERS = "chatscene.read.reader:READERS"
+EXPORTERS = "chatscene.exports.exporter:EXPORTERS"
+GENERATORS = "chatscene.search.generator:GENERATORS"
+SAMPLERS = "chatscene.search.sampler:SAMPLERS"
+
+
 class Named(click.Option):
     """An option that names a plug-in: a name that leads nowhere is refused before anything is begun.
 
     Its help lists what is built in, where it asks for `NAMES`. The table is read only when it is needed.
     """
 
-    kind: ClassVar[str]
-    """Where the table of its kind is, ``module:TABLE``."""
+    def __init__(self, *arguments: Any, kind: str, **named: Any) -> None:
+        """An option of click's, and where the table of its kind is: ``module:TABLE``."""
+        super().__init__(*arguments, **named)
+        self.kind = kind
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
         """What click shows of it."""
@@ -68,54 +81,6 @@ class Named(click.Option):
     def _table(self) -> Kind[Any]:
         module, _, table = self.kind.partition(":")
         return getattr(import_module(module), table)
-
-
-class EgoName(Named):
-    """An option that names an ego."""
-
-    kind = "chatscene.ego.policy:EGOS"
-
-
-class SimulatorName(Named):
-    """An option that names a simulator."""
-
-    kind = "chatscene.simulate.simulator:SIMULATORS"
-
-
-class ExecutorName(Named):
-    """An option that names an executor."""
-
-    kind = "chatscene.runs.executor:EXECUTORS"
-
-
-class EmbedderName(Named):
-    """An option that names a text encoder."""
-
-    kind = "chatscene.models.encoders.embedding:EMBEDDERS"
-
-
-class ReaderName(Named):
-    """An option that names a reader, or a language model that reads."""
-
-    kind = "chatscene.read.reader:READERS"
-
-
-class ExporterName(Named):
-    """An option that names an exporter."""
-
-    kind = "chatscene.exports.exporter:EXPORTERS"
-
-
-class GeneratorName(Named):
-    """An option that names a generator."""
-
-    kind = "chatscene.search.generator:GENERATORS"
-
-
-class SamplerName(Named):
-    """An option that names a sampler."""
-
-    kind = "chatscene.search.sampler:SAMPLERS"
 
 
 def together(*options: Decorator) -> Decorator:
@@ -174,14 +139,15 @@ MAP_WITH_SITE = click.option(
 )
 SIMULATOR_OPTION = click.option(
     "--simulator",
-    cls=SimulatorName,
+    cls=Named,
+    kind=SIMULATORS,
     default=SIMULATOR,
     show_default=True,
     help="Simulator: native (C, same numbers as embedded, which takes over where needed), embedded, "
     "confined (in the sandbox), carla[:HOST[:PORT]] (a CARLA server), or package.module:factory.",
 )
 SIMULATOR_THERE = click.option(
-    "--simulator", cls=SimulatorName, default=None, help="Simulator.  [default: that of the runs]"
+    "--simulator", cls=Named, kind=SIMULATORS, default=None, help="Simulator.  [default: that of the runs]"
 )
 PHYSICS_OPTION = click.option(
     "--physics",
@@ -195,7 +161,8 @@ PHYSICS_THERE = click.option(
 )
 EXECUTOR_OPTION = click.option(
     "--executor",
-    cls=ExecutorName,
+    cls=Named,
+    kind=EXECUTORS,
     default=EXECUTOR,
     show_default=True,
     help="Where parts run: processes of this machine, or ray:HOST:PORT, a cluster. Results are the same.",
@@ -208,7 +175,12 @@ WORKERS = together(
 # Who drives, how fast, and what is searched for.
 
 EGO_OPTION = click.option(
-    "--ego", cls=EgoName, default=EGO, show_default=True, help="An ego by name, file or package.module:factory."
+    "--ego",
+    cls=Named,
+    kind=EGOS,
+    default=EGO,
+    show_default=True,
+    help="An ego by name, file or package.module:factory.",
 )
 SPEED = click.option(
     "--speed",
@@ -247,7 +219,8 @@ def sampler_option(default: str) -> Decorator:
         "--sampler",
         default=default,
         show_default=True,
-        cls=SamplerName,
+        cls=Named,
+        kind=SAMPLERS,
         help=f"How to search: {NAMES}, or package.module:factory.",
     )
 
@@ -282,10 +255,11 @@ READING = together(
         callback=usable_library,
         help="Folder of your own snippets. TEXT is then served by snippets.",
     ),
-    click.option("--embedder", cls=EmbedderName, default="minilm", show_default=True, help="Text encoder."),
+    click.option("--embedder", cls=Named, kind=EMBEDDERS, default="minilm", show_default=True, help="Text encoder."),
     click.option(
         "--language-model",
-        cls=ReaderName,
+        cls=Named,
+        kind=READERS,
         default="offline",
         show_default=True,
         help="Who reads: openai:MODEL, gguf:FILE, offline, or another reader, package.module:factory.",
@@ -370,7 +344,8 @@ AS_WRITTEN = click.option(
 JUDGED = together(
     click.option(
         "--ego",
-        cls=EgoName,
+        cls=Named,
+        kind=EGOS,
         default=None,
         help="Who drives a program.  [default: its own ego; planner where it has none or was imported]",
     ),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chatscene.commands.options import SimulatorName
+from chatscene.commands.options import SIMULATORS, Named
 from chatscene.commands.output import say
 from chatscene.settings import PHYSICS, SimulationSettings
 
@@ -39,7 +39,8 @@ PORTS = click.IntRange(1, 65534)  # streams are on the next
 )
 @click.option(
     "--simulator",
-    cls=SimulatorName,
+    cls=Named,
+    kind=SIMULATORS,
     default=SimulationSettings().simulator,
     show_default=True,
     help="Simulator that moves the bodies.",
