@@ -6,7 +6,8 @@ import pkgutil
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, settings
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 import chatscene
 from chatscene.ego.policy import cut_off
@@ -62,6 +63,19 @@ def pytest_configure(config: pytest.Config) -> None:
     gc.freeze()
     gc.enable()
     gc.set_threshold(20_000, 20, 5)  # maps and libraries, which stay too, are looked through less often
+
+
+@given(st.none())
+def any_example(_: None) -> None:
+    """Have Hypothesis register its sources of chance, for which it asks the collector who holds them."""
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Begin to look through once: what is left out is not seen by Hypothesis, which has registered all it will."""
+    if session.config.getoption("numprocesses", None) and not hasattr(session.config, "workerinput"):
+        return
+    any_example()
     gc.callbacks.append(look_through_once)
 
 
