@@ -68,6 +68,32 @@ class LaneMap:
                 break
         return found
 
+    def throughout(
+        self, squares: NDArray[np.object_], along: Sequence[str] = ()
+    ) -> tuple[Indices, NDArray[np.bool_], NDArray[np.bool_]]:
+        """In which lane all points of a square lie, and whether they are off the road.
+
+        Args:
+            squares: (N,) polygons, map frame.
+            along: As for `lane_index`.
+
+        Returns:
+            (N,) indices as those of `lane_index`; (N,) whether they are off the road; and (N,) whether both are so of
+            every point, as is not where an edge goes through.
+        """
+        bounds = shapely.bounds(squares)
+        found, sure, left = np.full(len(squares), -1), np.ones(len(squares), np.bool_), np.arange(len(squares))
+        for lane in self._candidates(np.concatenate((bounds[:, :2], bounds[:, 2:])), along):
+            meets = shapely.intersects(self._areas[lane], squares[left])
+            inside = meets & shapely.contains_properly(self._areas[lane], squares[left])
+            found[left[inside]] = lane
+            sure[left[meets & ~inside]] = False
+            left = left[~meets]
+            if not left.size:
+                break
+        off_road = ~shapely.intersects(self._drivable, squares)
+        return found, off_road, sure & (off_road | shapely.contains_properly(self._drivable, squares))
+
     def _candidates(self, xy: Array, along: Sequence[str]) -> Iterator[int]:
         """Lanes whose bounding box meets that of the points, the preferred ones first."""
         if not len(xy):

@@ -23,7 +23,9 @@ from chatscene.ego.policy import PEDALS, EgoPolicy, begin, pedals_of
 from chatscene.errors import ProgramError, ProgramStopped, SandboxError, ServerError, SimulationError
 from chatscene.measure.instead import drive_instead
 from chatscene.simulate.boxes import Boxes
-from chatscene.simulate.native.lines import follow
+from chatscene.simulate.native.engine import Course as NativeCourse
+from chatscene.simulate.native.engine import Engine, boxes_of, course_of
+from chatscene.simulate.native.lines import engine, follow
 from chatscene.simulate.simulator import Simulator, limited
 from chatscene.terms.actors import LIMITS, Limits, has_lamps
 from chatscene.terms.arrays import Array, fixed
@@ -57,8 +59,11 @@ def risk_step(episode: Episode, route: Polyline) -> int | None:
     if crash is None:
         return None
     other = next(track for track in episode.tracks if track.actor == crash.other)
-    risk = _predicted(episode, other, route) & _visible(episode, other)
     judged = math.ceil(RISK_EVALUATION / episode.dt)
+    seen, native = _visible(episode, other), engine()
+    if native is not None:
+        return _first_risk(episode, other, route, seen, judged + 1, native)
+    risk = _predicted(episode, other, route) & seen
     lasting = np.convolve(risk, np.ones(judged + 1, dtype=int), mode="valid") == judged + 1
     steps = np.flatnonzero(lasting)
     return int(steps[0]) if steps.size else None
@@ -220,10 +225,42 @@ def _course(route: Polyline) -> tuple[Array, Array, Array]:
     return fixed(arc), fixed(np.cos(heading)), fixed(np.sin(heading))
 
 
+@lru_cache(maxsize=64)
+def _told(route: Polyline) -> NativeCourse:
+    """A course in the engine's terms."""
+    x, y = route.points.T
+    return course_of(x, y, *_course(route))
+
+
+def _first_risk(
+    episode: Episode, other: Track, route: Polyline, seen: NDArray[np.bool_], lasting: int, native: Engine
+) -> int | None:
+    """What `risk_step` finds, in the engine."""
+    ego, there = episode.ego_track, Boxes.of(other)
+    along, _ = follow(route, ego.x, ego.y, whole=True)
+    half = there.half_length, there.half_width + _wanders(other)
+    boxes = boxes_of(there.x, there.y, there.cos, there.sin, *half)
+    own = ego.length / 2, ego.width / 2
+    return native.first_risk(
+        _moments(episode.dt), _told(route), along, ego.speed, own, boxes, other.speed, seen, lasting
+    )
+
+
+@lru_cache(maxsize=4)
+def _moments(dt: float) -> Array:
+    """The times [s] to which a driver looks ahead."""
+    return fixed(np.arange(0.0, HORIZON + 1e-9, dt))
+
+
+def _wanders(track: Track) -> float:
+    """How much room beside it somebody takes up who wanders in its lane [m]."""
+    return WANDERING if track.role is not Role.OCCLUDER else 0.0
+
+
 def _predicted(episode: Episode, other: Track, route: Polyline) -> NDArray[np.bool_]:
     """(T,) Whether, at each step, the ego along its route and the other straight on will touch within `HORIZON`."""
     ego = episode.ego_track
-    ahead = np.arange(0.0, HORIZON + 1e-9, episode.dt)
+    ahead = _moments(episode.dt)
     along, _ = follow(route, ego.x, ego.y, whole=True)
     arc, cos, sin = _course(route)
     stops = along[:, None] + np.maximum(ego.speed, 0.0)[:, None] * ahead
@@ -247,7 +284,7 @@ def _touching(
     (ca, sa), (cb, sb) = a_way, b_way
     c, s = np.abs(ca * cb + sa * sb), np.abs(ca * sb - sa * cb)
     al, aw = a.length / 2, a.width / 2
-    bl, bw = b.length / 2, b.width / 2 + (WANDERING if b.role is not Role.OCCLUDER else 0.0)
+    bl, bw = b.length / 2, b.width / 2 + _wanders(b)
     overlap: NDArray[np.bool_] = np.logical_and.reduce(
         (
             np.abs(dx * ca + dy * sa) <= al + bl * c + bw * s,

@@ -8,18 +8,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from functools import lru_cache
 
 import numpy as np
 
-from chatscene.simulate.boxes import NOTHING, Boxes, Pair, between, least_gap, post_encroachment, times_to_collision
+from chatscene.simulate.boxes import CRAWL, KEPT, NOTHING, Boxes, Pair, between, post_encroachment
 from chatscene.simulate.contact import side_touched
 from chatscene.terms.actors import BY_CLASS, LIMITS
-from chatscene.terms.arrays import Array
+from chatscene.terms.arrays import Array, fixed
 from chatscene.terms.criticality import Criticality, Fault, Severity
 from chatscene.terms.episode import Episode, Event, Role, Track
 
 STILL = 0.05  # [m], who moved less than this until contact never moved
-CRAWL = 0.1  # [m/s], below this an ego follows nobody
 # Above which impact speed [m/s] S1, S2 and S3 begin; decision 0012 has the sources.
 SEVERITY_VULNERABLE = (0.0, 29 / 3.6, 10.8)
 SEVERITY_OCCUPANT = (7 / 3.6, 35 / 3.6, 52.5 / 3.6)
@@ -28,16 +28,16 @@ SEVERITY_OCCUPANT = (7 / 3.6, 35 / 3.6, 52.5 / 3.6)
 def criticality(episode: Episode) -> Criticality:
     """The measures of a drive; None where one does not apply."""
     ego, others, crash = episode.ego_track, episode.adversaries, episode.collision
-    following = [_following(ego, other) for other in others]
+    pairs = [between(ego, other) for other in others]
     touched = crash is not None and any(other.actor == crash.other for other in others)  # be it between two steps
     return Criticality(
-        time_to_collision=0.0 if touched else _least(float(times_to_collision(ego, other).min()) for other in others),
+        time_to_collision=0.0 if touched else _least(pair.soonest for pair in pairs),
         post_encroachment_time=0.0
         if touched
         else _least(post_encroachment(ego, other) * episode.dt for other in others),
-        time_headway=_least(headway for headway, _ in following),
-        deceleration_required=max((braking for _, braking in following if braking > 0.0), default=None),
-        distance=0.0 if touched else _least(least_gap(ego, other) for other in others),
+        time_headway=_least(pair.headway for pair in pairs),
+        deceleration_required=max((pair.braking for pair in pairs if pair.braking > 0.0), default=None),
+        distance=0.0 if touched else _least(pair.least for pair in pairs),
         impact_speed=None if crash is None else crash.impact_speed,
         severity=None if crash is None else severity_of(crash.impact_speed, _struck(episode, crash)),
     )
@@ -71,6 +71,7 @@ def part_struck(track: Track, by: Track, crash: Event) -> str:
     return side_touched(track, by, crash.step, crash.earlier)
 
 
+@lru_cache(maxsize=KEPT)
 def line_of_contact(ego: Track, other: Track, step: int) -> Array:
     """(2,) The normal, from the ego to the other, of the side at which they met in the step before `step`."""
     mine, theirs = _moved(ego, step), _moved(other, step)
@@ -79,7 +80,7 @@ def line_of_contact(ego: Track, other: Track, step: int) -> Array:
     # The boxes met on the axis on which they were apart for longest.
     enter, _ = pair.overlap(*(theirs - mine))
     axis = int(np.argmax(enter))
-    return np.array((pair.axis_x[axis], pair.axis_y[axis])) * math.copysign(1.0, pair.offset[axis])
+    return fixed(np.array((pair.axis_x[axis], pair.axis_y[axis])) * math.copysign(1.0, pair.offset[axis]))
 
 
 def _ego_strikes(ego: Track, other: Track, step: int) -> bool:
@@ -127,14 +128,3 @@ def headways(ego: Track, other: Track, *, lately: int | None = None) -> Array:
         since = steps - np.maximum.accumulate(np.where(ahead, -lately - 1, steps))
         moves &= (found.closing > CRAWL) | (since <= lately)
     return np.where(moves, found.ahead / np.where(moves, ego.speed, 1.0), math.inf)
-
-
-def _following(ego: Track, other: Track) -> tuple[float, float]:
-    """Least time headway [s] and greatest deceleration required [m/s²] behind another ahead; inf and 0 without."""
-    found = between(ego, other)
-    ahead = found.ahead > 0.0
-    if not ahead.any():
-        return math.inf, 0.0
-    closing, gap = found.closing[ahead], found.ahead[ahead]
-    braking = np.where(closing > NOTHING, closing, 0.0) ** 2 / (2.0 * gap)
-    return float(headways(ego, other).min()), float(braking.max(initial=0.0))

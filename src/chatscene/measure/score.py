@@ -13,6 +13,7 @@ from itertools import combinations
 import numpy as np
 
 from chatscene.errors import SettingsError
+from chatscene.simulate.boxes import Boxes
 from chatscene.terms.arrays import Array, changes, paces
 from chatscene.terms.episode import Episode, EventKind, Track
 from chatscene.terms.metrics import Measurements, Metrics, Mode
@@ -64,7 +65,8 @@ def _mean_acceleration(ego: Track, dt: float) -> float:
     """Mean magnitude [m/s²] of the change of the velocity vector per step, so that cornering counts."""
     if len(ego.speed) < 2:
         return 0.0
-    vx, vy = ego.speed * np.cos(ego.heading), ego.speed * np.sin(ego.heading)
+    way = Boxes.of(ego)
+    vx, vy = ego.speed * way.cos, ego.speed * way.sin
     return float(paces(vx, vy).mean() / dt)
 
 

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.measure.criticality import line_of_contact, part_struck
 from chatscene.measure.severity import Found, Hurt, curves_for
-from chatscene.simulate.boxes import gaps
+from chatscene.simulate.boxes import between, least_gap
+from chatscene.simulate.native.lines import engine
 from chatscene.terms.actors import BY_CLASS, LOOSE
 from chatscene.terms.arrays import Array, changes, changes_at
 from chatscene.terms.episode import Episode, Event, Track
@@ -27,34 +29,35 @@ def whom_it_meets(episode: Episode) -> Track | None:
     if (crash := episode.collision) is not None:
         return next(track for track in episode.tracks if track.actor == crash.other)
     others = episode.adversaries
-    return min(others, key=lambda other: float(gaps(episode.ego_track, other).min())) if others else None
+    return min(others, key=lambda other: least_gap(episode.ego_track, other)) if others else None
 
 
 def speeds(episode: Episode) -> Speeds:
     """How fast the ego and whom it meets were, and how hard they met."""
     ego, other, crash, dt = episode.ego_track, whom_it_meets(episode), episode.collision, episode.dt
-    mine = np.abs(ego.speed)
     if other is None:
+        mine = np.abs(ego.speed)
         return Speeds(
             ego_kind=ego.kind,
             ego_speed_before=float(mine.max()),
             ego_speed_most=float(mine.max()),
             ego_braking_most=_hardest(mine, dt),
         )
-    nearest = max(crash.step - 1, 0) if crash is not None else int(gaps(ego, other).argmin())
-    mine, theirs = mine[: nearest + 1], np.abs(other.speed[: nearest + 1])
+    nearest = max(crash.step - 1, 0) if crash is not None else between(ego, other).nearest
+    mine, theirs = ego.speed[: nearest + 1], other.speed[: nearest + 1]
     turned = float(other.heading[nearest] - ego.heading[nearest])
-    begins = _begins(mine, theirs, dt, same_way=math.cos(turned) > SAME_WAY)
+    before = _before(mine, theirs, dt, same_way=math.cos(turned) > SAME_WAY)
+    begins, (ego_before, other_before, ego_most, other_most, ego_lost, other_lost) = before
     return Speeds(
         ego_kind=ego.kind,
         other_kind=other.kind,
         encounter_time=round(begins * dt, 6),
-        ego_speed_before=float(mine[begins]),
-        other_speed_before=float(theirs[begins]),
-        ego_speed_most=float(mine.max()),
-        other_speed_most=float(theirs.max()),
-        ego_braking_most=_hardest(mine, dt),
-        other_braking_most=_hardest(theirs, dt),
+        ego_speed_before=ego_before,
+        other_speed_before=other_before,
+        ego_speed_most=ego_most,
+        other_speed_most=other_most,
+        ego_braking_most=ego_lost / dt,
+        other_braking_most=other_lost / dt,
         **(_impact(episode, other, crash) if crash is not None else {}),
     )
 
@@ -76,6 +79,20 @@ def risks(episode: Episode) -> tuple[list[Found], list[Found]]:
     )
     told = {"impact_speed": crash.impact_speed, "closing_speed": closing}
     return list(curves_for(one, two, **told)), list(curves_for(two, one, **told))
+
+
+def _before(mine: Array, theirs: Array, dt: float, *, same_way: bool) -> tuple[int, tuple[float, ...]]:
+    """The step at which an encounter begins (`_begins`), and how fast both were.
+
+    Of the ego and the other in turn: the speed at that step, the most, and the most that is lost over a step [m/s].
+    """
+    if (native := engine()) is not None:
+        return native.braking_begins(mine, theirs, REACTS * dt, STILL, round(PAUSE / dt), GAINS, same_way=same_way)
+    mine, theirs = np.abs(mine), np.abs(theirs)
+    begins = _begins(mine, theirs, dt, same_way=same_way)
+    both = (mine, theirs)
+    most = tuple(float(one.max()) for one in both)
+    return begins, (float(mine[begins]), float(theirs[begins]), *most, *map(_lost, both))
 
 
 def _begins(mine: Array, theirs: Array, dt: float, *, same_way: bool) -> int:
@@ -103,7 +120,11 @@ def _brakes(speed: Array, dt: float) -> NDArray[np.bool_]:
 
 def _hardest(speed: Array, dt: float) -> float:
     """The hardest loss of speed over a step [m/s²]; 0 of who loses none."""
-    return abs(float(changes(speed).min(initial=0.0))) / dt
+    return _lost(speed) / dt
+
+
+def _lost(speed: Array) -> float:
+    return abs(float(changes(speed).min(initial=0.0)))
 
 
 def _impact(episode: Episode, other: Track, crash: Event) -> dict[str, float | None]:
@@ -125,6 +146,7 @@ def _impact(episode: Episode, other: Track, crash: Event) -> dict[str, float | N
     return told
 
 
+@lru_cache(maxsize=2)
 def _closing_speed(ego: Track, other: Track, crash: Event) -> float:
     """How much of the impact speed is along the line of contact [m/s]."""
     step, before = crash.step, max(crash.step - 1, 0)

@@ -12,6 +12,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from chatscene.simulate.native.lines import engine
 from chatscene.terms.actors import AIR_DRAG, BY_CLASS, LIMITS
 from chatscene.terms.arrays import Array, changes, fixed
 from chatscene.terms.episode import Episode, Track
@@ -29,8 +30,8 @@ def friction_demand(episode: Episode) -> float | None:
 
     Up to the step before the first contact. Above 1 it is more than tyres hold. None where nobody on wheels moved.
     """
-    most = [float(np.hypot(along, across).max()) for along, across, _ in taken(episode) if along.size]
-    return max(most) / (_friction(episode) * GRAVITY) if most else None
+    most = max((most for most, _ in did(episode)), default=-1.0)
+    return most / (_friction(episode) * GRAVITY) if most >= 0.0 else None
 
 
 def beyond_tyres(episode: Episode) -> tuple[str, ...]:
@@ -38,7 +39,7 @@ def beyond_tyres(episode: Episode) -> tuple[str, ...]:
     told: list[str] = []
     if (friction_demand(episode) or 0.0) > GRIPPIEST:
         told.append(f"somebody brakes, speeds up or turns harder than tyres hold, {COMPARE}")
-    if any(((np.abs(across) > ACROSS) & (speed > FAST)).any() for _, across, speed in taken(episode)):
+    if any(beyond for _, beyond in did(episode)):
         told.append(f"somebody turns with more than {ACROSS:g} m/s² at more than 50 km/h, where tyres lag, {COMPARE}")
     return tuple(told)
 
@@ -61,6 +62,32 @@ def taken(episode: Episode) -> tuple[tuple[Array, Array, Array], ...]:
     """What tyres did in a drive, as `_taken_by` has it, of everybody on wheels."""
     until = _until(episode)
     return tuple(_taken_by(track, episode.dt, until) for track in episode.tracks if _on_wheels(track))
+
+
+@lru_cache(maxsize=1)
+def did(episode: Episode) -> tuple[tuple[float, bool], ...]:
+    """What tyres did at most along and across together [m/s²], of everybody on wheels; -1 without a step.
+
+    And whether they turned with more than `ACROSS` while faster than `FAST`.
+    """
+    native = engine()
+    if native is None:
+        return tuple(
+            (
+                float(np.hypot(along, across).max(initial=-1.0)),
+                bool(((np.abs(across) > ACROSS) & (speed > FAST)).any()),
+            )
+            for along, across, speed in taken(episode)
+        )
+    until = _until(episode)
+    return tuple(
+        native.tyres_did(
+            *(track.speed[:until], track.heading[:until]),
+            *(episode.dt, LIMITS[track.kind].drag, AIR_DRAG, ACROSS, FAST),
+        )
+        for track in episode.tracks
+        if _on_wheels(track)
+    )
 
 
 def _taken_by(track: Track, dt: float, until: int | None) -> tuple[Array, Array, Array]:

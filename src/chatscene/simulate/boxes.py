@@ -20,6 +20,7 @@ Steps = NDArray[np.int64]
 ROUNDING = 1e-6  # [m], more than rounding makes of a distance
 NOTHING = 1e-9  # [m] or [m/s], what rounding makes of nothing
 KEPT = 16  # of the tracks and pairs that were asked for last, what was found: each measure of a drive asks anew
+CRAWL = 0.1  # [m/s], below this somebody follows nobody
 FINENESS = 4  # into how many parts a step is cut to time who leaves and who comes
 
 
@@ -119,12 +120,22 @@ class Between:
         times: Until the boxes touch if both keep velocity and heading [s]; inf where they never would.
         ahead: From the front of the first to what of the second is nearest [m], if that is ahead; else -inf.
         closing: How fast the first closes in on the second along its own heading [m/s].
+        least: The least gap [m].
+        nearest: The first step at which it is that.
+        soonest: The least time until they touch [s].
+        headway: The least time [s] in which the first is where the second is ahead, if it is faster than `CRAWL`.
+        braking: The hardest braking [m/s²] that keeps the first from the second ahead; 0 where none is needed.
     """
 
     gaps: Array
     times: Array
     ahead: Array
     closing: Array
+    least: float
+    nearest: int
+    soonest: float
+    headway: float
+    braking: float
 
 
 @lru_cache(maxsize=KEPT)
@@ -138,7 +149,10 @@ def between(ego: Track, other: Track) -> Between:
     native = engine()
     if native is None:
         return in_numpy(a, b, ego.speed, other.speed)
-    return Between(*fixed(native.between(_told(a), ego.speed, _told(b), other.speed)))
+    found, told = native.between(_told(a), ego.speed, _told(b), other.speed, CRAWL)
+    gaps, times, ahead, closing = fixed(found)
+    least, nearest, soonest, headway, braking = told
+    return Between(gaps, times, ahead, closing, least, int(nearest), soonest, headway, braking)
 
 
 def in_numpy(a: Boxes, b: Boxes, speed: Array, other_speed: Array) -> Between:
@@ -153,11 +167,20 @@ def in_numpy(a: Boxes, b: Boxes, speed: Array, other_speed: Array) -> Between:
     c, s = a.cos * b.cos + a.sin * b.sin, np.abs(a.cos * b.sin - a.sin * b.cos)
     gap = along - a.half_length - b.half_length * np.abs(c) - b.half_width * s
     beside = np.abs(across) - a.half_width - b.half_length * s - b.half_width * np.abs(c)
+    gaps, times = np.where(pair.touching, 0.0, apart), np.where(meets, np.maximum(begin, 0.0), np.inf)
+    ahead, closing = np.where((gap > 0.0) & (beside < 0.0), gap, -np.inf), speed - other_speed * c
+    follows = (ahead > 0.0) & (speed > CRAWL)
+    nears = (ahead > 0.0) & (closing > NOTHING)
     return Between(
-        gaps=fixed(np.where(pair.touching, 0.0, apart)),
-        times=fixed(np.where(meets, np.maximum(begin, 0.0), np.inf)),
-        ahead=fixed(np.where((gap > 0.0) & (beside < 0.0), gap, -np.inf)),
-        closing=fixed(speed - other_speed * c),
+        gaps=fixed(gaps),
+        times=fixed(times),
+        ahead=fixed(ahead),
+        closing=fixed(closing),
+        least=float(gaps.min()),
+        nearest=int(gaps.argmin()),
+        soonest=float(times.min()),
+        headway=float((ahead[follows] / speed[follows]).min(initial=math.inf)),
+        braking=float((closing[nears] ** 2 / (2.0 * ahead[nears])).max(initial=0.0)),
     )
 
 
@@ -189,8 +212,11 @@ def post_encroachment(ego: Track, other: Track) -> float:
     toward = np.sign(j - i)
     parts = np.arange(FINENESS + 1)[:, None]
     moments = i * FINENESS + toward * parts
+    mine, native = Boxes.within(ego, moments / FINENESS), engine()
+    if native is not None:
+        return native.parted(i, j, FINENESS, _told(mine), _told(b))
     back = j - toward
-    pair = Pair.of(Boxes.within(ego, moments / FINENESS), b.at(np.broadcast_to(j, moments.shape)))
+    pair = Pair.of(mine, b.at(np.broadcast_to(j, moments.shape)))
     enter, leave = pair.overlap(b.x[back] - b.x[j], b.y[back] - b.y[j])
     begin, end = enter.max(axis=0), leave.min(axis=0)
     meets = (begin <= end) & (begin <= 1.0) & (end >= 0.0)
@@ -254,7 +280,7 @@ def gaps(ego: Track, other: Track) -> Array:
 
 def least_gap(ego: Track, other: Track) -> float:
     """Least gap [m] between the boxes over all steps."""
-    return float(gaps(ego, other).min())
+    return between(ego, other).least
 
 
 def _corner_gaps(a: Boxes, b: Boxes) -> Array:

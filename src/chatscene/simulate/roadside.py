@@ -17,8 +17,10 @@ from numpy.typing import NDArray
 from chatscene.ego.observation import BESIDE
 from chatscene.errors import MapError
 from chatscene.maps.junctions import StopLine, junction_control, junction_signals
-from chatscene.maps.lane_map import LaneMap
+from chatscene.maps.lane_map import Indices, LaneMap
 from chatscene.maps.limits import limits_along
+from chatscene.simulate.cells import Cells
+from chatscene.simulate.native.lines import engine
 from chatscene.terms.arrays import fixed
 from chatscene.terms.episode import Event, EventKind, SignalTrack, Track
 from chatscene.terms.profile import allowed_speeds
@@ -52,6 +54,7 @@ class RouteSurroundings:
         self._route = route
         self.mirrored = bool(network.mirrored)
         self._lane_map = lane_map
+        self._cells = Cells(lane_map, route)
         self.lanes = [network.elements[uid].polygons for uid in route.lane_ids]
         self._junctions = network.intersectionRegion.polygons if network.intersections else shapely.Polygon()
         for shape in (*self.lanes, self._junctions):
@@ -155,10 +158,9 @@ class RouteSurroundings:
 
     def events(self, ego: Track, signals: tuple[SignalTrack, ...]) -> tuple[NDArray[np.bool_], list[Event]]:
         """Whether the ego was off the road at each step, and everything it did wrong but collide."""
-        xy = np.array((ego.x, ego.y)).T
-        off_road = self._lane_map.off_road(xy)
+        lane, off_road = self._cells.lanes(ego.x, ego.y)
         events = [Event(kind=EventKind.OFF_ROAD, step=step) for step in _onsets(off_road)]
-        events += self._lane_invasions(xy)
+        events += self._lane_invasions(ego, lane)
         events += [
             Event(kind=EventKind.RED_LIGHT, step=step, other="signal")
             for signal in signals
@@ -168,13 +170,12 @@ class RouteSurroundings:
             events += self._stop_signs(ego)
         return off_road, events
 
-    def _lane_invasions(self, xy: NDArray[np.float64]) -> list[Event]:
+    def _lane_invasions(self, ego: Track, lane: Indices) -> list[Event]:
         """A change of lane outside junctions, or onto no lane at all."""
-        lane = self._lane_map.lane_index(xy, self._route.lane_ids)
         changed = np.flatnonzero((lane[1:] != lane[:-1]) & (lane[:-1] >= 0))
         if not changed.size:
             return []
-        inside = [shapely.contains_xy(self._junctions, xy[at]) for at in (changed, changed + 1)]
+        inside = [shapely.contains_xy(self._junctions, ego.x[at], ego.y[at]) for at in (changed, changed + 1)]
         left = changed[~np.logical_or(*inside)].tolist()
         return [Event(kind=EventKind.LANE_INVASION, step=step + 1) for step in left]
 
@@ -193,6 +194,8 @@ class RouteSurroundings:
 
 def crossing_step(track: Track, line: StopLine | SignalTrack) -> int | None:
     """The first step at which an actor's centre crosses a stop line, or None."""
+    if (native := engine()) is not None:
+        return native.crosses(track.x, track.y, (line.x0, line.y0, line.x1, line.y1))
     px, py = track.x - line.x0, track.y - line.y0
     lx, ly = line.x1 - line.x0, line.y1 - line.y0
     side = lx * py - ly * px
@@ -206,4 +209,4 @@ def crossing_step(track: Track, line: StopLine | SignalTrack) -> int | None:
 
 
 def _onsets(flags: NDArray[np.bool_]) -> list[int]:
-    return np.flatnonzero(flags & ~np.concatenate(([False], flags[:-1]))).tolist()
+    return np.flatnonzero(flags & ~np.concatenate(([False], flags[:-1]))).tolist() if flags.any() else []

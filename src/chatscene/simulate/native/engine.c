@@ -198,6 +198,12 @@ typedef struct {
     double half_length, half_width;
 } Boxes;
 
+/* A course: the points of a line by arc length, how x and y change along each piece, and where each leads. */
+typedef struct {
+    int64_t points;
+    const double *arc, *x, *y, *x_rate, *y_rate, *cos, *sin;
+} Course;
+
 int64_t size_of(int64_t what) {
     switch (what) {
     case 0: return sizeof(Line);
@@ -210,6 +216,7 @@ int64_t size_of(int64_t what) {
     case 7: return sizeof(Policy);
     case 8: return sizeof(Foot);
     case 9: return sizeof(Boxes);
+    case 10: return sizeof(Course);
     default: return -1;
     }
 }
@@ -1773,7 +1780,8 @@ static double corner_gap(const Boxes *a, const Boxes *b, int64_t i) {
     return least;
 }
 
-static double time_to_collision(const Apart *p, double vx, double vy) {
+/* `Pair.overlap`: from when to when the boxes overlap on all axes, the second moving past the first */
+static void meet(const Apart *p, double vx, double vy, double *from, double *until) {
     double begin = -INFINITY, end = INFINITY;
     for (int k = 0; k < 4; k++) {
         double speed = vx * p->axis_x[k] + vy * p->axis_y[k], offset = p->offset[k], reach = p->reach[k];
@@ -1785,6 +1793,13 @@ static double time_to_collision(const Apart *p, double vx, double vy) {
         begin = greater(lesser(first, last), begin);
         end = lesser(greater(first, last), end);
     }
+    *from = begin;
+    *until = end;
+}
+
+static double time_to_collision(const Apart *p, double vx, double vy) {
+    double begin, end;
+    meet(p, vx, vy, &begin, &end);
     return begin <= end && end >= 0.0 ? greater(begin, 0.0) : INFINITY;
 }
 
@@ -1844,4 +1859,169 @@ void near_any(int64_t count, const double *x, const double *y, int64_t others, c
             near[i] = dx * dx + dy * dy < square;
         }
     }
+}
+
+/* `measure.criticality`: of what `compare_boxes` found, the least gap and its step, the least time to collision, the
+ * least headway of a first that is faster than `crawl`, and the hardest braking that keeps it from the second ahead. */
+void closest(int64_t steps, const double *found, const double *speed, double crawl, double *told) {
+    const double *gaps = found, *times = gaps + steps, *ahead = times + steps, *closing = ahead + steps;
+    double gap = INFINITY, nearest = 0.0, time = INFINITY, headway = INFINITY, braking = 0.0;
+    for (int64_t i = 0; i < steps; i++) {
+        double now = lesser(gaps[i], gap);
+        if (now != gap && !isnan(gap)) nearest = (double)i;
+        gap = now;
+        if (times[i] < time) time = times[i];
+        if (!(ahead[i] > 0.0)) continue;
+        double needs = closing[i] > 1e-9 ? closing[i] * closing[i] / (2.0 * ahead[i]) : 0.0;
+        if (needs > braking) braking = needs;
+        if (speed[i] > crawl && ahead[i] / speed[i] < headway) headway = ahead[i] / speed[i];
+    }
+    told[0] = gap; told[1] = nearest; told[2] = time; told[3] = headway; told[4] = braking;
+}
+
+/* `boxes.post_encroachment`: of pairs of overlapping boxes, each a step of the first and one of the second, the least
+ * time between the two. `a` is the first within its step, in so many parts; the second moves on evenly in its own. */
+double parted(int64_t pairs, const int64_t *i, const int64_t *j, int64_t parts, const Boxes *a, const Boxes *b) {
+    double least = INFINITY;
+    for (int64_t n = 0; n < pairs; n++) {
+        int64_t apart = i[n] > j[n] ? i[n] - j[n] : j[n] - i[n];
+        if ((double)apart < least) least = (double)apart;
+    }
+    for (int64_t n = 0; n < pairs; n++) {
+        int64_t apart = i[n] > j[n] ? i[n] - j[n] : j[n] - i[n], back = j[n] > i[n] ? j[n] - 1 : j[n] + 1;
+        double vx = b->x[back] - b->x[j[n]], vy = b->y[back] - b->y[j[n]];
+        for (int64_t part = 0; part <= parts; part++) {
+            double begin, end;
+            Apart p;
+            apart_at(a, part * pairs + n, b, j[n], &p);
+            meet(&p, vx, vy, &begin, &end);
+            if (!(begin <= end && begin <= 1.0 && end >= 0.0)) continue;
+            double closest = (double)apart - (double)part / (double)parts - lesser(end, 1.0);
+            if (closest < least) least = closest;
+        }
+    }
+    return least > 0.0 ? least : 0.0;
+}
+
+/* `measure.avoidability.risk_step`: the first of so many steps in a row from each of which the ego, going on along its
+ * course, and the other, going straight on, will touch, where it is seen; -1 if there are none. */
+int64_t first_risk(int64_t steps, int64_t moments, const double *ahead, const Course *course, const double *along,
+                   const double *speed, double half_length, double half_width, const Boxes *b, const double *other,
+                   const uint8_t *seen, int64_t lasting) {
+    int64_t last = course->points - 1, row = 0;
+    double reach = sqrt(half_length * half_length + half_width * half_width)
+        + sqrt(b->half_length * b->half_length + b->half_width * b->half_width) + 1e-6;
+    for (int64_t i = 0; i < steps; i++) {
+        int touches = 0;
+        int64_t k = 0;
+        double goes = speed[i] > 0.0 ? speed[i] : 0.0, vx = other[i] * b->cos[i], vy = other[i] * b->sin[i];
+        for (int64_t m = 0; seen[i] && !touches && m < moments; m++) {
+            double stop = along[i] + goes * ahead[m], x, y;
+            if (!m) {
+                int64_t low = 0, high = last + 1; /* the first point that lies beyond */
+                while (low < high) {
+                    int64_t middle = (low + high) / 2;
+                    if (course->arc[middle] <= stop) low = middle + 1; else high = middle;
+                }
+                k = low - 1;
+            }
+            while (k < last && course->arc[k + 1] <= stop) k++;
+            if (k < 0 || k >= last || course->arc[k] == stop) {
+                x = course->x[k < 0 ? 0 : k];
+                y = course->y[k < 0 ? 0 : k];
+            } else {
+                x = course->x_rate[k] * (stop - course->arc[k]) + course->x[k];
+                y = course->y_rate[k] * (stop - course->arc[k]) + course->y[k];
+            }
+            int64_t piece = k < 0 ? 0 : k >= last ? last - 1 : k;
+            double beyond = stop - course->arc[last] > 0.0 ? stop - course->arc[last] : 0.0;
+            double ca = course->cos[piece], sa = course->sin[piece], cb = b->cos[i], sb = b->sin[i];
+            double dx = b->x[i] + vx * ahead[m] - (x + beyond * ca), dy = b->y[i] + vy * ahead[m] - (y + beyond * sa);
+            if (dx * dx + dy * dy > reach * reach) continue;
+            double c = fabs(ca * cb + sa * sb), s = fabs(ca * sb - sa * cb);
+            touches = fabs(dx * ca + dy * sa) <= half_length + b->half_length * c + b->half_width * s
+                && fabs(dy * ca - dx * sa) <= half_width + b->half_length * s + b->half_width * c
+                && fabs(dx * cb + dy * sb) <= b->half_length + half_length * c + half_width * s
+                && fabs(dy * cb - dx * sb) <= b->half_width + half_length * s + half_width * c;
+        }
+        row = touches ? row + 1 : 0;
+        if (row == lasting) return i - lasting + 1;
+    }
+    return -1;
+}
+
+/* `measure.speeds`: when the last braking of either begins before the last step, and how fast both were: at that step,
+ * at most, and how much speed each lost at most over a step. A braking that is over for longer than `pause` was another,
+ * unless both go the same way and the first gained less than `gains` since. `room` is for three numbers of each step. */
+int64_t braking_begins(int64_t steps, const double *speed, const double *other, double least, double still,
+                       int64_t pause, int32_t same_way, double gains, double *room, double *told) {
+    double *fast[2] = {room, room + steps}, *reacts = room + 2 * steps;
+    for (int64_t i = 0; i < steps; i++) reacts[i] = 0.0;
+    for (int who = 0; who < 2; who++) {
+        double most = 0.0, hardest = 0.0;
+        for (int64_t i = 0; i < steps; i++) {
+            double now = fast[who][i] = fabs(who ? other[i] : speed[i]), change = i ? now - fast[who][i - 1] : 0.0;
+            if (now > most) most = now;
+            if (change < hardest) hardest = change;
+            if (-change > least || (now < still && most >= still)) reacts[i] = 1.0;
+        }
+        told[2 + who] = most;
+        told[4 + who] = fabs(hardest);
+    }
+    int64_t begins = steps - 1, last = steps - 1;
+    for (int64_t step = steps - 1; step >= 0; step--) {
+        if (reacts[step] == 0.0) continue;
+        double peak = 0.0;
+        for (int64_t i = step; i <= last; i++) if (fast[0][i] > peak) peak = fast[0][i];
+        if (last - step > pause && !(same_way && peak - fast[0][step] < gains)) break;
+        begins = step ? step - 1 : 0;
+        last = step;
+    }
+    told[0] = fast[0][begins];
+    told[1] = fast[1][begins];
+    return begins;
+}
+
+/* `measure.tyres`: the most that tyres did along and across together over a step, -1 without a step; and whether they
+ * did more than `across` in one that was faster than `fast`. */
+double tyres_did(int64_t steps, const double *speed, const double *heading, double dt, double rolling, double air,
+                 double across, double fast, int32_t *beyond) {
+    double most = -1.0;
+    *beyond = 0;
+    for (int64_t i = 0; i + 1 < steps; i++) {
+        double from = fabs(speed[i]), to = fabs(speed[i + 1]), change = (to - from) / dt, mean = 0.5 * (to + from);
+        double held = change + rolling + air * (from * from), turned = mean * (heading[i + 1] - heading[i]) / dt;
+        double did = hypot(change < 0.0 ? (held < 0.0 ? held : 0.0) : change, turned);
+        if (did > most) most = did;
+        if (fabs(turned) > across && mean > fast) *beyond = 1;
+    }
+    return most;
+}
+
+/* Which cell of a map each of some points lies in, and what is known of that: 0 of one that nobody asked of yet. Of
+ * points beside the map it is -1. Returns how many are of neither. */
+int64_t in_cells(int64_t count, const double *x, const double *y, double low_x, double low_y, double side, int64_t wide,
+                 int64_t high, const int32_t *known, int32_t *found) {
+    int64_t told = 0;
+    for (int64_t i = 0; i < count; i++) {
+        double column = floor((x[i] - low_x) / side), row = floor((y[i] - low_y) / side);
+        int there = column >= 0.0 && column < (double)wide && row >= 0.0 && row < (double)high;
+        found[i] = there ? known[(int64_t)row * wide + (int64_t)column] : -1;
+        told += found[i] > 0;
+    }
+    return told;
+}
+
+/* `simulate.roadside.crossing_step`: the first step at which a track crosses a line; -1 if it never does. */
+int64_t crosses(int64_t steps, const double *x, const double *y, double x0, double y0, double x1, double y1) {
+    double lx = x1 - x0, ly = y1 - y0;
+    for (int64_t i = 0; i + 1 < steps; i++) {
+        double px = x[i] - x0, py = y[i] - y0, qx = x[i + 1] - x0, qy = y[i + 1] - y0;
+        double side = lx * py - ly * px, next = lx * qy - ly * qx;
+        if (!(side * next < 0.0)) continue;
+        double share = side / (side - next);
+        double along = ((px + share * (qx - px)) * lx + (py + share * (qy - py)) * ly) / (lx * lx + ly * ly);
+        if (-0.1 <= along && along <= 1.1) return i + 1;
+    }
+    return -1;
 }

@@ -272,6 +272,34 @@ def boxes_of(x: Array, y: Array, cos: Array, sin: Array, half_length: float, hal
     return found
 
 
+class Course(Structure):
+    """A line by arc length: how its points change along each piece, and where each leads.
+
+    Attributes:
+        kept: What it points at, so that this stays as long as the line.
+    """
+
+    kept: list[Any]
+
+    _fields_ = (
+        ("points", c_int64),
+        *((name, c_void_p) for name in ("arc", "x", "y", "x_rate", "y_rate", "cos", "sin")),
+    )
+
+
+def course_of(x: Array, y: Array, arc: Array, cos: Array, sin: Array) -> Course:
+    """A line by its points [m], their arc lengths [m], and cosine and sine of where each piece leads."""
+    if not len(x) == len(y) == len(arc) == len(cos) + 1 == len(sin) + 1:
+        raise ValueError(f"{len(x)} points are no course of {len(cos)} pieces")
+    step = np.diff(arc)
+    with np.errstate(divide="ignore", invalid="ignore"):  # of points that are one, which nobody is between
+        columns = arc, x, y, np.diff(x) / step, np.diff(y) / step, cos, sin
+    kept = [np.ascontiguousarray(column, np.float64) for column in columns]
+    found = Course(len(x), *(column.ctypes.data for column in kept))
+    found.kept = kept
+    return found
+
+
 class Engine:
     """The loaded library, checked.
 
@@ -310,8 +338,31 @@ class Engine:
         )
         library.near_any.restype = None
         library.near_any.argtypes = (c_int64, c_void_p, c_void_p, c_int64, c_void_p, c_void_p, c_double, c_void_p)
+        library.closest.restype = None
+        library.closest.argtypes = (c_int64, c_void_p, c_void_p, c_double, c_void_p)
+        library.parted.restype = c_double
+        library.parted.argtypes = (c_int64, c_void_p, c_void_p, c_int64, POINTER(Boxes), POINTER(Boxes))
+        library.first_risk.restype = c_int64
+        library.first_risk.argtypes = (
+            *(c_int64, c_int64, c_void_p, POINTER(Course), c_void_p, c_void_p),
+            *(c_double, c_double, POINTER(Boxes), c_void_p, c_void_p, c_int64),
+        )
+        library.braking_begins.restype = c_int64
+        library.braking_begins.argtypes = (
+            *(c_int64, c_void_p, c_void_p, c_double, c_double),
+            *(c_int64, c_int32, c_double, c_void_p, c_void_p),
+        )
+        library.tyres_did.restype = c_double
+        library.tyres_did.argtypes = (c_int64, c_void_p, c_void_p, *[c_double] * 5, POINTER(c_int32))
+        library.in_cells.restype = c_int64
+        library.in_cells.argtypes = (
+            *(c_int64, c_void_p, c_void_p, c_double, c_double, c_double),
+            *(c_int64, c_int64, c_void_p, c_void_p),
+        )
+        library.crosses.restype = c_int64
+        library.crosses.argtypes = (c_int64, c_void_p, c_void_p, *[c_double] * 4)
         self._library = library
-        structures = (Line, Body, Instruction, Phase, Agent, World, Layer, Policy, Foot, Boxes)
+        structures = (Line, Body, Instruction, Phase, Agent, World, Layer, Policy, Foot, Boxes, Course)
         for i, structure in enumerate(structures):
             if library.size_of(i) != ctypes.sizeof(structure):
                 raise NoEngine(f"its {structure.__name__} has another size than is expected")
@@ -358,8 +409,10 @@ class Engine:
         self._library.follow(ctypes.byref(line), len(x), whole, *columns)
         return arc, offset
 
-    def between(self, a: Boxes, speed: Array, b: Boxes, other_speed: Array) -> Array:
-        """(4, T) How two bodies lie to each other at each step; see `chatscene.simulate.boxes.between`."""
+    def between(
+        self, a: Boxes, speed: Array, b: Boxes, other_speed: Array, crawl: float
+    ) -> tuple[Array, tuple[float, ...]]:
+        """(4, T) How two bodies lie to each other at each step, and the least of it; see `chatscene.simulate.boxes`."""
         one, other = np.ascontiguousarray(speed, np.float64), np.ascontiguousarray(other_speed, np.float64)
         if not len(one) == len(other) == a.kept[0].size == b.kept[0].size:
             raise ValueError(f"tracks of {len(one)} and {len(other)} steps are not beside each other")
@@ -367,7 +420,9 @@ class Engine:
         self._library.compare_boxes(
             len(one), ctypes.byref(a), one.ctypes.data, ctypes.byref(b), other.ctypes.data, found.ctypes.data
         )
-        return found
+        told = (c_double * 5)()
+        self._library.closest(len(one), found.ctypes.data, one.ctypes.data, crawl, told)
+        return found, tuple(told)
 
     def overlaps(
         self, a: Boxes, shape: tuple[int, int], b: Boxes, at: NDArray[np.int64], most: int, square: float
@@ -382,6 +437,89 @@ class Engine:
             *(most, square, found.ctypes.data, found.ctypes.data + found.strides[0]),
         )
         return found[0, :count], found[1, :count]
+
+    def parted(self, i: NDArray[np.int64], j: NDArray[np.int64], parts: int, a: Boxes, b: Boxes) -> float:
+        """The least time [steps] between two that are somewhere; see `chatscene.simulate.boxes.post_encroachment`."""
+        if len(i) != len(j) or a.kept[0].size != len(i) * (parts + 1) or j.max(initial=0) >= b.kept[0].size:
+            raise ValueError(f"{a.kept[0].size} boxes are no {parts} parts of {len(i)} pairs")
+        i, j = np.ascontiguousarray(i, np.int64), np.ascontiguousarray(j, np.int64)
+        least: float = self._library.parted(
+            len(i), i.ctypes.data, j.ctypes.data, parts, ctypes.byref(a), ctypes.byref(b)
+        )
+        return least
+
+    def first_risk(
+        self,
+        ahead: Array,
+        course: Course,
+        along: Array,
+        speed: Array,
+        half: tuple[float, float],
+        other: Boxes,
+        other_speed: Array,
+        seen: NDArray[np.bool_],
+        lasting: int,
+    ) -> int | None:
+        """When a risk begins that lasts; see `chatscene.measure.avoidability.risk_step`."""
+        if not len(along) == len(speed) == other.kept[0].size == len(other_speed) == len(seen):
+            raise ValueError("columns of other lengths are no drive")
+        columns = [np.ascontiguousarray(column, np.float64) for column in (ahead, along, speed, other_speed)]
+        seen = np.ascontiguousarray(seen, np.bool_)
+        moments, one, two, three = (column.ctypes.data for column in columns)
+        found: int = self._library.first_risk(
+            *(len(along), len(ahead), moments, ctypes.byref(course), one, two, *half),
+            *(ctypes.byref(other), three, seen.ctypes.data, lasting),
+        )
+        return None if found < 0 else found
+
+    def braking_begins(
+        self, speed: Array, other: Array, least: float, still: float, pause: int, gains: float, *, same_way: bool
+    ) -> tuple[int, tuple[float, ...]]:
+        """When the last braking of either begins, and how fast they were; see `chatscene.measure.speeds`."""
+        if len(speed) != len(other) or not len(speed):
+            raise ValueError("columns of other lengths, or of none, are no drive")
+        one, two = np.ascontiguousarray(speed, np.float64), np.ascontiguousarray(other, np.float64)
+        room, told = np.empty(3 * len(one)), (c_double * 6)()
+        begins: int = self._library.braking_begins(
+            *(len(one), one.ctypes.data, two.ctypes.data, least, still, pause, same_way, gains),
+            *(room.ctypes.data, told),
+        )
+        return begins, tuple(told)
+
+    def tyres_did(
+        self, speed: Array, heading: Array, dt: float, rolling: float, air: float, across: float, fast: float
+    ) -> tuple[float, bool]:
+        """How much tyres did at most, and whether too much at speed; see `chatscene.measure.tyres`."""
+        if len(speed) != len(heading):
+            raise ValueError("columns of other lengths are no drive")
+        one, two = np.ascontiguousarray(speed, np.float64), np.ascontiguousarray(heading, np.float64)
+        beyond = c_int32()
+        most: float = self._library.tyres_did(
+            *(len(one), one.ctypes.data, two.ctypes.data, dt, rolling, air, across, fast), ctypes.byref(beyond)
+        )
+        return most, bool(beyond.value)
+
+    def in_cells(
+        self, x: Array, y: Array, low: tuple[float, float], side: float, known: NDArray[np.int32]
+    ) -> tuple[NDArray[np.int32], bool]:
+        """(N,) What is known of the cell of each point, -1 beside the map; and whether that is more than 0 of all."""
+        if len(x) != len(y) or known.dtype != np.int32 or not known.flags.c_contiguous:
+            raise ValueError("columns of other lengths are no points, or the cells are none")
+        one, two = np.ascontiguousarray(x, np.float64), np.ascontiguousarray(y, np.float64)
+        found = np.empty(len(one), np.int32)
+        told: int = self._library.in_cells(
+            *(len(one), one.ctypes.data, two.ctypes.data, *low, side, known.shape[1], known.shape[0]),
+            *(known.ctypes.data, found.ctypes.data),
+        )
+        return found, told == len(one)
+
+    def crosses(self, x: Array, y: Array, line: tuple[float, float, float, float]) -> int | None:
+        """The first step at which a track crosses a line from one point [m] to another; None if it never does."""
+        if len(x) != len(y):
+            raise ValueError("columns of other lengths are no track")
+        one, two = np.ascontiguousarray(x, np.float64), np.ascontiguousarray(y, np.float64)
+        step: int = self._library.crosses(len(one), one.ctypes.data, two.ctypes.data, *line)
+        return None if step < 0 else step
 
     def near_any(self, x: Array, y: Array, other_x: Array, other_y: Array, within: float) -> NDArray[np.bool_]:
         """(N,) Whether each point is nearer [m] than that to any of the others."""

@@ -1,0 +1,164 @@
+"""What is judged in the engine is what is judged without it, to the bit."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from chatscene.maps.lane_map import LaneMap
+from chatscene.maps.loading import load_roads
+from chatscene.maps.network import resolve_map
+from chatscene.maps.routes import find_routes
+from chatscene.measure import avoidability, speeds, tyres
+from chatscene.simulate import boxes, cells, roadside
+from chatscene.simulate.cells import Cells
+from chatscene.simulate.native.engine import Engine, NoEngine, load_engine
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.route import RouteQuery
+from chatscene.terms.scenario import Maneuver
+
+
+@pytest.fixture(scope="module", autouse=True)
+def engine() -> Engine:
+    try:
+        return load_engine()
+    except NoEngine as missing:
+        pytest.skip(str(missing))
+
+
+def _track(rng: np.random.Generator, steps: int, *, actor: str = "ego", kind: str = "Car") -> Track:
+    """Somebody who drives about near a line of 100 m to the east, and stands now and then."""
+    speed = np.maximum(rng.normal(6.0, 1.0) + np.cumsum(rng.normal(0.0, 0.6, steps) * (rng.random(steps) < 0.05)), -1.0)
+    speed[int(rng.integers(0, steps)) : int(rng.integers(0, steps))] = 0.0
+    heading = rng.normal(0.0, 0.5) + np.cumsum(rng.normal(0.0, 0.05, steps))
+    x, y = (rng.normal(10.0, 4.0) + np.cumsum(0.1 * speed * way(heading)) for way in (np.cos, np.sin))
+    role = Role.EGO if actor == "ego" else Role.ADVERSARY
+    return Track(actor=actor, role=role, kind=kind, length=4.5, width=1.8, x=x, y=y, heading=heading, speed=speed)
+
+
+def _drive(ego: Track, other: Track, crash: int) -> Episode:
+    steps = len(ego.x)
+    return Episode(
+        scene_id="drawn",
+        ego="nobody",
+        dt=0.1,
+        tracks=(ego, other),
+        events=(Event(kind=EventKind.COLLISION, step=crash, other=other.actor, side="front", impact_speed=3.0),),
+        signals=(),
+        ending=Ending.COLLISION,
+        route_completion=0.5,
+        distance_to_route=np.zeros(steps),
+        off_road=np.zeros(steps, np.bool_),
+    )
+
+
+def _both(monkeypatch: pytest.MonkeyPatch, modules: tuple[ModuleType, ...], of: Callable[[], object]) -> object:
+    """What a function tells with the engine, and that it tells the same without."""
+    found = of()
+    with monkeypatch.context() as without:
+        for module in modules:
+            without.setattr(module, "engine", lambda: None)
+        for kept in (boxes.between, tyres.did):
+            kept.cache_clear()
+        assert repr(of()) == repr(found)
+    for kept in (boxes.between, tyres.did):
+        kept.cache_clear()
+    return found
+
+
+def test_when_a_crash_becomes_a_risk_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(0)
+    bends = Polyline([(x, 0.02 * (x - 40.0) ** 2 if x > 40.0 else 0.0) for x in np.arange(0.0, 100.0, 2.5)])
+    found: list[object] = []
+    for _ in range(60):
+        steps = int(rng.integers(12, 80))
+        episode = _drive(_track(rng, steps), _track(rng, steps, actor="adversary"), steps - 1)
+        found.append(_both(monkeypatch, (avoidability,), lambda of=episode: avoidability.risk_step(of, bends)))
+    assert {None, 0} < {*found}
+
+
+def test_when_an_encounter_begins_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(1)
+    begins: set[float] = set()
+    for _ in range(60):
+        steps = int(rng.integers(2, 80))
+        episode = _drive(_track(rng, steps), _track(rng, steps, actor="adversary"), int(rng.integers(0, steps)))
+        found = _both(monkeypatch, (speeds, boxes), lambda of=episode: speeds.speeds(of))
+        assert isinstance(found, speeds.Speeds)
+        begins.add(found.encounter_time or 0.0)
+    assert len(begins) > 10
+
+
+def test_what_tyres_did_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(2)
+    told: set[object] = set()
+    for _ in range(40):
+        steps = int(rng.integers(1, 60))
+        episode = _drive(_track(rng, steps), _track(rng, steps, actor="adversary", kind="Bicycle"), steps - 1)
+        told.add(
+            repr(_both(monkeypatch, (tyres,), lambda of=episode: (tyres.friction_demand(of), tyres.beyond_tyres(of))))
+        )
+        tyres.friction_demand.cache_clear()
+    assert len(told) > 10
+
+
+def test_who_leaves_a_place_before_the_other_comes_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(3)
+    found: list[object] = []
+    for _ in range(60):
+        one, two = _track(rng, 60), _track(rng, 60, actor="adversary")
+        found.append(_both(monkeypatch, (boxes,), lambda a=one, b=two: boxes.post_encroachment(a, b)))
+    assert 10 < sum(isinstance(one, float) and 0.0 < one < math.inf for one in found) < 60
+
+
+def test_the_least_of_how_two_lie_to_each_other_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(4)
+    brakes = 0
+    for _ in range(60):
+        one, two = _track(rng, 60), _track(rng, 60, actor="adversary")
+        least = _both(monkeypatch, (boxes,), lambda a=one, b=two: _least(boxes.between(a, b)))
+        assert isinstance(least, tuple)
+        brakes += least[-1] > 0.0
+    assert brakes > 5
+
+
+def _least(pair: boxes.Between) -> tuple[float, ...]:
+    return pair.least, pair.nearest, pair.soonest, pair.headway, pair.braking
+
+
+def test_when_somebody_crosses_a_line_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(5)
+    found: list[object] = []
+    for _ in range(60):
+        x0, y0, x1, y1 = rng.normal(15.0, 8.0, 4).tolist()
+        line, track = SignalTrack(x0=x0, y0=y0, x1=x1, y1=y1, state="", role="ego"), _track(rng, 60)
+        found.append(_both(monkeypatch, (roadside,), lambda a=track, b=line: roadside.crossing_step(a, b)))
+    assert 5 < sum(one is not None for one in found) < 50
+
+
+@pytest.mark.parametrize("name", ["town", "outskirts"])
+def test_squares_of_a_map_tell_lanes_as_the_map_does(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    roads, rng = load_roads(resolve_map(name)), np.random.default_rng(6)
+    lane_map = LaneMap(roads)
+    queries = [RouteQuery(maneuver=maneuver) for maneuver in (Maneuver.STRAIGHT, Maneuver.LEFT_TURN)]
+    for route in (one for query in queries for one in find_routes(roads, name, query)[:3]):
+        along, known = route.line.points[:, :2], Cells(lane_map, route)
+        for spread in (0.5, 3.0, 12.0, 40.0):
+            x, y = (along[rng.integers(0, len(along), 400)] + rng.normal(0.0, spread, (400, 2))).T
+            for _ in range(2):  # of squares that nobody asked of, and of those that are known
+                lane, off_road = known.lanes(x, y)
+                xy: Array = np.array((x, y)).T
+                assert np.array_equal(lane, lane_map.lane_index(xy, route.lane_ids))
+                assert np.array_equal(off_road, lane_map.off_road(xy))
+        x, y = along.T
+        found = known.lanes(x, y)
+        with monkeypatch.context() as without:
+            without.setattr(cells, "engine", lambda: None)
+            again = known.lanes(x, y)
+        assert all(map(np.array_equal, found, again))
