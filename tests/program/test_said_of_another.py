@@ -15,11 +15,12 @@ from chatscene.build.build import build
 from chatscene.program.doing import ACTS
 from chatscene.program.watching import watch
 from chatscene.situations.file import read_text
-from chatscene.terms.amount import Speed
+from chatscene.terms.amount import Length, Speed
+from chatscene.terms.episode import Event, EventKind, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scenario import Maneuver
-from chatscene.terms.situation import Deed
-from chatscene.terms.vocabulary import Act, UserKind, Where
+from chatscene.terms.situation import Deed, Ego, When
+from chatscene.terms.vocabulary import Act, Breach, UserKind, Where
 
 ALONG = np.arange(0.0, 121.0, 1.0)
 SWUNG = replace(
@@ -113,3 +114,53 @@ def test_what_is_built_shows_what_it_was_found_to_lack() -> None:
     assert "param signals = 'ego-green'" in _built(
         "{ego: {route: straight}, road: {kind: junction}, others: [{id: A, kind: van, starts: {where: behind}}]}"
     )
+
+
+def _called(track: Track, name: str) -> Track:
+    return replace(track, actor=name)
+
+
+def test_a_distance_between_two_others_is_measured_up_to_the_contact() -> None:
+    behind = _called(moving(12.0, 0.0, (100, 8.0, 0.0), speed=8.0), "A")
+    before = _called(moving(40.0, 0.0, (100, 8.0, 0.0), speed=8.0), "B")
+    alone = episode(behind, contact=60, through=True)  # as the ladder drives, which goes on
+    seen = replace(alone, tracks=(*alone.tracks, before))
+    follows = one(
+        other(Where.AHEAD, Deed(act=Act.FOLLOW, whom="B", distance=Length.of("24 m")), name="A"),
+        other(Where.AHEAD, Deed(act=Act.GO_ALONG), name="B"),
+    )
+    assert shown("others.A.does.0.distance", follows, seen) is not None
+
+
+def test_a_deed_to_somebody_who_is_not_there_is_not_shown() -> None:
+    alone = episode(_called(moving(12.0, 0.0, (100, 8.0, 0.0), speed=8.0), "A"))
+    overtakes = one(
+        other(Where.AHEAD, Deed(act=Act.OVERTAKE, whom="B"), name="A"),
+        other(Where.AHEAD, Deed(act=Act.BRAKE, when=When(ego_within=Length.of("10 m"), of="C")), name="B"),
+    )
+    assert shown("others.A.does.0.act", overtakes, alone) is False
+    assert shown("others.B.kind", overtakes, alone) is False
+
+
+def test_the_only_one_who_is_there_is_somebody_although_two_were_said(tmp_path: Path) -> None:
+    rows = ["time,id,kind,x,y,heading,speed,ego"]
+    for step in range(100):
+        rows += [f"{step / 10},me,car,{step},0,0,10,1", f"{step / 10},it,car,{20 + step},0,0,10,0"]
+    (tmp_path / "drive.csv").write_text("\n".join(rows))
+    said = read_text(
+        "others:\n"
+        "- {id: A, kind: car, starts: {where: ahead}, does: [{act: go-along}]}\n"
+        "- {id: B, kind: pedestrian, starts: {where: roadside, side: left}, does: [{act: cross}]}"
+    )
+    assert chatscene.verify(tmp_path / "drive.csv", said).who["A"] == "it"
+
+
+def test_what_is_told_of_a_rule_that_is_broken_is_what_is_seen() -> None:
+    said = replace(BRAKES, ego=Ego(does=(Deed(act=Act.GO_ALONG, breaks=Breach.RED_LIGHT),)))
+    drive = episode(moving(40.0, 0.0, (100, 8.0, 0.0), speed=8.0), contact=50)
+    for step, right in ((30, True), (70, None)):  # the second is after the contact
+        ran = Event(step=step, kind=EventKind.RED_LIGHT)
+        seen = found("ego.does.0.breaks", said, replace(drive, events=(*drive.events, ran)))
+        assert seen is not None
+        assert seen.shown is right
+        assert ("breaks" in seen.told) is (right is True)

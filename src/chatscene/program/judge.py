@@ -240,10 +240,12 @@ class _Judge:
             speed = np.abs(seen.track.speed[:3])
             yield self.measure.number(f"{at}.starts.speed", start.speed, speed, SLACK_SPEED, "starts at", cut=False)
         if one.hidden_by is not None:
+            hidden = self._hidden(one.hidden_by, seen, drives=start.where in _DRIVES_OUT)
+            between = "is" if hidden else "is not"
             yield Finding(
                 path=f"{at}.hidden_by",
-                shown=self._hidden(one.hidden_by, seen, drives=start.where in _DRIVES_OUT),
-                told=f"said hidden by {one.hidden_by}, which is not between it and the ego when it comes out",
+                shown=hidden,
+                told=f"said hidden by {one.hidden_by}, which {between} between it and the ego when it comes out",
             )
 
     def _hidden(self, by: str, seen: Seen, *, drives: bool) -> bool:
@@ -317,13 +319,17 @@ class _Judge:
         yield from self._amounts(path, deed, once, seen)
         if deed.manner is Manner.SLANTING:
             slants = any(True for _ in ACTIONS[Action.DIAGONAL](seen))
-            yield Finding(path=f"{path}.manner", shown=slants, told="said slanting, it goes straight over")
+            yield Finding(
+                path=f"{path}.manner",
+                shown=slants,
+                told=f"said slanting, it goes {'aslant' if slants else 'straight'} over",
+            )
         if deed.breaks is Breach.RED_LIGHT:
             ran = any(True for _ in ACTIONS[Action.RUN_LIGHT](seen))
             yield Finding(
                 path=f"{path}.breaks",
                 shown=ran or (None if self.contact is not None else False),
-                told="said red-light, it passes no red light",
+                told=f"said red-light, it passes {'a' if ran else 'no'} red light",
             )
         if deed.lateral is not None:
             yield from of_lateral(deed.lateral, one, f"{path}.lateral", seen, deed, once)
@@ -343,7 +349,8 @@ class _Judge:
         meets = act is Said.OVERTAKE and one.starts.where is Where.ONCOMING  # it comes over, and is met
         if whom not in (None, EGO) and act in TO_SOMEBODY:
             if not meets or any(self._counts(once, seen) for once in enters(seen)):
-                yield from (once for once in TO_SOMEBODY[act](self._beside(one, whom)) if self._counts(once, seen))
+                beside = self._beside(one, whom)
+                yield from (once for body in beside for once in TO_SOMEBODY[act](body) if self._counts(once, seen))
             return
         stands = act is Said.STAND and k > 0
         sees = partial(standing, since=latest) if stands else enters if meets else self._watcher(one, one.does[k])
@@ -374,10 +381,12 @@ class _Judge:
         parts = self._tracks(f"{one.id}-{LETS_GO[act]}")[before : before + 1]
         return tuple(watch(self.episode, self.route, part, self.contact) for part in parts)
 
-    def _beside(self, one: Other, whom: str) -> Seen:
-        """Somebody as who is done something to sees it, in the place of the ego."""
-        mine, theirs = (self._tracks(name)[0] for name in (one.id, whom))
-        return watch(self.episode, self.route, mine, self.contact, of=theirs)
+    def _beside(self, one: Other, whom: str) -> tuple[Seen, ...]:
+        """Somebody as seen by whom it does something to, who is in the place of the ego; none if that one is absent."""
+        mine = self._tracks(one.id)[0]
+        return tuple(
+            watch(self.episode, self.route, mine, self.contact, of=theirs) for theirs in self._tracks(whom)[:1]
+        )
 
     def _tracks(self, name: str) -> list[Track]:
         """The tracks of somebody, or of all of several."""
@@ -405,7 +414,7 @@ class _Judge:
         """Somebody as who is done something to sees it, if that is another than the ego."""
         if deed.whom in (None, EGO) or not (tracks := self._tracks(deed.whom or EGO)):
             return seen
-        return watch(self.episode, self.route, seen.track, of=tracks[0])
+        return watch(self.episode, self.route, seen.track, self.contact, of=tracks[0])
 
 
 def _other_way(before: Deed, deed: Deed) -> bool:

@@ -49,9 +49,10 @@ def of_ego(situation: Situation, episode: Episode, route: Route, contact: int | 
             left = situation.answered(deed) is not None  # to whoever drives it
             yield from _pedals(f"{path}.act", deed, speed, episode, route, contact, first=k == 0, left=left)
         if deed.breaks is not None and (kind := BROKEN.get(deed.breaks)) is not None:
-            broken = any(one.kind is kind for one in episode.events)
+            broken = any(one.kind is kind and (until is None or one.step < until) for one in episode.events)
             shown = broken or (None if contact is not None else False)
-            yield Finding(path=f"{path}.breaks", shown=shown, told=f"said {deed.breaks}, it keeps that rule")
+            told = f"said {deed.breaks}, it {'breaks' if broken else 'keeps'} that rule"
+            yield Finding(path=f"{path}.breaks", shown=shown, told=told)
         elif deed.breaks is not None:
             yield not_judged(f"{path}.breaks")
 

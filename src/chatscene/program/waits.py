@@ -69,8 +69,8 @@ class Waiting:
             yield Finding(path=f"{path}.{name}", shown=right, told=told, at=once.began * seen.dt)
         if when.delay is not None and (since := self._since(path, when, done, seen)) is not None:
             yield _later(f"{path}.delay", when.delay, *((once.began - step) * seen.dt for step in since))
-        if when.ego_within is not None:
-            yield self._near(path, deed, once, seen)
+        if when.ego_within is not None and (whom := self._whom(when, seen)) is not None:
+            yield self._near(path, deed, once, seen, whom)
 
     def _since(self, path: str, when: When, done: Mapping[str, Act], seen: Seen) -> tuple[int, int] | None:
         """The steps from which on a delay is counted, the latest first; None where that was not seen.
@@ -91,17 +91,19 @@ class Waiting:
         ends = max(other.done, settled(seen, other)) if own else other.done
         return ends, other.done
 
-    def _near(self, path: str, deed: Deed, once: Act, seen: Seen) -> Finding:
+    def _whom(self, when: When, seen: Seen) -> Seen | None:
+        """To whom the ego is to be near; None if that one is not there, which has a finding of its own."""
+        if when.of is None:
+            return seen
+        tracks = (track for track in self.episode.tracks if is_of(track.actor, when.of))
+        return next((watch(self.episode, self.route, track, self.contact) for track in tracks), None)
+
+    def _near(self, path: str, deed: Deed, once: Act, seen: Seen, whom: Seen) -> Finding:
         """How near the ego is to somebody when a deed begins."""
-        when = deed.when
-        assert when is not None
-        near = when.ego_within
+        assert deed.when is not None
+        near = deed.when.ego_within
         assert near is not None
         step = _comes(deed, once, seen)
-        whom = seen
-        if when.of is not None:
-            track = next(track for track in self.episode.tracks if is_of(track.actor, when.of))
-            whom = watch(self.episode, self.route, track, self.contact)
         seconds = isinstance(near, Duration)
         most = near.high if math.isfinite(near.high) else near.low
         nearest = min(how_near(whom, step, in_seconds=seconds), key=lambda one: abs(one - most))

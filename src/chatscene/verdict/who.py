@@ -151,6 +151,8 @@ def _casts(situation: Situation, episode: Episode) -> Iterator[Cast]:
     actors = [track for track in episode.tracks[1:] if np.isfinite(track.x).any() and not _is_part(track, episode)]
     actors.sort(key=lambda track: float(np.nanmin(np.hypot(track.x - ego.x, track.y - ego.y))))
     choices = [list(_choices(one, actors)) or [()] for one in situation.others]
+    if len(actors) < len(choices):  # somebody is not there
+        choices = [[*names, ()] for names in choices]
     for chosen in product(*choices):
         everybody = [name for names in chosen for name in names]
         if len(everybody) == len(set(everybody)):
