@@ -284,3 +284,11 @@ def test_who_backs_along_its_line_backs(beside: Path) -> None:
     assert float(lead.speed[75]) == pytest.approx(-2.0, abs=0.01)
     assert float(lead.heading[75]) == pytest.approx(math.pi / 2, abs=0.01)
     assert "backwards" not in " ".join(read_openscenario(beside / "theirs.xosc").notes)
+
+
+def test_who_is_told_to_back_backs_as_fast_as_it_is_told(beside: Path) -> None:
+    text = at_five(scenario(events=event(speed(-12, 0.0, "step"), TIME.format(90))))
+    text = text.replace('<AbsoluteTargetSpeed value="5"/>', '<AbsoluteTargetSpeed value="-12"/>', 1)
+    ego = driven(imported(beside, text), 20).ego_track
+    assert gone(ego, 10) == pytest.approx(12.0, abs=1.0)
+    assert float(ego.speed[10]) == pytest.approx(-12.0)

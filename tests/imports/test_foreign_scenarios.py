@@ -438,6 +438,20 @@ def test_a_shape_of_too_many_points_is_refused_before_they_are_made(inner: str, 
         shape_of(shaped(tmp_path, inner), Given(), _place)
 
 
+def test_a_segment_of_a_spline_begins_where_and_when_it_says(tmp_path: Path) -> None:
+    segment = '<ClothoidSplineSegment length="10" curvatureStart="0" curvatureEnd="0" timeStart="{}" hOffset="{}">{}</ClothoidSplineSegment>'
+    elsewhere = '<PositionStart><WorldPosition x="20" y="5"/></PositionStart>'
+    parts = segment.format(0, 0, "") + segment.format(2, "${pi / 2}", "") + segment.format(3, 0, elsewhere)
+    found = shape_of(shaped(tmp_path, f'<ClothoidSpline timeEnd="8">{parts}</ClothoidSpline>'), Given(), _place)
+    assert found.times is not None
+    at = dict(zip(found.times, found.points, strict=True))
+    assert at[0] == pytest.approx((0, 0))
+    assert at[2] == pytest.approx((10, 0))
+    assert at[3] == pytest.approx((10, 10))
+    assert at[8] == pytest.approx((30, 5))
+    assert (20.0, 5.0) in found.points
+
+
 def shaped(folder: Path, inner: str) -> Element:
     path = folder / "shape.xosc"
     path.write_text(f"<Trajectory><Shape>{inner}</Shape></Trajectory>")

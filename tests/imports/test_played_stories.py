@@ -361,3 +361,90 @@ def test_a_speed_of_a_profile_is_there_at_its_time_and_without_one_as_soon_as_ma
     pace = pace_of(("profile", "", ((time, 20.0),), 5.0), who, world)  # type: ignore[arg-type]
     assert pace is not None
     assert pace.speed(1.0) == pytest.approx(after)
+
+
+@pytest.mark.parametrize("times", [1, 3])
+def test_a_group_happens_as_often_as_it_may(times: int, beside: Path) -> None:
+    up = event(speed(9, 0.0, "step"), TIME.format(0.5), "up").replace('"rising"', '"none"')
+    down = event(speed(3, 1.0), STATE.format("event", "up", "completeState"), "down")
+    down = down.replace('"rising"', '"none"').replace('delay="0"', 'delay="0.5"')
+    group = '<ManeuverGroup name="{}" maximumExecutionCount="1"><Actors><EntityRef entityRef="lead"/></Actors><Maneuver name="n">{}</Maneuver></ManeuverGroup>'
+    text = scenario(events=up + down, more=group.format("later", event(DISTANCE, TIME.format(90), "later")))
+    found = driven(beside, text.replace('maximumExecutionCount="1"', f'maximumExecutionCount="{times}"', 1), 79)
+    track = found.tracks[1]
+    ups = sum(float(now) - float(was) > 3.0 for was, now in zip(track.speed, track.speed[1:], strict=False))
+    assert ups == times
+
+
+def test_what_an_event_overwrites_leaves_off_where_it_is(beside: Path) -> None:
+    over = event(JUMP, TIME.format(2), "jumps")
+    found = driven(beside, scenario(events=event(speed(15, 2.0), TIME.format(1)) + over), 60)
+    assert float(found.tracks[1].speed[55]) == pytest.approx(10.0, abs=0.1)
+
+
+@pytest.mark.parametrize("for_good", [True, False])
+def test_a_speed_beside_another_stays_once_it_is_reached_unless_it_is_for_good(for_good: bool) -> None:
+    world = Bodies(a=(0.0, 0.0, EAST, 10.0), b=(50.0, 0.0, EAST, 12.0))
+    who, other = world.entity("a"), world.entity("b")
+    pace = pace_of(("speed", "linear", "time", 1.0, ("delta", "b", 0.0, for_good)), who, world)
+    assert pace is not None
+    who.speed = pace.speed(1.0)
+    assert (who.speed, pace.done) == (pytest.approx(12.0), not for_good)
+    other.speed = 20.0
+    assert pace.speed(0.1) == pytest.approx(20.0 if for_good else 12.0)
+
+
+def test_a_change_at_a_rate_keeps_its_rate_while_the_speed_that_is_meant_moves() -> None:
+    world = Bodies(a=(0.0, 0.0, EAST, 10.0), b=(50.0, 0.0, EAST, 12.0))
+    who = world.entity("a")
+    pace = pace_of(("speed", "linear", "rate", 2.0, ("delta", "b", 0.0, False)), who, world)
+    assert pace is not None
+    for step in range(10):
+        world.entity("b").speed = 13.0 + step
+        who.speed = pace.speed(0.5)
+    assert who.speed == pytest.approx(20.0)
+
+
+@pytest.mark.parametrize(("faces", "at"), [((), 45.0), (((0.0, 0.0), (100.0, 0.0)), 45.0), (None, 55.0)])
+def test_who_backs_goes_back_on_a_line_along_which_the_file_has_it_look(faces: Any, at: float) -> None:
+    world = Bodies(a=(50.0, 0.0, EAST, -5.0))
+    line = Polyline([(0.0, 0.0), (100.0, 0.0)])
+    told = ("line", line, (), 50.0) if faces is None else ("line", line, (), 50.0, faces)
+    way = way_of(told, world.entity("a"), world)
+    assert way is not None
+    x, _, heading = way.goes(-5.0, 1.0)
+    assert x == pytest.approx(at)
+    assert math.remainder(heading - (math.pi if faces is None else 0.0), math.tau) == pytest.approx(0.0)
+
+
+def test_who_waits_on_a_timed_line_turns_by_the_times_that_are_told() -> None:
+    world = Bodies(a=(0.0, 0.0, EAST, 0.0))
+    table, faces = ((0.0, 0.0), (1.0, 10.0), (3.0, 10.0)), ((0.0, 0.0), (1.0, 0.0), (3.0, 4.0))
+    way = way_of(("line", Polyline([(0.0, 0.0), (10.0, 0.0)]), (True, table), 0.0, faces), world.entity("a"), world)
+    assert way is not None
+    assert [way.goes(0.0, t)[2] for t in (1.0, 2.0, 3.0)] == pytest.approx([0.0, 2.0, 4.0])
+
+
+@pytest.mark.parametrize(("heading", "left"), [(EAST, 3.0), (WEST, 1.0)])
+def test_an_offset_from_somebody_is_to_the_left_of_that_one(heading: float, left: float) -> None:
+    world = Bodies(a=(0.0, 0.0, EAST, 10.0), b=(50.0, 2.0, heading, 10.0))
+    way = way_of(("aside", "step", 0.0, ("of", "b", 1.0), False), world.entity("a"), world)
+    assert way is not None
+    assert way.goes(10.0, 1.0)[1] == pytest.approx(left)
+
+
+@pytest.mark.parametrize(("axis", "faster"), [((), 10.0), (("longitudinal",), -10.0), (("lateral",), 20.0)])
+def test_relative_speeds_are_seen_along_the_other_where_a_direction_is_asked(axis: Any, faster: float) -> None:
+    world = Bodies(a=(0.0, 0.0, NORTH, 20.0), b=(50.0, 2.0, EAST, 10.0))
+    asked = [truth_of(("faster", "any", ("a",), "greaterThan", faster + by, "b", *axis), world)() for by in (-0.1, 0.1)]
+    assert asked == [True, False]
+
+
+THING = '<MiscObject name="m" miscObjectCategory="obstacle"><BoundingBox><Center x="0" y="0" z="0.5"/><Dimensions width="0.5" length="1.5" height="1"/></BoundingBox></MiscObject>'
+
+
+def test_a_thing_goes_where_the_file_moves_it(beside: Path) -> None:
+    text = scenario(events=event(LONG, TIME.format(1)), body=THING)
+    track = driven(beside, text, 40).tracks[1]
+    assert float(track.y[39]) == pytest.approx(-345.0 + 5.0 * 2.9, abs=0.6)
+    assert (track.length, track.width) == (1.5, 0.5)

@@ -30,7 +30,6 @@ class Cast:
         ego: What the file calls the ego.
         names: What the story calls each of the file's road users.
         entities: Who there is in the file.
-        things: Those that do nothing: things, by their names in the file.
         route_of: The line of a Route.
         mirrored: Whether metres count to the right of who drives, as in CARLA.
         called: What the story calls its parts and variables.
@@ -44,7 +43,6 @@ class Cast:
     ego: str
     names: Mapping[str, str]
     entities: Entities
-    things: frozenset[str]
     route_of: Callable[[Element, Pose | None], Polyline]
     mirrored: bool
     called: Names

@@ -8,12 +8,13 @@ from collections.abc import Iterator
 from chatscene.imports.given import DEEPEST, Given, Refused
 from chatscene.imports.stranger_xml import Element
 from chatscene.situations.phrases import one_seen
-from chatscene.terms.actors import BY_CLASS, LIMITS
+from chatscene.terms.actors import BY_CLASS, LIMITS, LOOSE
 from chatscene.terms.nouns import with_article
 from chatscene.terms.storyboard import THING
 from chatscene.world.story.pace import UNBOUND
 
 _ALIKE = {"semitrailer": "Truck", "trailer": "Truck", "train": "Tram", "motorcycle": "Motorcycle"}
+_MOVED = "Load"  # as which a thing is shown that is moved
 _LEAST = 0.1  # [m] that anything is long and wide
 _ONE_OF = frozenset(("animal",))  # categories that say less than which of those here it is
 _TYPES = {
@@ -178,6 +179,11 @@ class Entities:
         if not (0.1 <= length <= 30 and 0.1 <= width <= 10):
             raise Refused(body, f"a body of {length:g} m by {width:g} m is not made here")
         return kind, length, width, ahead
+
+    def moving(self, one: Element) -> str:
+        """The class of a thing that is moved."""
+        named = self._properties(one).get("chatscene.kind", "")
+        return named if named in LOOSE else _MOVED
 
     def bounds(self, one: Element) -> tuple[float, ...]:
         """The largest speed [m/s], acceleration and deceleration [m/s²] of somebody; nothing where none is told."""

@@ -16,7 +16,7 @@ from chatscene.imports.shapes import line_through, shape_of
 from chatscene.imports.stranger_xml import Element
 from chatscene.maps.lane_curves import middle_line
 from chatscene.maps.onward import LENGTH, SHORTEST
-from chatscene.terms.actors import BY_CLASS, LIMITS, Manner
+from chatscene.terms.actors import BY_CLASS, LIMITS, REVERSE_SPEED, Manner
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.storyboard import EGO_ROUTE, Actor, Start
 from chatscene.terms.sums import number, valued
@@ -186,7 +186,10 @@ class Opening:
             shape = self._given.text(dynamics, "dynamicsShape", "step") if dynamics else "step"
             if shape != "step" and self._given.number(dynamics or action, "value", "0"):
                 self._given.note(action, "in Init a speed is there at once, whatever its dynamics")
-            return self._given.number(target, "value")
+            value = self._given.number(target, "value")
+            if value < -REVERSE_SPEED:
+                raise Refused(action, f"a body backs at {REVERSE_SPEED:g} m/s at most where a plan drives it")
+            return value
         return 0.0
 
     def _host(self, name: str) -> Actor:

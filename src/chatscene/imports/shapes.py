@@ -13,7 +13,7 @@ from chatscene.imports.stranger_xml import Element
 from chatscene.terms.polyline import Polyline
 
 _STEP = 0.5  # [m] between points of a curve
-_PARTS = 8  # of a NURBS between two of its control points
+_PARTS = 32  # of a NURBS between two of its control points
 _MOST = 20_000  # points
 _HIGHEST = 12  # order of a NURBS
 _SHORTEST = 0.02  # [m] that a line is long at least: a program says its points to the centimetre
@@ -34,7 +34,8 @@ class Shape:
         points: x and y of each [m], those at which somebody waits twice.
         times: When each is passed [s]; None where no time is told.
         line: The line through them.
-        faces: Which way somebody looks at each point [rad]; None where that is along the line.
+        faces: Which way somebody looks at each point [rad]; empty where that is along the line, as the file says;
+            None where it does not say it.
     """
 
     points: tuple[tuple[float, float], ...]
@@ -109,7 +110,7 @@ def _polyline(one: Element, given: Given, place: Places) -> _Traced:
 
 
 def _faces(one: Element, points: tuple[tuple[float, float], ...], place: Places) -> tuple[float, ...] | None:
-    """Which way somebody looks at each vertex, where each says so and it is not along the line."""
+    """Which way somebody looks at each vertex, where each says so; empty where all of it is along the line."""
     positions = [found for vertex in one.all("Vertex") if (found := vertex.find("Position")) is not None]
     if not all(_says_heading(position) for position in positions):
         return None
@@ -119,7 +120,7 @@ def _faces(one: Element, points: tuple[tuple[float, float], ...], place: Places)
         for face, (x0, y0), (x1, y1) in zip(faces, points, points[1:], strict=False)
         if math.hypot(x1 - x0, y1 - y0) > _SHORTEST
     )
-    return faces if any(abs(math.remainder(face - way, math.tau)) > _TURNED / 2 for face, way in ways) else None
+    return faces if any(abs(math.remainder(face - way, math.tau)) > _TURNED / 2 for face, way in ways) else ()
 
 
 def _says_heading(position: Element) -> bool:
@@ -127,58 +128,66 @@ def _says_heading(position: Element) -> bool:
     return "h" in inner.attributes or any("h" in one.attributes for one in inner.all("Orientation"))
 
 
-def _start(one: Element, tag: str, place: Places) -> Pose:
+def _start(one: Element, tag: str, place: Places, otherwise: Pose = (0.0, 0.0, 0.0)) -> Pose:
     position = one.find(tag)
-    return place(position) if position is not None else (0.0, 0.0, 0.0)
+    return place(position) if position is not None else otherwise
 
 
 def _clothoid(one: Element, given: Given, place: Places) -> _Traced:
     length = given.number(one, "length")
     prime = next((name for name in ("curvaturePrime", "curvatureDot") if name in one.attributes), "curvaturePrime")
     curvature, slope = given.number(one, "curvature"), given.number(one, prime, "0")
-    bend = (length, curvature, curvature + slope * length, 0.0)
-    points = _bent(one, _start(one, "Position", place), [bend])
+    points, _ = _bent(one, _start(one, "Position", place), (length, curvature, curvature + slope * length))
     ends = [given.number(one, name) for name in ("startTime", "stopTime") if name in one.attributes]
     return points, _evenly(points, ends[0], ends[1]) if len(ends) == 2 else None
 
 
 def _spline(one: Element, given: Given, place: Places) -> _Traced:
+    """A clothoid for each segment, which begins where the one before ends, or where it says, turned by `hOffset`."""
     segments = one.all("ClothoidSplineSegment")
     if not segments:
         raise Refused(one, "it has no segment")
-    bends = [
-        (
-            given.number(part, "length"),
-            given.number(part, "curvatureStart"),
-            given.number(part, "curvatureEnd"),
-            given.number(part, "hOffset", "0"),
-        )
-        for part in segments
-    ]
-    points = _bent(one, _start(segments[0], "PositionStart", place), bends)
-    ends = [given.number(part, "timeEnd") for part in segments if "timeEnd" in part.attributes]
-    return points, _evenly(points, 0.0, ends[-1]) if len(ends) == len(segments) else None
+    points: list[tuple[float, float]] = []
+    ends: list[int] = []
+    at: Pose = (0.0, 0.0, 0.0)
+    for part in segments:
+        at = _start(part, "PositionStart", place, at)
+        bend = tuple(given.number(part, name) for name in ("length", "curvatureStart", "curvatureEnd"))
+        x, y, heading = at
+        traced, at = _bent(one, (x, y, heading + given.number(part, "hOffset", "0")), bend)
+        points += traced[1:] if points and math.dist(points[-1], traced[0]) < _SHORTEST else traced
+        _counted(one, len(points))
+        ends.append(len(points) - 1)
+    begins = [given.number(part, "timeStart") for part in segments if "timeStart" in part.attributes]
+    if len(begins) != len(segments) or "timeEnd" not in one.attributes:
+        return tuple(points), None
+    times: list[float] = []
+    for first, last, begin, end in zip(
+        [0, *ends], ends, begins, [*begins[1:], given.number(one, "timeEnd")], strict=False
+    ):
+        times[-1:] = _evenly(points[first : last + 1], begin, end)
+    return tuple(points), tuple(times)
 
 
-def _bent(
-    one: Element, start: Pose, bends: Sequence[tuple[float, float, float, float]]
-) -> tuple[tuple[float, float], ...]:
-    """The points of curves whose curvature changes evenly: length [m], curvature at both ends [1/m], a turn before."""
-    x, y, heading = start
-    points = [(x, y)]
-    if (none := next((length for length, *_ in bends if length <= 0.0), None)) is not None:
-        raise Refused(one, f"a curve of {none:g} m is none")
-    parts = [math.ceil(length / _STEP) for length, *_ in bends]
-    _counted(one, sum(parts))
-    for (length, first, last, turn), steps in zip(bends, parts, strict=True):
+def _bent(one: Element, start: Pose, bend: tuple[float, ...]) -> tuple[tuple[tuple[float, float], ...], Pose]:
+    """The points of a curve whose curvature changes evenly, and how it ends.
+
+    Args:
+        one: The element.
+        start: Where it begins.
+        bend: Its length [m], and its curvature at both ends [1/m].
+    """
+    (x, y, heading), (length, first, last) = start, bend
+    if length <= 0.0:
+        raise Refused(one, f"a curve of {length:g} m is none")
+    steps = _counted(one, math.ceil(length / _STEP))
+    points, ds = [(x, y)], length / steps
+    for i in range(steps):
+        turn = ds * (first + (last - first) * (i + 0.5) / steps)
+        x, y = x + ds * math.cos(heading + turn / 2), y + ds * math.sin(heading + turn / 2)
         heading += turn
-        ds = length / steps
-        for i in range(steps):
-            at = heading + ds * (first + (last - first) * (i + 0.5) / steps) / 2
-            x, y = x + ds * math.cos(at), y + ds * math.sin(at)
-            heading += ds * (first + (last - first) * (i + 0.5) / steps)
-            points.append((x, y))
-    return tuple(points)
+        points.append((x, y))
+    return tuple(points), (x, y, heading)
 
 
 def _evenly(points: Sequence[tuple[float, float]], begin: float, end: float) -> tuple[float, ...]:

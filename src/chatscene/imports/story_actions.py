@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from itertools import pairwise
+from collections.abc import Sequence
+from itertools import accumulate, pairwise
 from typing import Any
 
 from chatscene.imports.cast import Cast, told_number
@@ -241,13 +242,13 @@ class StoryActions:
         start, length = self._given.number(one, "initialDistanceOffset", "0"), shape.line.length
         if not 0.0 <= start < length:
             raise Refused(one, f"its line is {length:.0f} m long, and {start:g} m is not on it")
-        faces = _faces(shape)
         timing = one.find("TimeReference", "Timing")
         if timing is None or shape.times is None:
-            return ("line", line, (), start, *faces)
+            return ("line", line, (), start, *_faces(shape, _gone(shape.points)))
         scale, shift = self._given.number(timing, "scale", "1"), self._given.number(timing, "offset", "0")
         absolute = self._given.text(timing, "domainAbsoluteRelative", "relative") == "absolute"
-        table = _table(shape.points, shape.times, scale, shift)
+        times = [time * scale + shift for time in shape.times]
+        table, faces = tuple(zip(times, _gone(shape.points), strict=True)), _faces(shape, times)
         mode = one.find("TrajectoryFollowingMode") or one
         steadily = self._given.text(mode, "followingMode", "follow") == "follow"
         if steadily and len(table) > MOST_TIMES:
@@ -264,29 +265,24 @@ class StoryActions:
         return ("way", self._cast.known(line))
 
 
-def _faces(shape: Shape) -> tuple[Told, ...]:
-    """Which way somebody looks where on its line, without what lies between two others evenly; nothing for along it."""
-    if shape.faces is None:
-        return ()
-    gone, turned = 0.0, shape.faces[0]
-    table = [(0.0, turned)]
-    for (a, b), face in zip(pairwise(shape.points), shape.faces[1:], strict=True):
-        gone += math.dist(a, b)
+def _faces(shape: Shape, passed: Sequence[float]) -> tuple[Told, ...]:
+    """Which way somebody looks where on its line, or when, without what lies between two others evenly.
+
+    None where that is not told.
+    """
+    if not shape.faces:
+        return () if shape.faces is None else ((),)
+    turned = shape.faces[0]
+    table = [(passed[0], turned)]
+    for at, face in zip(passed[1:], shape.faces[1:], strict=True):
         turned += math.remainder(face - turned, math.tau)
-        table.append((gone, turned))
+        table.append((at, turned))
     return (tuple((round(table[i][0], 3), round(table[i][1], 4)) for i in thinned_faces(table)),)
 
 
-def _table(
-    points: tuple[tuple[float, float], ...], times: tuple[float, ...], scale: float, shift: float
-) -> tuple[tuple[float, float], ...]:
-    """When how much of a line is to be behind somebody."""
-    gone = 0.0
-    table = [(times[0] * scale + shift, 0.0)]
-    for (a, b), time in zip(pairwise(points), times[1:], strict=True):
-        gone += math.dist(a, b)
-        table.append((time * scale + shift, gone))
-    return tuple(table)
+def _gone(points: tuple[tuple[float, float], ...]) -> list[float]:
+    """How much of a line is behind somebody at each of its points [m]."""
+    return [0.0, *accumulate(math.dist(a, b) for a, b in pairwise(points))]
 
 
 def _thinned(table: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:

@@ -173,8 +173,10 @@ class StoryConditions:
                 self._along(one)
                 return ("acceleration", self._rule(one), cast.value(one, "value"))
             case "RelativeSpeedCondition":
-                self._along(one)
-                return ("faster", self._rule(one), cast.value(one, "value"), cast.who(one))
+                axis = g.text(one, "direction", "")
+                if axis not in ("", "longitudinal", "lateral"):
+                    raise Refused(one, "it asks upward; nobody moves so here")
+                return ("faster", self._rule(one), cast.value(one, "value"), cast.who(one), *([axis] if axis else []))
             case "TraveledDistanceCondition":
                 return ("travelled", cast.value(one, "value"))
             case "StandStillCondition":

@@ -21,15 +21,15 @@ from chatscene.imports.written_story import Line, Member, StoryProgram, Told
 from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.plan import Expression, Parameter, walk
-from chatscene.terms.storyboard import EGO_ROUTE
+from chatscene.terms.storyboard import EGO_ROUTE, THING
 from chatscene.terms.sums import valued
 from chatscene.terms.surroundings import Surroundings
 from chatscene.world.story.pace import SHORT, lasts
 from chatscene.world.story.places import AWAY
 
-_BACKS = 3.0  # [m/s] at which somebody drives backwards at most
+_BACKS = 3.0  # [m/s] at which a body begins backwards at most, and an ego under test with it
 _ITS_ROUTE: Told = ("", "way", Line(EGO_ROUTE))  # what the ego's route of Init is to its story
-_MOST_TIMES = 1_000  # that an event happens
+_MOST_TIMES = 1_000  # that a group or an event happens
 
 
 class StoryReader(Opening):
@@ -43,10 +43,13 @@ class StoryReader(Opening):
         super().__init__(root, given, map_path, ego)
         self.untold: list[str] = []
         self._begins = set[str]()
+        self._told_first: dict[str, float] = {}  # speeds [m/s], whatever a body begins at
+        self._tested = ""
 
     def program(self) -> StoryProgram | None:
         """The story; None where the ego is not known. What else is refused, is among the refusals."""
         ego = self._attempt(self._entities.ego)
+        self._tested = ego or ""
         host = None if ego is None else self._attempt(lambda: self._host(ego))
         if ego is None or host is None:
             return None
@@ -64,7 +67,6 @@ class StoryReader(Opening):
             ego=ego,
             names={ego: "ego", **{name: one.name for name, one in others.items()}},
             entities=self._entities,
-            things=frozenset(name for name, one in others.items() if not _moves(one.kind)),
             route_of=self._line_of_route,
             mirrored=self._side < 0,
             called=called,
@@ -76,9 +78,13 @@ class StoryReader(Opening):
         told_first = {ego: first, **others}
         acts = (*self._at_first(cast, told_first, self._begins_at(ego, host.speed)), *story.acts())
         stop = self._attempt(story.stop)
-        acting = story.acting | self._begins | {name for name, one in others.items() if one.speed}
+        fast = {name for name in others if self._told_first.get(name)}
+        acting = story.acting | self._begins | fast
         drives = not self.untold and (ego in acting or bool(host.speed))
-        members = [replace(first, acts=drives), *(replace(one, acts=n in acting) for n, one in others.items())]
+        members = [
+            replace(first, acts=drives),
+            *(self._acting(one, name in acting, name) for name, one in others.items()),
+        ]
         surroundings = self._attempt(lambda: surroundings_of(self._actions(), self._given)) or Surroundings()
         if not any(one.acts for one in members[1:]):
             self._given.note(self._root, "nobody but the ego does anything; everybody else stands")
@@ -152,6 +158,11 @@ class StoryReader(Opening):
             waiting = left
         return {name: found[name] for name in self._objects if name in found}
 
+    def _acting(self, one: Member, acts: bool, name: str) -> Member:
+        """Somebody who does something, or nothing; a thing that does something is of a class that moves."""
+        kind = self._entities.moving(self._objects[name]) if acts and one.kind == THING else one.kind
+        return replace(one, acts=acts, kind=kind)
+
     def _member(self, name: str, called: Names) -> Member | None:
         one = self._objects[name]
         kind, length, width, ahead = self._entities.body(one)
@@ -207,12 +218,13 @@ class StoryReader(Opening):
                 )
             else:
                 raise Refused(speed, "it has no target")
-            if not _moves(kind):
-                if value:
-                    raise Refused(action, "a thing does nothing here")
+            if not _moves(kind):  # which is moved by the story, not by what it can
+                self._told_first[name] = value
                 return 0.0
-            kept = min(max(value, -_BACKS), LIMITS[kind].top_speed)
-            if kept != value:
+            top = LIMITS[kind].top_speed
+            self._told_first[name] = min(max(value, -top), top)
+            kept = max(self._told_first[name], -_BACKS)
+            if kept != value and (value > 0.0 or name == self._tested):
                 self._given.note(action, f"{one_seen(kind)} goes at {kept:g} m/s at most, where it says {value:g} m/s")
             return kept
         return 0.0
@@ -238,11 +250,10 @@ class StoryReader(Opening):
             told = [found for action in self._inits.get(name, []) for found in self._begun(name, action, cast, actions)]
             if any(one != _ITS_ROUTE for one in told):
                 self._begins.add(name)
-            if name == cast.ego and member.speed != speed:
-                told.insert(0, ("", "speed", "step", "time", 0.0, ("to", speed)))
+            begins = speed if name == cast.ego else self._told_first.get(name, member.speed)
+            if member.speed != begins:
+                told.insert(0, ("", "speed", "step", "time", 0.0, ("to", begins)))
             if told:
-                if not _moves(member.kind):
-                    self._given.refusals.append(str(Refused(self._objects[name], "a thing does nothing here")))
                 event: Told = ("", "", "parallel", 1, None, tuple(told))
                 groups.append(("", 1, (member.name,), (event,)))
         if groups:
@@ -295,7 +306,8 @@ class StoryReader(Opening):
     def _begins_at(self, ego: str, speed: float) -> float:
         """How fast the ego is at first [m/s], of which a speed is told."""
         told = [action.find("SpeedAction") for action in self._inits.get(ego, [])]
-        return 0.0 if any(one is not None and self._is_gradual(one) for one in told) else speed
+        gradual = any(one is not None and self._is_gradual(one) for one in told)
+        return 0.0 if gradual else self._told_first.get(ego, speed)
 
     # What the story reader asks
 
@@ -362,9 +374,12 @@ class _Story:
             for event in maneuver.all("Event")
             if (found := self._opening.attempt(lambda e=event, m=called: self._event(e, m, names))) is not None
         ]
-        if events and self._given.text(group, "maximumExecutionCount", "1") not in ("1", "0", ""):
-            self._given.note(group, "a group happens once; its events may happen more often")
-        return (self._cast.part(group), 1, tuple(self._cast.names[name] for name in names), tuple(events))
+        return (
+            self._cast.part(group),
+            self._times(group),
+            tuple(self._cast.names[name] for name in names),
+            tuple(events),
+        )
 
     def _event(self, event: Element, maneuver: str, names: tuple[str, ...]) -> Told | None:
         start = self._conditions.trigger(event.find("StartTrigger"))
@@ -375,16 +390,20 @@ class _Story:
             for action in event.all("Action")
             for inner in action.inside
         ]
-        times = self._given.count(event, "maximumExecutionCount", "1")
         priority = self._given.text(event, "priority", "parallel")
         return (
             maneuver,
             self._cast.part(event),
             priority,
-            times if 0 < times < _MOST_TIMES else _MOST_TIMES if times else 1,
+            self._times(event),
             start,
             tuple(actions),
         )
+
+    def _times(self, one: Element) -> int:
+        """How often a group or an event may happen."""
+        times = self._given.count(one, "maximumExecutionCount", "1")
+        return times if 0 < times < _MOST_TIMES else _MOST_TIMES if times else 1
 
     def _does(self, inner: Element, names: tuple[str, ...]) -> Told:
         if inner.tag == "GlobalAction":
@@ -412,9 +431,6 @@ class _Story:
             return ("wait", SHORT)
         if told != ("nothing",):
             self.acting.update(names)
-            still = [name for name in names if name in self._cast.things]
-            if still:
-                raise Refused(inner, f"{still[0][:40]} is a thing, which does nothing here")
         return told
 
     def _once(self, told: Told | None) -> str:

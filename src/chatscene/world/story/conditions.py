@@ -8,7 +8,7 @@
 about ('any' or 'all', (who, …)):
 ('speed', quantor, whose, rule, m/s) ('acceleration', …, rule, m/s²) ('travelled', …, m)
 ('stands', quantor, whose, s) ('lost', quantor, whose, s)
-('faster', quantor, whose, rule, m/s, than whom)
+('faster', quantor, whose, rule, m/s, than whom, 'longitudinal', 'lateral' or nothing)
 ('turned', quantor, whose, rad, tolerance)
 ('apart', quantor, whose, rule, m, from whom or place, 'longitudinal' or 'lateral' or '', frame, freespace)
 ('headway', …, the same, in s) ('collision-in', …, the same, in s)
@@ -23,7 +23,7 @@ import operator
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from chatscene.world.story.entities import Entity, Motion, apart, closing, seen
+from chatscene.world.story.entities import Entity, Motion, apart, closing, faster, seen
 from chatscene.world.story.places import Place
 
 RULES: dict[str, Callable[[Any, Any], bool]] = {
@@ -108,8 +108,9 @@ def _about(kind: str, who: Entity, told: list[Any], world: World) -> Callable[[]
             who.is_watched = True
             return lambda: who.lost > told[0]
         case "faster":
-            rule, than = RULES[told[0]], world.entity(told[2])
-            return lambda: rule(who.speed - than.speed, told[1])
+            rule, value, than, *axis = told
+            rule, other, along = RULES[rule], world.entity(than), axis[0] if axis else ""
+            return lambda: rule(faster(who, other, along), value)
         case "turned":
             return lambda: abs(math.remainder(who.pose[2] - told[0], math.tau)) <= told[1]
         case "touches":

@@ -132,16 +132,29 @@ class Entity:
     def onward_line(self, line: Polyline) -> Polyline | None:
         """The line of the lane at the end of a line, and of those it leads to; None where that leads nowhere."""
         (x, y), heading = line.point_at(line.length), line.heading_at(line.length)
+        onward = self._lane_on(x, y, heading)
+        if onward is None:  # at the seam of two roads
+            onward = self._lane_on(x + _ENDS * math.cos(heading), y + _ENDS * math.sin(heading), heading, since=_ENDS)
+        return onward
+
+    def _lane_on(self, x: float, y: float, heading: float, since: float = 0.0) -> Polyline | None:
+        """What is left of the lane at a place, and of those it leads to, the way it is gone; None where nothing is.
+
+        It begins so far [m] before the place.
+        """
         section = self._network.laneSectionAt((x, y))
         if section is None:
             return None
         lane = laneLine(section.lane, 0.0, middle_line)
         at = lane.project(x, y)[0]
-        if math.cos(heading - lane.heading_at(at)) < 0.0:
+        along = math.cos(heading - lane.heading_at(at))
+        if abs(along) < math.cos(_ACROSS):
+            return None
+        if along < 0.0:
             at, found = lane.length - at, Polyline(lane.points[::-1])
         else:
             found = laneLine(section.lane, at + _ONWARD, middle_line)
-        return found.between(at, found.length) if found.length - at > _ENDS else None
+        return found.between(max(at - since, 0.0), found.length) if found.length - at > _ENDS else None
 
     def lane_line(self, number: int) -> Polyline:
         """The line of a lane of its road, by its number in OpenDRIVE, in the order in which it goes along it.
@@ -250,6 +263,14 @@ def closing(one: Entity, other: Motion, how: str, frame: str) -> float:
     ahead, aside = seen(one.origin, one.line, (ox, oy), frame)
     axis, far = (0, ahead) if how == "longitudinal" else (1, aside)
     return (_turned(vx, vy, own)[axis] - _turned(ux, uy, theirs)[axis]) * math.copysign(1.0, far)
+
+
+def faster(one: Entity, than: Entity, axis: str) -> float:
+    """How much faster somebody is than another [m/s]: along the other's heading or to its left, or whichever way."""
+    if not axis:
+        return one.speed - than.speed
+    ahead, left = _turned(*one.velocity, than.pose[2])
+    return ahead - than.speed if axis == "longitudinal" else left
 
 
 def _turned(x: float, y: float, heading: float) -> tuple[float, float]:

@@ -18,6 +18,7 @@ from chatscene.world.story.entities import Entity, along, offset
 _NEAR = 0.1  # [m] within which a distance is reached
 _SPRING = 0.4  # of the largest acceleration, per metre: how hard a distance is pulled to, with no swinging past it
 _STANDS = 1e-6  # [m/s]
+_PAST = 1e-3  # [m] by which somebody comes farther from a place that lies behind it
 UNBOUND = 1e3  # [m/s] and [m/s²], from which on a limit is none
 NO_TIME = -1.0  # in the place of the time of a speed that is to be reached as soon as may be
 _FREE = (UNBOUND,) * 3
@@ -95,32 +96,47 @@ def target_of(told: tuple[Any, ...], world: World) -> Any:
 class Change(Pace):
     """Brings a speed to another within a time, over a distance or at a rate; a step is held for as long as is told.
 
-    It takes longer where the body is said to be slower.
+    It takes longer where the body is said to be slower, and at a rate where the speed meant changes meanwhile.
     """
 
     def __init__(self, who: Entity, world: World, shape: str, dimension: str, amount: float, target: Any) -> None:
-        self._who, self._world = who, world
+        self._who, self._dimension, self._amount = who, dimension, abs(amount)
         self._target, self._for_good = target_of(target, world)
-        self._from, self._began, self._at = who.speed, world.time, who.travelled
-        self._holds, self._in_metres = (abs(amount) if shape == "step" else 0.0), dimension == "distance"
-        change, wish = self._wish() - self._from, self._wish()
-        self._shape, self._lasts = shape, 0.0
-        if shape != "step" and amount != 0.0 and change != 0.0:
-            self._lasts = _lasts(dimension, abs(amount), self._from, wish, shape)
-            most = who.bounds.up if change > 0.0 else who.bounds.down
-            self._lasts = max(self._lasts, abs(change) * STEEPEST.get(shape, 1.0) / most)
+        self._from, self._at, self._passed, self._since, self._shape = who.speed, who.travelled, 0.0, 0.0, shape
+        self._holds = self._amount if shape == "step" else 0.0
+        self._lasts = self._takes()
 
     def speed(self, dt: float) -> float:
-        """Where the change has come to."""
-        since = self._world.time + dt - self._began
-        share = since / self._lasts if self._lasts > 0.0 else 1.0
-        wish, bounds = self._wish(), self._who.bounds
-        now = self._from + (wish - self._from) * shaped(self._shape, share)
+        """Where the change has come to; once it is over, the speed stays, whatever the other one does."""
+        if self.done:
+            return self._who.speed
+        self._since += dt
+        self._passed += dt
+        if self._dimension == "rate":
+            self._lasts = self._takes()
+        share = self._passed / self._lasts if self._lasts > 0.0 else 1.0
+        now, bounds, speed = self._between(share), self._who.bounds, self._who.speed
         if self._lasts and dt:
-            now = min(max(now, self._who.speed - bounds.down * dt), self._who.speed + bounds.up * dt)
-        held = self._who.travelled - self._at if self._in_metres else since
+            can = min(max(now, speed - bounds.down * dt), speed + bounds.up * dt)
+            if can != now and share < 1.0:  # the change waits for the body
+                self._passed -= dt * (1.0 - (can - speed) / (now - speed))
+            now = can
+        held = self._who.travelled - self._at if self._dimension == "distance" else self._since
         self.done = share >= 1.0 - 1e-9 and not self._for_good and held >= self._holds - 1e-9
         return now
+
+    def _between(self, share: float) -> float:
+        return self._from + (self._wish() - self._from) * shaped(self._shape, share)
+
+    def _takes(self) -> float:
+        """How long it takes [s] to the speed that is meant now; no time for a step."""
+        wish = self._wish()
+        change = wish - self._from
+        if self._shape == "step" or self._amount == 0.0 or change == 0.0:
+            return 0.0
+        most = self._who.bounds.up if change > 0.0 else self._who.bounds.down
+        lasts = _lasts(self._dimension, self._amount, self._from, wish, self._shape)
+        return max(lasts, abs(change) * STEEPEST.get(self._shape, 1.0) / most)
 
     def _wish(self) -> float:
         top = self._who.bounds.top
@@ -201,7 +217,7 @@ class Meeting(Pace):
         self._ours, self._theirs = world.place(ours), world.place(theirs)
         self._final = target_of(final[0], world)[0] if final else None
         self._steady = final[1:] if final else (0.0, 0.0)
-        self._last, self._is_linear, self._line = (math.inf, math.inf), False, who.line
+        self._last, self._is_linear, self._lines = (math.inf, math.inf), False, (who.line, other.line)
 
     def speed(self, dt: float) -> float:
         """Its speed after a step."""
@@ -209,9 +225,11 @@ class Meeting(Pace):
             return self._who.speed
         left, theirs = abs(_left(self._who, self._ours.pose())), abs(_left(self._other, self._theirs.pose()))
         pace, speed = abs(self._other.speed), self._who.speed
-        if self._who.line is not self._line:  # along which the place may be farther
-            self._line, self._last = self._who.line, (math.inf, math.inf)
-        self.done = left > self._last[0] or theirs > self._last[1] or (pace > _STANDS and theirs / pace < dt)
+        lines = self._who.line, self._other.line
+        if any(line is not was for line, was in zip(lines, self._lines, strict=True)):  # the places may be farther
+            self._lines, self._last = lines, (math.inf, math.inf)
+        away = left > self._last[0] + _PAST or theirs > self._last[1] + _PAST
+        self.done = away or (pace > _STANDS and theirs / pace < dt)
         self._last = left, theirs
         if self.done:
             return self._final() if self._final else speed

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import product
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -66,6 +67,11 @@ class Trigger:
         self._story = story
         self._groups = [[_Condition(one, story) for one in group] for group in told or ()]
 
+    def forgets(self) -> None:
+        """Begin anew: nothing was asked before."""
+        for condition in (one for group in self._groups for one in group):
+            condition.forgets()
+
     def holds(self) -> bool:
         """Whether it holds now; to be asked once in each step in which it counts."""
         if self._empty is not None:
@@ -78,6 +84,9 @@ class _Condition:
     def __init__(self, told: tuple[Any, ...], story: Story) -> None:
         self._edge, self._delay, *what = told
         self._story, self._truth = story, truth_of(tuple(what), story)
+        self.forgets()
+
+    def forgets(self) -> None:
         self._before: bool | None = None
         self._since: list[tuple[float, bool]] = []
 
@@ -247,6 +256,8 @@ class Story:
             return
         for event in act.events:
             self._follow(event, act)
+        for group in act.groups:
+            self._again(group, act)
         if all(event.complete for event in act.events):
             self._end_all(act)
 
@@ -264,6 +275,20 @@ class Story:
         whole = [one for one in act.events if one.maneuver is maneuver]
         if maneuver is not None and maneuver.running and all(one.complete for one in whole):
             self._end(maneuver)
+
+    def _again(self, group: Part, act: _Act) -> None:
+        """End a group whose events are over, and let it begin anew if it may."""
+        own = [one for one in act.events if one.maneuver is not None and one.maneuver.above is group]
+        if not (group.running and own and all(one.complete for one in own)):
+            return
+        self._end(group)
+        if group.count < group.most:
+            self._begin(group)
+            for maneuver in (one for one in act.maneuvers if one.above is group):
+                self._begin(maneuver)
+            for event in own:
+                event.count = 0
+                event.start.forgets()
 
     def _start(self, event: _Event, act: _Act) -> None:
         """Let an event begin whose trigger holds, and what it overwrites end."""
@@ -318,9 +343,10 @@ class Story:
 
     def _halt(self, event: _Event) -> None:
         if event.running:
-            for action in event.actions:
-                if action.running:
-                    self._end(action, stopped=True)
+            for action in (one for one in event.actions if one.running):
+                self._end(action, stopped=True)
+                for name, mode in product(event.actors, action.modes):
+                    self._movers[name].stops(mode)
             self._end(event, stopped=True)
 
 
@@ -372,6 +398,17 @@ class Mover:
             self._paces(Steady(self._who.speed))
         self._way.done = True
         self._way, self._who.line = way, way.line
+
+    def stops(self, mode: Pace | Way) -> None:
+        """Leave off what goes on: keep the speed, and the distance from the line, as they are now."""
+        if mode.done:
+            return
+        if mode is self._pace:
+            self._paces(Steady(self._who.speed))
+        elif mode is self._way and self._way.ends:
+            self._along_its_lane()
+        elif mode is self._way:
+            self._goes(self._way.steady())
 
     def _along_its_lane(self) -> None:
         self._who.line = self._who.own_line()

@@ -4,7 +4,8 @@
 ('aside', shape, most lateral acceleration, target, for good)   target: ('to' or 'mine', left) or ('of', whom, left)
 ('line', points or (place, points), times, start, faces)   times: () or (absolute, ((s, m), …), evenly); start: where on
                                                       it [m]; evenly: each piece at a steady acceleration;
-                                                      faces: none, or ((m, rad), …): which way it looks where
+                                                      faces: none, or ((m, rad), …): which way it looks where;
+                                                      with times ((s, rad), …): when
 ('way', points)                                       a route: followed from now on
 ('beside', whom, distance, side, freespace, for good)
 """
@@ -51,6 +52,7 @@ class Way:
     ends = timed = False
 
     def __init__(self, who: Entity, line: Polyline, left: float | None = None) -> None:
+        self._who = who
         x, y, heading = who.origin
         self.at, beside = along(line, x, y)
         self.line, self._left, self.done = line, beside if left is None else left, True
@@ -59,6 +61,12 @@ class Way:
     def untimed(self) -> Way:
         """The same, without speeds."""
         return self
+
+    def steady(self) -> Way:
+        """The way along the same line, as far beside it as somebody is now."""
+        way = Way(self._who, self.line)
+        way._turn = 0.0
+        return way
 
     def goes_on_along(self, line: Polyline) -> None:
         """Go on as before, along another line that begins where this one ends, and as far beside it."""
@@ -184,22 +192,25 @@ class Line(Way):
         line: The line.
         times: When how much of it is behind somebody: whether by the time of the story, and times [s] and ways [m].
         start: Where on it somebody begins [m].
-        faces: Which way somebody looks where: ways [m] and headings [rad]; none for along the line.
+        faces: Which way somebody looks where: ways [m], or with a time table times [s], and headings [rad, not
+            wrapped]; empty for along the line, whichever way it is gone along; None for the way that somebody goes.
     """
 
     ends = True
 
-    def __init__(self, who: Entity, world: World, line: Polyline, times: Any, start: float, faces: Any = ()) -> None:
+    def __init__(self, who: Entity, world: World, line: Polyline, times: Any, start: float, faces: Any = None) -> None:
         super().__init__(who, line, 0.0)
-        self.at, self._world, self._faces, self._start = min(start, line.length), world, tuple(faces), start
+        self._faces: tuple[tuple[float, float], ...] = tuple(faces or ())
+        self.at, self._world, self._start = min(start, line.length), world, start
         absolute, self._table, *evenly = times or (False, ())
         self.timed, self.done = bool(self._table), False
         self._began = 0.0 if absolute else world.time - (_when(self._table, start) if start > 0.0 else 0.0)
-        backs = who.speed < 0.0 and not self.timed
+        backs = who.speed < 0.0 and not self.timed and faces is None
         self._gains: Gains | None = None
         if evenly and evenly[0]:
             self._table = _from(self._table, start)
             self._gains = _steadily(self._table, _speed_along(who, line, self.at))
+        self._time = world.time - self._began
         self._turn = math.pi if backs else 0.0
         self._way = -1.0 if backs or (self._faces and math.cos(self._looks() - _bearing(line, self.at)) < 0.0) else 1.0
 
@@ -207,14 +218,16 @@ class Line(Way):
         """The same line, without its time table."""
         other = copy(self)
         other._table, other.timed = (), False
+        if self._table:
+            other._faces = tuple((_due(self._table, time, self._gains), heading) for time, heading in self._faces)
         return other
 
     def goes(self, gone: float, dt: float) -> Pose:
         """Where it is on the line after that."""
         if self._table:
-            time = self._world.time + dt - self._began
-            self.at = max(_due(self._table, time, self._gains), self._start)
-            self.done = time >= self._table[-1][0] - 1e-9
+            self._time = self._world.time + dt - self._began
+            self.at = max(_due(self._table, self._time, self._gains), self._start)
+            self.done = self._time >= self._table[-1][0] - 1e-9
         else:
             self.at += gone * self._way
             self.done = self.at >= self.line.length - 1e-6 or (self.at <= 0.0 and gone * self._way < 0.0)
@@ -231,9 +244,10 @@ class Line(Way):
         return -slope if back else slope
 
     def _looks(self) -> float:
+        passed = self._time if self._table else self.at
         for (s0, h0), (s1, h1) in pairwise(self._faces):
-            if self.at < s1:
-                return h0 + math.remainder(h1 - h0, math.tau) * max(self.at - s0, 0.0) / max(s1 - s0, 1e-9)
+            if passed < s1:
+                return h0 + (h1 - h0) * max(passed - s0, 0.0) / max(s1 - s0, 1e-9)
         return self._faces[-1][1]
 
 
@@ -357,12 +371,15 @@ def _same_side(who: Entity) -> int:
 
 def _aside(who: Entity, world: World, shape: str, most: float, target: tuple[Any, ...], for_good: bool) -> Way:
     """A change of the distance to its line; it takes as long as the lateral acceleration that is told lets it."""
-    line, side = who.line, 1 if target[0] == "mine" else _same_side(who)
+    line, side = who.line, 1 if target[0] != "to" else _same_side(who)
     other = world.entity(target[1]) if target[0] == "of" else None
 
     def after() -> float:
-        beside = along(line, *other.origin[:2])[1] if other is not None else 0.0
-        return beside + target[-1] * side
+        if other is None:
+            return target[-1] * side
+        x, y, heading = other.origin
+        at, beside = along(line, x, y)
+        return beside + math.copysign(target[-1], target[-1] * math.cos(heading - _bearing(line, at)))
 
     far = abs(after() - along(line, *who.origin[:2])[1])
     peak = math.pi**2 / 2 if shape == "sinusoidal" else 6.0  # of its second derivative
