@@ -15,14 +15,16 @@ from chatscene.runs.progress import Progress
 from chatscene.runs.record import Record, Status
 from chatscene.runs.workspace import Workspace, inside, take_up, update
 
+OFTEN = 2.0  # [s] after which the time that was spent is written down: to write costs more than a short drive
+
 
 @contextmanager
 def working(run: Workspace, progress: Progress) -> Generator[Progress]:
     """Write down the time that is spent inside, and the error that ends it.
 
     Yields:
-        What to tell of progress, which adds the time since it was last told to the total and to what was told then: a
-        kill costs no more than that.
+        What to tell of progress, which adds the time since it was last written down to the total and to what was told
+        then, when something else is told or after `OFTEN`: a kill costs no more than that.
     """
     since, doing = time.monotonic(), ""
 
@@ -34,7 +36,8 @@ def working(run: Workspace, progress: Progress) -> Generator[Progress]:
 
     def tell(what: str, done: int, total: int) -> None:
         nonlocal doing
-        clock()
+        if what != doing or time.monotonic() - since > OFTEN:
+            clock()
         doing = what
         progress(what, done, total)
 

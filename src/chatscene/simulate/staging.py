@@ -10,7 +10,9 @@ import random
 import re
 import time
 from collections import Counter, OrderedDict
-from dataclasses import replace
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +22,7 @@ from scenic.core.sample_checking import SampleChecker
 
 from chatscene.errors import MapError, ProgramError
 from chatscene.maps.loading import load_roads
-from chatscene.maps.network import load_network
+from chatscene.maps.network import load_network, map_digest
 from chatscene.simulate.heading_for import route_of_ego
 from chatscene.simulate.placing import NoFunction, Placement
 from chatscene.simulate.simulation import SteppedSimulation
@@ -34,7 +36,7 @@ COMPILED = 16  # programs kept per process; a compiled one holds a few MB
 PLACED = 64  # drawn scenes kept per process, since many egos drive the same
 NEVER = 25  # draws, all of which ask for what is not there: then it is the program that is at fault
 DRAWING = 15.0  # [s] of processor time in which a scene is to be drawn
-_Key = tuple[str, bool, int]
+_Key = tuple[object, ...]
 _SETS_NAMES = re.compile(r"^\s*global\s|\bglobals\(", re.MULTILINE)  # in a module: names may be set in a drive
 
 
@@ -67,6 +69,25 @@ class _InOrder(SampleChecker):
         return None
 
 
+@dataclass(slots=True)
+class _Compiled:
+    """A program on one of its routes of a map.
+
+    Attributes:
+        scenario: Scenic's.
+        placement: How its scenes are placed without Scenic, once one was: None where Scenic has to place each.
+        learned: Whether one was.
+    """
+
+    scenario: Any
+    placement: Placement | None = None
+    learned: bool = False
+
+
+_compiled: OrderedDict[_Key, _Compiled] = OrderedDict()
+"""What this process has compiled: each of its simulators is asked for the same programs."""
+
+
 class Stage:
     """The compiled programs of one map, ready to have values set in them.
 
@@ -76,10 +97,20 @@ class Stage:
 
     def __init__(self, map_path: Path) -> None:
         self._map_path = map_path
-        self._compiled: OrderedDict[_Key, Any] = OrderedDict()
-        self._placements: dict[_Key, Placement | None] = {}  # None: Scenic has to place each scene
         self._placed: OrderedDict[tuple[object, ...], tuple[Any | Rejected, int]] = OrderedDict()
         self.draws = 1
+
+    @cached_property
+    def _map(self) -> str:
+        return map_digest(self._map_path)
+
+    def _key_of(self, program: ScenicProgram, route: int) -> _Key:
+        """By what a program is kept: the map, its text, who drives its ego, and its route.
+
+        The behavior of an ego under test is taken away, and so the program as written is another one.
+        """
+        text = program.digest, program.filename, program.model, program.own
+        return self._map, str(self._map_path), *text, program.as_written, 0 if program.drawn else route
 
     def compiled(self, program: ScenicProgram, route: int) -> Any:
         """Scenic's scenario for a program on one of its routes.
@@ -89,8 +120,8 @@ class Stage:
             MapError: The map has no such route.
             StuckBehavior: It does not come to its end.
         """
-        key = _key_of(program, route)
-        if key not in self._compiled:
+        key = self._key_of(program, route)
+        if key not in _compiled:
             # A large map takes its time, which is not the program's.
             (load_network if program.own or program.model != OWN_MODEL else load_roads)(self._map_path)
             with time_limit(f"{program.called}, being compiled,"):
@@ -107,29 +138,28 @@ class Stage:
                 name: names if _SETS_NAMES.search(names.get("_source", program.source)) else _Drawn(names)
                 for name, names in scenario.behaviorNamespaces.items()
             }
-            self._compiled[key] = scenario
-            while len(self._compiled) > COMPILED:
-                self._placements.pop(self._compiled.popitem(last=False)[0], None)
-        self._compiled.move_to_end(key)
-        return self._compiled[key]
+            _compiled[key] = _Compiled(scenario)
+            while len(_compiled) > COMPILED:
+                _compiled.popitem(last=False)
+        _compiled.move_to_end(key)
+        return _compiled[key].scenario
 
     def learn(self, program: ScenicProgram, route: int, placed: SteppedSimulation) -> None:
         """Take in a scene that was placed, as it began; the next may be placed by `placement`."""
-        key = _key_of(program, route)
-        if key in self._compiled and key not in self._placements:
-            try:
-                self._placements[key] = Placement(self._compiled[key], placed)
-            except NoFunction:
-                self._placements[key] = None
+        there = _compiled.get(self._key_of(program, route))
+        if there is not None and not there.learned:
+            there.learned = True
+            with suppress(NoFunction):
+                there.placement = Placement(there.scenario, placed)
 
     def placement(self, program: ScenicProgram, scene: Scene) -> Placement | None:
         """Where things stand, for the values of such a scene; None where `place` has to say it."""
-        key = _key_of(program, scene.route)
-        found = self._placements.get(key)
+        key = self._key_of(program, scene.route)
+        found = there.placement if (there := _compiled.get(key)) is not None else None
         if found is None or program.drawn or program.as_written or found.parameters != set(scene.values):
             return None
         self.draws = 1
-        self._compiled.move_to_end(key)
+        _compiled.move_to_end(key)
         return found
 
     def place(self, program: ScenicProgram, scene: Scene) -> Any | Rejected:
@@ -201,14 +231,6 @@ class Stage:
         reason = f"none of {reasons.total()} draws in {spent:.0f} s of processor time meets the requirements ({why})"
         rejected = Rejected(scene=scene, reason=reason, draws=reasons.total(), spent=spent)
         return rejected, rejected.draws
-
-
-def _key_of(program: ScenicProgram, route: int) -> _Key:
-    """By what a program is kept: its text, who drives its ego, and its route.
-
-    The behavior of an ego under test is taken away, and so the program as written is another one.
-    """
-    return program.digest, program.as_written, 0 if program.drawn else route
 
 
 class _Drawn(dict[str, Any]):

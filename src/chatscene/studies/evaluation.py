@@ -8,8 +8,11 @@ ego that fails is given up with its reason, and the others' results stand.
 from __future__ import annotations
 
 import time
+from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
 
 from chatscene import runs
@@ -43,7 +46,7 @@ from chatscene.settings import EGO, Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, check_jobs
 from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Displacement, Drive, ResultTable
-from chatscene.terms.scenario import BaseScenario, Said, Scenario
+from chatscene.terms.scenario import BaseScenario, Said
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram, at_speed
 
 EGOS = ("sac", "ppo", "td3")  # the paper's
@@ -256,12 +259,12 @@ def _tasks(run: runs.Workspace, record: runs.EvaluationRecord) -> list[_Task]:
     """
     for source in record.sources:
         runs.open_run(source.path_from(run.path))
-    return [
+    egos = [(number, ego) for number, ego in enumerate(record.egos) if ego not in record.failures]
+    return [  # all egos on a route one after the other, since its program is compiled for it
         _Task(source=source, ego=ego, number=number, route=route)
-        for number, ego in enumerate(record.egos)
-        if ego not in record.failures
         for source in record.sources
         for route in sorted({row for row, _ in _kept(run, source, record)})
+        for number, ego in egos
     ]
 
 
@@ -277,8 +280,16 @@ def _drive_all(
     done = runs.done_blocks(run)
     left = [task for task in tasks if (task.source.scenario_id, task.route, task.number) not in done]
     failures: dict[str, str] = {}
-    given = _given(run, left, record)
-    came = spread(_Evaluator, CarriedMap.of(map_of(record)), given, workers=workers)
+    rows = [deque(of) for _, of in groupby(_given(run, left, record), key=lambda one: _place(one.task))]
+    waiting = {_place(row[0].task): row for row in rows}
+
+    def next_on_route(came: tuple[_Task, Block | str]) -> list[_Given]:
+        """The next ego goes to who has the program; another worker would compile it once more."""
+        row = waiting[_place(came[0])]
+        return [row.popleft()] if row else []
+
+    first = [row.popleft() for row in rows]
+    came = spread(_Evaluator, CarriedMap.of(map_of(record)), first, workers=workers, then=next_on_route)
     for count, (task, block) in enumerate(came, len(tasks) - len(left) + 1):
         if isinstance(block, Block):
             runs.write_block(run, block)
@@ -295,26 +306,32 @@ def _drive_all(
 def _given(run: runs.Workspace, tasks: Sequence[_Task], record: runs.EvaluationRecord) -> list[_Given]:
     """Tasks with the programs of their sources, made again, and how these are run."""
     found: list[_Given] = []
-    sources: dict[str, tuple[Scenario, ScenicProgram, runs.RunRecord]] = {}
-    for task in tasks:
-        if task.source.folder not in sources:
-            source = runs.Workspace(task.source.path_from(run.path))
-            sources[task.source.folder] = (*rebuild(source), runs.read_record(source))
-        scenario, program, made = sources[task.source.folder]
-        rows = [row for route, row in _kept(run, task.source, record) if route == task.route]
-        found.append(
+    for source, of_source in groupby(tasks, key=lambda task: task.source):
+        folder = runs.Workspace(source.path_from(run.path))
+        (scenario, program), made, kept = rebuild(folder), runs.read_record(folder), _kept(run, source, record)
+        scenes = {
+            route: tuple(runs.scene_of(row, program) for _, row in rows)
+            for route, rows in groupby(sorted(kept, key=itemgetter(0)), key=itemgetter(0))
+        }
+        driven = program if record.speed is None else at_speed(program, record.speed / 3.6)
+        simulation, retrieval = runs.settings_of(record).simulation, runs.settings_of(made).retrieval
+        found += (
             _Given(
                 task=task,
-                program=program if record.speed is None else at_speed(program, record.speed / 3.6),
+                program=driven,
                 said=scenario.said,
-                scenes=tuple(runs.scene_of(row, program) for row in rows),
+                scenes=scenes[task.route],
                 generator=made.generator,
-                settings=Settings(
-                    simulation=runs.settings_of(record).simulation, retrieval=runs.settings_of(made).retrieval
-                ),
+                settings=Settings(simulation=simulation, retrieval=retrieval),
             )
+            for task in of_source
         )
     return found
+
+
+def _place(task: _Task) -> tuple[str, int]:
+    """Which scenes a task drives: those of a source on a route."""
+    return task.source.folder, task.route
 
 
 def _kept(
