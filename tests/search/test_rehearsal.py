@@ -7,13 +7,17 @@ from typing import Any
 import pytest
 
 from chatscene.build.build import Built, build
+from chatscene.ego.policy import EgoPolicy, name_of
 from chatscene.errors import ProgramError
 from chatscene.report.stated import explain_stated
+from chatscene.search import rehearsal
 from chatscene.search.generators.situated import Situated
 from chatscene.search.rehearsal import declared, rehearsed, with_range
 from chatscene.settings import RetrievalSettings
+from chatscene.simulate.simulator import simulate
 from chatscene.situations.file import to_yaml
 from chatscene.situations.form import from_plain
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.situation import Situation
 from chatscene.terms.snippet import ParameterRange
 
@@ -66,17 +70,39 @@ def test_who_comes_too_late_comes_sooner_and_is_told_so() -> None:
 def test_a_slower_ego_that_cannot_be_driven_takes_nobody_s_place(monkeypatch: pytest.MonkeyPatch) -> None:
     situation = said("car", "ahead", "brake")
     built = build(situation)
-    slower: list[Built] = []
+    slower: list[str] = []
 
-    def shown(tried: Built, _: Situation) -> Built | None:
-        if tried is not built:
-            slower.append(tried)
+    def fails(_: Any, program: ScenicProgram, scene: Scene, ego: EgoPolicy) -> Rejected:
+        if program.wanted_speed != built.program.wanted_speed:
+            slower.append(name_of(ego))
             raise ProgramError("it ends in an error")
-        return None
+        return Rejected(scene=scene, reason="nobody finds a place")
 
-    monkeypatch.setattr("chatscene.search.rehearsal._shown", shown)
+    monkeypatch.setattr("chatscene.search.rehearsal.simulate", fails)
     assert rehearsed(built, situation) is built
     assert slower
+
+
+def test_only_the_part_of_a_range_goes_in_which_somebody_comes_too_late() -> None:
+    crosses = said("deer", "roadside", "cross", side="right")
+    before, after = ranges(build(crosses)), ranges(rehearsed(build(crosses), crosses))
+    assert [name for name in before if before[name] != after[name]] == ["OPT_A_OFFSET"]
+    assert after["OPT_A_OFFSET"].low > before["OPT_A_OFFSET"].low
+    assert after["OPT_A_OFFSET"].high == before["OPT_A_OFFSET"].high
+
+
+def test_no_more_is_driven_than_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    driven: list[str] = []
+
+    def counted(simulator: Any, program: Any, scene: Any, ego: EgoPolicy) -> Any:
+        driven.append(name_of(ego))
+        return simulate(simulator, program, scene, ego)
+
+    monkeypatch.setattr("chatscene.search.rehearsal.simulate", counted)
+    monkeypatch.setattr("chatscene.search.rehearsal.DRIVES", (20, 16))
+    rehearsed(build(DOOR), DOOR)
+    assert len(driven) <= 36
+    assert set(driven) == set(rehearsal.EGOS)
 
 
 def test_an_explanation_with_its_program_tells_what_was_shifted() -> None:

@@ -7,11 +7,10 @@ shifted or halved, one after the other, until most do. What was said stays, and 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from itertools import islice
 
 from chatscene.build.build import Built, build
 from chatscene.build.coming import speeds_to_try
@@ -23,16 +22,20 @@ from chatscene.program.sample import drawn_scene, scene_at
 from chatscene.settings import EGO, SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.route import Route
-from chatscene.terms.scene import Rejected, ScenicProgram
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.situation import Situation
 from chatscene.terms.snippet import ParameterRange
 
-DRAWN = 8  # drives besides that in the middle of all ranges
+EGOS = (EGO, "idm")
+"""Who drives: where none is named, and one that plans nothing. What only one of them shows depends on who drives."""
+DRAWN = 7  # drives of each besides that in the middle of all ranges
 SEED = 1  # what their values are drawn by
-FIRST = 3  # of these drives, by which a program that helps is told from others
-ENOUGH = 7  # of these drives that show all that was said
-ROUNDS = 2  # in which every range is tried
-MOST = 100  # of programs that are tried
+FIRST = 4  # of these drives, by which a program that helps is told from others
+ONE_OFF = 1  # of these drives that may miss something: the program stays as it is
+ENOUGH = 0.75  # of these drives that show all that was said
+DRIVES = 320, 160  # at most, that are driven of a program and its shifts, and of it with a slow ego
+PARTS = (0.0, 0.75), (0.25, 1.0), (0.0, 0.5), (0.5, 1.0)
+"""From and to which share of a range a part of it is."""
 STEPS: dict[str, tuple[float, ...]] = {"s": (0.5, 1.0, 2.0, 3.0, 4.0), "m": (2.0, 5.0, 10.0, 20.0)}
 """By how much more or less ranges are shifted, by their units: when somebody acts first, then where it is."""
 NEARER = (0.5, 0.25, 2.0)
@@ -44,25 +47,30 @@ SHARES = (0.15, 0.3)
 def rehearsed(built: Built, situation: Situation) -> Built:
     """A program whose drives show what was said, as far as what was not said lets them.
 
-    It is driven by the ego that drives where none is named, in the native simulator; so what it comes to depends on
-    the situation alone.
+    It is driven in the native simulator, by egos that are always the same; so what it comes to depends on the
+    situation alone.
 
     Args:
         built: The program as a builder computes it.
         situation: What was said.
 
     Returns:
-        It itself if most drives show all that was said, if it cannot be driven, or if nothing helps; else one with
-        other ranges, which are told among what was assumed, or with a slower ego, where its speed was not said.
+        It itself if all drives but one show all that was said, if it cannot be driven, or if nothing helps; else one
+        with other ranges, which are told among what was assumed, or with a slower ego, where its speed was not said.
     """
     try:
-        shown = _shown(built, situation)
+        best = _best(built, situation, DRIVES[0])
     except ChatSceneError:  # that it does not run is told by whoever runs it
         return built
-    if shown is None and (slowly := _with_slow_ego(built, situation)) is not None:
+    if not best.is_enough and (slowly := _with_slow_ego(built, situation)) is not None:
         with suppress(ChatSceneError):
-            shown = _shown(slowly, situation)
-    return shown or built
+            slow = _best(slowly, situation, DRIVES[1])
+            if slow.shown > best.shown:
+                built, best = slowly, slow
+    if best.program is built.program:
+        return built
+    told = tuple(_told(built.program.parameters, best.program.parameters))
+    return replace(built, program=best.program, assumed=(*built.assumed, *told))
 
 
 def _with_slow_ego(built: Built, situation: Situation) -> Built | None:
@@ -75,97 +83,150 @@ def _with_slow_ego(built: Built, situation: Situation) -> Built | None:
     return made if made.program.source != built.program.source else None
 
 
-def _shown(built: Built, situation: Situation) -> Built | None:
-    """A program of whose drives enough show all, with other ranges if need be; None if none does.
+def _best(built: Built, situation: Situation, drives: int) -> _Tried:
+    """Of a program and its shifts, that which misses fewest facts, by so many drives; it itself if none shows more.
 
     Raises:
         ChatSceneError: It cannot be driven.
     """
-    stage = _Stage.of(built, situation)
-    first = stage.missing(built.program)
-    if _is_enough(first):
-        return built
-    best = _Tried(program=built.program, missing=first)
-    left = MOST
-    for _ in range(ROUNDS):
+    stage = _Stage.of(built, situation, drives)
+    first = best = stage.driven(built.program)
+    while best.count and first.missed > ONE_OFF:
         start = best
-        for program in islice(_shifted(start.program, built.bound), left):
-            left -= 1
-            best = stage.better(program, best) or best
-            if not best.count:
-                break
-        if best is start or not best.count:
+        best = _narrowed(stage, best, built.bound)
+        for name in _free(best.program, built.bound):
+            base = best
+            for program in _shifted(base.program, name):
+                best = stage.better(program, best) or best
+        if best is start:
             break
-    if not _is_enough(best.missing):
-        return None
-    told = tuple(_told(built.program.parameters, best.program.parameters))
-    return replace(built, program=best.program, assumed=(*built.assumed, *told))
+    return best if best.shown > first.shown else first
+
+
+def _narrowed(stage: _Stage, best: _Tried, bound: Iterable[str]) -> _Tried:
+    """The program with parts of ranges in which fewer drives miss something, as long as that helps."""
+    helps = True
+    while best.count and helps:
+        found = (stage.better(program, best) for program in _promising(best, bound))
+        better = next((one for one in found if one is not None), None)
+        helps, best = better is not None, better or best
+    return best
+
+
+def _promising(tried: _Tried, bound: Iterable[str]) -> Iterator[ScenicProgram]:
+    """The program with a part of a range in which drives miss less: what misses least is first, then what is wider."""
+    parts = list[tuple[float, float, ParameterRange]]()
+    for name in _free(tried.program, bound):
+        one = _named(tried.program, name)
+        for begins, ends in PARTS:
+            low, high = (one.low + share * (one.high - one.low) for share in (begins, ends))
+            there = [k for k, values in enumerate(tried.values) if low <= values[name] <= high]
+            missed = sum(bool(tried.missing[k]) for k in there) / max(len(there), 1)
+            if missed < tried.missed / len(tried.missing):
+                parts.append((missed, begins - ends, replace(one, low=low, high=high)))
+    for *_, part in sorted(parts, key=lambda part: part[:2]):
+        yield with_range(tried.program, part)
 
 
 Missing = tuple[tuple[str, ...], ...]
 """What each drive does not show, a sentence each."""
 
 
-def _is_enough(missing: Missing) -> bool:
-    return sum(not one for one in missing) >= ENOUGH
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Tried:
+    """A program that was driven.
+
+    Attributes:
+        program: Which.
+        missing: What each drive does not show.
+        values: What each was driven with.
+    """
+
     program: ScenicProgram
     missing: Missing
+    values: tuple[Mapping[str, float], ...]
 
     @property
     def count(self) -> int:
         """How many facts are not shown, of all drives together."""
-        return self.first(len(self.missing))
+        return sum(map(len, self.missing))
 
-    def first(self, drives: int) -> int:
-        """How many are not shown in the first drives; one more than none, where all are."""
-        return max(sum(map(len, self.missing[:drives])), drives < len(self.missing))
+    @property
+    def missed(self) -> int:
+        """How many drives do not show something."""
+        return sum(map(bool, self.missing))
+
+    @property
+    def shown(self) -> int:
+        """How many drives show all."""
+        return len(self.missing) - self.missed
+
+    @property
+    def is_enough(self) -> bool:
+        """Whether enough drives show all."""
+        return self.shown >= ENOUGH * len(self.missing)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(slots=True, kw_only=True)
 class _Stage:
-    """Where and by whom a program is driven, and what it is to show."""
+    """Where and by whom a program is driven, what it is to show, and how many drives are left."""
 
     situation: Situation
     simulator: Simulator
     route: Route
-    ego: EgoPolicy
+    left: int
 
     @classmethod
-    def of(cls, built: Built, situation: Situation) -> _Stage:
+    def of(cls, built: Built, situation: Situation, drives: int) -> _Stage:
         simulator = _simulator(MapContent.of(resolve_map(built.map)))
-        return cls(situation=situation, simulator=simulator, route=simulator.route(built.program, 0), ego=load_ego(EGO))
+        route = simulator.route(built.program, 0)
+        return cls(situation=situation, simulator=simulator, route=route, left=drives)
 
-    def missing(self, program: ScenicProgram) -> Missing:
-        return tuple(self._missing(program))
+    def driven(self, program: ScenicProgram) -> _Tried:
+        """What all drives of a program show.
+
+        Raises:
+            ChatSceneError: It cannot be driven.
+        """
+        drives = self._drives(program)
+        missing = tuple(self._missing(program, *one) for one in drives)
+        return _Tried(program=program, missing=missing, values=tuple(scene.values for scene, _ in drives))
 
     def better(self, program: ScenicProgram, than: _Tried) -> _Tried | None:
-        """What drives of a program show; None if it does not run, or misses as much as another, or more.
+        """What drives of a program show; None if it does not run, misses as much as another, or none are left.
 
-        After the first drives as well: what does not help there is not driven any further.
+        The drives that miss something of the other come first: what does not help there is not driven any further.
         """
-        found = list[tuple[str, ...]]()
-        try:
-            for one in self._missing(program):
-                found.append(one)
-                tried = _Tried(program=program, missing=tuple(found))
-                if tried.count >= than.count or (len(found) == FIRST and tried.count >= than.first(FIRST)):
-                    return None
-        except ChatSceneError:
+        drives = self._drives(program)
+        order = sorted(range(len(drives)), key=lambda k: not than.missing[k])
+        found, before = dict[int, tuple[str, ...]](), 0
+        for k in order if than.count else ():
+            if not self.left:
+                return None
+            try:
+                found[k] = self._missing(program, *drives[k])
+            except ChatSceneError:
+                return None
+            before += len(than.missing[k])
+            now = sum(map(len, found.values()))
+            if now >= than.count or (len(found) == FIRST and now >= before):
+                return None
+        if not found:
             return None
-        return _Tried(program=program, missing=tuple(found))
+        missing = tuple(found[k] for k in range(len(drives)))
+        return _Tried(program=program, missing=missing, values=tuple(scene.values for scene, _ in drives))
 
-    def _missing(self, program: ScenicProgram) -> Iterator[tuple[str, ...]]:
+    def _drives(self, program: ScenicProgram) -> list[tuple[Scene, EgoPolicy]]:
         drawn = (drawn_scene(program, number, seed=SEED) for number in range(DRAWN))
-        for scene in (scene_at(program, 0, 0.5, name="middle"), *drawn):
-            episode = simulate(self.simulator, program, scene, self.ego)
-            if isinstance(episode, Rejected):
-                yield (episode.reason,)
-            else:
-                yield failures(judge(self.situation, episode, self.route))
+        scenes = (scene_at(program, 0, 0.5, name="middle"), *drawn)
+        return [(scene, load_ego(ego)) for scene in scenes for ego in EGOS]
+
+    def _missing(self, program: ScenicProgram, scene: Scene, ego: EgoPolicy) -> tuple[str, ...]:
+        self.left -= 1
+        episode = simulate(self.simulator, program, scene, ego)
+        if isinstance(episode, Rejected):
+            return (episode.reason,)
+        return failures(judge(self.situation, episode, self.route))
 
 
 @lru_cache(maxsize=4)
@@ -173,14 +234,23 @@ def _simulator(of: MapContent) -> Simulator:
     return load_simulator(of.path, SimulationSettings(simulator="native"))
 
 
-def _shifted(program: ScenicProgram, bound: Iterable[str]) -> Iterator[ScenicProgram]:
-    """The program with one range of what was not said shifted or halved, times first, then places, then the rest."""
+def _free(program: ScenicProgram, bound: Iterable[str]) -> list[str]:
+    """The ranges of what was not said, times first, then places, then the rest."""
     free = [one for one in program.parameters if one.name not in bound and one.high > one.low]
     order = [*STEPS]
     free.sort(key=lambda one: (order.index(one.unit) if one.unit in order else len(order), "OFFSET" not in one.name))
-    for one in free:
-        for low, high in _moved(one):
-            yield with_range(program, replace(one, low=low, high=high))
+    return [one.name for one in free]
+
+
+def _named(program: ScenicProgram, name: str) -> ParameterRange:
+    return next(one for one in program.parameters if one.name == name)
+
+
+def _shifted(program: ScenicProgram, name: str) -> Iterator[ScenicProgram]:
+    """The program with one range shifted or halved."""
+    one = _named(program, name)
+    for low, high in _moved(one):
+        yield with_range(program, replace(one, low=low, high=high))
 
 
 def _moved(one: ParameterRange) -> Iterator[tuple[float, float]]:
@@ -199,7 +269,7 @@ def _moved(one: ParameterRange) -> Iterator[tuple[float, float]]:
 
 def with_range(program: ScenicProgram, changed: ParameterRange) -> ScenicProgram:
     """A program in which a parameter has another range, in its text as well."""
-    was = next(one for one in program.parameters if one.name == changed.name)
+    was = _named(program, changed.name)
     now = replace(changed, low=float(f"{changed.low:.6g}"), high=float(f"{changed.high:.6g}"))
     source = program.source.replace(declared(was), declared(now), 1)
     return replace(program, source=source, parameters=tuple(now if one is was else one for one in program.parameters))
