@@ -71,6 +71,7 @@ def test_a_program_of_scenic_3_that_lacks_new_in_one_place_is_not_taken_for_an_o
             "way = [a, b]\nx = distance from f(ego, way) to way\n",
             "way = [a, b]\nx = min([distance from f(ego, way) to part for part in way])\n",
         ),
+        ("behavior B():\n    ego.steering = -0.8\n    wait\n", "behavior B():\n    pass\n    wait\n"),
         ("part = 3\nway = [a]\nx = distance from e to way\n", "part = 3\nway = [a]\nx = min([PIECE])\n"),
         (
             "param N = Range(3, 9)\nfor _ in range(globalParameters.N):\n    wait\n",
@@ -110,11 +111,22 @@ def test_what_neither_scenic_runs_is_mended_in_programs_of_both(before: str, aft
         "behavior B():\n    do SetSpeed(0)\n",
         "goal = [10, 20]\nrequire (distance from ego to goal) > 5\n",  # a place
         "one = [a, b][0]\nrequire (distance from ego to one) > 5\n",
+        "behavior B():\n    ego.speed = 3\n",  # which is known, and is refused
+        "behavior B():\n    ego.tired = 3\n    take SetSpeedAction(ego.tired)\n",
+        "behavior B():\n    ego.tired = counted()\n",
+        "behavior B():\n    x = f(ego.tired == 3)\n",
         "behavior FollowAction(n):\n    wait\nbehavior B():\n    do FollowAction(3)\n",
     ],
 )
 def test_what_runs_is_not_mended(text: str) -> None:
     assert rewrite(text).changes == ()
+
+
+def test_a_property_that_nothing_reads_is_told_where_it_was_set() -> None:
+    done = rewrite("x = new Car\nbehavior B():\n    ego.steering = 0.5\n    self.steering = -0.8\n    wait\n")
+    assert done.reasons() == (
+        "lines 3, 4: no world model has .steering, and nothing reads it, so that to set it does nothing",
+    )
 
 
 def test_every_change_is_shown_with_its_lines_and_its_reason() -> None:

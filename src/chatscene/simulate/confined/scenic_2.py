@@ -2,7 +2,8 @@
 
 Driving programs use little that differs, and each difference is one row: things are placed with `new`, monitors have
 parameters and are required, a heading is faced, the nearest point of a line is a vector. Three more rows mend what
-neither Scenic runs and people write all the same. Nothing is run, and what no row knows stays as it is.
+neither Scenic runs and people write all the same, and one leaves out what does nothing in either. Nothing is run, and
+what no row knows stays as it is.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
 from itertools import pairwise
+
+from chatscene.simulate.confined.words import known_properties
 
 SHOWN = 3  # changes of one kind whose lines are named
 
@@ -268,6 +271,26 @@ def _actions_done(code: _Code) -> Iterator[Change]:
             yield _replaced(a, a, "take", "an action is taken; a behavior is done")
 
 
+def _set_in_vain(code: _Code) -> Iterator[Change]:
+    """`ego.steering = -0.8`: a property that no world model has and that the program never reads."""
+    sets = {k + 2 for k, token in enumerate(code[:-3]) if _sets_property(code, k, token)}
+    named = [k for k in range(1, len(code)) if code[k - 1].string == "." and code[k].type == tokenize.NAME]
+    read = {code[k].string for k in named if k not in sets}
+    for k in sorted(sets):
+        name = code[k].string
+        end = next(at for at in range(k, len(code)) if code[at].type in _ENDS)
+        if name not in read and not any(one.string == "(" for one in code[k:end]) and name not in known_properties():
+            why = f"no world model has .{name}, and nothing reads it, so that to set it does nothing"
+            yield _replaced(code[k - 2], code[end - 1], "pass", why)
+
+
+def _sets_property(code: _Code, k: int, token: tokenize.TokenInfo) -> bool:
+    """Whether a token begins a line that sets a property, as `ego.steering = -0.8`."""
+    dot, name, equals = code[k + 1 : k + 4]
+    alone = _begins(token, token.string) and token.type == name.type == tokenize.NAME
+    return alone and dot.string == "." and equals.string == "="
+
+
 def _threes(code: _Code) -> Iterator[tuple[tokenize.TokenInfo, ...]]:
     return zip(code, code[1:], code[2:], strict=False)
 
@@ -301,7 +324,7 @@ def _closing(code: _Code, k: int) -> int:
 
 _Row = Callable[[_Code], Iterator[Change]]
 _OLDER: tuple[_Row, ...] = (_new, _monitors, _headings, _projected)
-_FAULTY: tuple[_Row, ...] = (_far_from_lists, _whole_turns, _actions_done)
+_FAULTY: tuple[_Row, ...] = (_far_from_lists, _whole_turns, _actions_done, _set_in_vain)
 
 
 @lru_cache(maxsize=1)

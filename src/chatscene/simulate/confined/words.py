@@ -338,6 +338,18 @@ def dialect_of(model: str) -> Dialect:
 
 
 @lru_cache(maxsize=1)
+def known_properties() -> frozenset[str]:
+    """The names by which Scenic, a world model or a simulator knows something of a thing."""
+    from scenic.core.object_types import Object
+
+    texts = (files("chatscene.world").joinpath(name).read_text("utf-8") for name in _MODEL_TEXTS)
+    told = (name for text in texts for name in _PROPERTY.findall(text))
+    dialect = dialect_of("")
+    own = {*dir(Object), *Object._defaults}  # type: ignore[reportPrivateUsage] - Scenic tells them nowhere else
+    return dialect.attributes | dialect.methods | dialect.properties | own | frozenset(told)
+
+
+@lru_cache(maxsize=1)
 def world_words() -> frozenset[str]:
     """Public names of our world model: its classes, its behaviors, and the functions it takes from our packages."""
     return _defined_in("model.scenic", "behaviors.scenic")
@@ -356,6 +368,8 @@ def _defined_in(*models: str) -> frozenset[str]:
 # By its lines, since Scenic's parser takes half a second for them in each process.
 _DEFINES = re.compile(r"^(?:class|behavior|monitor|scenario|def) +(\w+)", re.MULTILINE)
 _TAKES = re.compile(r"^from chatscene\.\S+ import (?:\([^)]*\)|.*)", re.MULTILINE)
+_PROPERTY = re.compile(r"^ +(\w+):", re.MULTILINE)
+_MODEL_TEXTS = ("driving.scenic", "carla_model.scenic")
 _MIXINS = frozenset(("Driven", "Placed", "Walking", "chatscene_parameter"))
 
 
