@@ -142,19 +142,19 @@ def test_a_number_that_no_body_can_do_is_refused_with_what_it_can() -> None:
     with pytest.raises(
         NotBuilt, match=r"others\.A\.starts\.speed: 80 km/h is more than a cyclist can: 11\.4 m/s at most"
     ):
-        numbers.bind("SPEED", Speed.of("80 km/h"), 8.0, "others.A.starts.speed")
+        numbers.bind("SPEED", Speed.of("80 km/h"), "others.A.starts.speed")
     with pytest.raises(
         NotBuilt, match=r"others\.A\.does\.0\.acceleration: 9 m/s² is more than a cyclist can: 4\.5 m/s² at most"
     ):
-        numbers.bind("BRAKE", Acceleration.of(9), 0.0, "others.A.does.0.acceleration")
+        numbers.bind("BRAKE", Acceleration.of(9), "others.A.does.0.acceleration")
 
 
 def test_bounds_and_differences_to_the_ego_narrow_what_is_searched() -> None:
     numbers = Numbers("A", AdversaryKind.CAR.row)
-    numbers.bind("SPEED", Speed.of("at most 25 km/h"), 8.0)
+    numbers.bind("SPEED", Speed.of("at most 25 km/h"))
     low, high, *_ = numbers.ranges["SPEED"]
     assert low < high == pytest.approx(25 / 3.6)
-    numbers.bind("SPEED", Speed.of("2 m/s more than the ego"), 8.0)
+    numbers.bind("SPEED", Speed.of("2 m/s more than the ego").beside(8.0))
     assert numbers.ranges["SPEED"][:2] == (10.0, 10.0)
 
 

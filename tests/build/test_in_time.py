@@ -134,7 +134,7 @@ def test_the_more_is_done_before_the_ego_comes_the_farther_it_is_or_the_slower_i
 def test_a_phase_takes_the_time_that_a_body_needs() -> None:
     row = AdversaryKind.PEDESTRIAN.row
     numbers = Numbers("A", row)
-    numbers.bind("SPEED", Speed.of(2), 0.0)
+    numbers.bind("SPEED", Speed.of(2))
     gone = course(("MoveAhead($SPEED) for 2 seconds", "Halt() for 1 seconds"), numbers, Body(row.limits, walks=True))
     assert gone.seconds == pytest.approx(3.0, abs=0.2)
     assert gone.metres == pytest.approx(2 * 2 - 0.5 + 0.4, abs=0.4)

@@ -231,11 +231,11 @@ class Actor:
         if passes and slow and self.one.starts.where in NEXT_LANE:  # who is to pass the ego keeps up with it
             numbers.narrow("SPEED", KEEPS_UP * self.along_speed, self.along_speed)
         if (start := self.one.starts.speed) is not None and not stands_first(self.one):
-            numbers.bind("SPEED", start, self.ego_speed, f"{self.path}.starts.speed")
+            numbers.bind("SPEED", start, f"{self.path}.starts.speed")
             check_held(self, numbers.range_of("SPEED")[0], f"{self.path}.starts.speed: {start}")
         for k, deed in enumerate(deeds):
             if deed.speed is not None and deed.act in _KEEPS:
-                numbers.bind(self.speed_in(k), deed.speed, self.ego_speed, f"{self.path}.does.{k}.speed")
+                numbers.bind(self.speed_in(k), deed.speed, f"{self.path}.does.{k}.speed")
 
     @property
     def one_speed(self) -> bool:

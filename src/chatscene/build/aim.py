@@ -171,8 +171,8 @@ def _at_point(
     assert contact.at is not None
     width = actor.ego_limits.width
     sign = 1.0 if _from_left(actor) else -1.0
-    low, high = contact.at.within(0.0, 1.0)
-    behind = None if contact.behind_nose is None else 0.5 * sum(contact.behind_nose.within(0.0, 1.0))
+    low, high = contact.at.drawn(0.0, 1.0)
+    behind = None if contact.behind_nose is None else 0.5 * sum(contact.behind_nose.drawn(0.0, 1.0))
 
     def share(one: Touch) -> float:
         aside = one.across if behind is None else one.across + _to_point(actor, behind, one)

@@ -214,10 +214,9 @@ class Asked:
         """From where to where [m] it may be, if that was not said."""
         if (said := self.one.starts.distance) is not None:
             nose = self.middles if self.one.starts.where in NOSE_TO_TAIL else 0.0
-            low, high = said.within(low - nose, max(high - nose, said.low)) if not said.exact else (said.low, said.low)
-            low, high = low + nose, high + nose
+            low, high = (end + nose for end in said.drawn(low - nose, high - nose))
         path = f"others.{self.one.id}.starts.distance" if said is not None else ""
-        self.numbers.measure("Y", low, max(low, high), "m", meaning, path)
+        self.numbers.measure("Y", low, high, "m", meaning, path)
 
     @property
     def more(self) -> str:
@@ -251,11 +250,16 @@ def stops_ahead(one: Other) -> bool:
     return one.starts.where is Where.AHEAD and stops and not stands_first(one)
 
 
+def is_still(one: Other) -> bool:
+    """Whether it was said to have no speed when it begins."""
+    said = one.starts.speed
+    return said is not None and not said.than_ego and said.high <= 0.0
+
+
 def stands_first(one: Other) -> bool:
     """Whether somebody stands when it begins."""
     first = one.does[0].act if one.does else None
-    still = one.starts.speed is not None and one.starts.speed.high <= 0.0
-    return still or first in FROM_A_STAND | acts_of(Heads.FROM_EDGE) or one.kind.moves is Moves.LIES
+    return is_still(one) or first in FROM_A_STAND | acts_of(Heads.FROM_EDGE) or one.kind.moves is Moves.LIES
 
 
 def goes_slowly(one: Other) -> bool:

@@ -88,7 +88,7 @@ def wanted_by(situation: Situation) -> float:
             speed_kept_up(situation),
             MOST * body.row.limits.top_speed,
         )
-    return said.high if said.high < float("inf") else said.low
+    return said.most
 
 
 def keeps_limits(situation: Situation) -> bool:

@@ -131,9 +131,7 @@ def slows_for_it(actor: Actor, k: int) -> bool:
     said, start = actor.deeds[k].speed, actor.one.starts
     if said is None or start.speed is not None or start.where not in BESIDE_EGO:
         return False
-    return said.high + actor.ego_speed * said.than_ego < actor.ego_speed and _is_to(
-        actor.ledger.situation, actor.one, k
-    )
+    return said.high < actor.ego_speed and _is_to(actor.ledger.situation, actor.one, k)
 
 
 def room_to_avoid(slower: float) -> float:

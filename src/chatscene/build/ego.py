@@ -12,6 +12,7 @@ from chatscene.build.coming import Coming, coming, keeps_limits, wanted_by
 from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import FIRM, MOST
 from chatscene.build.own import KEEPS, is_own, own_orders
+from chatscene.build.own_speeds import at_own_speeds
 from chatscene.build.place import GOES_OVER, Found, at_junction
 from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.maps.routes import TO_LINE
@@ -95,7 +96,8 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
         ledger.take("ego.speed")
     ledger.take("ego.kind")
     keeps = keeps_limits(situation)
-    if held := [one.at_most for one in _orders(Ledger(situation), ego.does, 0.0, speed, {}) if _all_along(one)]:
+    beside = Ledger(at_own_speeds(situation, speed))
+    if held := [one.at_most for one in _orders(beside, ego.does, 0.0, speed, {}) if _all_along(one)]:
         speed, keeps = min(speed, *held), False  # which is as fast as it ever is
     elif ego.speed is None:  # others are timed by it, so that it is wanted of every ego
         ledger.take("road.speed_limit")
@@ -105,6 +107,7 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     longer = 0.5 * (body.length - LIMITS[CAR].length)  # its nose is so much nearer than a car's
     stands = bool(ego.does) and ego.does[0].act in FROM_A_STAND
     at_line = stands and junction
+    ledger.situation = situation = at_own_speeds(situation, speed)
     stop = found.route.eventAt - (LINE + longer if junction else 0.0)
     if at_line:  # it begins there, and stops again with its nose in the junction
         stop = TO_LINE + longer
@@ -262,13 +265,13 @@ def _pedals(
                 raise NotBuilt(f"{at}.manner: slow, of an ego at {said}; say one of the two")
             ledger.take(f"{at}.speed" if deed.speed is not None else f"{at}.manner")
             till = _lasts(ledger, deed, at)
-            yield Order(at_most=deed.speed.high if deed.speed is not None else SLOW, till=begins + till)
+            yield Order(at_most=deed.speed.near(speed) if deed.speed is not None else SLOW, till=begins + till)
             return begins + (till if till < math.inf else 0.0)
         case Act.SET_OFF if deed.speed is not None or deed.manner is Manner.SLOW:  # from where it stood on
             ledger.take(f"{at}.speed", f"{at}.manner")
             stopped = any(one.act is Act.STOP for one in ledger.situation.ego.does)
             yield Order(
-                at_most=deed.speed.high if deed.speed is not None else SLOW,
+                at_most=deed.speed.near(speed) if deed.speed is not None else SLOW,
                 place=round(there, 1) if stopped else -math.inf,
             )
         case Act.GO_ALONG if deed.time is not None and then is not None:
@@ -276,32 +279,32 @@ def _pedals(
         case Act.GO_ALONG if deed.time is not None and deed.time.low * speed <= there:
             ledger.take(f"{at}.time")  # its way leads so far before anything happens
         case _:
-            yield from _otherwise(ledger, deed, at)
+            yield from _otherwise(ledger, deed, at, speed)
     return begins
 
 
-def _otherwise(ledger: Ledger, deed: Deed, at: str) -> Iterator[Order]:
+def _otherwise(ledger: Ledger, deed: Deed, at: str, speed: float) -> Iterator[Order]:
     """What orders nothing, or is the ego's way rather than what it does at the pedals."""
     match deed.act:
         case Act.GO_ALONG | Act.SET_OFF | Act.YIELD | Act.FOLLOW:  # which is left to the ego
             if deed.act is Act.SET_OFF and deed.manner is Manner.SUDDEN:  # it shows that by nothing beforehand
                 ledger.take(f"{at}.manner")
         case Act.REVERSE if backs(ledger.situation):
-            yield from _backed(ledger, deed, at)
+            yield from _backed(ledger, deed, at, speed)
         case _:
             raise NothingBuilds(f"nothing builds yet: {at}.act: {deed.act}")
 
 
-def _backed(ledger: Ledger, deed: Deed, at: str) -> Iterator[Order]:
+def _backed(ledger: Ledger, deed: Deed, at: str, speed: float) -> Iterator[Order]:
     """How fast, and how far, an ego backs whose way is driven backwards."""
     if deed.speed is not None:
         ledger.take(f"{at}.speed")
-        yield Order(at_most=deed.speed.high)
+        yield Order(at_most=deed.speed.near(speed))
     elif deed.manner is Manner.SLOW:  # as an ego backs anyway
         ledger.take(f"{at}.manner")
     if deed.distance is not None:
         ledger.take(f"{at}.distance")
-        yield Order(at_most=0, place=round(deed.distance.within(0.5, BACKS)[0], 1))
+        yield Order(at_most=0, place=round(deed.distance.near(BACKS), 1))
 
 
 def _in_a_row(deed: Deed, at: str) -> Iterator[str]:
@@ -316,9 +319,10 @@ def _in_a_row(deed: Deed, at: str) -> Iterator[str]:
 def _slower(ledger: Ledger, deed: Deed, at: str, there: float, begins: float, speed: float) -> Order:
     """An order to lose speed, by some place or for some time."""
     hard = deed.act is Act.BRAKE
-    to = deed.speed.high if deed.speed is not None else 1.0 if hard else SLOW
+    to = 1.0 if hard else SLOW
     if deed.speed is not None:
         ledger.take(f"{at}.speed")
+        to = deed.speed.near(to)
     braking, lasts = _braking(ledger, deed, at, 6.0 if hard else 2.5), _lasts(ledger, deed, at)
     if lasts < math.inf and deed.acceleration is None and deed.speed is not None:
         braking = max((speed - to) / lasts, 0.1)  # so that it takes as long
@@ -338,7 +342,7 @@ def _seconds(ledger: Ledger, deed: Deed, at: str) -> float:
     if deed.time is None:
         return STAND
     ledger.take(f"{at}.time")
-    return deed.time.low if deed.time.low > 0 else deed.time.high
+    return deed.time.near(STAND)
 
 
 def _braking(ledger: Ledger, deed: Deed, at: str, usual: float) -> float:
@@ -346,9 +350,10 @@ def _braking(ledger: Ledger, deed: Deed, at: str, usual: float) -> float:
     if deed.acceleration is None and deed.manner is not None and deed.manner in FIRM:
         ledger.take(f"{at}.manner")
         return min(max(usual, FIRM[deed.manner] * body.brake), EASILY * body.brake)
+    usual = min(usual, EASILY * body.brake)
     if deed.acceleration is None:
-        return min(usual, EASILY * body.brake)
+        return usual
     if deed.acceleration.low > body.brake + body.drag:
         raise NotBuilt(f"{at}.acceleration: {deed.acceleration} is more than {kind} can: {body.brake:g} m/s² at most")
     ledger.take(f"{at}.acceleration")
-    return deed.acceleration.within(0.5, max(usual, deed.acceleration.low))[0]
+    return deed.acceleration.near(usual)

@@ -231,7 +231,7 @@ def _lengths(situation: Situation, speed: float, road: float) -> Iterator[float]
 
 def _said_distance(one: Other) -> float:
     """How far away [m] somebody was said to be."""
-    return one.starts.distance.low if one.starts.distance is not None else 0.0
+    return one.starts.distance.least if one.starts.distance is not None else 0.0
 
 
 def _far(one: Other) -> float:

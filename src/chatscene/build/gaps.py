@@ -36,6 +36,8 @@ GAP_WITHIN, EASED = 1.0, 1.0  # [m] of a gap that was said; [m/s] faster than wh
 OVER_THE_LINE = 0.75  # [s] after it sets out for a lane that somebody's middle is over the line
 SAME = 1.0  # [m/s] by which two go as fast
 SEEN_BEFORE = 1.0  # [s] that it is seen to go beside before
+LEAVES_FOR = 0.5, 2.0  # [s], from and to, that the ego needs for the room that is left, if only a bound was said
+BACKS_FAR = 0.5, 5.0  # [m], from and to, that somebody backs up, if only a bound was said
 BACKS = 1.5  # [m/s] that somebody backs up at, of whom only the way was said
 
 
@@ -294,9 +296,9 @@ def _bound(actor: Actor, k: int) -> str:
     """The parameter that is the room that was said, in metres or by how far the ego gets in a time."""
     deed, name, at = actor.deeds[k], f"AHEAD_{k}", f"{actor.path}.does.{k}"
     if deed.distance is not None:
-        actor.numbers.bind(name, deed.distance, 0.0, f"{at}.distance")
+        actor.numbers.bind(name, deed.distance, f"{at}.distance")
     elif deed.time is not None:
-        low, high = (actor.ego_speed * one for one in deed.time.within(0.5, max(2.0, deed.time.low)))
+        low, high = (actor.ego_speed * one for one in deed.time.drawn(*LEAVES_FOR))
         actor.numbers.measure(name, low, high, "m", "how much room it leaves", f"{at}.time")
     return name
 
@@ -307,6 +309,6 @@ def backs_by(actor: Actor, k: int) -> str:
     assert deed.distance is not None
     speed = numbers.middle(f"BACK_{k}") if deed.speed is not None else BACKS
     numbers.narrow(f"BACK_{k}", speed, speed)
-    low, high = deed.distance.within(0.5, max(5.0, deed.distance.low))
+    low, high = deed.distance.drawn(*BACKS_FAR)
     numbers.measure(f"BACK_TIME_{k}", low / speed, high / speed, "s", "for how long it backs up", f"{at}.distance")
     return f"BACK_TIME_{k}"

@@ -38,7 +38,7 @@ def placed(asked: Asked, stand: Stand) -> tuple[Stand, str]:
     """
     lateral, one = asked.one.starts.lateral, asked.one
     if lateral is not None and lateral.beyond is not None and "$X" in stand.point:
-        ends = lateral.beyond.within(0.0, max(_FARTHEST, lateral.beyond.low))
+        ends = lateral.beyond.drawn(0.0, _FARTHEST)
         asked.numbers.measure("X", *ends, "m", "how far beside the lanes it starts", f"others.{one.id}.starts.lateral")
     if lateral is None or lateral.beyond is not None or one.starts.where not in PLACED:
         return stand, ""
@@ -127,7 +127,7 @@ def in_lane(lateral: Lateral, side: Side, limits: Limits, own: float, ego: float
     sign = 1.0 if side is Side.LEFT else -1.0
     name, said = next((name, one) for name in LATERALS if (one := getattr(lateral, name)) is not None)
     assert isinstance(said, Amount)
-    ends = said.within(_LEAST.get(name, 0.0), max(_MOST.get(name, 0.5 * LANE), said.low))
+    ends = said.drawn(_LEAST.get(name, 0.0), _MOST.get(name, 0.5 * LANE))
     if name in ("overlap", "clearance"):
         far = [ego + sign * aside_of_ego(name, end, own, limits.width) for end in ends]
     else:

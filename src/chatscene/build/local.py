@@ -76,7 +76,7 @@ def check_round(actor: Actor, k: int) -> None:
         NotBuilt: It was said; or nobody comes there.
     """
     said = actor.deeds[k].speed
-    if said is None or said.than_ego:
+    if said is None:
         return
     try:
         way = ringTraffic(actor.found.route, *ring_arms(actor.one, actor.found.sides))

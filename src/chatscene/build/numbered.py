@@ -30,7 +30,8 @@ SETS_OUT = 0.2  # [s] that it takes to settle
 USUAL_TOP, KEEPS_UP = 25.0, 5.0  # [m/s] of who keeps a distance, at most; faster than an ego that is as fast
 LEVEL_WITH = 1.1  # times the speed of whom it keeps level with, the most that somebody then has
 SWINGS = 0.8  # of a wave, the least that is seen
-SOONEST = 2.0  # [s] in which somebody drifts at least
+SOONEST, LATEST = 2.0, 8.0  # [s] in which somebody drifts at least, and at most if only a bound was said
+WEAVES = 1.0, 10.0  # [s], from and to, that somebody weaves, if only a bound was said
 SLOWER = 2.0  # times as long, of who drifts slowly
 JUST_BACK = 0.7  # [m] that somebody goes back who then stays in the lane
 BACK, DRIFTS = 1.5, 8.0  # [m] that somebody goes back; that it goes on while it drifts by a third
@@ -88,7 +89,7 @@ def _lasts(phases: Phases, k: int, text: str, speed: Speed) -> str:
         if deed.time.high < SWINGS * max(3.0, WAVE / phases.actor.ego_speed):
             at = f"{phases.actor.path}.does.{k}.time"
             raise NotBuilt(f"{at}: {deed.time} is too short for anybody to swing from side to side")
-        low, high = deed.time.within(1.0, max(10.0, deed.time.low))
+        low, high = deed.time.drawn(*WEAVES)
         at = f"{phases.actor.path}.does.{k}.time"
         phases.actor.numbers.measure(f"WEAVE_TIME_{k}", low, high, "s", "for how long it weaves", at)
         text = text.replace("{weaves} seconds", f"$WEAVE_TIME_{k} seconds")
@@ -96,7 +97,7 @@ def _lasts(phases: Phases, k: int, text: str, speed: Speed) -> str:
         at = f"{phases.actor.path}.does.{k}.time"
         if deed.time.high < SOONEST:
             raise NotBuilt(f"{at}: {deed.time} is less than anybody drifts: {SOONEST:g} s at least")
-        low, high = ((one - SETS_OUT) / PIECES for one in deed.time.within(SOONEST, max(8.0, deed.time.low)))
+        low, high = ((one - SETS_OUT) / PIECES for one in deed.time.drawn(SOONEST, LATEST))
         phases.actor.numbers.measure(f"DRIFT_TIME_{k}", low, high, "s", "how long a piece of its drift takes", at)
         text = text.replace("{drift} seconds", f"$DRIFT_TIME_{k} seconds")
     slow = deed.act is Act.DRIFT and deed.manner is Manner.SLOW
@@ -125,7 +126,7 @@ def _bound(phases: Phases, k: int, text: str, steps: Steps, changed: str | None)
         if amount == "speed" and deed.act is Act.OVERTAKE and own in numbers.bound:
             text = renamed(text, name, own)
             continue
-        numbers.bind(own, said, actor.ego_speed, f"{at}.{amount}")
+        numbers.bind(own, said, f"{at}.{amount}")
         if name in ("DRIFT", "SWERVE") and _over_the_edge(phases, deed):
             numbers.move(own, 0.5 * (LANE - actor.limits.width))
         text = renamed(text, name, own)

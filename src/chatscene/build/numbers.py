@@ -85,13 +85,12 @@ class Numbers:
         self.ranges["SLOW"] = (0.5 * slow, 0.9 * slow, "m/s", "how slow it then is")
         self.ranges["FAST"] = (fast, min(1.25 * fast, top), "m/s", "how fast it then is")
 
-    def bind(self, name: str, amount: Amount, ego: float, path: str = "") -> None:
+    def bind(self, name: str, amount: Amount, path: str = "") -> None:
         """Let a parameter be what was said.
 
         Args:
             name: The parameter.
             amount: What was said of it.
-            ego: What the ego has of it, where an amount is measured against that.
             path: The fact that says it.
 
         Raises:
@@ -101,12 +100,11 @@ class Numbers:
         share = _SHARES.get(_OF_DEED.sub("", name))
         scale = share(self.row) if share else 1.0
         drag = self.row.limits.drag if name.startswith("BRAKE") and share else 0.0  # which slows it down as well
-        least, most = ((end + ego * amount.than_ego - drag) / scale for end in (amount.low, amount.high))
+        least, most = ((end - drag) / scale for end in amount.drawn(low * scale + drag, high * scale + drag))
         fastest = (
             min(REVERSE_SPEED, self.row.limits.top_speed) if name.startswith("BACK") else self.row.limits.top_speed
         )
         top = 1.0 if share else MOST * fastest if unit == "m/s" else most
-        least, most = max(least, min(low, most)), min(most, max(high, least))
         least, most = (max(GENTLEST, least), max(GENTLEST, most)) if drag else (least, most)
         if least > top + 1e-9:
             most_told = f"{top * scale:.3g} {unit if unit != '1' else 'm/s²'} at most"

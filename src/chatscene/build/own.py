@@ -106,7 +106,7 @@ def _aside(
     far = ASIDE[deed.act]
     if deed.distance is not None:
         ledger.take(f"{at}.distance")
-        far = deed.distance.within(0.2, max(far, deed.distance.low))[0]
+        far = deed.distance.near(far)
     left = far if _side_of(ledger.situation, deed, sides) is Side.LEFT else -far
     aside = deed.speed if deed.act is Act.DRIFT and deed.speed is not None and deed.speed.high < CREEPS else None
     if aside is not None:  # how fast it comes aside, and not along
@@ -116,7 +116,7 @@ def _aside(
     if deed.speed is not None:
         ledger.take(f"{at}.speed")
     if deed.speed is not None and aside is None:
-        keeps = deed.speed.low if deed.speed.low > 0.0 else deed.speed.high
+        keeps = deed.speed.near(keeps)
     stays = deed.act in acts_of(Heads.EDGE, Heads.OVER)
     yield begins.order(aside=left, over=over, since=since, till=math.inf if stays else round(since + lasts, 2))
     if keeps:
@@ -130,12 +130,12 @@ def _gains(ledger: Ledger, deed: Deed, at: str, begins: Near, speed: float) -> I
     to, now = speed, SLOWER * speed
     if deed.speed is not None:
         ledger.take(f"{at}.speed")
-        to = deed.speed.low if deed.speed.low > 0.0 else deed.speed.high
+        to = deed.speed.near(speed)
         now = min(speed, SLOWER * to) if to <= speed else speed
     gain = GAINS
     if deed.acceleration is not None:
         ledger.take(f"{at}.acceleration")
-        gain = deed.acceleration.within(0.5, max(GAINS, deed.acceleration.low))[0]
+        gain = deed.acceleration.near(GAINS)
     since = begins.since if begins.whom or begins.since else FIRST
     lasts = (to - now) / gain + 1.0
     if now < speed and not begins.whom:
@@ -144,12 +144,11 @@ def _gains(ledger: Ledger, deed: Deed, at: str, begins: Near, speed: float) -> I
 
 
 def _lasts(ledger: Ledger, deed: Deed, at: str, speed: float) -> float:
-    if deed.time is not None:
-        ledger.take(f"{at}.time")
-        return deed.time.low if deed.time.low > 0.0 else deed.time.high
-    if deed.act is Act.ACCELERATE:
-        return SLOWER * speed / GAINS
-    return TAKES[deed.act]
+    usual = SLOWER * speed / GAINS if deed.act is Act.ACCELERATE else TAKES[deed.act]
+    if deed.time is None:
+        return usual
+    ledger.take(f"{at}.time")
+    return deed.time.near(usual)
 
 
 def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) -> Near:
@@ -162,7 +161,7 @@ def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) -> 
         delay = 0.0
         if when.delay is not None:
             ledger.take(f"{at}.delay")
-            delay = max(when.delay.low, 0.0) or when.delay.high
+            delay = when.delay.near(0.0)
         return Near(whom=reference, after=name == "after", since=round(delay, 2))
     named = (when.after or when.during or "").partition(".")[0]
     who = when.of or (named if named not in ("", EGO) else None)
@@ -174,14 +173,14 @@ def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) -> 
         return Near(since=0.0 if soon else FIRST)
     ledger.take(*(f"{at}.{name}" for name in ("after", "during", "of", "ego_within") if getattr(when, name)))
     middles = 0.5 * (situation.ego.body.row.limits.length + whom.kind.row.body.row.limits.length)
-    if isinstance(when.ego_within, Length):
-        return Near(whom=whom.id, within=when.ego_within.high + middles)
     seconds = sum(TAKES.get(deed.act, FIRST) for deed in deeds[:-1]) + SOON.get(deeds[-1].act, FIRST)
     if situation.contact is not None and not situation.contact.happens:
         seconds += SPARES
-    if when.ego_within is not None:
-        seconds = when.ego_within.high
     comes = closing(situation, whom, speed)
+    if isinstance(when.ego_within, Length):
+        return Near(whom=whom.id, within=when.ego_within.near(comes * seconds) + middles)
+    if when.ego_within is not None:
+        seconds = when.ego_within.near(seconds)
     ahead = _is_ahead(whom)
     return Near(whom=whom.id, within=comes * seconds + middles, by=seconds + 2 * middles / comes if ahead else 0.0)
 
@@ -215,7 +214,7 @@ def closing(situation: Situation, whom: Other, speed: float) -> float:
         own = speed_of(situation, whom.id, speed)
     else:
         said = next((one for one in (whom.starts.speed, *(deed.speed for deed in whom.does)) if one is not None), None)
-        own = 0.7 * row.fast if said is None else max(said.low, 0.0) or said.high
+        own = 0.7 * row.fast if said is None else said.near(0.7 * row.fast)
     match whom.starts.where:
         case where if where in AGAINST:
             return speed + own

@@ -258,7 +258,7 @@ def _said_speed(actor: Actor, k: int, steps: Steps, body: Body) -> tuple[str, tu
     bound = steps.binds.get("speed") == general
     if bound and deed.speed is not None:
         own = general if general == "SPEED" and actor.is_its_speed(k) else own
-        numbers.bind(own, deed.speed, actor.ego_speed, f"{at}.speed")
+        numbers.bind(own, deed.speed, f"{at}.speed")
         low, high, *_ = numbers.ranges[own]
         if steps.pace is Pace.KEEPS:
             check_held(actor, low, f"{at}.speed: {deed.speed}")
@@ -311,7 +311,7 @@ def set_passing_speed(actor: Actor, k: int) -> None:
         most = min(most, Body(actor.limits, actor.walks).fastest)
     low, high = (passed + gain for gain in (GAINS if actor.stand.meets is Meets.ALONG else GAINS_AGAINST))
     if deed.speed is not None:
-        numbers.bind(name, deed.speed, actor.ego_speed, f"{actor.path}.does.{k}.speed")
+        numbers.bind(name, deed.speed, f"{actor.path}.does.{k}.speed")
         low, high, *_ = numbers.ranges[name]
         most = high
     elif numbers.is_said("SPEED") and numbers.ranges["SPEED"][1] >= least:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -23,6 +23,7 @@ GENTLEST = 0.1  # [m/s²] of the brakes alone
 ENOUGH = 0.8  # of the speed that is lost in the time for which somebody brakes
 GETS = 0.9  # of what it gains: the mean is up to there
 NEARLY_ALL = 0.98  # of a speed that is gained with a pedal that is held
+SLOWEST = 0.1  # [m/s²] at which speed is gained, the least that is taken for usual
 LEAST_GAINED = 1.5  # [m/s] over which a pedal is measured
 _STEP, _MOST = 0.1, 60.0  # [s] in which a pedal is followed, and for how long
 _LOSES = acts_of(Tempo.BRAKES, Tempo.SLOWS)
@@ -79,20 +80,22 @@ def brakes_by(actor: Actor, k: int, before: Speed, after: Speed, *, loses: bool)
     timed = deed.act in _LOSES and deed.time is not None and loses
     if timed or (deed.act is Act.STOP and deed.distance is not None):
         _settle(actor, before, after)
+    air = AIR_DRAG * (was * was + was * then + then * then) / 3.0
+    usual = [end * actor.limits.brake + actor.limits.drag + air for end in actor.numbers.range_of("BRAKE")[:2]]
     if timed and deed.time is not None:
-        low, high = _rates(deed.time, was - then)
+        low, high = _rates(deed.time, was - then, usual)
         path = "time"
     elif deed.act is Act.STOP and deed.distance is not None:
-        low, high = _rates(deed.distance, 0.5 * was * was)
+        low, high = _rates(deed.distance, 0.5 * was * was, usual)
         path = "distance"
     elif deed.act is Act.BRAKE and deed.time is not None and deed.acceleration is None:
-        most = ENOUGH * was / deed.time.low / actor.limits.brake  # so that it is long in coming to a stand
+        _, longest = deed.time.drawn(*actor.numbers.range_of("BRAKE_TIME")[:2])
+        most = ENOUGH * was / longest / actor.limits.brake  # so that it is long in coming to a stand
         low, high, *_ = actor.numbers.range_of("BRAKE")
         actor.numbers.narrow(f"BRAKE_{k}", min(low, 0.8 * most), min(high, most))
         return True
     else:
         return False
-    air = AIR_DRAG * (was * was + was * then + then * then) / 3.0
     _bind(actor, k, "BRAKE", (low - air, high - air), path)
     return True
 
@@ -107,12 +110,13 @@ def throttles_by(actor: Actor, k: int, body: Body, before: Speed, after: Speed, 
     was = 0.0 if deed.act in _OFF else 0.5 * (before.low + before.high)
     _settle(actor, before, after)
     then = max((held if deed.act in _OFF else 1.0) * 0.5 * (after.low + after.high), was + LEAST_GAINED)
+    usual = [max(_mean(body, was, then, pedal), SLOWEST) for pedal in actor.numbers.range_of("THROTTLE")[:2]]
     if deed.time is not None and deed.acceleration is None:
-        rates, path = _rates(deed.time, GETS * (then - was)), f"{actor.path}.does.{k}.time"
+        rates, path = _rates(deed.time, GETS * (then - was), usual), f"{actor.path}.does.{k}.time"
     else:
         said = rate_of(actor, k)
         assert said is not None
-        rates, path = said[0].within(0.1, max(actor.limits.throttle, said[0].low)), said[1]
+        rates, path = said[0].drawn(usual[0], usual[1]), said[1]
     if not after.said and after.name and deed.act is Act.ACCELERATE:  # to a speed at which it still can
         while then > was + LEAST_GAINED and _mean(body, was, then, 1.0) < rates[0]:
             then = max(was + LEAST_GAINED, then - 1.0)
@@ -135,7 +139,8 @@ def goes_so_far(actor: Actor, k: int, speed: Speed) -> str:
     assert deed.distance is not None
     _settle(actor, speed)
     goes = 0.5 * (speed.low + speed.high) or actor.ego_speed
-    low, high = (end / goes for end in deed.distance.within(1.0, max(2.0 * deed.distance.low, 10.0)))
+    usual = (goes * end for end in actor.numbers.range_of("GO_TIME")[:2])
+    low, high = (end / goes for end in deed.distance.drawn(*usual))
     name = f"GO_TIME_{k}"
     actor.numbers.measure(name, low, high, "s", "for how long it goes on so", f"{actor.path}.does.{k}.distance")
     return name
@@ -149,9 +154,15 @@ def _settle(actor: Actor, *speeds: Speed) -> None:
             actor.numbers.narrow(speed.name, middle, middle)
 
 
-def _rates(said: Duration | Length, change: float) -> tuple[float, float]:
-    """From which acceleration [m/s²] to which a change of speed takes the time, or the half of its square the way."""
-    low, high = said.within(0.5 * max(said.low, 0.5) if math.isinf(said.high) else 0.3, max(2.0 * said.low, 0.5))
+def _rates(said: Duration | Length, change: float, usual: Sequence[float]) -> tuple[float, float]:
+    """From which acceleration [m/s²] to which a change of speed takes the time, or the half of its square the way.
+
+    Args:
+        said: The time [s] or the way [m].
+        change: The change of speed [m/s], or the half of its square.
+        usual: The least and the most acceleration that is usual.
+    """
+    low, high = said.drawn(change / usual[1], change / usual[0])
     return change / high, change / low
 
 

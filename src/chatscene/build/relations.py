@@ -18,7 +18,6 @@ from chatscene.errors import NotBuilt
 from chatscene.maps.open_road import PASSING, SWING
 from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import Manner as Moves
-from chatscene.terms.amount import Speed
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.situation import EGO, Deed, Other, Situation
 from chatscene.terms.surroundings import FOLLOWS, Surface, Surroundings
@@ -122,7 +121,7 @@ def speed_beside(situation: Situation, one: Other, ego: float) -> tuple[float, f
     low, high = (share * (max(ego, NOMINAL.speed) if slower else ego) for share in relation.value)
     for deed in _passes(situation, one):
         if deed.speed is not None:  # how fast it is passed
-            high = min(high, _least(deed.speed, ego) - PASSES)
+            high = min(high, deed.speed.beside(ego).least - PASSES)
             low = min(low, _SLOWER * high)
     return low, high
 
@@ -154,12 +153,7 @@ def said_speed(one: Other, ego: float) -> float | None:
     """The speed [m/s] that was said of somebody who goes on at it."""
     deeds = (deed.speed for deed in one.does if deed.act in PLAIN and deed.speed is not None)
     said = one.starts.speed or next(deeds, None)
-    return None if said is None else _least(said, ego)
-
-
-def _least(said: Speed, ego: float) -> float:
-    low = said.low if said.low > 0.0 else said.high
-    return low + ego * said.than_ego
+    return None if said is None else said.beside(ego).least
 
 
 def speed_of_traffic(situation: Situation) -> float:
@@ -174,7 +168,7 @@ def speed_of_traffic(situation: Situation) -> float:
             continue
         passes = any(deed.act is Act.OVERTAKE and deed.whom in (None, EGO) for deed in one.does)
         said = [one.starts.speed, *(deed.speed for deed in one.does if deed.act in acts_of(Heads.ALONG, Heads.BY))]
-        fastest = max((_least(speed, 0.0) for speed in said if speed is not None and not speed.than_ego), default=0.0)
+        fastest = max((speed.least for speed in said if speed is not None and not speed.than_ego), default=0.0)
         faster = passes or relation in (Relation.COMES_UP, Relation.HAS_PASSED)
         most = max(most, fastest - GAINS[0] if faster else fastest)
     return most

@@ -194,7 +194,7 @@ def _comes_to_stand(actor: Actor, screen: Screen, when: str) -> Screen:
     else:
         amount = actor.deeds[said].acceleration
         assert amount is not None
-        numbers.bind("BRAKE", amount, actor.ego_speed, f"{actor.path}.does.{said}.acceleration")
+        numbers.bind("BRAKE", amount, f"{actor.path}.does.{said}.acceleration")
     hard = LIMITS[actor.one.kind.scenic].brake
     brakes, takes = f"$SPEED * $SPEED / ({2 * hard:g} * $BRAKE)", f"$SPEED / ({hard:g} * $BRAKE)"
     start = f"backFrom({screen.at}, {brakes} + $SPEED * maximum(0, {when} - {takes}))"

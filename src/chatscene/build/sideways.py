@@ -59,8 +59,8 @@ def _takes(actor: Actor, k: int) -> tuple[float, float] | None:
     if deed.time.high < QUICKEST:
         at = f"{actor.path}.does.{k}.time"
         raise NotBuilt(f"{at}: {deed.time} is less than anybody takes to change lanes: {QUICKEST:g} s at least")
-    least = max(QUICKEST, deed.time.low)
-    return deed.time.within(QUICKEST, max(least, 2.0 * least))
+    low, high = deed.time.drawn(QUICKEST, 2.0 * QUICKEST)
+    return max(QUICKEST, low), high
 
 
 def seconds_over(actor: Actor, k: int) -> tuple[str, float]:

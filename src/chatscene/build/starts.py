@@ -14,6 +14,7 @@ from chatscene.build.cutting_in import begins_beside, room_to_avoid
 from chatscene.build.doors import opens_in_lane, stands_in_lane
 from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.flank import level_as_said
+from chatscene.build.gaps import BACKS_FAR
 from chatscene.build.parts import into_lane
 from chatscene.build.place import (
     AT_JUNCTION,
@@ -141,7 +142,8 @@ def _caught_up(asked: Asked) -> float:
 
     It does until it changes lanes, and to who cannot be as fast. Who is to back up has as much room besides.
     """
-    backs = sum(deed.distance.low for deed in asked.one.does if deed.act is Act.REVERSE and deed.distance is not None)
+    ways = (deed.distance for deed in asked.one.does if deed.act is Act.REVERSE)
+    backs = sum(said.drawn(*BACKS_FAR)[1] for said in ways if said is not None)
     if asked.ego.stands or asked.stands:
         return backs
     if asked.situation.ego.route not in CHANGES:
@@ -171,7 +173,7 @@ def _keeps_behind(asked: Asked) -> tuple[float, float] | None:
     if first is None or first.act not in acts_of(Heads.BEHIND, Heads.CLOSE) or first.whom not in (None, EGO):
         return None
     if first.distance is not None:
-        return first.distance.within(1.0, max(first.distance.low, 2.0))
+        return first.distance.drawn(*asked.numbers.range_of("ROOM" if first.act is Act.FOLLOW else "GAP")[:2])
     drives = asked.one.role is Role.ADVERSARY and not (asked.ego.stands or asked.stands)
     follows = first.act is Act.FOLLOW and drives and not touches(asked.situation, asked.one)
     return asked.numbers.range_of("ROOM")[:2] if follows else None

@@ -76,7 +76,7 @@ def room_kept(one: Other, other: Other) -> float | None:
             continue
         usual = RANGES["ROOM" if first.act is Act.FOLLOW else "GAP"][:2]
         said = first.distance
-        room = usual if said is None else said.within(1.0, max(2.0, said.low))
+        room = usual if said is None else said.drawn(*usual)
         return 0.5 * (sum(room) + sum(each.kind.row.body.row.limits.length for each in (one, other)))
     return None
 

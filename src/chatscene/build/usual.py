@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from chatscene.maps.limits import KMH, MOTORWAY, RURAL, SLOW, TOWN
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import EgoRoute, RoadKind, Setting, Where
@@ -27,7 +25,7 @@ def speed_of_road(situation: Situation) -> float:
     """What is driven on the ego's road [m/s], by what was said of it; of a road of which nothing was, as in a town."""
     road = situation.road
     if (limit := road.speed_limit) is not None:
-        return limit.high if limit.high < math.inf else limit.low
+        return limit.most
     if road.kind in _OF_KIND:
         return _OF_KIND[road.kind]
     if situation.ego.route in _OF_ROUTE:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import stands_first
 from chatscene.build.deeds import OWN
 from chatscene.build.naming import name_of
-from chatscene.build.numbers import MOST, Numbers
+from chatscene.build.numbers import MOST, RANGES, Numbers
 from chatscene.build.own import ASIDE
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.possible import OFF_ROAD
@@ -93,7 +93,7 @@ def when_of(actor: Actor, k: int, when: When, meanwhile: str) -> Iterator[str]:
             yield f"{meanwhile} until {condition}"
         actor.ledger.take(f"{at}.{name}")
     if when.delay is not None:
-        low, high = when.delay.within(0.0, max(when.delay.low, LONGEST_DELAY))
+        low, high = when.delay.drawn(0.0, LONGEST_DELAY)
         actor.numbers.measure(f"DELAY_{k}", low, high, "s", "how long after that it begins", f"{at}.delay")
         yield f"{meanwhile} for $DELAY_{k} seconds"
     if when.ego_within is not None:
@@ -141,10 +141,9 @@ def _near(actor: Actor, k: int, when: When) -> str:
     at, near, said = f"{actor.path}.does.{k}.when", f"NEAR_{k}", when.ego_within
     assert said is not None
     seconds = said.QUANTITY == "duration"
-    least = said.low if said.low > 0 else said.high
-    most = said.high if said.high < float("inf") else least
+    least, most = said.drawn(*RANGES["LEAD_TIME" if seconds else "NEAR"][:2])
     unit = "s" if seconds else "m"
-    actor.numbers.measure(near, max(least, 0.0), most, unit, "how near the ego is when it acts", f"{at}.ego_within")
+    actor.numbers.measure(near, least, most, unit, "how near the ego is when it acts", f"{at}.ego_within")
     situation = actor.ledger.situation
     whom = actor.one if when.of is None else situation[when.of]
     if when.of is not None:
@@ -174,7 +173,7 @@ def _is_slower(actor: Actor, whom: Other) -> bool:
     if stands_first(whom):
         return False  # which is the same, and does not end when it sets off
     said = whom.starts.speed
-    return said is not None and (said.low + actor.ego_speed * said.than_ego) < CLOSES_IN * actor.ego_speed
+    return said is not None and said.least < CLOSES_IN * actor.ego_speed
 
 
 def _seen(actor: Actor, k: int, name: str, reference: str) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from chatscene.build.actor import Actor
-from chatscene.build.asked import Meets, between
+from chatscene.build.asked import Meets, between, is_still
 from chatscene.build.deeds import OWN
 from chatscene.build.hiding import place_hiding
 from chatscene.build.naming import name_of
@@ -73,7 +73,7 @@ class Written:
             said += self.actor.moving(phases, screened=screen is not None)
             lines.append(said + (f", with behavior {does}()" if phases else ""))
         lines += parts_of(self.actor)
-        if self.actor.one.starts.speed is not None and self.actor.one.starts.speed.high <= 0.0:
+        if is_still(self.actor.one):
             self.actor.ledger.take(f"{self.actor.path}.starts.speed")  # it stands
         self.actor.ledger.take(*self.actor.numbers.built())
         return [f"## {self.actor.one.id}: {self._said()}", *lines]

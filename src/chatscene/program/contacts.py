@@ -127,9 +127,9 @@ def _at_point(said: Contact, episode: Episode, other: Track) -> Iterator[Finding
     """Whether the point of the other that was said is where on the ego's width it was said to be."""
     if said.at is None or episode.collision is None:
         return
-    behind = None if said.behind_nose is None else 0.5 * sum(said.behind_nose.within(0.0, 1.0))
+    behind = None if said.behind_nose is None else 0.5 * sum(said.behind_nose.drawn(0.0, 1.0))
     share = _on_width(episode.ego_track, other, episode.collision.step, behind)
-    low, high = said.at.within(0.0, 1.0)
+    low, high = said.at.drawn(0.0, 1.0)
     right = low - AT_SLACK <= share <= high + AT_SLACK
     for path in ("contact.at", *(["contact.behind_nose"] if behind is not None else [])):
         yield Finding(path=path, shown=right, told=f"said {said.at}, it is {100 * share:.0f} % of the width")

@@ -118,9 +118,27 @@ class Amount:
         """Whether one number was said."""
         return self.low == self.high
 
-    def within(self, low: float, high: float) -> tuple[float, float]:
-        """The part of it between two bounds [SI]; a side that was left open ends at the bound."""
-        return max(self.low, low), min(self.high, high)
+    @property
+    def least(self) -> float:
+        """The least that was said [SI]: of "at most" the most, as there is no other number."""
+        return self.low if math.isfinite(self.low) else self.high
+
+    @property
+    def most(self) -> float:
+        """The most that was said [SI]: of "at least" the least."""
+        return self.high if math.isfinite(self.high) else self.low
+
+    def near(self, usual: float) -> float:
+        """What it is where one number is needed: the usual one [SI], or the one nearest to that which it allows."""
+        return min(max(usual, self.low), self.high)
+
+    def drawn(self, low: float, high: float) -> tuple[float, float]:
+        """From where to where it is drawn of which a range is usual [SI].
+
+        It is what of that range it allows. If it allows nothing of it, it is the range that was said, or the bound.
+        """
+        least, most = max(self.low, low), min(self.high, high)
+        return (least, most) if least <= most else (self.least, self.most)
 
     def __str__(self) -> str:
         """As `of` reads it, in the first of its units in which the number is short; else in SI units, to the bit."""
@@ -168,6 +186,17 @@ class Speed(Amount):
         "km/h": 1 / 3.6, "kph": 1 / 3.6, "kmh": 1 / 3.6, "mph": 0.44704, "m/s": 1.0, "": 1.0,
     }  # fmt: skip
     EXAMPLES = ("50 km/h", "20 to 30 km/h", "at most 30 mph", "20 km/h more than the ego")
+
+    def beside(self, ego: float) -> Speed:
+        """The same as a speed of its own, beside an ego at a speed [m/s]; the same object where it is one.
+
+        Nobody is slower than 0, which is what less than that becomes.
+        """
+        if not self.than_ego:
+            return self
+        scale = self.UNITS["km/h"]  # rounded in it, so that messages tell a short number
+        low, high = (max(0.0, round((end + ego) / scale, _DIGITS) * scale) for end in (self.low, self.high))
+        return Speed(low, high)
 
 
 class Length(Amount):
