@@ -6,13 +6,19 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
 import chatscene
+from chatscene import pipeline, runs
 from chatscene.commands.main import main
-from chatscene.errors import RunError
+from chatscene.errors import ChatSceneError, RunError
+from chatscene.search.exposure import exposure_of
+from chatscene.search.generator import load_generator
+from chatscene.search.rare import Batch, Came, Tally
 from chatscene.settings import PAPER, SearchSettings, Settings
+from chatscene.terms.scenario import BaseScenario
 
 TEXT = "an oncoming car turns left across our way"
 
@@ -84,3 +90,64 @@ def test_a_text_becomes_a_run_first(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 def test_a_rate_of_no_run_is_refused(tmp_path: Path) -> None:
     with pytest.raises(RunError, match="not a run folder"):
         chatscene.rate(tmp_path)
+
+
+def test_a_generator_that_has_a_sampler_of_its_own_is_asked_how_it_drew(tmp_path: Path) -> None:
+    few = replace(PAPER, scenes=4, block=2, routes=1, sampler="random")
+    asked = runs.asked_run(
+        load_generator("learning-to-collide").texts(BaseScenario("straight-obstacle"))[0],
+        settings=Settings(search=few),
+        map_name=None,
+        ego="idm",
+        generator="learning-to-collide",
+    )
+    pipeline.run(asked, tmp_path / "run")
+    found = chatscene.rate(tmp_path / "run", scenes=0)
+    assert found.stored == 0
+    assert "the sampler 'policy-gradient'" in found.in_words()
+
+
+def test_a_run_that_was_refused_has_no_rate(tmp_path: Path) -> None:
+    with pytest.raises(ChatSceneError):
+        chatscene.run("the weather is nice", tmp_path / "run")
+    with pytest.raises(RunError, match="refused"):
+        chatscene.rate(tmp_path / "run", scenes=0)
+
+
+def test_of_a_run_of_which_all_drives_count_nothing_is_said_to_be_left_out(tmp_path: Path) -> None:
+    chatscene.run(TEXT, tmp_path / "run", ego="idm", scenes=2)
+    assert chatscene.rate(tmp_path / "run", scenes=0).left == ""
+
+
+def test_what_is_not_known_of_crashes_is_said_to_be_unknown() -> None:
+    exposure = exposure_of((), ())
+    tally = Tally(exposure)
+    came = [Came(1.0, True, None), Came(1.0, True, True), Came(0.0, False, False)]
+    tally.add(np.zeros((3, 0)), [0, 0, 0], came, Batch(count=3, density=exposure))
+    crash, careful = tally.shares()
+    assert (crash.seen, careful, tally.unknown) == (2, None, 1)
+
+
+@pytest.mark.parametrize("option", ["--simulator=native", "--generator=x", "--library=x", "--exposure=none.toml"])
+def test_what_cannot_be_used_is_refused_before_a_text_is_driven(
+    option: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = CliRunner().invoke(main, ["rate", "the car ahead brakes hard", option])
+    assert done.exit_code == 1
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_long_text_is_no_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = CliRunner().invoke(main, ["rate", "the weather is very nice " * 20, "--ego", "idm"])
+    assert done.exit_code == 3
+
+
+def test_a_benchmark_refuses_a_sampler_that_its_generator_would_ignore(tmp_path: Path) -> None:
+    done = CliRunner().invoke(
+        main, ["benchmark", "--generator=advsim", "--sampler=random", f"--out={tmp_path / 'out'}"]
+    )
+    assert done.exit_code == 1
+    assert "'cma-es'" in done.output
+    assert not (tmp_path / "out").exists()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import click
 import chatscene
 from chatscene.commands.options import DRIVEN_AGAIN, JSON, SEEDS, WORKERS
 from chatscene.commands.output import progress, say
+from chatscene.errors import SettingsError
 from chatscene.settings import EGO
 
 FIRST_LOOK = 20  # scenes of a run that is made only to have its situation rated
@@ -55,9 +57,17 @@ def rate(
     chatscene rate runs/cyclist --exposure speeds.toml --scenes 1000
     """
     from chatscene import runs
+    from chatscene.search.exposure import read_exposure
 
     folder = Path(what)
-    if " " in what.strip() and not folder.exists():
+    if exposure is not None:
+        read_exposure(exposure)  # what is wrong with it is said before anything is driven
+    if " " in what.strip() and not os.path.lexists(what):  # a path that is too long is none
+        for option in ("simulator", "generator", "library"):
+            if again[option]:
+                raise SettingsError(
+                    f"--{option} names what a run in a folder uses; of a text, make the run first, with `chatscene run`"
+                )
         folder = runs.free_folder(Path("runs"), what)
         ego = again["ego"][0] if again["ego"] else EGO
         chatscene.run(

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.maps.carried import CarriedMap
-from chatscene.measure.avoidability import avoidable
+from chatscene.measure.avoidability import avoidable_if_driven
 from chatscene.measure.criticality import criticality
 from chatscene.program.sample import scene_seed
 from chatscene.runs.blocks import read_episode, read_events, read_ranges, read_scenes
@@ -23,12 +23,13 @@ from chatscene.runs.rebuild import map_of, rebuild
 from chatscene.runs.record import RunRecord, settings_of
 from chatscene.runs.tables import route_index, scene_of
 from chatscene.runs.trust import Repeated, follow
-from chatscene.runs.workspace import Workspace, open_run, read_record
+from chatscene.runs.workspace import Workspace, open_run, read_record, require_done
 from chatscene.search.climb import simulator_of
 from chatscene.search.exposure import Exposure, as_rows, exposure_of
 from chatscene.search.generator import load_generator
+from chatscene.search.generators.exploring import Exploring
 from chatscene.search.rare import FEWEST, Batch, Box, Came, Share, Tally, rounds
-from chatscene.settings import Settings
+from chatscene.settings import SearchSettings, Settings
 from chatscene.simulate.simulator import check_jobs, simulate
 from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.exposure import Density, Shape
@@ -52,7 +53,9 @@ class Rate:
         driven: How many were made for this, of scenes that could be placed.
         drawn: How many scenes were drawn in all, those that could not be placed as well.
         crash: How often the ego's first collision is with an adversary.
-        avoidable: How often that happens and a careful driver would have avoided it (decision 0013).
+        avoidable: How often that happens and a careful driver would have avoided it (decision 0013); None where that is
+            not known of every crash.
+        unknown: Of how many crashes it is not known, such as those of a program whose own ego drives.
         exposure: The parameters with their densities.
         left: Which drives of the run were not counted, and why; empty if all were.
     """
@@ -63,7 +66,8 @@ class Rate:
     driven: int
     drawn: int
     crash: Share
-    avoidable: Share
+    avoidable: Share | None
+    unknown: int
     exposure: tuple[dict[str, Any], ...]
     left: str
 
@@ -75,10 +79,12 @@ class Rate:
         """A few lines."""
         uniform = [one["parameter"] for one in self.exposure if one["shape"] == Shape.UNIFORM and not one["source"]]
         known = [one for one in self.exposure if one["source"]]
+        of = f"{self.unknown} of {self.crash.seen} crashes"
+        careful = f"not known of {of}" if self.avoidable is None else _told(self.avoidable)
         lines = [
             f"{self.text!r}, driven by {self.ego}: if it comes about,",
             f"  a crash with the adversary: {_told(self.crash)}",
-            f"  one that a careful driver avoids: {_told(self.avoidable)}",
+            f"  one that a careful driver avoids: {careful}",
             f"from {self.stored} drives of the run and {self.driven} more ({self.drawn} scenes drawn in all).",
         ]
         if self.left:
@@ -128,7 +134,9 @@ class _Driver:
         if isinstance(episode, Rejected):
             return number, None
         crashed = _with_adversary(episode)
-        careful = crashed and avoidable(episode, self._program, scene, self._ego, self._simulator)
+        careful: bool | None = False
+        if crashed:
+            careful, _ = avoidable_if_driven(episode, self._program, scene, self._ego, self._simulator)
         near = criticality(episode)
         came = Outcome(
             values=scene.values,
@@ -137,7 +145,7 @@ class _Driver:
             impact_speed=near.impact_speed or 0.0,
             completion=float(episode.route_completion),
         )
-        return number, Came(came.danger, crashed, bool(careful))
+        return number, Came(came.danger, crashed, careful)
 
 
 def _with_adversary(episode: Episode) -> bool:
@@ -169,21 +177,23 @@ def rate(
         repeated: What the run names and the user trusts.
 
     Raises:
-        RunError: There is no run, it has no program yet, or it names what must be repeated.
+        RunError: There is no run, it was refused or is not done, or it names what must be repeated.
         SettingsError: A density is of no parameter of the program, or lies outside its range.
         Diverged: This version makes another program than the one that was kept.
     """
     run = open_run(folder, RunRecord)
     follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
     record = read_record(run)
+    require_done(run, record)
     settings = settings_of(record)
     check_jobs(settings.simulation, workers.jobs)
     scenario, program = rebuild(run)
     exposure = exposure_of(program.parameters, densities)
-    routes = sorted({route_index(row["route_id"]) for row in read_scenes(run)}) or [0]
+    rows = read_scenes(run)
+    routes = sorted({route_index(row["route_id"]) for row in rows}) or [0]
     tally = Tally(exposure)
-    sampler = settings.search.sampler
-    for points, came, batch in _stored(run, program, exposure, UNIFORM.get(sampler, 0)):
+    by, blocks = _searched_by(record.generator, settings.search)
+    for points, came, batch in _stored(run, program, exposure, blocks):
         tally.add(points, [batch.route or 0] * len(came), came, batch)
     stored = tally.placed
     setup = _Setup(program, record.generator, CarriedMap.of(map_of(record)), settings, record.ego)
@@ -208,14 +218,15 @@ def rate(
     crash, careful = tally.shares()
     return Rate(
         text=record.title,
-        ego=record.ego,
+        ego="its own ego" if program.as_written else record.ego,
         stored=stored,
         driven=tally.placed - stored,
         drawn=tally.drawn,
         crash=crash,
         avoidable=careful,
+        unknown=tally.unknown,
         exposure=tuple(dict(row) for row in as_rows(exposure)),
-        left=_not_counted(sampler),
+        left=_not_counted(by, blocks, counted=stored == sum(row["status"] == "ran" for row in rows)),
     )
 
 
@@ -239,12 +250,23 @@ def _scene(scenario: str, seed: int, number: int, route: int, values: dict[str, 
     return Scene(id=name, scenario_id=scenario, route=route, block=-1, seed=scene_seed(seed, name), values=values)
 
 
-def _not_counted(sampler: str) -> str:
-    blocks = UNIFORM.get(sampler, 0)
-    if blocks is None:
+def _searched_by(name: str, search: SearchSettings) -> tuple[str, int | None]:
+    """Who drew the values of a run, in words, and how many of a route's blocks uniformly; None of all.
+
+    Many generators have a sampler of their own, whatever the settings name.
+    """
+    generator = load_generator(name)
+    if not isinstance(generator, Exploring):
+        return "the generator", 0
+    sampler = generator.searching(search).sampler
+    return f"the sampler {sampler!r}", UNIFORM.get(sampler, 0)
+
+
+def _not_counted(by: str, blocks: int | None, *, counted: bool) -> str:
+    if counted:
         return ""
     which = "the drives after the first block of a route" if blocks else "its drives"
-    return f"{which}: nobody knows how likely the sampler {sampler!r} was to draw each"
+    return f"{which}: nobody knows how likely {by} was to draw each"
 
 
 def _stored(
@@ -283,6 +305,6 @@ def _stored(
                 impact_speed=row["impact_speed"] or 0.0,
                 completion=row["route_completion"],
             )
-            every.append(Came(came.danger, crashed, crashed and bool(row["avoidable"])))
+            every.append(Came(came.danger, crashed, row["avoidable"] if crashed else False))
         if here:
             yield points, every, Batch(count=len(here), density=Box(low, high), route=route_index(route))

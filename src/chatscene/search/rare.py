@@ -208,12 +208,12 @@ class Came:
     Attributes:
         danger: How near it came (`chatscene.terms.outcome.Outcome.danger`).
         crashed: Whether the ego crashed with an adversary.
-        avoidable: Whether it did, and a careful driver would not have.
+        avoidable: Whether it did, and a careful driver would not have; None where that is not known.
     """
 
     danger: float
     crashed: bool
-    avoidable: bool
+    avoidable: bool | None
 
 
 class Tally:
@@ -303,11 +303,16 @@ class Tally:
             line.insert(0, before)
         return tuple(line)
 
-    def shares(self) -> tuple[Share, Share]:
-        """Of crashes with an adversary, and of those that were avoidable."""
+    @property
+    def unknown(self) -> int:
+        """Of how many crashes it is not known whether they were avoidable."""
+        return sum(one.avoidable is None for one in self._came)
+
+    def shares(self) -> tuple[Share, Share | None]:
+        """Of crashes with an adversary, and of those that were avoidable; None where that is not known of each."""
         weights, aimed = self._weights(), any(batch.aimed for batch in self._batches)
         crashed, avoidable = (share_of(self._flags(name), weights, aimed=aimed) for name in ("crashed", "avoidable"))
-        return crashed, avoidable
+        return crashed, None if self.unknown else avoidable
 
     def _weights(self) -> Array:
         """(N,) how often each drive counts; on every route that was driven alike."""

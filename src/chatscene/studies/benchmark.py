@@ -23,6 +23,7 @@ from chatscene.runs.searching import Search, search_all
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import going_on
 from chatscene.search.generator import load_generator
+from chatscene.search.generators.exploring import Exploring
 from chatscene.settings import PAPER, SIMULATOR, SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import check_jobs
 from chatscene.studies.evaluation import EGOS, Evaluated, evaluate
@@ -99,6 +100,7 @@ def benchmark(
         RunError: The folder holds something else, or a benchmark with other settings.
         MapError: The map serves none of the scenarios.
     """
+    _check_sampler(generator, sampler)
     scenarios, search = _share(generator, budget)
     settings = Settings(
         search=replace(search, seed=seed, avoidable_only=avoidable_only, sampler=sampler),
@@ -159,6 +161,18 @@ def resume(
         workers=workers,
         progress=progress,
     )
+
+
+def _check_sampler(generator: str, sampler: str) -> None:
+    """Refuse another sampler than the one that a generator always searches with, which would be ignored.
+
+    Raises:
+        SettingsError: The generator has a sampler of its own.
+    """
+    source = load_generator(generator)
+    own = source.searching(replace(PAPER, sampler=sampler)).sampler if isinstance(source, Exploring) else sampler
+    if own != sampler != PAPER.sampler:
+        raise SettingsError(f"the generator {generator!r} searches with the sampler {own!r} alone; leave out --sampler")
 
 
 def _share(generator: str, budget: str) -> tuple[int, SearchSettings]:
