@@ -300,3 +300,8 @@ def test_whom_the_ego_struck_is_told_in_words(other: str, kind: str, said: str) 
     words = contact.in_words({other: kind})
     assert f"ran into {said} with its front" in words
     assert kind not in words
+
+
+def test_marks_within_a_text_are_no_code() -> None:
+    source = 'a = new Car at (f(2), "lane #2 (old)"), \\\n    facing 1\nb = new Car at 0 @ 3  # (\n'
+    assert [(one.first, one.last, one.named) for one in placings(program(source))] == [(4, 5, "a"), (6, 6, "b")]

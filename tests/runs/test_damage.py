@@ -44,6 +44,7 @@ from chatscene.runs import (
     read_scenes,
     resume,
     settings_of,
+    take_up,
     update,
     write_block,
 )
@@ -565,3 +566,18 @@ def test_a_scene_that_lacks_a_value_of_its_program_is_one_message(tmp_path: Path
     )
     with pytest.raises(RunError, match=r"has no OPT_LOST in scenes\.parquet"):
         scene_of(scene, program)
+
+
+def test_a_folder_that_cannot_be_checked_leaves_the_others_to_be_checked(folder: Path, tmp_path: Path) -> None:
+    done = CliRunner().invoke(main, ["check", str(tmp_path / "none"), str(folder)])
+    assert done.exit_code == 1
+    assert "none" in done.output
+    assert f"{folder}: whole" in done.output
+
+
+def test_a_run_of_a_situation_that_was_refused_makes_way_for_another(tmp_path: Path) -> None:
+    run = started(tmp_path / "run")
+    run.file("situation.yaml").write_text("others: []")
+    update(run, status=Status.REFUSED, reason="no drive shows it")
+    assert take_up(run.path, asked(text="the car ahead brakes")).path == run.path
+    assert [path.name for path in run.path.rglob("*") if path.is_file()] == ["run.json"]

@@ -352,8 +352,12 @@ def test_open_opens_the_newest_report_or_the_one_that_is_named(tmp_path: Path, m
     assert drawn.startswith("<!doctype html>")  # anew: what stood there is never given to the browser
     assert len(drawn) > 10_000
     assert CliRunner().invoke(main, ["open"]).output == f"{tmp_path / 'runs/second/report.html'}\n"
+    (tmp_path / "runs/broken").mkdir()
+    (tmp_path / "runs/broken/run.json").write_text("{")  # which is passed over
+    assert CliRunner().invoke(main, ["open"]).exit_code == 0
     (tmp_path / "runs/second/report.html").unlink()
-    assert CliRunner().invoke(main, ["open", "runs/second"]).exit_code == 1
+    assert CliRunner().invoke(main, ["open", "runs/second"]).exit_code == 0  # it is drawn from the rest
+    assert (tmp_path / "runs/second/report.html").is_file()
 
 
 @pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium to run the page's scripts")

@@ -12,6 +12,7 @@ import click
 import chatscene
 from chatscene.commands.options import DRIVEN_AGAIN, JSON
 from chatscene.commands.output import say
+from chatscene.errors import RunError
 
 
 @click.command()
@@ -75,7 +76,12 @@ def check(folders: tuple[Path, ...], as_json: bool) -> None:
     """
     from chatscene import runs
 
-    found = [runs.check(folder) for folder in folders]
+    found: list[runs.Condition] = []
+    for folder in folders:
+        try:
+            found.append(runs.check(folder))
+        except RunError as error:  # the others are checked all the same
+            found.append(runs.Condition(folder=folder, damaged={}, unknown=str(error)))
     if as_json:
         say(json.dumps([condition.as_dict() for condition in found], indent=1))
     else:

@@ -224,10 +224,15 @@ def _programs(program: Path) -> dict[str, Path]:
     """The files of a program or of a folder of them, by a name for the run's folder."""
     from chatscene.search.generators.foreign import foreign_files
 
-    return {
-        "-".join(file.relative_to(program).with_suffix("").parts) if program.is_dir() else file.stem: file
-        for file in foreign_files(program)
-    }
+    named: dict[str, Path] = {}
+    for file in foreign_files(program):
+        parts = file.relative_to(program).with_suffix("").parts if program.is_dir() else (file.stem,)
+        name, number = "-".join(parts), 1
+        while name in named:  # `a-b.scenic` and `a/b.scenic`
+            number += 1
+            name = f"{'-'.join(parts)}-{number}"
+        named[name] = file
+    return named
 
 
 def _jobs(scenes: int, routes: int) -> int:

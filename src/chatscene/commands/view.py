@@ -56,31 +56,46 @@ def view(
 def open_report(folder: Path | None) -> None:
     """Open the report of RUN in the browser, or of the newest run below runs/; print its path.
 
-    The report is drawn anew from the other files of the folder first: what stood in its place is never opened.
+    RUN is a run or an evaluation. The report is drawn anew from the other files of the folder first: what stood in its
+    place is never opened.
 
     \b
     chatscene open
     chatscene open runs/cyclist
+    chatscene open runs/compared
     """
-    from chatscene.api import Run
-    from chatscene.report.viewer import write_report
-
-    page = Run(folder or _newest(Path("runs"))).report
-    if not page.is_file():
-        raise RunError(f"{page} is not there any more; run it again into another folder")
-    finished = page.stat().st_mtime
-    # A browser runs what the page holds, and no digest keeps a stranger's page from being shown.
-    write_report(page.parent)
-    os.utime(page, (finished, finished))  # the newest run is the one that was finished last, not the one opened last
+    page = _drawn(folder or _newest(Path("runs")))
     webbrowser.open(page.absolute().as_uri())
     say(str(page))
+
+
+def _drawn(folder: Path) -> Path:
+    """The page of a run or an evaluation, drawn anew: a browser runs what it holds, and it may be a stranger's."""
+    from chatscene import runs
+    from chatscene.report.evaluation import write_evaluation
+    from chatscene.report.viewer import write_report
+
+    work = runs.open_run(folder)
+    record = runs.read_record(work, runs.Record)
+    if record.kind not in {runs.Kind.RUN, runs.Kind.EVALUATION}:
+        raise RunError(f"{folder} holds {record.kind.in_words()}; `open` shows a run or an evaluation")
+    runs.require_done(work, record)
+    page = work.file("report.html")
+    finished = page.stat().st_mtime if page.is_file() else None
+    if record.kind is runs.Kind.RUN:
+        write_report(folder)
+    else:
+        write_evaluation(work)
+    if finished is not None:
+        os.utime(page, (finished, finished))  # the newest run is the one finished last, not the one opened last
+    return page
 
 
 def _newest(folder: Path) -> Path:
     """The run that was finished last."""
     from chatscene.runs import run_folders
 
-    reports = [run / "report.html" for run in run_folders([folder])]
+    reports = [run / "report.html" for run in run_folders([folder], readable=True)]
     there = [page for page in reports if page.is_file()]
     if not there:
         raise RunError(f"no run below {folder} has a report; finish one with: chatscene resume DIR")

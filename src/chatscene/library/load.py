@@ -202,9 +202,24 @@ def _defined(node: ast.AST) -> Iterator[str]:
 
 def parameters_in(tree: ast.AST) -> dict[str, tuple[float, float]]:
     """Parameters whose value is a literal range; Scenic parses ``param`` into its own node."""
-    found: dict[str, tuple[float, float]] = {}
+    return {name: ends for name, value in stated_in(tree) if (ends := _range(value)) is not None}
+
+
+def stated_in(tree: ast.AST) -> Iterator[tuple[str, ast.expr]]:
+    """Every parameter that a program states, with its value."""
     for node in ast.walk(tree):
         name, value = getattr(node, "identifier", None), getattr(node, "value", None)
-        if isinstance(name, str) and isinstance(value, ast.Call) and len(value.args) == 2:
-            found[name] = (float(ast.literal_eval(value.args[0])), float(ast.literal_eval(value.args[1])))
-    return found
+        if isinstance(name, str) and isinstance(value, ast.expr):
+            yield name, value
+
+
+def _range(value: ast.expr) -> tuple[float, float] | None:
+    """The ends of ``Range(low, high)``, two numbers; None of all else."""
+    match value:
+        case ast.Call(func=ast.Name(id="Range"), args=[low, high], keywords=[]):
+            try:
+                return float(ast.literal_eval(low)), float(ast.literal_eval(high))
+            except (ValueError, TypeError):
+                return None
+        case _:
+            return None

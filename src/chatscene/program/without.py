@@ -10,7 +10,8 @@ from chatscene.terms.scene import ScenicProgram
 
 _NEW = re.compile(r"(?:(?P<name>\w+)\s*=\s*)?new\s+\w+\b")
 _BLOCK = re.compile(r"(?:for|if|elif|else|while|try|except|finally|with)\b")
-_COMMENT = re.compile(r"#.*")
+_TEXT_OR_COMMENT = re.compile(r""""(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|#.*""")
+_MARKS = re.compile(r"[()\[\]{}#,:\\]")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,7 +36,7 @@ def placings(program: ScenicProgram) -> tuple[Placing, ...]:
 
     What behaviors and scenarios place as they go on is not among them.
     """
-    lines = [_COMMENT.sub("", line).rstrip() for line in program.source.splitlines()]
+    lines = [_TEXT_OR_COMMENT.sub(_plain, line).rstrip() for line in program.source.splitlines()]
     found: list[Placing] = []
     deeper: int | None = None  # the indent of a definition, whose body is passed over
     row = 0
@@ -70,6 +71,11 @@ def without(program: ScenicProgram, left_out: Iterable[Placing]) -> ScenicProgra
         lines[placing.first : placing.last + 1] = [" " * indent + "pass"] + [""] * (placing.last - placing.first)
     source = "\n".join(lines) + "\n"
     return replace(program, source=source)
+
+
+def _plain(found: re.Match[str]) -> str:
+    """A text without what would look like code, and nothing of a comment."""
+    return "" if found[0].startswith("#") else _MARKS.sub(" ", found[0])
 
 
 def _goes_on(text: str) -> bool:

@@ -88,7 +88,7 @@ class Rate:
             f"from {self.stored} drives of the run and {self.driven} more ({self.drawn} scenes drawn in all).",
         ]
         if self.left:
-            lines.append(f"Of the run were not counted {self.left}.")
+            lines.append(f"Not counted: {self.left}.")
         if uniform:
             lines.append(
                 f"Assumed, not measured: every value of its range is equally frequent for {', '.join(uniform)}."
@@ -266,7 +266,7 @@ def _not_counted(by: str, blocks: int | None, *, counted: bool) -> str:
     if counted:
         return ""
     which = "the drives after the first block of a route" if blocks else "its drives"
-    return f"{which}: nobody knows how likely {by} was to draw each"
+    return f"{which}: how likely {by} was to draw each is not known"
 
 
 def _stored(

@@ -38,7 +38,7 @@ from chatscene.runs.record import (
 )
 
 RECORD = "run.json"
-_OF_A_REFUSED_RUN = ("explanation.json", "report.html", RECORD)
+_OF_A_REFUSED_RUN = ("explanation.json", "map.json", "report.html", "situation.yaml", RECORD)
 _RECORDS_OF_0_1 = ("benchmark.json", "finetune.json", "reproduce.json", "train.json")
 _UPGRADED = 2  # the oldest schema that is read
 
@@ -420,22 +420,35 @@ def _read_program(path: Path) -> str:
         ) from error
 
 
-def run_folders(sources: Sequence[Path]) -> list[Path]:
+def run_folders(sources: Sequence[Path], *, readable: bool = False) -> list[Path]:
     """Every folder of a search among or below some folders, in a fixed order.
 
+    Args:
+        sources: The folders.
+        readable: Whether a folder whose record cannot be read is passed over.
+
     Raises:
-        RunError: There is none in one of them, or none is named.
+        RunError: There is none in one of them, or none is named, or a record cannot be read.
     """
     folders: list[Path] = []
     for source in sources:
         below = sorted(path.parent for path in source.rglob(RECORD)) if source.is_dir() else []
-        searches = [path for path in below if read_record(Workspace(path), Record).kind is Kind.RUN]
+        searches = [path for path in below if _kind_of(path, readable=readable) is Kind.RUN]
         if not searches:
             raise RunError(f"there is no run in {source}; give the folder that `chatscene run` named")
         folders += searches
     if not folders:
         raise RunError("no run is named; give the folder that `chatscene run` named")
     return list(dict.fromkeys(path.resolve() for path in folders))
+
+
+def _kind_of(folder: Path, *, readable: bool) -> Kind | None:
+    try:
+        return read_record(Workspace(folder), Record).kind
+    except RunError:
+        if not readable:
+            raise
+        return None
 
 
 def inside(folder: Path) -> list[str]:

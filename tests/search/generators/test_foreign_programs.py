@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from chatscene.commands.make import _programs  # pyright: ignore[reportPrivateUsage]
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import ForeignCodeRefused, ProgramError
 from chatscene.maps.network import resolve_map
@@ -344,3 +345,32 @@ def test_an_unknown_name_of_a_trusted_program_is_told_with_the_one_that_was_mean
         simulate(
             load_simulator(resolve_map("town"), SimulationSettings()), program, probe_scenes(program, 0)[0], RuleBased()
         )
+
+
+@pytest.mark.parametrize("value", ["Normal(20, 5)", "Range(LOW, 30)", "Range(10, 30) + 1", "Uniform(10, 30)"])
+def test_a_parameter_that_is_drawn_and_cannot_be_searched_is_refused_by_its_line(value: str) -> None:
+    source = MINE.replace(
+        "model chatscene.world.model\n", f"model chatscene.world.model\nLOW = 10\nparam OPT_Z = {value}\n"
+    )
+    assert source != MINE
+    with pytest.raises(ForeignCodeRefused, match=r"the parameter OPT_Z at line \d+ is drawn"):
+        foreign_program("mine", source, trusted=True)
+
+
+def test_a_parameter_that_is_searched_is_named_as_such() -> None:
+    source = MINE.replace("param OPT_SPEED", "param AWAY = Range(10, 30)\nparam OPT_SPEED")
+    with pytest.raises(ForeignCodeRefused, match="write `param OPT_AWAY = Range"):
+        foreign_program("mine", source, trusted=True)
+
+
+def test_two_programs_of_a_folder_whose_names_join_to_one_are_both_run(tmp_path: Path) -> None:
+    (tmp_path / "a").mkdir()
+    for name in ("a-b.scenic", "a/b.scenic"):
+        (tmp_path / name).write_text(MINE)
+    assert set(_programs(tmp_path)) == {"a-b", "a-b-2"}
+
+
+def test_a_word_in_a_text_imports_nothing(tmp_path: Path) -> None:
+    (tmp_path / "cut.scenic").write_text('"""A car comes\nfrom behind and cuts in.\n"""\n' + MINE)
+    (tmp_path / "behind.scenic").write_text(MINE)
+    assert [file.stem for file in foreign_files(tmp_path)] == ["behind", "cut"]

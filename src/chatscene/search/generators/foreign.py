@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.errors import ForeignCodeRefused, SettingsError
-from chatscene.library.load import parameters_in
+from chatscene.library.load import parameters_in, stated_in
 from chatscene.search.generators.parameters import stated, unstated
 from chatscene.simulate.confined.allow_list import check_foreign, model_of, parse_foreign, refused
 from chatscene.simulate.confined.asked_map import map_of
@@ -34,6 +34,12 @@ MOST_PROGRAMS = 1_000  # in one folder
 MOST_BYTES = 4 * MAX_CHARACTERS
 
 _IMPORTED = re.compile(r"^\s*(?:import|from)\s+([A-Za-z_]\w*)", re.MULTILINE)
+
+_OF_VERIFAI = {"VerifaiDiscreteRange", "VerifaiOptions", "VerifaiRange"}
+_DISTRIBUTIONS = _OF_VERIFAI | {"DiscreteRange", "Discrete", "Normal", "Options", "Range", "TruncatedNormal", "Uniform"}
+"""Scenic's (https://docs.scenic-lang.org, Distributions)."""
+_TEXTS = re.compile(r'''"""(?:.|\n)*?"""|\'{3}(?:.|\n)*?\'{3}''')
+"""Texts of several lines, in which no line imports anything."""
 
 _OWN = re.compile(rf"^model +{re.escape(OWN_MODEL)}\b", re.MULTILINE)
 
@@ -87,7 +93,7 @@ def foreign_files(path: Path) -> tuple[Path, ...]:
     if not path.is_dir():
         return (path,)
     files = [file for file in sorted(path.rglob("*.scenic")) if file.is_file()]
-    imported = {name for file in files for name in _IMPORTED.findall(_beginning(file))}
+    imported = {name for file in files for name in _IMPORTED.findall(_TEXTS.sub("", _beginning(file)))}
     programs = tuple(file for file in files if file.stem not in imported)
     if not programs:
         raise ForeignCodeRefused(f"the folder {path} holds no .scenic file")
@@ -202,6 +208,8 @@ def _made(
         behavior = _adversary_behavior(called, tree, as_written, searched_with)
         if behavior != ADVERSARY_BEHAVIOR:
             source = re.sub(rf"\b{behavior}\b", ADVERSARY_BEHAVIOR, source)
+    if model == OWN_MODEL:
+        _check_ranges(called, tree)
     ranges = parameters_in(tree) if model == OWN_MODEL else {one.name: (one.low, one.high) for one in searched(tree)}
     program = ScenicProgram(
         scenario_id=_slug(name),
@@ -229,6 +237,18 @@ def _check_stated(called: str, source: str) -> None:
         names = ", ".join(lacking)
         give = f"give each, as in --param {lacking[0]}=VALUE"
         raise ForeignCodeRefused(f"{called} reads parameters that it does not state: {names}; {give}")
+
+
+def _check_ranges(called: str, tree: Any) -> None:
+    """Refuse a program for our own world model with a parameter that is drawn, and not as those that are searched."""
+    known = parameters_in(tree)
+    for name, value in stated_in(tree):
+        drawn = any(isinstance(node, ast.Name) and node.id in _DISTRIBUTIONS for node in ast.walk(value))
+        if drawn and not (name in known and name.startswith("OPT_")):
+            raise ForeignCodeRefused(
+                f"{called}: the parameter {name} at line {value.lineno} is drawn, but cannot be searched: write "
+                f"`param {name if name.startswith('OPT_') else f'OPT_{name}'} = Range(LOW, HIGH)` with two numbers"
+            )
 
 
 def _check_ego(called: str, tree: Any) -> None:
