@@ -17,6 +17,7 @@ from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.check import check, probe_scenes
+from chatscene.report import animation
 from chatscene.report.summary import Summary, stepped_in_words
 from chatscene.runs import working
 from chatscene.runs.progress import Slowly
@@ -156,6 +157,26 @@ def test_the_time_of_a_run_is_kept_as_it_goes_and_is_on_its_page(
     assert said
     assert first < float(said[1]) < summary.seconds
     assert "planner sees its route" in summary.in_words()
+
+
+def test_a_run_whose_animation_cannot_be_drawn_is_done_and_says_so_and_resume_draws_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(*_: object, **__: object) -> bytes:
+        raise IndexError("list index out of range")
+
+    draw = animation.animate
+    monkeypatch.setattr(animation, "animate", broken)
+    asked = runs.asked_run(SENTENCES["stops"], settings=Settings(search=SearchSettings(scenes=2, block=1, keep=1)))
+    told = f"the animation in {tmp_path}/run could not be drawn .IndexError: list index out of range.; all else is kept"
+    with pytest.warns(RuntimeWarning, match=told):
+        pipeline.run(asked, tmp_path / "run")
+    assert runs.read_record(runs.open_run(tmp_path / "run")).status is runs.Status.DONE
+    assert (tmp_path / "run" / "report.html").is_file()
+    assert not list(tmp_path.rglob("*.gif"))
+    monkeypatch.setattr(animation, "animate", draw)
+    pipeline.resume(tmp_path / "run")
+    assert list(tmp_path.rglob("*.gif"))
 
 
 def test_nonsense_is_refused() -> None:

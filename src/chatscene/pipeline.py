@@ -15,7 +15,7 @@ from pathlib import Path
 
 from chatscene import runs
 from chatscene.ego.policy import cut_off
-from chatscene.report.animation import write_gif
+from chatscene.report.animation import if_drawn, write_gif
 from chatscene.report.summary import Summary
 from chatscene.report.understood import understand
 from chatscene.report.viewer import write_report
@@ -58,11 +58,12 @@ def resume(
 
 
 def _carry_on(kept: runs.Workspace, workers: Workers, progress: Progress) -> Summary:
-    with working(kept, progress) as tell:
-        search(kept, workers, tell)
-        tell("writing the report", 0, 0)
-        write_report(kept.path, followed=True)
-        write_gif(kept.path)
+    if not runs.is_drawn_up(kept):
+        with working(kept, progress) as tell:
+            search(kept, workers, tell)
+            tell("writing the report", 0, 0)
+            write_report(kept.path, followed=True)
+            if_drawn(f"the animation in {kept.path}", lambda: write_gif(kept.path))
     return Summary.of(runs.read_record(kept), runs.read_counts(kept), runs.read_scenes(kept))
 
 

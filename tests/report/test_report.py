@@ -65,7 +65,7 @@ from chatscene.runs import (
 from chatscene.search.generators.own_program import generator_for
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.terms.criticality import Criticality
-from chatscene.terms.episode import Episode, Role, contact_point
+from chatscene.terms.episode import Ending, Episode, Role, Track, contact_point
 from chatscene.terms.speeds import Speeds
 from fake_run import (
     DECLARED,
@@ -651,6 +651,42 @@ def test_a_gif_of_two_that_come_to_stand_ends_soon_after_that_though_they_drift_
     tracks = tuple({"ego": comes, walker.actor: stands}.get(track.actor, track) for track in episode.tracks)
     shown = _steps_shown(replace(episode, tracks=tracks), monkeypatch)
     assert shown[0] < stop < shown[-1] <= stop + round(AFTER / episode.dt) + 1 < len(steps) - 1
+
+
+@given(
+    stops=st.tuples(st.integers(0, 200), st.integers(0, 200)),
+    apart=st.floats(-30.0, 30.0),
+    lateral=st.floats(-8.0, 8.0),
+    drift=st.sampled_from([0.0, 0.001, -0.001]),
+)
+def test_the_part_of_a_drive_that_is_shown_holds_the_moment_whenever_all_come_to_stand(
+    stops: tuple[int, int], apart: float, lateral: float, drift: float
+) -> None:
+    steps, dt = np.arange(200), 0.05
+
+    def track(actor: str, role: Role, stop: int, begins: float, y: float) -> Track:
+        speed = np.where(steps < stop, 10.0, drift / dt)
+        x = begins + np.cumsum(speed) * dt
+        still = np.zeros(len(steps))
+        return Track(
+            actor=actor, role=role, kind="Car", length=4.5, width=2.0, x=x, y=still + y, heading=still, speed=speed
+        )
+
+    tracks = (track("ego", Role.EGO, stops[0], 0.0, 0.0), track("A", Role.ADVERSARY, stops[1], apart, lateral))
+    episode = Episode(
+        scene_id="s",
+        ego="idm",
+        dt=dt,
+        tracks=tracks,
+        events=(),
+        signals=(),
+        ending=Ending.TIMEOUT,
+        route_completion=0.5,
+        distance_to_route=np.zeros(len(steps)),
+        off_road=np.zeros(len(steps), bool),
+    )
+    part = span(episode)
+    assert 0 <= part.first <= part.moment <= part.last < len(steps)
 
 
 def _steps_shown(episode: Episode, monkeypatch: pytest.MonkeyPatch) -> list[int]:

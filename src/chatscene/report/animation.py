@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping
+import warnings
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 from urllib.parse import quote
 
 from PIL import Image
@@ -22,6 +23,26 @@ from chatscene.terms.episode import Episode
 FRAMES = 75  # at most; what happened
 BEFORE = 40  # steps that a still leads up to
 LAST = 1500  # [ms] that the last frame stands
+
+T = TypeVar("T")
+
+
+def if_drawn(what: str, draw: Callable[[], T]) -> T | None:
+    """What a drawing gives; None, with a warning, where it fails: the drives that it would show are done, and stand.
+
+    Args:
+        what: What is drawn, for the warning.
+        draw: Draws it.
+    """
+    try:
+        return draw()
+    except Exception as error:  # noqa: BLE001 - whatever it is, it is told
+        warnings.warn(
+            f"{what} could not be drawn ({type(error).__name__}: {error}); all else is kept",
+            RuntimeWarning,
+            stacklevel=2,
+        )
+        return None
 
 
 def write_gif(folder: Path, scene_id: str | None = None) -> Path:

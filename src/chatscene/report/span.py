@@ -41,10 +41,9 @@ def span(episode: Episode) -> Span:
     if not episode.adversaries and episode.collision is None:
         return Span(first=0, moment=end, last=end)
     moment = happened(episode).step
-    first = max(moment - round(LEAD / dt), 0)
     after = moment + round(AFTER / dt)
     if episode.collision is not None:
-        return Span(first=first, moment=moment, last=min(after, end))
+        return Span(first=max(moment - round(LEAD / dt), 0), moment=moment, last=min(after, end))
     ego = episode.ego_track
     apart = np.min([np.hypot(one.x - ego.x, one.y - ego.y) for one in episode.adversaries], axis=0)
     moving = np.abs(np.diff(apart, prepend=apart[0])) > STILL * dt
@@ -52,4 +51,5 @@ def span(episode: Episode) -> Span:
     speeds = np.max([np.abs(one.speed) for one in (ego, *episode.adversaries)], axis=0)
     stand = int(np.flatnonzero(speeds > STILL).max(initial=0)) + round(STANDS / dt)
     last = min(max(after, int(still_open.max(initial=0))), stand, end)
-    return Span(first=first, moment=min(moment, last), last=last)
+    moment = min(moment, last)  # all have come to stand before, and stay as near as they are
+    return Span(first=max(moment - round(LEAD / dt), 0), moment=moment, last=last)

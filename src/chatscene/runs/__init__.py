@@ -84,6 +84,7 @@ if TYPE_CHECKING:
         changed_versions,
         create,
         free_folder,
+        is_drawn_up,
         note,
         open_run,
         read_programs,
@@ -132,6 +133,7 @@ __all__ = [
     "explain",
     "finish",
     "free_folder",
+    "is_drawn_up",
     "measurements_of",
     "metrics_of",
     "note",
@@ -185,7 +187,7 @@ _NAMES = {
     ),
     "tables": "criticality_of measurements_of metrics_of route_id route_index scene_of speeds_of",
     "workspace": (
-        "Workspace changed_versions create free_folder note open_run read_programs read_record "
+        "Workspace changed_versions create free_folder is_drawn_up note open_run read_programs read_record "
         "require_done run_folders standing take_up update write_program"
     ),
 }

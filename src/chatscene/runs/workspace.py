@@ -261,6 +261,14 @@ def standing(run: Workspace, record: Record) -> str:
     return STOPPED if since is Status.RUNNING else record.status.value
 
 
+def is_drawn_up(run: Workspace) -> bool:
+    """Whether a run is done to its last file: its report and its animation are there, as they were written."""
+    record = read_record(run, Record)
+    drawn = {name: told for name, told in record.files.items() if is_drawn(name)}
+    wanted = {Path(name).suffix for name in drawn} >= {".html", ".gif"}
+    return record.status is Status.DONE and wanted and not any(damage(run.path, drawn))
+
+
 def note(run: Workspace, *drawn: Path) -> None:
     """Keep the digests of files that were drawn from a finished run; of an unfinished one, none are kept."""
     if files := read_record(run, Record).files:

@@ -35,7 +35,7 @@ from chatscene.maps.drawing import drawing_around
 from chatscene.maps.loading import load_roads
 from chatscene.maps.network import map_with, resolve_map
 from chatscene.measure.drive import Ran
-from chatscene.report.animation import still
+from chatscene.report.animation import if_drawn, still
 from chatscene.report.coverage import coverage_page
 from chatscene.report.filled import explain_text
 from chatscene.report.stated import Stated
@@ -224,7 +224,7 @@ class _Desk:
         run = runs.Workspace(folder / name)
         if self._asked.fill:
             record = asked()
-            if _is_finished(run):
+            if run.file("run.json").is_file() and runs.is_drawn_up(run):
                 runs.take_up(run.path, record)  # or it is another's
             else:
                 pipeline.run(record, run.path)
@@ -232,27 +232,23 @@ class _Desk:
             return row
         found = runs.read_record(run)
         searched = Searched(folder=name, status=found.status.value, counts=found.counts)
-        best = next(iter(ranked(runs.read_scenes(run))), None) if not row.picture and _is_finished(run) else None
+        wanted = not row.picture and found.status is runs.Status.DONE
+        best = next(iter(ranked(runs.read_scenes(run))), None) if wanted else None
         if best is None:
             return replace(row, searched=searched)
-        picture = still(runs.read_episode(run, best["scene_id"]), runs.read_drawing(run))
+        episode, drawing = runs.read_episode(run, best["scene_id"]), runs.read_drawing(run)
+        picture = if_drawn(f"the picture of {run.path}", lambda: still(episode, drawing)) or b""
         return replace(row, searched=searched, picture=picture)
 
 
 def _still(episode: Episode, map_path: Path) -> bytes:
     actors = (episode.ego_track, *episode.adversaries)
     points = np.concatenate([np.column_stack((track.x, track.y)) for track in actors])
-    return still(episode, drawing_around(load_roads(map_path), points))
+    what = f"the picture of {episode.scene_id}"
+    return if_drawn(what, lambda: still(episode, drawing_around(load_roads(map_path), points))) or b""
 
 
 _NO_CHOICE: dict[str, Any] = {"snippet_ids": (), "composed": (), "confidence": None}
-
-
-def _is_finished(run: runs.Workspace) -> bool:
-    """Whether a run is done to its last file, the picture."""
-    if not run.file("run.json").is_file() or not any(run.path.glob("*.gif")):
-        return False
-    return runs.read_record(run).status is runs.Status.DONE
 
 
 def folder_of(row: Covered) -> str:

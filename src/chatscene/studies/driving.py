@@ -14,7 +14,7 @@ from chatscene.maps.drawing import drawing_around
 from chatscene.maps.loading import load_roads
 from chatscene.maps.network import resolve_map
 from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary, ordinary_episodes, ordinary_table
-from chatscene.report.animation import animate
+from chatscene.report.animation import animate, if_drawn
 from chatscene.report.tables import write_tables
 from chatscene.runs.atomic import write_bytes
 from chatscene.runs.executor import ONE, Workers
@@ -109,9 +109,12 @@ class _Driver:
             drives = ordinary_episodes(policy, self._simulator, scenes=1, seed=setup.seed, speed=setup.speed)
             shown = [episode for _, episode in zip(range(SHOWN + 1), drives, strict=False)][-1][1]
             if isinstance(shown, Episode):
-                picture = animate(shown, _drawing(shown, self._map), frames=FRAMES, widest=WIDEST)
+                picture = if_drawn(f"the animation of {ego}", lambda: self._animated(shown)) or b""
         fared = drive_ordinary(policy, self._simulator, scenes=setup.scenes, seed=setup.seed, speed=setup.speed)
         return ego, fared, picture
+
+    def _animated(self, shown: Episode) -> bytes:
+        return animate(shown, _drawing(shown, self._map), frames=FRAMES, widest=WIDEST)
 
 
 def _drawing(episode: Episode, map_path: Path) -> dict[str, object]:

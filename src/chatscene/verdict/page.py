@@ -12,7 +12,7 @@ import numpy as np
 
 from chatscene.errors import SettingsError
 from chatscene.files.atomic import write_whole
-from chatscene.report.animation import still
+from chatscene.report.animation import if_drawn, still
 from chatscene.report.templates import asset, fill, policy
 from chatscene.terms.episode import Episode, Track
 from chatscene.verdict.result import in_a_line
@@ -65,13 +65,17 @@ def verdict_page(verdict: Verdict, drawing: Drawing | None) -> str:
                 "at": f"{place[1]:.1f} s",
                 "draw": place[0],
                 "lines": lines,
-                "picture": base64.b64encode(
-                    picture(verdict.played[place[0]], place[1] - verdict.draws[place[0]].begin, drawing)
-                ).decode(),
+                "picture": base64.b64encode(_picture(verdict, *place, drawing)).decode(),
             }
             for place, lines in sorted(moments.items())
         ],
     )
+
+
+def _picture(verdict: Verdict, draw: int, at: float, drawing: Drawing | None) -> bytes:
+    """The picture of a moment; empty where it cannot be drawn, which is told."""
+    episode, since = verdict.played[draw], verdict.draws[draw].begin
+    return if_drawn(f"drive {draw} at {at:.1f} s", lambda: picture(episode, at - since, drawing)) or b""
 
 
 def _row(fact: Fact, moments: dict[tuple[int, float], list[str]]) -> dict[str, Any]:
