@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import pytest
@@ -146,7 +147,16 @@ def test_a_program_is_the_same_whoever_asks_for_it() -> None:
     written = Situated().read(to_yaml(DOOR), RetrievalSettings())
     runs = Situated().write(written, RetrievalSettings()).program
     assert explain_stated(DOOR).program.source == runs.source
+    assert not explain_stated(DOOR).unseen
     assert Situated().write_again(written, None, RetrievalSettings()).source == runs.source
+
+
+def test_what_no_drive_shows_is_told_with_what_is_seen_instead() -> None:
+    again = said("car", "beside", "lane-change", "overtake", side="left")  # it is ahead of us by then
+    (line,) = rehearsed(build(again), again).unseen
+    assert re.match(r"none of 16 drives shows others\.A\.does\.1\.act: said .*overtake, but ", line)
+    written = Situated().write(Situated().read(to_yaml(again), RetrievalSettings()), RetrievalSettings())
+    assert written.left_out[0] == explain_stated(again).unseen[0] == line
 
 
 def test_what_no_shift_helps_stays_as_it_was_built() -> None:
@@ -165,4 +175,4 @@ def test_what_no_shift_helps_stays_as_it_was_built() -> None:
         }
     )
     built = build(cannot)
-    assert rehearsed(built, cannot) is built
+    assert rehearsed(built, cannot).program is built.program

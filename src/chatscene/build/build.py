@@ -63,6 +63,7 @@ class Built:
         assumed: What was not said and had to be something, in words.
         left_out: Facts that it lacks, as ``path: value``.
         bound: The names of its parameters that are numbers that were said.
+        unseen: Facts that none of the drives showed that it was rehearsed in, each with what is seen instead.
     """
 
     program: ScenicProgram
@@ -70,6 +71,7 @@ class Built:
     assumed: tuple[str, ...] = ()
     left_out: tuple[str, ...] = ()
     bound: frozenset[str] = frozenset()
+    unseen: tuple[str, ...] = ()
 
 
 def build(situation: Situation, *, name: str = "situation", at_most: float = math.inf) -> Built:

@@ -47,6 +47,8 @@ def say_understood(understood: Stated | Understood, *, program: bool) -> None:
     if not isinstance(understood, Stated):
         print_understanding(console(), understood, show_program=program)
         return
+    for one in understood.unseen if program else ():
+        say(one)
     say(str(understood))
     if program:
         say("\n".join((*understood.shifted, understood.program.source)))

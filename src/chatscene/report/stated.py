@@ -74,6 +74,11 @@ class Stated:
         return _rehearsed(self.built, self.situation, map_digest(resolve_map(self.built.map)))
 
     @property
+    def unseen(self) -> tuple[str, ...]:
+        """What none of its drives shows, in lines; asking for it drives the program."""
+        return self.rehearsed.unseen
+
+    @property
     def shifted(self) -> tuple[str, ...]:
         """What is assumed besides since the program was rehearsed, in lines; asking for it drives the program."""
         return tuple(f"assumed: {one}" for one in self.rehearsed.assumed if one not in self.built.assumed)
@@ -127,6 +132,7 @@ class Stated:
             "map": self.built.map,
             "assumed": list(self.rehearsed.assumed),
             "left_out": list(self.rehearsed.left_out),
+            "unseen": list(self.unseen),
             "not_read": list(left_over(self.situation)),
             "words": self._words(),
             "reader": self.reader,

@@ -57,6 +57,7 @@ def rehearsed(built: Built, situation: Situation) -> Built:
     Returns:
         It itself if all drives but one show all that was said, if it cannot be driven, or if nothing helps; else one
         with other ranges, which are told among what was assumed, or with a slower ego, where its speed was not said.
+        What none of its drives shows is told of it.
     """
     try:
         best = _best(built, situation, DRIVES[0])
@@ -67,10 +68,11 @@ def rehearsed(built: Built, situation: Situation) -> Built:
             slow = _best(slowly, situation, DRIVES[1])
             if slow.shown > best.shown:
                 built, best = slowly, slow
+    unseen = tuple(best.unseen())
     if best.program is built.program:
-        return built
+        return replace(built, unseen=unseen) if unseen else built
     told = tuple(_told(built.program.parameters, best.program.parameters))
-    return replace(built, program=best.program, assumed=(*built.assumed, *told))
+    return replace(built, program=best.program, assumed=(*built.assumed, *told), unseen=unseen)
 
 
 def _with_slow_ego(built: Built, situation: Situation) -> Built | None:
@@ -160,6 +162,14 @@ class _Tried:
     def shown(self) -> int:
         """How many drives show all."""
         return len(self.missing) - self.missed
+
+    def unseen(self) -> Iterator[str]:
+        """Each fact that no drive shows, with what the first shows in its place."""
+        first, *others = self.missing
+        for told in first:
+            fact, _, instead = told.partition(": ")
+            if all(any(one.startswith(f"{fact}: ") for one in missing) for missing in others):
+                yield f"none of {len(self.missing)} drives shows {fact}: {instead}" if instead else told
 
     @property
     def is_enough(self) -> bool:

@@ -66,7 +66,7 @@ class Situated(Exploring):
         """
         built = _built(scenario.text, scenario.id)
         lost = tuple(f"left out, since nothing builds it yet: {one}" for one in built.left_out)
-        told = (*not_in_words(read_text(scenario.text)), *built.assumed, *lost)
+        told = (*built.unseen, *not_in_words(read_text(scenario.text)), *built.assumed, *lost)
         return Written(program=built.program, retrieval=None, left_out=told)
 
     def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:  # noqa: ARG002
