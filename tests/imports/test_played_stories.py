@@ -448,3 +448,39 @@ def test_a_thing_goes_where_the_file_moves_it(beside: Path) -> None:
     track = driven(beside, text, 40).tracks[1]
     assert float(track.y[39]) == pytest.approx(-345.0 + 5.0 * 2.9, abs=0.6)
     assert (track.length, track.width) == (1.5, 0.5)
+
+
+FREE = 1e3
+
+
+@pytest.mark.parametrize(
+    ("bounds", "after"), [((FREE, FREE, FREE), 3.0), ((0.5, FREE, FREE), 0.5), ((FREE, 2.0, FREE), 0.7)]
+)
+def test_who_goes_beside_somebody_goes_over_as_fast_as_its_bounds_let_it(bounds: Any, after: float) -> None:
+    world = Bodies(a=(0.0, 0.0, EAST, 10.0), b=(0.0, 0.0, EAST, 10.0))
+    way = way_of(("beside", "b", 3.0, 1.0, False, True, bounds), world.entity("a"), world)
+    assert way is not None
+    ys = [way.goes(0.1, 0.01)[1] for _ in range(1200)]
+    assert ys[99] == pytest.approx(after, abs=0.1)
+    assert max(ys) == pytest.approx(3.0, abs=0.01)
+    assert not way.done
+
+
+@pytest.mark.parametrize(("heading", "left"), [(EAST, 3.0), (WEST, -3.0)])
+def test_the_left_of_somebody_is_to_the_left_as_that_one_faces(heading: float, left: float) -> None:
+    world = Bodies(a=(0.0, 0.0, EAST, 10.0), b=(0.0, 0.0, heading, 10.0))
+    way = way_of(("beside", "b", 3.0, 1.0, False, False), world.entity("a"), world)
+    assert way is not None
+    assert way.goes(1.0, 0.1)[1] == pytest.approx(left)
+
+
+@pytest.mark.parametrize("turn", ["", '<Orientation type="relative" h="3.14159"/>'])
+def test_who_begins_behind_somebody_who_faces_against_its_lane_begins_behind_as_that_one_faces(
+    turn: str, beside: Path
+) -> None:
+    behind = '<RelativeLanePosition entityRef="ego" dLane="0" ds="-10">{}</RelativeLanePosition>'
+    text = scenario(place=behind.format(turn), events=event(LONG, TIME.format(90)))
+    text = text.replace('y="-374.0" h="1.570796"', 'y="-300.0" h="-1.570796"')
+    ego, other = story(beside, text).members[:2]
+    assert other.y - other.ahead * math.sin(other.heading) == pytest.approx(-290.0, abs=0.1)
+    assert math.cos(other.heading - ego.heading) == pytest.approx(1.0, abs=1e-3)

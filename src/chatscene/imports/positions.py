@@ -219,6 +219,8 @@ class Positions:
         ahead = self._given.number(one, "ds" if "ds" in one.attributes else "dsLane", "0")
         line = laneLine(section.lane, 0.0, middle_line)
         along, aside, _ = line.project(x, y)
+        backs = math.cos(facing - line.heading_at(along)) < 0.0  # who keeps to the other side of the road
+        ahead = -ahead if backs else ahead
         line = laneLine(section.lane, along + ahead + 1.0, middle_line)
         against = int(section.openDriveID) > 0  # the lane's own line runs as it is driven, t counts left of the road's
         told = "offset" if one.tag == "RelativeLanePosition" else "dt"
@@ -226,14 +228,14 @@ class Positions:
         aside = 0.0 if told == "offset" else aside
         if not self._mirrored:
             aside += -beside if against else beside
-        if against and ahead:
+        if against and ahead and not backs:
             self._given.note(one, "its lane is driven against the road's line; it lies so far on as the lane is driven")
         along += ahead
         if not 0.0 <= along <= line.length:
             raise Refused(one, "so far along, or back, there is no lane that the lane there leads to")
         heading = line.heading_at(along)
         px, py, _ = _beside((*line.point_at(along), heading), aside)
-        there = px, py, self._turned(one, heading)
+        there = px, py, self._turned(one, heading + math.pi if backs and one.find("Orientation") is None else heading)
         return _beside(there, -beside) if self._mirrored else there
 
     def in_lane(self, section: Any, pose: Pose) -> InLane:

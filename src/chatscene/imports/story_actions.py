@@ -151,13 +151,17 @@ class StoryActions:
         side = self._given.text(one, "displacement", "any")
         limits = one.find("DynamicConstraints")
         told = {"leadingReferencedEntity": 1.0, "trailingReferencedEntity": -1.0}
-        bounds = tuple(
-            self._cast.value(limits, name) if limits is not None and name in limits.attributes else UNBOUND
-            for name in ("maxSpeed", "maxAcceleration", "maxDeceleration")
-        )
+        bounds = self._bounds(limits, "maxSpeed", "maxAcceleration", "maxDeceleration")
         amount = self._cast.value(one, "timeGap" if unit == "s" else "distance", "0")
         freespace, for_good = self._given.flag(one, "freespace"), self._given.flag(one, "continuous")
         return ("distance", self._cast.who(one), amount, unit, told.get(side, 0.0), freespace, for_good, bounds)
+
+    def _bounds(self, limits: Element | None, *names: str) -> Told:
+        """What bounds somebody, by the names of it; what is not told bounds nobody."""
+        told = limits.attributes if limits is not None else {}
+        return tuple(
+            self._cast.value(limits, name) if limits is not None and name in told else UNBOUND for name in names
+        )
 
     def _profile(self, one: Element) -> Told:
         limits = one.find("DynamicConstraints")
@@ -232,7 +236,9 @@ class StoryActions:
         side = told.get(self._given.text(one, "displacement", "any"), 0.0)
         distance = self._cast.value(one, "distance", "0")
         freespace, for_good = self._given.flag(one, "freespace"), self._given.flag(one, "continuous")
-        return ("beside", self._cast.who(one), distance, side, freespace, for_good)
+        limits = one.find("DynamicConstraints")
+        bounds = self._bounds(limits, "maxSpeed", "maxAcceleration", "maxAccelerationRate")
+        return ("beside", self._cast.who(one), distance, side, freespace, for_good, *([bounds] if limits else []))
 
     def _follows(self, one: Element, name: str | None) -> Told:
         trajectory = one.find("TrajectoryRef", "Trajectory") or one.find("Trajectory")

@@ -16,7 +16,7 @@ from chatscene.world.story.conditions import World
 from chatscene.world.story.entities import Entity, along, offset
 
 _NEAR = 0.1  # [m] within which a distance is reached
-_SPRING = 0.4  # of the largest acceleration, per metre: how hard a distance is pulled to, with no swinging past it
+SPRING = 0.4  # of the largest acceleration, per metre: how hard a distance is pulled to, with no swinging past it
 _STANDS = 1e-6  # [m/s]
 _PAST = 1e-3  # [m] by which somebody comes farther from a place that lies behind it
 UNBOUND = 1e3  # [m/s] and [m/s²], from which on a limit is none
@@ -198,7 +198,7 @@ class Distance(Pace):
         if min(up, down) >= UNBOUND:
             self.jump = off
             return other.speed
-        spring = _SPRING * (up if off < 0.0 else down)
+        spring = SPRING * (up if off < 0.0 else down)
         gains = min(max(off * spring - 2.0 * math.sqrt(spring) * (who.speed - other.speed), -down), up)
         return min(max(who.speed + gains * dt, -top), top)
 

@@ -23,13 +23,14 @@ from chatscene.terms.polyline import Polyline
 from chatscene.world.places import line_of
 from chatscene.world.story.conditions import World
 from chatscene.world.story.entities import Entity, along
-from chatscene.world.story.pace import STEEPEST, shaped
+from chatscene.world.story.pace import SPRING, STEEPEST, UNBOUND, shaped
 from chatscene.world.story.places import moved
 
 Pose = tuple[float, float, float]  # x, y [m], heading [rad]
 
 _STEP_ASIDE = 0.5  # [m/s²] across, with which somebody goes aside where nothing is told
 _NO_WAY = 1e-6  # [m]
+_BESIDE = 0.01  # [m] within which a distance to the side is reached
 _ACROSS = 0.1  # [m] before and behind, between which the direction of a line is seen
 
 
@@ -165,22 +166,50 @@ class Shift(Way):
 
 
 class Beside(Way):
-    """Keeps a distance to the side of somebody."""
+    """Keeps a distance to the side of somebody, or comes to it: at once where nothing bounds it.
+
+    With a bound on its acceleration across, it is pulled there as by a spring, with no swinging past it; with one on
+    its speed alone, it goes over at that. It goes no farther in all than without.
+    """
 
     def __init__(self, who: Entity, other: Entity, told: tuple[Any, ...]) -> None:
         super().__init__(who, who.line)
-        distance, side, freespace, self._for_good = told
-        self._other = other
+        distance, side, freespace, self._for_good, *limits = told
+        self._top, self._gains, self._jerk = limits[0] if limits else (UNBOUND,) * 3
+        self._other, self._across, self._gain = other, who.speed * math.sin(self._turn), 0.0
         room = (who.agent.width + other.agent.width) / 2 if freespace else 0.0
-        theirs = along(who.line, *other.origin[:2])[1]
-        self._want = (side or (1.0 if self._left >= theirs else -1.0)) * (distance + room)
+        x, y, heading = other.origin
+        at, theirs = along(who.line, x, y)
+        its = math.copysign(side, side * math.cos(heading - _bearing(who.line, at)))  # which is to a side of the other
+        self._want = (its or (1.0 if self._left >= theirs else -1.0)) * (distance + room)
         self.done = False
 
     def goes(self, gone: float, dt: float) -> Pose:
         """Beside the other."""
-        self._left = along(self.line, *self._other.origin[:2])[1] + self._want
-        self.done = not self._for_good
-        return super().goes(gone, dt)
+        off = along(self.line, *self._other.origin[:2])[1] + self._want - self._left
+        if min(self._top, self._gains) >= UNBOUND:
+            self._left += off
+            self.done = not self._for_good
+            return super().goes(gone, dt)
+        self.done = not self._for_good and abs(off) < _BESIDE
+        if dt > 0.0:
+            top = min(self._top, abs(gone) / dt)
+            self._across = min(max(self._goes_over(off, top, dt), -top), top)
+        over = self._across * dt
+        self._left += over
+        straight = math.copysign(math.sqrt(max(gone**2 - over**2, 0.0)), gone)
+        self._onward(straight)
+        return self._pose(math.atan2(over, straight) if gone > 0.0 else 0.0)
+
+    def _goes_over(self, off: float, top: float, dt: float) -> float:
+        """How fast it is to go across [m/s], so far off [m]."""
+        if self._gains >= UNBOUND:
+            return math.copysign(min(top, abs(off) / dt), off)
+        spring = SPRING * self._gains
+        pull = off * spring - 2.0 * math.sqrt(spring) * self._across
+        change = min(max(pull - self._gain, -self._jerk * dt), self._jerk * dt)
+        self._gain = min(max(self._gain + change, -self._gains), self._gains)
+        return self._across + self._gain * dt
 
 
 class Line(Way):
