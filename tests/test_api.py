@@ -10,6 +10,8 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
+from unittest.mock import Mock
 
 import click
 import numpy as np
@@ -312,3 +314,50 @@ _NAMING: dict[str, Callable[[str], object]] = {
 def test_a_name_with_a_nul_is_no_path(call: Callable[[str], object]) -> None:
     with pytest.raises(ChatSceneError, match="is no path: it holds a NUL character"):
         call("run\0s")
+
+
+def test_a_run_of_an_ego_of_ones_own_is_judged_and_told_without_loading_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "theirs.py").write_text("from chatscene.ego.rule_based import RuleBased\nmake = RuleBased\n")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    done = chatscene.run("the car ahead brakes hard", tmp_path / "run", ego="theirs:make", scenes=1, routes=1)
+    assert done.repeated.ego == ("theirs:make",)
+    monkeypatch.setattr("chatscene.ego.policy.load_ego", Mock(side_effect=AssertionError("it drove already")))
+    for what in (done, done.folder):
+        assert chatscene.verify(what).facts
+        assert chatscene.story(what).told
+    with pytest.raises(SettingsError, match="driven already"):
+        chatscene.verify(done, ego="idm")
+
+
+@pytest.mark.parametrize("command", ["replay", "rate"])
+def test_what_takes_a_folder_takes_its_run(command: str, simulated: chatscene.Run) -> None:
+    options: dict[str, Any] = {"scenes": 0} if command == "rate" else {}
+    assert getattr(chatscene, command)(simulated, **options) == getattr(chatscene, command)(simulated.folder, **options)
+
+
+def test_a_run_knows_who_searched_and_read_so_that_it_can_be_edited(simulated: chatscene.Run) -> None:
+    assert simulated.repeated.sampler == ("quality-diversity",)
+    assert simulated.understood
+
+
+@pytest.mark.parametrize("option", ["library", "language_model", "reader"])
+def test_how_a_text_is_read_is_refused_beside_a_situation(option: str, tmp_path: Path) -> None:
+    said = chatscene.explain(BRAKES).situation
+    value: Any = {"library": str(tmp_path), "language_model": "gguf:none", "reader": "paper"}[option]
+    verbs: tuple[Callable[..., Any], ...] = (chatscene.explain, chatscene.run)
+    for verb in verbs:
+        with pytest.raises(SettingsError, match=f"`{option}` is about how a text is read"):
+            verb(said, **{option: value})
+
+
+def test_bad_arguments_are_errors_of_ours(simulated: chatscene.Run) -> None:
+    with pytest.raises(SettingsError, match="n is -1"):
+        chatscene.describe(-1)
+    with pytest.raises(SettingsError, match="foo"):
+        chatscene.describe(1, base="foo")
+    with pytest.raises(SettingsError, match="-5"):
+        chatscene.rate(simulated, scenes=-5)
+    with pytest.raises(SettingsError, match="within"):
+        chatscene.run(BRAKES, within="x")

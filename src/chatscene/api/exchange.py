@@ -6,17 +6,18 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from chatscene.api.arguments import Name, Names, folder_for, names_of, path_of
+from chatscene.api.results import Run, folder_of
 
 if TYPE_CHECKING:
     from chatscene.exports.export import Exported
     from chatscene.imports.import_file import ImportedScenario
 
 
-def export(folder: Name, scenes: Names = (), *, to: str, out: Name | None = None) -> Exported:
+def export(folder: Name | Run, scenes: Names = (), *, to: str, out: Name | None = None) -> Exported:
     """Write scenes of a run as files that other tools read; nothing is simulated or executed.
 
     Args:
-        folder: Run folder.
+        folder: A run, or its folder.
         scenes: Ids of the scenes; none for those that the run keeps.
         to: An exporter by name, one of `chatscene.exports.exporter.EXPORTERS` such as ``openscenario`` or ``csv``, or
             ``package.module:factory``.
@@ -30,7 +31,7 @@ def export(folder: Name, scenes: Names = (), *, to: str, out: Name | None = None
     """
     from chatscene.exports.export import export as export_scenes
 
-    return export_scenes(path_of(folder), names_of(scenes), to=to, out=folder_for(out))
+    return export_scenes(folder_of(folder), names_of(scenes), to=to, out=folder_for(out))
 
 
 def import_scenario(

@@ -6,8 +6,8 @@ import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from chatscene.api.arguments import Name, Names, again, judging, path_of
-from chatscene.api.results import Run
+from chatscene.api.arguments import Name, Names, judging, path_of
+from chatscene.api.results import Run, again_of, folder_of, run_again
 
 if TYPE_CHECKING:
     from chatscene.runs.replay import Replayed
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def replay(
-    folder: Name,
+    folder: Name | Run,
     scene_id: str | None = None,
     *,
     ego: Names = (),
@@ -30,7 +30,7 @@ def replay(
     """Simulate a scene of a run again from its stored values, and compare every number of every track.
 
     Args:
-        folder: Run folder.
+        folder: A run, or its folder.
         scene_id: Id of the scene; None for the first that the report shows.
         ego: Ego of the run again, if it may run code of its own.
         generator: Generator of the run again, if it is none of ours.
@@ -45,12 +45,13 @@ def replay(
     """
     from chatscene.runs.replay import replay as replay_scene
 
-    repeated = again(ego=ego, generator=generator, simulator=simulator, library=library)
-    return replay_scene(path_of(folder), scene_id or Run(folder).best.id, repeated=repeated, watch=watch, record=record)
+    repeated = again_of(folder, ego=ego, generator=generator, simulator=simulator, library=library)
+    path = folder_of(folder)
+    return replay_scene(path, scene_id or Run(path).best.id, repeated=repeated, watch=watch, record=record)
 
 
 def why(
-    folder: Name,
+    folder: Name | Run,
     scene_id: str | None = None,
     *,
     ego: Names = (),
@@ -61,7 +62,7 @@ def why(
     """Say why a scene of a run crashed, by driving it otherwise: who struck whom, what it took, how the ego avoids it.
 
     Args:
-        folder: Run folder.
+        folder: A run, or its folder.
         scene_id: Id of the scene; None for the first that the report shows.
         ego: Ego of the run again, if it may run code of its own.
         generator: Generator of the run again, if it is none of ours.
@@ -74,8 +75,9 @@ def why(
     """
     from chatscene.runs.why import why as why_crashed
 
-    repeated = again(ego=ego, generator=generator, simulator=simulator, library=library)
-    return why_crashed(path_of(folder), scene_id or Run(folder).best.id, repeated=repeated)
+    repeated = again_of(folder, ego=ego, generator=generator, simulator=simulator, library=library)
+    path = folder_of(folder)
+    return why_crashed(path, scene_id or Run(path).best.id, repeated=repeated)
 
 
 def story(
@@ -91,6 +93,9 @@ def story(
     param: Mapping[str, object] | None = None,
     variant: int | None = None,
     within: Name | None = None,
+    generator: Names = (),
+    simulator: Names = (),
+    library: Names = (),
 ) -> Story:
     """What happened in a drive of a program, a run or a recording, in words, with times and speeds.
 
@@ -108,6 +113,9 @@ def story(
         param: As `verify`.
         variant: Which set of parameter values of a file of such sets, from 1; None for the first.
         within: The folder in which map and catalogs lie that a program names, if they may lie nowhere else.
+        generator: Generator of the run again, if it is none of ours.
+        simulator: Simulator of the run again, if it is none of ours.
+        library: Folder of snippets of the run again, if it has one.
 
     Raises:
         ChatSceneError: It cannot be read or driven, or has no such scene.
@@ -126,7 +134,8 @@ def story(
         given=param,
         variant=variant,
     )
-    return told(what.folder if isinstance(what, Run) else path_of(what), settings)
+    path, repeated = run_again(what, generator=generator, simulator=simulator, library=library)
+    return told(path, settings, repeated)
 
 
 def sql(query: str, folder: Name = "runs") -> Table:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, overload
 
 from chatscene import runs
 from chatscene.api.arguments import Name, Names, again, changed, folder_for, names_of, path_of, read_by
-from chatscene.errors import SettingsError
+from chatscene.errors import SettingsError, no_such
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.settings import EGO, EXECUTOR, SIMULATOR, RetrievalSettings, Settings, SimulationSettings
@@ -116,9 +116,10 @@ def run(
     _check_asked(
         program is not None,
         told=isinstance(text, Situation),
-        driven=trust or as_written or bool(param),
+        driven=trust or as_written or bool(param) or within is not None,
         changed=bool(edit) or bool(set),
         reading=reading or 0,
+        reads=_reads(library, embedder, language_model, reader),
     )
     settings = settings or Settings(simulation=SimulationSettings(simulator=SIMULATOR))
     chosen = read_by(settings.retrieval, library, embedder, language_model, reader, reading)
@@ -170,7 +171,15 @@ def run(
     pipeline.run(asked, where, workers=Workers(jobs, executor), progress=progress)
     from chatscene.api.results import Run
 
-    return Run(where, ego=ego, simulator=simulation.simulator, library=chosen.library or ())
+    return Run(
+        where,
+        ego=ego,
+        sampler=looking.sampler,
+        simulator=simulation.simulator,
+        library=chosen.library or (),
+        embedder=chosen.embedder,
+        language_model=chosen.language_model or (),
+    )
 
 
 def read_situation(file: Name) -> Situation:
@@ -248,8 +257,14 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
 
         if report is not None:
             raise SettingsError("say what to explain: a situation or a report, and only one of them")
-        if reading:
-            raise SettingsError(ONE_READING)
+        _check_asked(
+            False,
+            told=True,
+            driven=False,
+            changed=False,
+            reading=reading or 0,
+            reads=_reads(library, embedder, language_model, reader),
+        )
         return explain_stated(stated(text, set, on), edits=names_of(edit or ()))
     from chatscene.report.filled import explain_text
 
@@ -309,6 +324,10 @@ def describe(
     from chatscene.sentences.describe_with_model import describe_for
 
     settings = read_by(RetrievalSettings(), library, embedder, language_model)
+    if n < 0:
+        raise SettingsError(f"n is {n}; ask for 0 scenarios or more")
+    if base and base not in set(BaseScenario):
+        raise SettingsError(no_such("base scenario", str(base), tuple(BaseScenario)))
     wanted = BaseScenario(base) if base else None
     return describe_for(settings, wanted, n, seed=seed, instruction=instruction).descriptions
 
@@ -379,7 +398,14 @@ _RESUMES = {
 """Whose `resume` goes on with each kind of folder (`chatscene.runs.Kind`); loaded when it does."""
 
 
-def _check_asked(program: bool, *, told: bool, driven: bool, changed: bool, reading: int) -> None:
+def _reads(library: Name | None, embedder: str | None, language_model: str | None, reader: str | None) -> str:
+    """The first of what says how a text is read that is not as usual; empty if none is."""
+    usual = RetrievalSettings()
+    said = {"library": library, "embedder": embedder, "language_model": language_model, "reader": reader}
+    return next((name for name, value in said.items() if value and str(value) != getattr(usual, name)), "")
+
+
+def _check_asked(program: bool, *, told: bool, driven: bool, changed: bool, reading: int, reads: str) -> None:
     """Refuse what is asked of a run that has no place in what is run, which would else be dropped.
 
     Args:
@@ -388,16 +414,20 @@ def _check_asked(program: bool, *, told: bool, driven: bool, changed: bool, read
         driven: Whether it is said how a program is driven.
         changed: Whether facts or edits are said.
         reading: Which reading of a text is taken; 0 where that is not said.
+        reads: What says how a text is read; empty where nothing does.
 
     Raises:
         SettingsError: There is such a thing.
     """
     if driven and not program:
-        raise SettingsError("`trust`, `as_written` and `param` are about a program, and none is run")
+        raise SettingsError("`trust`, `as_written`, `within` and `param` are about a program, and none is run")
     if changed and program:
         raise SettingsError("`edit` and `set` are about what is said, and a program is run as it is; leave them out")
     if reading and (program or told):
         raise SettingsError(ONE_READING)
+    if reads and (program or told):
+        what = "a program is run as it is" if program else "a situation is not read"
+        raise SettingsError(f"`{reads}` is about how a text is read, and {what}; leave it out")
 
 
 def _only_conflict(report: Name) -> Conflict:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from chatscene import runs
 from chatscene.api.arguments import Name, Names, again, folder_for, judging, names_of, path_of, read_by
-from chatscene.api.results import Run, folders_of
+from chatscene.api.results import Run, again_of, folder_of, folders_of, run_again
 from chatscene.errors import SettingsError
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
@@ -46,6 +47,8 @@ def verify(
     reader: str | None = None,
     reading: int | None = None,
     set: Mapping[str, object] | None = None,  # noqa: A002 - the word of the command line
+    generator: Names = (),
+    simulator: Names = (),
 ) -> Verdict:
     """Whether a program, a run or a recording shows what was said, fact by fact, from its tracks.
 
@@ -68,12 +71,15 @@ def verify(
         budget: Processor time [s] for scenes that cannot be driven, over all drives; then no more are tried.
         within: The folder in which map and catalogs lie that a program names, if they may lie nowhere else.
         page: Where a page with the moment of each fact is written; None for none.
-        library: As `explain`, where it is refused: snippets have no facts to be judged by.
+        library: Folder of snippets of the run again, if it has one. For all else it is refused: snippets have no facts
+            to be judged by.
         embedder: As `explain`.
         language_model: As `explain`.
         reader: As `explain`.
         reading: As `explain`.
         set: Facts beside what was said, by their paths; beside a text also by their names.
+        generator: Generator of the run again, if it is none of ours.
+        simulator: Simulator of the run again, if it is none of ours.
 
     Raises:
         NothingFits: Nothing, or nothing for sure, is read in the text.
@@ -99,10 +105,11 @@ def verify(
         variant=variant,
         budget=budget,
     )
-    path = what.folder if isinstance(what, Run) else path_of(what)
-    chosen = read_by(RetrievalSettings(), library, embedder, language_model, reader, reading)
+    path, repeated = run_again(what, generator=generator, simulator=simulator, library=library or ())
+    own = None if os.path.isdir(path) else library  # noqa: PTH112 - Path.is_dir() raises for what is too long
+    chosen = read_by(RetrievalSettings(), own, embedder, language_model, reader, reading)
     wanted = asked(_made_of(path) if said is None else said, chosen, set)
-    found = watching(path, settings)
+    found = watching(path, settings, repeated)
     verdict = weighed(found, str(path), wanted, settings)
     if page is not None:
         write_page(path_of(page), verdict, found.drawing)
@@ -128,7 +135,7 @@ def _made_of(folder: Path) -> Situation:
 
 
 def rate(
-    folder: Name,
+    folder: Name | Run,
     *,
     scenes: int = 200,
     seed: int = 0,
@@ -144,7 +151,7 @@ def rate(
     """Say how often the situation of a run ends in a crash, and in an avoidable one, if it comes about.
 
     Args:
-        folder: Run folder; its ego drives.
+        folder: A run, or its folder; its ego drives.
         scenes: How many scenes to draw for this.
         seed: Of these.
         exposure: TOML file that says how often values occur on the road; without it every value of a parameter's range
@@ -164,10 +171,12 @@ def rate(
     from chatscene.runs.rate import rate as rate_of
     from chatscene.search.exposure import read_exposure
 
-    repeated = again(ego=ego, generator=generator, simulator=simulator, library=library)
+    if scenes < 0:
+        raise SettingsError(f"scenes is {scenes}; draw 0 or more")
+    repeated = again_of(folder, ego=ego, generator=generator, simulator=simulator, library=library)
     densities = () if exposure is None else read_exposure(path_of(exposure))
     return rate_of(
-        path_of(folder),
+        folder_of(folder),
         scenes=scenes,
         seed=seed,
         densities=densities,

@@ -77,6 +77,11 @@ class Run:
         runs.require_done(self._workspace, self._record)
 
     @property
+    def repeated(self) -> Repeated:
+        """What the user named again, and so trusts."""
+        return self._repeated
+
+    @property
     def summary(self) -> Summary:
         """How many scenes were driven, collided, left the road and were kept, and who drove."""
         from chatscene.report.summary import Summary
@@ -199,7 +204,7 @@ class Run:
             ego=record.ego,
             generator="situation",
             edits=[*record.edits, edit],
-        )
+        ).model_copy(update={"report": record.report})
 
     @property
     def edited_from(self) -> Run:
@@ -372,6 +377,22 @@ class DrivenScene:
         record = runs.read_record(self._workspace)
         moving = animate(self.episode, runs.read_drawing(self._workspace), said=record.title, ego=record.ego)
         return picture(moving, said=self.id)
+
+
+def folder_of(what: Run | Name) -> Path:
+    """The folder of a run."""
+    return what.folder if isinstance(what, Run) else path_of(what)
+
+
+def again_of(what: Run | Name, **named: Names) -> Repeated:
+    """What the user names beside a record: now, or when the run was opened."""
+    before = what.repeated if isinstance(what, Run) else Repeated()
+    return replace(again(**named), **{name: asdict(before)[name] for name, now in named.items() if not now})
+
+
+def run_again(what: Run | Name, **named: Names) -> tuple[Path, Repeated]:
+    """Where something lies that may be a run, and what the user names beside its record."""
+    return folder_of(what), again_of(what, **named)
 
 
 def folders_of(scenes: Run | Name | Sequence[Run | Name]) -> list[Path]:

@@ -80,7 +80,10 @@ def check(folders: tuple[Path, ...], as_json: bool) -> None:
     for folder in folders:
         try:
             found.append(runs.check(folder))
-        except RunError as error:  # the others are checked all the same
+        except RunError as error:
+            if len(folders) == 1:
+                raise
+            # The others are checked all the same.
             found.append(runs.Condition(folder=folder, damaged={}, unknown=str(error)))
     if as_json:
         say(json.dumps([condition.as_dict() for condition in found], indent=1))

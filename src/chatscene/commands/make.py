@@ -175,11 +175,7 @@ def explain(text: str | None, report: Path | None, show_program: bool, as_json: 
         return
     stated = situation_file(text)
     with refusing(text if stated is None else "", options["embedder"], as_json):
-        if stated is not None:
-            given = {name: options[name] for name in ("edit", "set", "map", "reading")}
-            understood = chatscene.explain(stated, **given)
-        else:
-            understood = chatscene.explain(text, **options)
+        understood = chatscene.explain(text if stated is None else stated, **options)
     if as_json:
         say(json.dumps(understood.as_dict(), indent=1))
     else:

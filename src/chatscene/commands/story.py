@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 import chatscene
-from chatscene.commands.options import JSON, JUDGED, SEEDS, Finite
+from chatscene.commands.options import GENERATOR_AGAIN, JSON, JUDGED, LIBRARY_AGAIN, SEEDS, SIMULATOR_AGAIN, Finite
 from chatscene.commands.output import say
 from chatscene.errors import SettingsError
 
@@ -23,6 +23,9 @@ from chatscene.errors import SettingsError
 @click.option(
     "--at", type=Finite(0.0), default=None, metavar="SECONDS", help="Which moment.  [default: the nearest one]"
 )
+@GENERATOR_AGAIN
+@SIMULATOR_AGAIN
+@LIBRARY_AGAIN
 @JSON
 def story(what: Path, picture: Path | None, at: float | None, as_json: bool, **options: Any) -> None:
     """Say what happened in a drive of WHAT, in words, with times and speeds. Nothing is judged.

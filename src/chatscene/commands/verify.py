@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 import chatscene
-from chatscene.commands.options import CHOOSING, JSON, JUDGED, READING, SEEDS, Finite
+from chatscene.commands.options import CHOOSING, GENERATOR_AGAIN, JSON, JUDGED, READING, SEEDS, SIMULATOR_AGAIN, Finite
 from chatscene.commands.output import say
 from chatscene.commands.refusal import complain, refusing
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
@@ -47,6 +47,8 @@ _USUAL = VerifySettings()
 @click.option(
     "--page", type=click.Path(path_type=Path), default=None, help="Write a page with the moment of each fact."
 )
+@GENERATOR_AGAIN
+@SIMULATOR_AGAIN
 @READING
 @CHOOSING
 @JSON

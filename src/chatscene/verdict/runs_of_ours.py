@@ -14,7 +14,7 @@ from chatscene.settings import VerifySettings
 from chatscene.verdict.watched import Watched, Watching
 
 
-def watch_run(folder: Path, settings: VerifySettings) -> Watching:
+def watch_run(folder: Path, settings: VerifySettings, repeated: Repeated | None = None) -> Watching:
     """Scenes of a run: the one that is named, or those that it keeps; where it keeps none, the first that were driven.
 
     Raises:
@@ -28,7 +28,7 @@ def watch_run(folder: Path, settings: VerifySettings) -> Watching:
     chosen = (chosen or list(driven))[: settings.draws]
     if not chosen or chosen[0] not in driven:
         raise RunError(f"{folder} has no scene {settings.scene_id!r} that was driven; scenes.parquet lists them")
-    follow(Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
+    follow(repeated or Repeated(), simulators_of=[run], joining_of=[run])  # its ego drove already, and is not loaded
     made = remade(run)
     drives = tuple(
         Watched(

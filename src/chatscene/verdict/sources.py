@@ -11,13 +11,14 @@ from chatscene.files.bounded import is_there
 from chatscene.imports.osi_trace import read_trace
 from chatscene.imports.recording import Poses, recording
 from chatscene.imports.tracks_table import read_table
+from chatscene.runs.trust import Repeated
 from chatscene.settings import VerifySettings
 from chatscene.verdict.programs import watch_openscenario, watch_program
 from chatscene.verdict.recorded import watch_recording
 from chatscene.verdict.watched import Watching
 
 
-def watching(what: Path, settings: VerifySettings) -> Watching:
+def watching(what: Path, settings: VerifySettings, repeated: Repeated | None = None) -> Watching:
     """The drives of what is to be judged.
 
     Raises:
@@ -37,7 +38,9 @@ def watching(what: Path, settings: VerifySettings) -> Watching:
     if what.is_dir():
         from chatscene.verdict.runs_of_ours import watch_run
 
-        return watch_run(what, settings)
+        if settings.ego or settings.map_name:
+            raise SettingsError(f"{what} is a run, which was driven already: leave out --ego and --map")
+        return watch_run(what, settings, repeated)
     if (watch := KINDS.get(kind)) is None:
         raise SettingsError(no_such("kind of file", what.suffix or what.name, KINDS))
     return watch(what, settings)

@@ -20,6 +20,7 @@ from chatscene.measure.severity import in_kmh
 from chatscene.program.deeds import STANDING, Act, runs
 from chatscene.program.doing import ACTS
 from chatscene.program.watching import Seen, watch
+from chatscene.runs.trust import Repeated
 from chatscene.settings import VerifySettings
 from chatscene.simulate.boxes import gaps
 from chatscene.terms.actors import named
@@ -155,18 +156,19 @@ class Story:
         return "\n".join((f"{self.scene}: {self.seconds:.1f} s", *self.notes, *map(str, self.told), end))
 
 
-def story(what: Path, settings: VerifySettings) -> Story:
+def story(what: Path, settings: VerifySettings, repeated: Repeated | None = None) -> Story:
     """What happened in the first drive of a run, a program or a recording.
 
     Args:
         what: Anything that `chatscene.verdict.sources` has a row for.
         settings: Which scene, and who drives.
+        repeated: What a run names and the user trusts.
 
     Raises:
         SettingsError: There is no such file, or no drive of it.
         ChatSceneError: It cannot be read or driven.
     """
-    found = watching(what, replace(settings, draws=1))
+    found = watching(what, replace(settings, draws=1), repeated)
     if not found.drives:
         why = "; ".join(dict.fromkeys(found.rejected)) or "nothing was driven"
         raise SettingsError(f"{what} has no drive: {why}; try another seed")
