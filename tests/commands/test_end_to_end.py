@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -84,6 +85,41 @@ def test_a_run_of_two_processes_that_is_killed_twice_ends_like_one_of_one_that_w
     errors = resumed.communicate()[1]
     assert resumed.returncode == 0, errors
     assert content(folder) == content(finished)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a group of processes is one of Unix")
+def test_an_interrupted_run_names_its_folder_and_no_worker_complains(tmp_path: Path) -> None:
+    folder = tmp_path / "interrupted run"
+    command = [sys.executable, "-m", "chatscene", "run", SENTENCE, *SURE, "--out", str(folder)]
+    heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)  # whoever starts the tests may ignore it
+    process = subprocess.Popen(
+        [*command, "--scenes", "200", "--routes", "2", "--jobs", "2"],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+        preexec_fn=heard,  # noqa: PLW1509 - nothing here holds a lock
+    )
+    while not (folder / "map.json").exists():  # written just before the workers begin
+        assert process.poll() is None, "the run did not come that far"
+        time.sleep(0.002)
+    time.sleep(0.5)
+    os.killpg(process.pid, signal.SIGINT)
+    errors = process.communicate(timeout=60)[1]
+    assert process.returncode == 130
+    assert "Traceback" not in errors
+    last = errors.strip().splitlines()[-1]
+    assert last == f"interrupted; what was finished is kept; continue with: chatscene resume '{folder}'"
+
+
+def test_an_interrupted_command_that_left_nothing_promises_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("chatscene.explain", interrupted)
+    answer = chatscene("explain", SENTENCE)
+    assert answer.exit_code == 130
+    assert answer.stderr.strip() == "interrupted"
 
 
 def test_a_finished_run_is_not_run_again(finished: Path) -> None:

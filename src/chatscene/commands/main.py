@@ -80,8 +80,9 @@ class _Errors(click.Group):
                 raise
             complain(told)
             ctx.exit(1)
-        except KeyboardInterrupt:
-            say("\ninterrupted; what was finished is kept: continue with chatscene resume DIR", err=True)
+        except KeyboardInterrupt as error:
+            kept = getattr(error, "__notes__", [])[-1:]  # the last: of the folder that holds the others
+            say("; ".join(["\ninterrupted", *kept]), err=True)
             ctx.exit(130)
 
 

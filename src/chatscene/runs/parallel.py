@@ -59,6 +59,7 @@ def spread(
     while left:
         pool = load_executor(workers.executor, count, _begin, make, setup, frozenset(cut_off))
         pending: dict[Future[Result], Task] = {}
+        waits = True
         try:
             while left or pending:
                 while left and len(pending) < count:
@@ -80,8 +81,11 @@ def spread(
                     'if __name__ == "__main__": before what it does'
                 ) from error
             left.extendleft(pending.values())
+        except KeyboardInterrupt:
+            waits = False  # for nobody; what a worker has begun is done again
+            raise
         finally:
-            pool.shutdown(cancel_futures=True)
+            pool.shutdown(waits, cancel_futures=True)
 
 
 _making: list[tuple[Callable[[Any], Callable[[Any], Any]], Any]] = []

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import pickle
+import signal
 import sys
 import threading
-from collections.abc import Callable, Mapping
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable, Generator, Mapping
+from concurrent.futures import Future, ProcessPoolExecutor
+from contextlib import contextmanager
 from functools import cache
-from multiprocessing import connection, forkserver, get_context, parent_process
+from multiprocessing import connection, forkserver, get_context, parent_process, resource_tracker
 from multiprocessing.shared_memory import ShareableList
 from typing import Any
 
@@ -39,9 +41,20 @@ class Processes(ProcessPoolExecutor):
         self._setup = ShareableList([pickle.dumps((differs, initializer, initargs))])
         super().__init__(max_workers, mp_context=context, initializer=_begin, initargs=(self._setup.shm.name,))
 
+    def submit(self, fn: Callable[..., Any], /, *args: Any) -> Future[Any]:  # pyright: ignore[reportIncompatibleMethodOverride]
+        """Call a function by a worker that is free; see `chatscene.runs.executor.Executor`.
+
+        The first call starts all workers: one that an interrupt cut off half started could not be ended.
+        """
+        with _interrupted_after():
+            return super().submit(fn, *args)
+
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
-        """Take no more; see `chatscene.runs.executor.Executor`."""
+        """Take no more; see `chatscene.runs.executor.Executor`. Who does not wait ends what is being done."""
+        working = [] if wait else list((self._processes or {}).values())
         super().shutdown(wait, cancel_futures=cancel_futures)
+        for one in working:
+            one.kill()
         self._setup.shm.close()
         self._setup.shm.unlink()
         _set(_SAFE_PATH, self._before)
@@ -55,12 +68,43 @@ def _context() -> tuple[Any, Mapping[str, str]]:
     os.environ[_PATHS] = os.pathsep.join(filter(None, sys.path))  # so that what it loads is what is loaded here
     try:
         forkserver.set_forkserver_preload(_LOADED_ONCE)
-        forkserver.ensure_running()
+        with _uninterrupted():
+            forkserver.ensure_running()
         return get_context("forkserver"), _as_it_was()
     except ChildProcessError:  # this process is a fork of one that has started one
         return get_context("spawn"), os.environ
     finally:
         _set(_PATHS, before)
+
+
+@contextmanager
+def _interrupted_after() -> Generator[None]:
+    """Have a keyboard interrupt wait until what is done inside is done."""
+    heard: list[int] = []
+    if threading.current_thread() is not threading.main_thread() or signal.getsignal(signal.SIGINT) is None:
+        yield
+        return
+    before = signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if heard:
+        raise KeyboardInterrupt
+
+
+@contextmanager
+def _uninterrupted() -> Generator[None]:
+    """Have what is started inside not hear of a keyboard interrupt, which is this process's to handle.
+
+    A terminal tells it to all processes of a command, and a process that is forked or started inherits what is blocked.
+    """
+    resource_tracker.ensure_running()  # else it would be started inside, and lets interrupts through again
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @cache
@@ -77,6 +121,7 @@ def _set(name: str, value: str | None) -> None:
 
 
 def _begin(setup: str) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # where it was not blocked before
     threading.Thread(target=_die_with_parent, daemon=True).start()
     shared: ShareableList[bytes] = ShareableList(name=setup)
     differs, initializer, initargs = pickle.loads(shared[0])  # noqa: S301 - its parent's own

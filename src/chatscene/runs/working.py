@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import time
 from collections.abc import Generator, Iterable
 from contextlib import contextmanager, suppress
@@ -20,7 +21,7 @@ OFTEN = 2.0  # [s] after which the time that was spent is written down: to write
 
 @contextmanager
 def working(run: Workspace, progress: Progress) -> Generator[Progress]:
-    """Write down the time that is spent inside, and the error that ends it.
+    """Write down the time that is spent inside, and the error that ends it; an interruption says how to go on.
 
     Yields:
         What to tell of progress, which adds the time since it was last written down to the total and to what was told
@@ -43,6 +44,9 @@ def working(run: Workspace, progress: Progress) -> Generator[Progress]:
 
     try:
         yield tell
+    except KeyboardInterrupt as error:
+        error.add_note(f"what was finished is kept; continue with: chatscene resume {shlex.quote(str(run.path))}")
+        raise
     except (NothingFits, MeansSomethingElse) as error:
         update(run, status=Status.REFUSED, reason=str(error))
         raise
