@@ -1,21 +1,23 @@
 """Whether the simulator `native` gives the embedded one's numbers: every number of every drive, and how fast.
 
     python benchmarks/native_gate.py [--programs 240] [--scenes 3] [--seed 0] [--ego rule-based] [--speed 0]
-        [--beside 0] [--budget 480] [--in-turn] [--situations FILE]
+        [--beside 0] [--budget 480] [--in-turn] [--situations FILE] [--drawn]
 
 Each program is a behavior of the library with a geometry and a spawn that are drawn among those it can be joined with,
 every behavior in turn; `--beside` says of how many in a hundred another road user acts beside the adversary. Each is
 driven in scenes drawn from its ranges, on a route of its geometry that is drawn too, by every ego; with `--in-turn`,
 each scene by one of the egos in turn. `--situations FILE` takes programs that are built of the situations of a file
-(`tests/build/written.yaml`) instead. The first scene of a program is placed by Scenic, the others by what was learned
-of it where that can be, which is counted. Both episodes must agree in every number of every track, every event, signal,
-offset, flag and the ending. What took the embedded path in
-`native` is not compared, and is counted by reason. At the end, the processor time of both in this process, from the
-opened scene to its end, of the drives that were compared.
+(`tests/build/written.yaml`) instead; `--drawn` takes `--programs` that are built of random situations, which
+`building.py` draws by the seed, without those that cannot be or are not built. The first scene of a program is placed
+by Scenic, the others by what was learned of it where that can be, which is counted. Both episodes must agree in every
+number of every track, every event, signal, offset, flag and the ending. What took the embedded path in `native` is not
+compared, and is counted by reason. At the end, the processor time of both in this process, from the opened scene to its
+end, of the drives that were compared.
 """
 
 from __future__ import annotations
 
+import random
 import time
 from collections import Counter, defaultdict
 from collections.abc import Iterator
@@ -26,8 +28,10 @@ from types import SimpleNamespace
 import click
 import numpy as np
 import yaml
+from building import drawn
 
 from chatscene.build.build import build
+from chatscene.build.possible import impossible
 from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of, wanting
 from chatscene.errors import ChatSceneError, MapError
 from chatscene.library.beside import placed_again
@@ -109,6 +113,21 @@ def built(path: Path) -> Iterator[ScenicProgram]:
             yield build(from_plain(one), name=f"gate-{number}").program
         except ChatSceneError as error:
             print(f"situation {number} is not built: {error}")
+
+
+def built_of_drawn(count: int, seed: int) -> Iterator[ScenicProgram]:
+    """As many programs, built of situations at random."""
+    rng, made, tried = random.Random(seed), 0, 0
+    while made < count:
+        tried += 1
+        situation = drawn(rng)
+        if any(True for _ in impossible(situation)):
+            continue
+        try:
+            yield build(situation, name=f"drawn-{tried}").program
+        except ChatSceneError:
+            continue
+        made += 1
 
 
 def scenes(program: ScenicProgram, simulator: Simulator, count: int, seed: int) -> Iterator[Scene]:
@@ -198,6 +217,7 @@ def show(name: str, tally: Tally) -> None:
 @click.option("--beside", default=0, help="Of how many programs in a hundred somebody else acts too.")
 @click.option("--in-turn", is_flag=True, help="Each scene by one of the egos, in turn, and not by all.")
 @click.option("--situations", type=click.Path(path_type=Path), help="A file of situations, instead of the library.")
+@click.option("--drawn", "at_random", is_flag=True, help="Programs of situations at random, instead of the library.")
 @click.option("--budget", default=480.0, help="Processor seconds after which no further program is begun.")
 def main(
     count: int,
@@ -208,6 +228,7 @@ def main(
     beside: int,
     in_turn: bool,
     situations: Path | None,
+    at_random: bool,
     budget: float,
 ) -> None:
     """Compare the two simulators, and say how many drives were identical."""
@@ -219,7 +240,10 @@ def main(
     tallies: dict[str, Tally] = defaultdict(Tally)
     failed: Counter[str] = Counter()
     tried, driven_scenes, why = 0, 0, ""
-    for program in built(situations) if situations else programs(count, beside, np.random.default_rng(seed)):
+    asked = programs(count, beside, np.random.default_rng(seed))
+    if situations or at_random:
+        asked = built(situations) if situations else built_of_drawn(count, seed)
+    for program in asked:
         if time.process_time() > budget:
             break
         tried += 1

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -22,8 +22,7 @@ _VARINT, _SIZED = 0, 2  # kinds of fields
 _FIXED = {1: 8, 5: 4}  # bytes of the other kinds
 
 
-@dataclass(frozen=True, slots=True)
-class _Field:
+class _Field(NamedTuple):
     """A field of a message: where it stands in the file, and from where on its value does."""
 
     number: int
@@ -63,17 +62,19 @@ class OnnxFile:
     def _look_through(self, graph: _Field) -> None:
         for field in _fields(self._content, graph.value, graph.end):
             if field.number == _NODE:
-                self._nodes.append(_Node(field, self._texts(field, _READS), self._texts(field, _WRITES)))
+                self._nodes.append(_Node(field, *self._texts(field, _READS, _WRITES)))
             elif field.number == _ARRAY:
-                self._arrays[self._texts(field, _ARRAY_NAME)[0]] = field
+                self._arrays[self._texts(field, _ARRAY_NAME)[0][0]] = field
             elif field.number == _INPUT:
-                self._inputs[self._texts(field, _VALUE_NAME)[0]] = field
+                self._inputs[self._texts(field, _VALUE_NAME)[0][0]] = field
             elif field.number in (_OUTPUT, _BETWEEN):
-                self._values[self._texts(field, _VALUE_NAME)[0]] = field
+                self._values[self._texts(field, _VALUE_NAME)[0][0]] = field
 
-    def _texts(self, message: _Field, number: int) -> tuple[str, ...]:
-        fields = (one for one in _fields(self._content, message.value, message.end) if one.number == number)
-        return tuple(str(self._content[one.value : one.end], "utf-8") for one in fields)
+    def _texts(self, message: _Field, *numbers: int) -> list[tuple[str, ...]]:
+        """The texts in some fields of a message, those of each number by themselves."""
+        fields = [one for one in _fields(self._content, message.value, message.end) if one.number in numbers]
+        texts = [(one.number, str(self._content[one.value : one.end], "utf-8")) for one in fields]
+        return [tuple(text for of, text in texts if of == number) for number in numbers]
 
     def array(self, name: str, dtype: DTypeLike) -> NDArray[Any]:
         """The numbers of an array of the file, in one row; they are not copied."""
@@ -143,11 +144,14 @@ def _changed(content: bytes, fields: list[_Field], changes: Mapping[int, bytes])
 def _fields(content: bytes, at: int, end: int) -> Iterator[_Field]:
     """The fields of a message, one after another."""
     while at < end:
-        start = at
-        key, at = _varint(content, at)
+        start, key, at = at, content[at], at + 1
+        if key >= 0x80:  # a number of more than one byte, as few are
+            key, at = _varint(content, start)
         kind = key & 7
         if kind == _SIZED:
-            size, at = _varint(content, at)
+            size, at = content[at], at + 1
+            if size >= 0x80:
+                size, at = _varint(content, at - 1)
         elif kind == _VARINT:
             size = _varint(content, at)[1] - at
         else:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ctypes import POINTER, c_float, c_int32
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ from chatscene.ego.rule_based import RuleBased
 from chatscene.ego.traffic_driver import TrafficDriver
 from chatscene.simulate.native.binding import limits_of
 from chatscene.simulate.native.engine import Caution, Engine, Foot, Layer, Policy
+from chatscene.simulate.native.engine import Limits as LimitsOf
 from chatscene.terms.actors import Limits
 from chatscene.terms.braking import STANDING, STANDSTILL, Braking
 
@@ -31,19 +32,32 @@ _AS_CALLED = (
 ASKED = 16  # observations on which a network's answers are held against numpy's
 
 
+def drives(ego: EgoPolicy, engine: Engine) -> bool:
+    """Whether the engine drives by itself as an ego does (`policy_of`)."""
+    return type(ego) in _BY_RULE or (_is_network(ego) and _agree(ego.network, engine))
+
+
 def policy_of(ego: EgoPolicy, engine: Engine) -> Policy | None:
     """An ego in the engine's terms; None for one that has to be asked at every step."""
     if (driver := _driver(ego)) is not None:
         return driver
-    if type(ego) is NetworkEgo and ego.network.size == OBSERVATIONS.get(ego.observation) and ego.every > 0:
+    if _is_network(ego):
         if not _agree(ego.network, engine):
             return None
         shared = network_policy(ego.network)
         policy = Policy.from_buffer_copy(shared)
         policy.every, policy.caution.speed = ego.every, ego.at_most
-        policy.kept = shared
+        policy.kept = [shared]
         return policy
     return None
+
+
+def _is_network(ego: EgoPolicy) -> TypeGuard[NetworkEgo]:
+    """Whether an ego is a network that sees what it was trained with."""
+    return type(ego) is NetworkEgo and ego.network.size == OBSERVATIONS.get(ego.observation) and ego.every > 0
+
+
+_BY_RULE = frozenset((RuleBased, IntelligentDriver, Planner, TrafficDriver))
 
 
 def _driver(ego: EgoPolicy) -> Policy | None:
@@ -81,10 +95,14 @@ def foot_of(braking: Braking, own: float, body: Limits) -> Foot:
 
 def _by_rule(kind: int, caution: Caution, body: Limits, *, swift: bool = False, around: bool = True) -> Policy:
     """Somebody who decides at every step, and knows what he drives; the wheel is turned as a car's (`controls`)."""
-    own = replace(body, wheelbase=CAR.wheelbase, wheel_angle=CAR.wheel_angle)
-    return Policy(
-        kind=kind, every=1, swift=swift, around=around, softness=softness_of(body), car=limits_of(own), caution=caution
-    )
+    car, softness = _handled(body)
+    return Policy(kind=kind, every=1, swift=swift, around=around, softness=softness, car=car, caution=caution)
+
+
+@lru_cache(maxsize=64)
+def _handled(body: Limits) -> tuple[LimitsOf, float]:
+    """What a driver by rule takes a vehicle to do, whose wheel is a car's, and how softly it is steered."""
+    return limits_of(replace(body, wheelbase=CAR.wheelbase, wheel_angle=CAR.wheel_angle)), softness_of(body)
 
 
 def _caution(ego: Planner) -> Caution:

@@ -20,7 +20,7 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.native.binding import Bound, bind
 from chatscene.simulate.native.code import NotCovered
 from chatscene.simulate.native.engine import END, Engine, NoEngine, load_engine
-from chatscene.simulate.native.policies import foot_of, policy_of
+from chatscene.simulate.native.policies import drives, foot_of, policy_of
 from chatscene.simulate.placing import Placement
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import Session, load_simulator
@@ -321,7 +321,7 @@ class NativeSimulator:
     ) -> Session | Rejected | None:
         """A scene that nobody has to place (`_known`), of an ego that the engine drives; None if it is no such one."""
         senses = _Senses(observation=observation_of(ego), pedals=pedals_of(ego), through_collisions=through_collisions)
-        if self._engine is None or policy_of(ego, self._engine) is None:
+        if self._engine is None or not drives(ego, self._engine):
             return None
         return self._known(_key_of(program, scene, senses), program, scene, senses)
 
@@ -329,7 +329,7 @@ class NativeSimulator:
         """Whether a scene is there as arrays, and the engine drives it by itself with such an ego."""
         senses = _Senses(observation=observation_of(ego), pedals="", through_collisions=False)
         there = _key_of(program, scene, senses) in self._placed
-        return there and self._engine is not None and policy_of(ego, self._engine) is not None
+        return there and self._engine is not None and drives(ego, self._engine)
 
     def _known(
         self, key: tuple[object, ...], program: ScenicProgram, scene: Scene, senses: _Senses
