@@ -47,6 +47,27 @@ def runs(left: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Run, Run
     return one, chatscene.run(OF_TOWN, folder / "town", map="town", scenes=4)
 
 
+@pytest.mark.parametrize(
+    ("name", "kind", "where", "act"),
+    [("outskirts", "car", "on-ramp", "merge"), ("region", "bus", "bus-bay", "pull-out")],
+)
+def test_what_lies_on_the_right_lies_on_the_left_of_a_left_hand_map(
+    name: str, kind: str, where: str, act: str, tmp_path: Path
+) -> None:
+    def on(named: str, side: str) -> str:
+        other = {"id": "A", "kind": kind, "starts": {"where": where, "side": side}, "does": [{"act": act}]}
+        return build(from_plain({"others": [other], "map": named}), name="one").program.source
+
+    left = str(left_town(tmp_path, name))
+    ways = [on(left, "left"), on(name, "right")]
+    assert [line for line in ways[0].splitlines() if "param" in line and "map" not in line] == [
+        line for line in ways[1].splitlines() if "param" in line and "map" not in line
+    ]
+    for named, wrong, right in ((left, "right", "left"), (name, "left", "right")):
+        with pytest.raises(NotBuilt, match=f"{where} lies on the {right}"):
+            on(named, wrong)
+
+
 @pytest.mark.parametrize("simulator", ["native", "embedded", "confined"])
 def test_a_left_hand_town_is_driven_as_its_mirror_image_to_the_last_bit(left: Path, simulator: str) -> None:
     cuts_in: dict[str, Any] = {"id": "A", "kind": "car", "starts": {"where": "ahead-beside", "side": "left"}}

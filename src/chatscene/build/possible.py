@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from chatscene.build.place import NEXT_LANE
+from chatscene.situations.check import on_another_side
 from chatscene.situations.faults import Fault
 from chatscene.terms.situation import EGO, Deed, Other, Situation
 from chatscene.terms.vocabulary import (
@@ -92,9 +93,10 @@ _WHERE_IT_STANDS = frozenset(LETS_GO)
 
 
 def impossible(situation: Situation) -> Iterator[Fault]:
-    """Each deed that cannot be done from where somebody is, or after what was done before."""
+    """Each deed that cannot be done from where somebody is, or after what was done before; sides that no place has."""
     yield from _of_ego(situation)
     for one in situation.others:
+        yield from on_another_side(one, ("others", one.id))
         at = f"others.{one.id}.does"
         stood = False
         for k, deed in enumerate(one.does):

@@ -109,15 +109,22 @@ def _too_many(situation: Situation) -> Iterator[Fault]:
             yield Fault(path, f"{len(does)} deeds are more than {MOST}")
 
 
+def on_another_side(one: Other, at: Path) -> Iterator[Fault]:
+    """That somebody is to begin on a side on which its place never lies, where traffic keeps to the right."""
+    where, side = one.starts.where, one.starts.side
+    if side is not None and not where.row.sided and side not in where.row.sides:
+        lies = f"lies on the {' or the '.join(where.row.sides)}" if where.row.sides else "has no side"
+        yield Fault((*at, "starts", "side"), f"{where!s} {lies}")
+
+
 def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
     if one.count > MOST:
         yield Fault((*at, "count"), f"{one.count} is more than {MOST}, the most of a kind; 0 is several")
     if one.count < 0:
         yield Fault((*at, "count"), f"{one.count} is no number of road users; 0 is several")
     where = one.starts.where
-    if one.starts.side is not None and not where.row.sided and one.starts.side not in where.row.sides:
-        lies = f"lies on the {' or the '.join(where.row.sides)}" if where.row.sides else "has no side"
-        yield Fault((*at, "starts", "side"), f"{where!s} {lies}")
+    if not where.row.sides or situation.map is None:  # a map may keep to the left
+        yield from on_another_side(one, at)
     side = one.starts.side or (where.row.sides[0] if len(where.row.sides) == 1 else None)  # of a place that has one
     yield from _of_lateral(one.starts.lateral, (*at, "starts", "lateral"))
     if one.hidden_by is not None:
