@@ -23,14 +23,17 @@ is 1. Of contacts only those count whose truth shows one in most drives, of timi
 
 from __future__ import annotations
 
+import math
 import random
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from statistics import median
 
 import click
+import numpy as np
 from as_said import drawn_as_said, recorded
 from building import drive, simulator
 from gallery import SITUATIONS
@@ -38,19 +41,33 @@ from gallery import SITUATIONS
 from chatscene.build.build import Built, build
 from chatscene.build.possible import impossible
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt, NothingFits
-from chatscene.program.deeds import STANDING
+from chatscene.program.contacts import is_of
+from chatscene.program.deeds import BRAKES, BRAKING, STANDING, runs
 from chatscene.report.filled import read_in
 from chatscene.search.rehearsal import rehearsed
 from chatscene.settings import RetrievalSettings, VerifySettings
+from chatscene.simulate.boxes import least_gap
 from chatscene.situations.check import faults_of
 from chatscene.situations.file import to_yaml
 from chatscene.situations.words import told
 from chatscene.terms.amount import Speed
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected
+from chatscene.terms.seeing import LOST, SHARE_LOST, gain_of
 from chatscene.terms.situation import EGO, Around, Contact, Deed, Evidence, Other, Situation
 from chatscene.terms.surroundings import Light, Weather
-from chatscene.terms.vocabulary import Act, EgoLight, Part, RightOfWay, RoadKind, Side, Striker, UserKind
+from chatscene.terms.vocabulary import (
+    Act,
+    EgoLight,
+    EgoRoute,
+    Part,
+    RightOfWay,
+    RoadKind,
+    Side,
+    Striker,
+    UserKind,
+    Where,
+)
 from chatscene.verdict.said import Asked
 from chatscene.verdict.verdict import Verdict
 from chatscene.verdict.verify import weighed
@@ -72,19 +89,32 @@ ALIKE = (
 _HALTS = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.STOP, Act.HESITATE, Act.FALL))
 _STARTS = frozenset((Act.SET_OFF, Act.ACCELERATE))
 BRINGS = {
-    **dict.fromkeys((Act.LANE_CHANGE, Act.MERGE, Act.SWERVE, Act.DRIFT), frozenset((Act.ENTER,))),
+    **dict.fromkeys((Act.LANE_CHANGE, Act.SWERVE, Act.DRIFT), frozenset((Act.ENTER,))),
     Act.PULL_OUT: frozenset((Act.ENTER, Act.MERGE, Act.LANE_CHANGE, Act.DRIFT)),
-    **dict.fromkeys((Act.TURN_LEFT, Act.TURN_RIGHT), frozenset((Act.SLOW_DOWN, Act.BRAKE))),
-    **dict.fromkeys((Act.TURN_BACK, Act.U_TURN, Act.HESITATE, Act.YIELD), _HALTS | _STARTS),
-    Act.REVERSE: _HALTS | _STARTS | {Act.TURN_BACK},
+    Act.MERGE: frozenset((Act.ENTER, Act.ACCELERATE)),  # a ramp is there to gain speed on
+    **dict.fromkeys((Act.TURN_LEFT, Act.TURN_RIGHT), frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.ACCELERATE))),
+    Act.YIELD: _HALTS | _STARTS,
+    Act.TURN_BACK: _HALTS | _STARTS | {Act.CROSS, Act.ENTER},  # who goes back had come
+    Act.U_TURN: _HALTS | _STARTS | {Act.TURN_BACK},  # who goes the other way goes back
+    Act.HESITATE: _HALTS | _STARTS | {Act.CROSS},  # and goes on, from the roadside over the road
+    Act.REVERSE: _HALTS | _STARTS | {Act.TURN_BACK, Act.ENTER, Act.PULL_OUT},  # out of a driveway
+    **dict.fromkeys((Act.FOLLOW, Act.TAILGATE, Act.KEEP_LEVEL), _HALTS | _STARTS),  # who is as fast as another
     Act.STAND: _STARTS,  # who then goes
-    Act.GO_STRAIGHT: frozenset((Act.CROSS,)),  # through a junction, from the side
+    Act.GO_STRAIGHT: frozenset((Act.CROSS, Act.ENTER)),  # through a junction, from the side, or where the ego turns
     Act.ENTER: _HALTS,  # of who stays there
     Act.CUT_IN: frozenset((Act.OVERTAKE, Act.ENTER)),  # of who comes from behind
     Act.OVERTAKE: frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.ACCELERATE, Act.ENTER)),
     Act.STOP: frozenset((Act.SLOW_DOWN, Act.BRAKE)),
+    Act.BRAKE: frozenset((Act.SLOW_DOWN, Act.STOP)),  # it may come to a stand by that
+    Act.EXIT: frozenset((Act.LANE_CHANGE, Act.CUT_IN, Act.CUT_OUT)),  # from another lane than the ramp's
 }
 """What belongs to a deed, or cannot but be done with it: to say that it is done, or not to say it, is not false."""
+ROUND = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.ACCELERATE, Act.EXIT))
+"""The same of everybody who drives through a roundabout: slower in it than before and after, and out of it."""
+NEAR = {Where.BEHIND: frozenset((Act.TAILGATE,)), Where.BESIDE: frozenset((Act.KEEP_LEVEL,))}
+"""What somebody may do by where it begins, if it then only goes along the road."""
+BY_SPEED = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.ACCELERATE))
+"""What is done by speed alone: of whoever loses or gains that anyway, it is not false."""
 UNSEEN = frozenset((Act.FALL,))
 """What no track tells: that somebody lies."""
 OTHER_PART = {Part.FRONT: Part.REAR, Part.REAR: Part.FRONT, Part.LEFT: Part.RIGHT, Part.RIGHT: Part.LEFT}
@@ -119,12 +149,16 @@ class Mutant:
         what: How, in words.
         situation: The claim.
         built: Of which program the drives are.
+        who: Of whom a deed is said that is not done; empty for other changes.
+        act: Which.
     """
 
     kind: str
     what: str
     situation: Situation
     built: Built
+    who: str = ""
+    act: Act | None = None
 
 
 # Truths
@@ -281,7 +315,8 @@ def orders(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
     for one in truth.situation.others:
         for k, (first, second) in enumerate(zip(one.does, one.does[1:], strict=False)):
             lasts = any(deed.act.row.lasting for deed in (first, second))
-            if lasts or first.act is second.act or first.when or second.when:
+            belongs = second.act in BRINGS.get(first.act, ()) or first.act in BRINGS.get(second.act, ())
+            if lasts or belongs or first.act is second.act or first.when or second.when:
                 continue
             made = replace(one, does=(*one.does[:k], second, first, *one.does[k + 2 :]))
             what = f"{one.id} {second.act}, then {first.act}"
@@ -292,7 +327,7 @@ def left_out(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
     """A deed of several is not said, so that whoever does it does what nobody asked for."""
     for one in truth.situation.others:
         brought = {act for deed in one.does for act in BRINGS.get(deed.act, ())}
-        untold = brought | UNSEEN
+        untold = brought | UNSEEN | round_about(truth.situation)
         may_go = [k for k, deed in enumerate(one.does) if not deed.act.row.lasting and deed.act not in untold]
         if len(one.does) < 2 or not may_go:
             continue
@@ -302,15 +337,28 @@ def left_out(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
         yield _mutant(truth, "deed left out", what, _with(truth.situation, one, made))
 
 
-def brought_by(one: Other) -> frozenset[Act]:
-    """All that somebody does, and what belongs to that."""
-    return frozenset(act for deed in one.does for act in (deed.act, *BRINGS.get(deed.act, ())))
+def brought_by(one: Other, situation: Situation) -> frozenset[Act]:
+    """All that somebody does, and what belongs to that, or to where it does so."""
+    brought = frozenset(act for deed in one.does for act in (deed.act, *BRINGS.get(deed.act, ())))
+    return brought | near_at_once(one) | round_about(situation)
+
+
+def near_at_once(one: Other) -> frozenset[Act]:
+    """What may be true of who goes along the road from where it begins, as nobody says how near it keeps."""
+    goes = any(deed.act is Act.GO_ALONG for deed in one.does)
+    return NEAR.get(one.starts.where, frozenset()) if goes else frozenset()
+
+
+def round_about(situation: Situation) -> frozenset[Act]:
+    """What everybody does in a roundabout, if the ego drives through one."""
+    there = situation.road.kind is RoadKind.ROUNDABOUT or situation.ego.route is EgoRoute.ROUNDABOUT
+    return ROUND if there else frozenset()
 
 
 def added(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
     """A deed that is not done, at the end."""
     for one in truth.situation.others:
-        done = brought_by(one)
+        done = brought_by(one, truth.situation)
         alike = {act for several in ALIKE if several & {deed.act for deed in one.does} for act in several}
         free = [act for act in Act if one.kind.can(act) and not act.row.lasting and act not in done | alike]
         rng.shuffle(free)
@@ -318,7 +366,7 @@ def added(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
             made = replace(one, does=(*one.does, Deed(act=act)))
             mutant = _mutant(truth, "deed added", f"{one.id} {act}", _with(truth.situation, one, made))
             if is_claim(mutant):
-                yield mutant
+                yield replace(mutant, who=one.id, act=act)
                 break
 
 
@@ -327,7 +375,7 @@ def changed(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
     for one in truth.situation.others:
         for k, deed in enumerate(one.does):
             alike = next((several for several in ALIKE if deed.act in several), frozenset((deed.act,)))
-            done = brought_by(one)
+            done = brought_by(one, truth.situation)
             free = [act for act in Act if one.kind.can(act) and act not in alike | done and act not in GENERAL]
             rng.shuffle(free)
             for act in free:
@@ -335,7 +383,7 @@ def changed(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
                 what = f"{one.id} {act} in the place of {deed.act}"
                 mutant = _mutant(truth, "deed changed", what, _with(truth.situation, one, made))
                 if is_claim(mutant):
-                    yield mutant
+                    yield replace(mutant, who=one.id, act=act)
                     break
 
 
@@ -395,7 +443,8 @@ def timings(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
     source, changed = _OFFSET.subn(
         lambda found: f"{found[1]}{float(found[2]) - LATER:g}, {float(found[3]) - LATER:g})", program.source
     )
-    if changed and truth.situation.contact is None:
+    acts = any(deed.act is not Act.STAND for one in truth.situation.adversaries for deed in one.does)
+    if changed and acts and truth.situation.contact is None:
         ranges = tuple(
             replace(one, low=one.low - LATER, high=one.high - LATER) if one.name.endswith("_OFFSET") else one
             for one in program.parameters
@@ -453,11 +502,51 @@ def verdict(found: Watching, situation: Situation, least: float) -> Verdict:
     return weighed(found, "it", Asked(situation=situation), VerifySettings(least=least))
 
 
-def counts(mutant: Mutant, right: Verdict) -> bool:
-    """Whether a mutant is false of the drives: of a contact most must have one, of a timing some an encounter."""
+def counts(mutant: Mutant, right: Verdict, found: Watching) -> bool:
+    """Whether a mutant is false of the drives that it is judged by.
+
+    Of a contact most must have one. Of a timing some must have an encounter, and the late ones come less near to the
+    ego: on a ramp, or level with it, who comes later may meet it as well. Of a deed by speed alone, whoever is said to
+    do it must not do so anyway in most drives, as its speed shows: "it slows down" is true of who cuts in and slows.
+    """
+    if mutant.act in BY_SPEED:
+        done = [does_anyway(mutant, one) for one in right.played]
+        return sum(done) <= 0.5 * len(done)
     if mutant.kind == "contact":
         return len(right.crashes) > 0.5 * len(right.draws)
-    return mutant.kind != "timing" or bool(right.encounters)
+    if mutant.kind != "timing":
+        return True
+    late = how_near(mutant.situation, [one.episode for one in found.drives])
+    return bool(right.encounters) and late > how_near(mutant.situation, right.played)
+
+
+def how_near(situation: Situation, episodes: Sequence[Episode]) -> float:
+    """How near [m] an adversary comes to the ego in the middle of some drives; inf if there are none."""
+    names = [one.id for one in situation.adversaries]
+    gaps = [
+        [least_gap(one.ego_track, track) for track in one.tracks[1:] if any(is_of(track.actor, name) for name in names)]
+        for one in episodes
+    ]
+    return median(min(several) for several in gaps if several) if any(gaps) else math.inf
+
+
+def does_anyway(mutant: Mutant, episode: Episode) -> bool:
+    """Whether the speed of somebody alone shows, up to a contact, what a mutant says that is done by speed alone."""
+    until = None if episode.collision is None else episode.collision.step + 1
+    speeds = [np.abs(one.speed[:until]) for one in episode.tracks if is_of(one.actor, mutant.who)]
+    row = mutant.situation[mutant.who].kind.row.body.row
+    match mutant.act:
+        case Act.SLOW_DOWN:
+            peaks = [np.maximum.accumulate(speed) for speed in speeds]
+            return any(
+                (peak - speed > np.minimum(LOST, SHARE_LOST * peak)).any()
+                for speed, peak in zip(speeds, peaks, strict=True)
+            )
+        case Act.ACCELERATE:
+            return any((speed - np.minimum.accumulate(speed) >= gain_of(row)).any() for speed in speeds)
+        case _:
+            hard = [np.diff(speed) < -BRAKING * episode.dt for speed in speeds]
+            return any(end - first >= BRAKES for one in hard for first, end in runs(one))
 
 
 @dataclass(slots=True)
@@ -568,8 +657,8 @@ def main(count: int, seed: int, least: float, each: bool, truths_only: bool, kee
         if truths_only or right.status == 1:  # what is changed of a claim that is false already proves nothing
             continue
         for mutant in mutants(truth, rng):
-            if counts(mutant, right):
-                drives = found if mutant.built is truth.built else driven(mutant.built, truth.ego)
+            drives = found if mutant.built is truth.built else driven(mutant.built, truth.ego)
+            if counts(mutant, right, drives):
                 tally.add_mutant(mutant, truth, drives, least)
     click.echo("\n".join(tally.lines()))
 

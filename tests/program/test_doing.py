@@ -16,6 +16,7 @@ from chatscene.terms.amount import Speed
 from chatscene.terms.episode import Episode, Role, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
+from chatscene.terms.scenario import Place, Site
 from chatscene.terms.situation import Contact, Deed, Ego
 from chatscene.terms.vocabulary import Act, EgoRoute, Part, Side, UserKind, Where
 
@@ -61,6 +62,7 @@ SWINGS = moving(
     speed=8.0,
 )
 """Leaves its line by three metres and comes back to it."""
+PASSES = moving(-14.0, 3.5, (80, 12.0, 0.0), speed=12.0)
 
 
 @pytest.mark.parametrize(
@@ -160,6 +162,75 @@ def test_who_slows_for_a_turn_does_not_slow_after_it() -> None:
     after = moving(70.0, 3.5, *turn, (10, 0.0, 270.0), (40, 0.0, 270.0), facing=180.0, speed=10.0)
     assert shown("others.adversary.does.1.act", said, episode(before)) is False
     assert shown("others.adversary.does.1.act", said, episode(after)) is True
+
+
+PAUSES_AT_THE_EDGE = moving(
+    110.0,
+    -8.0,
+    (20, 2.0, 90.0),
+    (3, 0.0, 90.0),
+    (20, 0.0, 90.0),
+    (5, 2.0, 90.0),
+    (60, 2.0, 90.0),
+    facing=90.0,
+    speed=2.0,
+    kind="Pedestrian",
+)
+"""Comes up to the road, stands there for two seconds, and goes over it."""
+
+
+def in_order(track: Track, where: Where, *acts: Act, side: Side, kind: UserKind = UserKind.CAR) -> list[bool]:
+    """Which of some deeds are shown, said in this order."""
+    said = one(other(where, *(Deed(act=act) for act in acts), kind=kind, side=side))
+    return [shown(f"others.adversary.does.{k}.act", said, episode(track)) is True for k in range(len(acts))]
+
+
+def test_who_pauses_before_the_road_and_then_crosses_does_not_cross_and_then_pause() -> None:
+    for acts, right in (((Act.HESITATE, Act.CROSS), True), ((Act.CROSS, Act.HESITATE), False)):
+        found = in_order(PAUSES_AT_THE_EDGE, Where.ROADSIDE, *acts, side=Side.RIGHT, kind=UserKind.PEDESTRIAN)
+        assert found == [True, right]
+
+
+@pytest.mark.parametrize("second", [Act.CUT_IN, Act.CUT_OUT, Act.SWERVE, Act.LANE_CHANGE])
+def test_who_comes_into_a_lane_does_not_leave_its_line_once_more_by_that(second: Act) -> None:
+    pulls_out = moving(40.0, -3.5, (10, 0.0, 0.0), (10, 4.0, 25.0), (14, 5.0, 25.0), (8, 6.0, 0.0), (60, 8.0, 0.0))
+    assert in_order(pulls_out, Where.KERB, Act.PULL_OUT, second, side=Side.RIGHT) == [True, False]
+
+
+def test_of_two_times_that_somebody_brakes_the_harder_one_is_meant() -> None:
+    lightly, hard = (6, 8.5, 0.0), (12, 0.0, 0.0)
+    track = moving(20.0, 3.5, (20, 10.0, 0.0), lightly, (2, 8.5, -10.0), (24, 8.5, -10.0), (2, 8.5, 0.0),
+                   (10, 8.5, 0.0), hard, (20, 0.0, 0.0), speed=10.0)  # fmt: skip
+    assert in_order(track, Where.AHEAD_BESIDE, Act.CUT_IN, Act.BRAKE, side=Side.LEFT) == [True, True]
+    assert in_order(track, Where.AHEAD_BESIDE, Act.BRAKE, Act.CUT_IN, side=Side.LEFT) == [True, False]
+
+
+def test_who_gets_past_does_not_keep_level_and_who_comes_in_and_stays_does_not_cross() -> None:
+    assert does(Act.OVERTAKE, PASSES)
+    assert not does(Act.KEEP_LEVEL, PASSES)
+    assert does(Act.KEEP_LEVEL, moving(2.0, 3.5, (60, 8.0, 0.0), speed=8.0))
+    assert does(Act.CUT_IN, CUTTING_IN)
+    assert not does(Act.CROSS, CUTTING_IN)
+
+
+def test_a_low_speed_is_not_had_by_whoever_gains_speed_through_it() -> None:
+    runs = moving(110.0, -10.0, (20, 2.8, 90.0), (60, 2.8, 90.0), facing=90.0, kind="Pedestrian")
+    for said, right in (("10 km/h", True), ("5 km/h", False)):
+        crosses = Deed(act=Act.CROSS, speed=Speed.of(said))
+        claim = one(other(Where.ROADSIDE, crosses, kind=UserKind.PEDESTRIAN, side=Side.RIGHT))
+        assert shown("others.adversary.does.0.speed", claim, episode(runs)) is right
+
+
+@pytest.mark.parametrize("act", [Act.LANE_CHANGE, Act.DRIFT, Act.SWERVE, Act.WEAVE, Act.CUT_OUT])
+def test_who_goes_through_a_roundabout_as_the_ego_does_keeps_its_line(act: Act) -> None:
+    turns = np.radians(np.concatenate((np.zeros(40), np.linspace(0, -60, 15), np.linspace(-60, 60, 60),
+                                       np.linspace(60, 0, 15), np.zeros(60))))  # fmt: skip
+    line = Polyline(np.cumsum(np.column_stack([np.cos(turns), np.sin(turns)]), axis=0))
+    ring = replace(ROUTE, line=line, junction="ring", site=Site.ROUNDABOUT, place=Place.JUNCTION, event_at=40.0)
+    along = np.arange(20.0, 180.0, 0.6)
+    x, y = np.array([line.point_at(at) for at in along]).T
+    heading = np.unwrap([line.heading_at(at) for at in along])
+    assert not does(act, replace(ON, x=x, y=y, heading=heading, speed=np.full(len(x), 6.0)), ring)
 
 
 # What is let go, and what nobody said

@@ -29,6 +29,19 @@ def said(where: str, *does: dict[str, Any]) -> Situation:
 BRAKES = said("behind", {"act": "overtake"}, {"act": "cut-in"}, {"act": "brake", "manner": "hard"})
 TAILGATES = said("behind", {"act": "tailgate"}, {"act": "overtake"}, {"act": "lane-change", "to": "left"})
 SWERVES = said("ahead", {"act": "go-along"}, {"act": "swerve"})
+GOES_BACK = from_plain(
+    {
+        "others": [
+            {
+                "id": "A",
+                "kind": "pedestrian",
+                "starts": {"where": "roadside", "side": "right"},
+                "does": [{"act": "hesitate"}, {"act": "turn-back"}],
+            }
+        ]
+    }
+)
+BRAKES_ON_THE_WAY = said("ahead", {"act": "go-along", "speed": "50 km/h", "time": "3 s"}, {"act": "brake"})
 TURNS_ROUND = said("ahead", {"act": "u-turn"})
 
 
@@ -51,7 +64,7 @@ def unasked(claimed: Situation, done: Situation) -> tuple[str, ...]:
     return tuple(one for one in found if one.startswith("unasked."))
 
 
-@pytest.mark.parametrize("situation", [BRAKES, TURNS_ROUND, TAILGATES, SWERVES])
+@pytest.mark.parametrize("situation", [BRAKES, TURNS_ROUND, TAILGATES, SWERVES, GOES_BACK, BRAKES_ON_THE_WAY])
 def test_what_was_said_is_not_told_as_unasked(situation: Situation) -> None:
     assert unasked(situation, situation) == ()
 
@@ -80,3 +93,13 @@ def test_who_is_to_stay_behind_and_gets_past_does_what_nobody_said() -> None:
 def test_who_is_to_go_along_and_swerves_does_what_nobody_said() -> None:
     (told,) = unasked(only(SWERVES, Act.GO_ALONG), SWERVES)
     assert told.startswith("unasked.A.lane: A goes ")
+
+
+def test_a_car_that_brakes_below_the_speed_that_was_said_does_what_nobody_said() -> None:
+    (one,) = BRAKES_ON_THE_WAY.others
+    claimed = replace(BRAKES_ON_THE_WAY, others=(replace(one, does=one.does[:1]),))
+    assert unasked(claimed, BRAKES_ON_THE_WAY) == ("unasked.A.brakes: A brakes for nobody, which nobody said",)
+
+
+def test_a_pedestrian_who_only_hesitates_and_goes_back_does_what_nobody_said() -> None:
+    assert unasked(only(GOES_BACK, Act.HESITATE), GOES_BACK) == ("unasked.A.back: A goes back, which nobody said",)

@@ -85,6 +85,13 @@ def settled(seen: Seen, once: Act) -> int:
     return first + int(np.argmax(over > 1.0 - ENDS))
 
 
+def ends_aside(seen: Seen, once: Act) -> int:
+    """The step at which the way to a side ends of which a deed is a part; 0 of one that is under way."""
+    if once.done is None or once.done <= once.began:
+        return once.done or 0
+    return max(once.done, _run_aside(seen, once)[1])
+
+
 def _run_aside(seen: Seen, once: Act) -> tuple[int, int]:
     """The first and the last step of the way to a side of which a deed is a part."""
     drift, at = seen.aside, once.done if once.done is not None else len(seen.aside) - 1

@@ -70,7 +70,7 @@ def runs(condition: NDArray[Any]) -> Iterator[tuple[int, int]]:
     yield from zip(edges[::2], edges[1::2], strict=True)
 
 
-def _lasting(condition: NDArray[Any], steps: int) -> Iterator[Act]:
+def lasting(condition: NDArray[Any], steps: int) -> Iterator[Act]:
     """Every time a condition holds for `steps` in a row; under way where the track ends after a third of them."""
     for first, end in runs(condition):
         if end - first >= steps:
@@ -151,7 +151,7 @@ def braking(s: Seen) -> NDArray[np.bool_]:
 
 
 def _brakes(s: Seen) -> Iterator[Act]:
-    return _lasting(braking(s), BRAKES)
+    return lasting(braking(s), BRAKES)
 
 
 def _accelerates(s: Seen) -> Iterator[Act]:
@@ -267,7 +267,7 @@ def _swerves(s: Seen) -> Iterator[Act]:
 
 def _diagonal(s: Seen) -> Iterator[Act]:
     slant = np.abs(np.sin(s.track.heading - s.ego.heading[0]))
-    return _lasting((_speed(s) > MOVING) & (slant > 0.3) & (slant < 0.95), 5)
+    return lasting((_speed(s) > MOVING) & (slant > 0.3) & (slant < 0.95), 5)
 
 
 # Turning
@@ -314,12 +314,12 @@ def tailgates(s: Seen, within: float = 8.0) -> Iterator[Act]:
     between = -lead - (s.ego.length + s.track.length) / 2
     near = between < np.maximum(within, CLOSE * s.ego.speed)
     close = (lead < 0.0) & near & (np.abs(s.offset) < 1.3) & (s.ego.speed > 1.0) & (_speed(s) > 1.0)
-    return _lasting(close, 15)
+    return lasting(close, 15)
 
 
 def _paces(s: Seen) -> Iterator[Act]:
     ego_along, _ = in_frame(s.ego, s.ego.x[0], s.ego.y[0], s.ego.heading[0])
-    return _lasting((np.abs(ego_along - s.along) < 8.0) & (s.ego.speed > 1.0) & (_speed(s) > 1.0), 15)
+    return lasting((np.abs(ego_along - s.along) < 8.0) & (s.ego.speed > 1.0) & (_speed(s) > 1.0), 15)
 
 
 def _against(s: Seen) -> NDArray[Any]:
@@ -327,7 +327,7 @@ def _against(s: Seen) -> NDArray[Any]:
 
 
 def _wrong_way(s: Seen) -> Iterator[Act]:
-    return _lasting(_against(s) & (np.abs(s.offset) < 1.5) & (s.lead > 0.0) & (_speed(s) > MOVING), 8)
+    return lasting(_against(s) & (np.abs(s.offset) < 1.5) & (s.lead > 0.0) & (_speed(s) > MOVING), 8)
 
 
 def _blocks_way(s: Seen) -> Iterator[Act]:
@@ -335,7 +335,7 @@ def _blocks_way(s: Seen) -> Iterator[Act]:
     start = _first(within & (_speed(s) < STANDING) & (s.lead > 0.0))
     if start is not None:  # once there, an ego that drives through it was in its way as well
         stands = within & (_speed(s) < STANDING)
-        yield from _lasting(stands & (np.arange(len(stands)) >= start), 10)
+        yield from lasting(stands & (np.arange(len(stands)) >= start), 10)
     if within[-1] and s.lead[-1] > 0.0:
         yield from _slowing(s)
 
@@ -361,7 +361,7 @@ def _follows(s: Seen) -> Iterator[Act]:
 def _stands(s: Seen) -> Iterator[Act]:
     still = _speed(s) < STANDING
     if still.all():
-        yield from _lasting(still, 10)
+        yield from lasting(still, 10)
 
 
 def _narrows(s: Seen) -> Iterator[Act]:

@@ -11,12 +11,25 @@ from dataclasses import replace
 
 import numpy as np
 
-from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, TURNED, TURNED_MIDWAY, Act, before, comes_in, runs
+from chatscene.program.amounts import EVEN, KEPT
+from chatscene.program.deeds import (
+    ACTIONS,
+    HALT,
+    MOVING,
+    STANDING,
+    TURNED,
+    TURNED_MIDWAY,
+    Act,
+    before,
+    comes_in,
+    lasting,
+    runs,
+)
 from chatscene.program.lateral import LANE
-from chatscene.program.watching import Seen
+from chatscene.program.watching import ALONG, Seen
 from chatscene.terms.actors import BY_CLASS, AdversaryKind, Manner, manner_of
 from chatscene.terms.acts import Action
-from chatscene.terms.arrays import Array, changes
+from chatscene.terms.arrays import Array, changes, changes_at
 from chatscene.terms.seeing import gain_of, loss_of
 from chatscene.terms.vocabulary import Act as Said
 
@@ -32,7 +45,8 @@ ROUND = math.radians(30)  # from the ego's way, from which somebody is seen to t
 GOES_WITH = 0.5  # cosine of the angle to the ego's way up to which somebody goes along that
 FOLLOWS = 40.0  # [m] behind somebody: who is farther does not follow …
 FREE = 5.0  # [s] … if it is also more than this behind, from which drivers are counted as free of whom they follow
-FOLLOWED = 15  # [steps] that somebody must be behind another to be seen to follow
+FOLLOWED = 15  # [steps] that somebody must be behind another to be seen to follow, or level to keep so
+LEVEL = 8.0  # [m] along the road between the middles at most of two who are level
 OUTSIDE = 1.4  # [m] from the ego's line: who is no farther away is not outside its lane
 
 
@@ -98,6 +112,19 @@ def enters(s: Seen) -> Iterable[Act]:
         yield Act(began, int(np.argmax(inside)))
     elif abs(s.offset[0]) - abs(s.offset[-1]) > 0.3:
         yield Act(began, None)
+
+
+def _crosses(s: Seen) -> Iterator[Act]:
+    """It comes in over the ego's way, and does not end up in its lane, going along that."""
+    along = abs(math.sin(float(_from_way(s)[-1]))) < math.sin(ALONG) and abs(s.offset[-1]) < OUTSIDE
+    beside = 0.0 < s.at[-1] < s.line.length
+    yield from () if along and beside else ACTIONS[Action.CROSS](s)
+
+
+def _keeps_level(s: Seen) -> Iterable[Act]:
+    """It is level with somebody for a while, and neither gets past nor is passed."""
+    level = (np.abs(s.lead) < LEVEL) & (np.abs(changes_at(s.lead)) < EVEN / KEPT)
+    return lasting(level & (s.ego.speed > MOVING) & (_speed(s) > MOVING), FOLLOWED)
 
 
 def _since_moving(s: Seen) -> int:
@@ -195,7 +222,9 @@ def _leaves_line(s: Seen, least: float) -> Iterator[Act]:
 
 def _cuts_in(s: Seen) -> Iterable[Act]:
     """It comes in before the ego, into its first lane, or on a road that bends into that of its route."""
-    found = tuple(_before(s, ACTIONS[Action.CUT_IN](s)))
+    if _keeps_line(s):
+        return
+    found = tuple(_before(s, comes_in(s.aside, outside=1.9, there=np.abs(s.aside) < 1.3, dt=s.dt)))
     yield from found
     if all(once.done is None for once in found):
         yield from _before(s, comes_in(s.offset, outside=1.9, there=np.abs(s.offset) < 1.3, dt=s.dt))
@@ -237,9 +266,16 @@ def _not_turning_off(s: Seen, times: Iterable[Act]) -> Iterator[Act]:
     yield from (once for once in times if not off or (once.done is not None and once.done <= turns))
 
 
+def _keeps_line(s: Seen) -> bool:
+    """Whether somebody goes along its own line all the time, so that a way that comes to it is the ego's."""
+    return abs(math.sin(float(s.facing[0]))) < math.sin(ALONG) and float(np.abs(s.drift).max()) < ON_LINE
+
+
 def _any_change(s: Seen) -> Iterable[Act]:
+    if _keeps_line(s):
+        return
     yield from ACTIONS[Action.CHANGE_LANE](s)
-    yield from ACTIONS[Action.CUT_IN](s)
+    yield from comes_in(s.aside, outside=1.9, there=np.abs(s.aside) < 1.3, dt=s.dt)
     yield from comes_in(s.offset, outside=1.9, there=np.abs(s.offset) < 1.3, dt=s.dt)
     away = np.abs(s.drift)
     for over in (LANE, 2 * LANE):  # the next lane, and one more
@@ -317,7 +353,7 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.TURN_LEFT: lambda s: _turns_once(s, ACTIONS[Action.TURN_LEFT](s)),
     Said.TURN_RIGHT: lambda s: _turns_once(s, ACTIONS[Action.TURN_RIGHT](s)),
     Said.U_TURN: _turns_round,
-    Said.CROSS: ACTIONS[Action.CROSS],
+    Said.CROSS: _crosses,
     Said.ENTER: enters,
     Said.SET_OFF: _sets_off,
     Said.ACCELERATE: accelerates,
@@ -334,8 +370,8 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.OVERTAKE: ACTIONS[Action.OVERTAKE],
     Said.DRIFT: drifts,
     Said.SWERVE: lambda s: _not_turning_off(s, ACTIONS[Action.SWERVE](s)),
-    Said.WEAVE: ACTIONS[Action.WEAVE],
-    Said.KEEP_LEVEL: ACTIONS[Action.PACE],
+    Said.WEAVE: lambda s: _not_turning_off(s, ACTIONS[Action.WEAVE](s)),
+    Said.KEEP_LEVEL: _keeps_level,
     Said.TAILGATE: ACTIONS[Action.TAILGATE],
     Said.TURN_BACK: _turns_back,
     Said.PARK: _parks,
@@ -367,7 +403,7 @@ def passes(s: Seen) -> Iterator[Act]:
 TO_SOMEBODY: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.FOLLOW: follows,
     Said.TAILGATE: ACTIONS[Action.TAILGATE],
-    Said.KEEP_LEVEL: ACTIONS[Action.PACE],
+    Said.KEEP_LEVEL: _keeps_level,
     Said.OVERTAKE: passes,
 }
 """What is done to another than the ego, seen with that one in the place of the ego."""

@@ -37,6 +37,7 @@ from chatscene.program.measured import SLACK_LENGTH, SLACK_SPEED, Yardstick, hel
 from chatscene.program.own import of_ego
 from chatscene.program.roads import of_road
 from chatscene.program.said import due, gently, to_side, untold, waits_for_others
+from chatscene.program.sequence import Sequence
 from chatscene.program.starting import STARTS, faces
 from chatscene.program.unasked import of_somebody, unasked
 from chatscene.program.waits import Waiting
@@ -55,14 +56,12 @@ from chatscene.terms.vocabulary import (
     ASIDE,
     COMES_IN,
     LETS_GO,
-    SIDEWAYS,
     SLOWS,
     Breach,
     EgoRoute,
     Heads,
     Manner,
     Side,
-    Tempo,
     Where,
     acts_of,
 )
@@ -73,11 +72,6 @@ __all__ = ["Finding", "failures", "judge"]
 
 AVOIDS = SLOWS | acts_of(Heads.ASIDE, Heads.OVER)
 """What somebody behind the ego does so as not to run into it."""
-ONCE_DONE = {
-    **dict.fromkeys(SIDEWAYS, SIDEWAYS | COMES_IN),  # of one movement not two are seen
-    **dict.fromkeys(acts_of(Heads.TURNS, Heads.ROUND), acts_of(Tempo.SLOWS, Tempo.BRAKES)),
-}
-"""What follows a deed only once that is done: who slows for a turn does not slow after it."""
 _DRIVES_OUT = frozenset((Where.ARM, Where.ONCOMING))
 _EXITS = frozenset((EgoRoute.ROUNDABOUT, EgoRoute.EXIT))
 NEARER = 2.0  # [m] by which an ego comes nearer to somebody whom it is about to overtake
@@ -266,20 +260,17 @@ class _Judge:
         return any(in_between(thing, seen.ego, seen.track, step) for thing in self._tracks(by) for step in steps)
 
     def _deeds(self, one: Other, at: str, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
-        latest, before, mine = 0, "", list[Act]()
+        sequence = Sequence.of(one, seen)
         for k, deed in enumerate(one.does):
             path, act = f"{at}.does.{k}", deed.act
             yield from (not_judged(f"{path}.{name}") for name in untold(deed))
-            found = [once for once in self._seen(one, k, seen, latest) if once not in mine or act is Said.STAND]
-            lasts = act.row.lasting and act is not Said.STAND
-            waits = k > 0 and act in ONCE_DONE.get(one.does[k - 1].act, ())
-            free = (mine[-1].done or 0) if waits and mine else 0
-            after = [once for once in found if lasts or once.began >= max(latest, free) - TOGETHER / seen.dt]
+            found = [o for o in self._seen(one, k, seen, sequence.since(act)) if sequence.may_be(act, o)]
+            after = sequence.after(act, found)
             if not after:
                 never = "never does" if self.contact is None else "had not begun to when the ego crashed"
                 told = f"said {act}, but it {never}"
-                if found:
-                    told = f"said {before}, then {act}, but it does it the other way round"
+                if found and sequence.said:
+                    told = f"said {sequence.said[-1]}, then {act}, but it does it the other way round"
                 yield Finding(path=f"{path}.act", shown=False, told=told)
                 continue
             timely = [one for one in after if due(deed, one, done, seen)] or after
@@ -288,11 +279,9 @@ class _Judge:
             once = self._fitting(
                 path, deed, [one for one in timely if sided and to_side(deed, one, seen)] or timely, seen
             )
-            mine.append(once)  # one time seen is one deed
+            sequence.add(act, once)
             done[f"{one.id}.{k}"] = once
             done.setdefault(f"{one.id}.{act}", once)
-            if not act.row.lasting:
-                latest, before = max(latest, once.began), str(act)
             cut = self._cut(one, k, once)
             yield Finding(path=f"{path}.act", shown=True, told=f"said {act}", at=once.began * seen.dt, cut=cut)
             yield from self._how(one, path, deed, once, seen)

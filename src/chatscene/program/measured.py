@@ -25,7 +25,7 @@ SLACK = 0.15  # of a number that was said: what a watcher does not see
 SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 1.0, 0.4  # [m/s], [m], [s]: the least of it
 SLACK_ACCELERATION = 0.5  # [m/s²]
 BACK_SLACK, SLACK_ASIDE = 0.7, 0.2  # [m]
-HELD = 0.5  # [s] for which somebody holds a speed, within `SLACK_SPEED`, that it is seen to go at
+HELD = 1.0  # [s] for which somebody holds a speed, within `SLACK_SPEED`, that it is seen to go at
 LEVEL = 2.0  # [s] about its highest speed, after which somebody is seen to gain no more
 OVER = 5  # [steps] over which somebody is seen to gain speed
 
@@ -84,14 +84,14 @@ class Yardstick:
         steps = round(HELD / seen.dt)
         values = np.abs(seen.track.speed[max(once.began - steps, 0) :])
         windows = np.lib.stride_tricks.sliding_window_view(values, min(steps, len(values)))
-        even = np.ptp(windows, axis=1) <= SLACK_SPEED  # a share of it would call even what brakes from a high speed
+        slow = max(said.high if math.isfinite(said.high) else said.low, 0.0) + self.ego_speed * said.than_ego
+        least = min(SLACK_SPEED, slow / 3.0)  # who walks at half a speed is seen not to walk at that
+        even = np.ptp(windows, axis=1) <= least  # a share of a high speed would call even what brakes from that
         turns = np.flatnonzero(np.diff(np.sign(np.diff(values)))) + 1
         held = np.concatenate((windows.mean(axis=1)[even], values[turns], values[-1:] if self.cut else ()))
         goes = held[held > STANDING]  # to stand is not to go at a low speed
         last = np.abs(seen.track.speed[-round(LEVEL / seen.dt) :])
         rises = len(last) * seen.dt < LEVEL or np.ptp(last) > SLACK_SPEED  # else nothing more was to come
-        slow = max(said.high if math.isfinite(said.high) else said.low, 0.0) + self.ego_speed * said.than_ego
-        least = min(SLACK_SPEED, 0.5 * slow)  # who walks at half a speed is seen not to walk at that
         return self.number(path, said, goes if goes.size else held, least, "goes at", cut=bool(rises))
 
     def acceleration(self, path: str, deed: Deed, seen: Seen, once: Act) -> Finding | None:

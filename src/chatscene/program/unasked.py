@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 import numpy as np
 
+from chatscene.program.amounts import HALF_LANE
 from chatscene.program.contacts import is_of, is_with
 from chatscene.program.deeds import BRAKES, LOSING, MOVING, OF_GRIP, STANDING, braking, runs
 from chatscene.program.doing import ACTS, BARELY, TURNED_OFF, turned_by
 from chatscene.program.finding import Finding
 from chatscene.program.meaning import TOGETHER
+from chatscene.program.measured import SLACK, SLACK_SPEED
 from chatscene.program.own import BROKEN
 from chatscene.program.watching import Seen, headings
 from chatscene.simulate.boxes import Boxes, Pair
@@ -19,11 +22,13 @@ from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.episode import Episode, EventKind, Track
 from chatscene.terms.nouns import with_article
 from chatscene.terms.route import Route
+from chatscene.terms.scenario import Place, includes
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import (
     LETS_GO,
     SIDEWAYS,
     SLOWS,
+    SWINGS,
     Act,
     EgoLight,
     Heads,
@@ -44,11 +49,10 @@ STAYS = 2.0  # [s] that somebody stands at least who does not just wait
 APART = 0.5  # [s] between two times that somebody brakes, or it is one
 IN_LANE = SLOWS | acts_of(Tempo.STANDS, Tempo.SETS_OFF, Tempo.GAINS, Heads.ALONG, Heads.LEVEL)
 """What is done without leaving the lane, and by its own will."""
-GOES_BACK = acts_of(Tempo.BACKS, Tempo.PAUSES, Tempo.WAITS, Heads.BACK, Heads.ROUND, Heads.EDGE)
+GOES_BACK = acts_of(Tempo.BACKS, Tempo.WAITS, Heads.BACK, Heads.ROUND, Heads.EDGE)
 """What may be done by going back."""
 ALONG = (IN_LANE | SIDEWAYS | acts_of(Heads.BY, Heads.BEHIND, Heads.CLOSE)) - acts_of(Tempo.STANDS)
 """What is done by who goes on along the road."""
-SWINGS = acts_of(Heads.SWINGS)
 STAYS_BEHIND = acts_of(Heads.BEHIND, Heads.CLOSE)
 """What is done by who follows another."""
 KEEPS_TO = STAYS_BEHIND | acts_of(Heads.LEVEL)
@@ -58,7 +62,7 @@ GETS_AHEAD = acts_of(Heads.BY, Heads.BEFORE, Heads.LEVEL)
 LOST = 4.0  # [m/s] that somebody loses, or half of its speed, who is seen to brake for nothing
 FIRMLY = 2.5  # [m/s²] with which it does, or the same share of the grip as of who is seen to brake at all
 AHEAD = 3.0  # [s] ahead of somebody, at its speed, is for whom it may have to brake
-IN_FRONT = 2.5  # [m] aside of its line at most
+IN_FRONT = HALF_LANE  # [m] aside of its line at most
 _SAID = {
     EventKind.RED_LIGHT: (EgoLight.RED, EgoLight.YELLOW, EgoLight.TURNS_RED, EgoLight.TURNS_GREEN),
     EventKind.STOP_SIGN: (RightOfWay.STOP_SIGN,),
@@ -138,49 +142,62 @@ def of_somebody(
     if acts and GOES_BACK.isdisjoint(acts) and (back := _back(seen)) is not None:
         told = f"{one.id} goes back, which nobody said"
         yield Finding(path=f"unasked.{one.id}.back", shown=False, told=told, at=back * seen.dt)
+    if not STAYS_BEHIND.isdisjoint(acts) and ALONG.issuperset(acts) and GETS_AHEAD.isdisjoint(acts):
+        yield from _gets_past(one, seen, route)
     if acts and ALONG.issuperset(acts) and not one.starts.where.row.junction and route.junction is None:
         yield from _along_the_road(one, seen, others, after if np.ptp(headings(route.line)) < STRAIGHT else None)
-    if not acts or not IN_LANE.issuperset(acts):
-        return
-    if set(acts) == {Act.STAND}:
-        gone = np.hypot(seen.track.x - seen.track.x[0], seen.track.y - seen.track.y[0]) > LEFT_PLACE
-        if gone.any():
-            told = (
-                f"{one.id} goes {'back' if seen.track.speed[int(np.argmax(gone))] < 0.0 else 'off'}, which nobody said"
-            )
-            yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=int(np.argmax(gone)) * seen.dt)
-        return
+    if acts and IN_LANE.issuperset(acts):
+        yield from _stands_no_more(one, seen) if set(acts) == {Act.STAND} else _in_its_lane(situation, one, seen, route)
+
+
+def _stands_no_more(one: Other, seen: Seen) -> Iterator[Finding]:
+    """Whether somebody moves who is told to stand."""
+    gone = np.hypot(seen.track.x - seen.track.x[0], seen.track.y - seen.track.y[0]) > LEFT_PLACE
+    if gone.any():
+        step = int(np.argmax(gone))
+        told = f"{one.id} goes {'back' if seen.track.speed[step] < 0.0 else 'off'}, which nobody said"
+        yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=step * seen.dt)
+
+
+def _in_its_lane(situation: Situation, one: Other, seen: Seen, route: Route) -> Iterator[Finding]:
+    """What somebody does who is only told to change speed in its lane: it brakes more often, or leaves that."""
     later = one.does[1:]  # who goes on at a speed or comes to stand may have to brake for it
-    said = (acts[0] in SLOWS) + sum(deed.act in (*SLOWS, Act.STAND) or deed.speed is not None for deed in later)
+    said = (one.does[0].act in SLOWS) + sum(deed.act in (*SLOWS, Act.STAND) or deed.speed is not None for deed in later)
     times = _times_braking(seen, turns=route.junction is not None)
     if said and len(times) > said:
         told = f"{one.id} brakes {len(times)} times, which was said {said} {'time' if said == 1 else 'times'}"
         yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=times[0] * seen.dt)
-    straight = route.junction is None and np.ptp(headings(route.line)) < STRAIGHT
+    even = np.ptp(headings(route.line)) < STRAIGHT or includes(Place.CURVE, route.place)
     contact = situation.contact
     goes_by = contact is not None and not contact.happens and one.starts.where is Where.ONCOMING_IN_OUR_LANE
-    if straight and not goes_by and not one.starts.where.row.junction:
+    if even and not goes_by and not one.starts.where.row.junction:
         aside = np.abs(seen.aside - seen.aside[0])  # of the lanes: an ego that changes lanes moves its own way over
         inside = (seen.at > 0.0) & (seen.at < route.length)
         least = LEFT_LINE if contact is None else LEFT_LANE
-        if (gone := inside & (aside > least)).any() and abs(np.cos(seen.bearing[0])) > 0.9:
+        if (gone := inside & (aside > least)).any() and abs(np.cos(seen.facing[0])) > 0.9:
             step = int(np.argmax(gone))
             told = f"{one.id} goes {aside[step]:.1f} m aside, which nobody said"
             yield Finding(path=f"unasked.{one.id}.lane", shown=False, told=told, at=step * seen.dt)
 
 
+def _gets_past(one: Other, seen: Seen, route: Route) -> Iterator[Finding]:
+    """Whether somebody who is to stay behind gets past the ego, before the two may take different ways."""
+    for once in ACTS[Act.OVERTAKE](seen):
+        if once.done is not None and (route.junction is None or seen.at[once.done] < route.event_at):
+            told = f"{one.id} gets past the ego, which nobody said"
+            yield Finding(path=f"unasked.{one.id}.past", shown=False, told=told, at=once.began * seen.dt)
+
+
 def _along_the_road(one: Other, seen: Seen, others: Sequence[Track], after: int | None) -> Iterator[Finding]:
-    """What somebody does who is only told to go along a road: it leaves that, gets past the ego, brakes for nobody."""
+    """What somebody does who is only told to go along a road: it leaves that, brakes for nobody."""
     acts = {deed.act for deed in one.does}
     if acts.isdisjoint(SWINGS) and (off := _turns_off(seen)) is not None:
         told = f"{one.id} turns off or round, which nobody said"
         yield Finding(path=f"unasked.{one.id}.turn", shown=False, told=told, at=off * seen.dt)
-    behind = acts & STAYS_BEHIND and acts.isdisjoint(GETS_AHEAD)
-    if behind and (passes := next((once for once in ACTS[Act.OVERTAKE](seen) if once.done is not None), None)):
-        told = f"{one.id} gets past the ego, which nobody said"
-        yield Finding(path=f"unasked.{one.id}.past", shown=False, told=told, at=passes.began * seen.dt)
-    free = acts.isdisjoint(SLOWS | KEEPS_TO) and all(deed.speed is None for deed in one.does)
-    if free and after is not None and (brakes := _brakes_for_nobody(seen, others, after)) is not None:
+    speeds = [deed.speed for deed in one.does if deed.speed is not None]
+    free = after is not None and acts.isdisjoint(SLOWS | KEEPS_TO) and not any(speed.than_ego for speed in speeds)
+    least = min((speed.low if math.isfinite(speed.low) else 0.0 for speed in speeds), default=math.inf)
+    if free and (brakes := _brakes_for_nobody(seen, others, after or 0, least)) is not None:
         told = f"{one.id} brakes for nobody, which nobody said"
         yield Finding(path=f"unasked.{one.id}.brakes", shown=False, told=told, at=brakes * seen.dt)
 
@@ -194,15 +211,19 @@ def _turns_off(seen: Seen) -> int | None:
     return int(np.flatnonzero(turned[: int(turned.argmax())] < BARELY)[-1])
 
 
-def _brakes_for_nobody(seen: Seen, others: Sequence[Track], after: int) -> int | None:
-    """Since when somebody loses much speed, hard, with nobody ahead for whom it had to; None of who does not."""
+def _brakes_for_nobody(seen: Seen, others: Sequence[Track], after: int, least: float) -> int | None:
+    """Since when somebody loses much speed, hard, with nobody ahead for whom it had to; None of who does not.
+
+    Of whom speeds were said, it is slower then than the least of them [m/s].
+    """
     speed = np.abs(seen.track.speed)
     for first, end in runs(braking(seen)):
         began = max(first - 1, 0)
         lost, seconds = float(speed[began] - speed[end - 1]), (end - 1 - began) * seen.dt
         firm = lost >= min(FIRMLY, OF_GRIP * seen.grip) * seconds
         much = speed[began] > MOVING and lost >= min(LOST, 0.5 * speed[began])
-        if began >= after and much and firm and not _blocked(seen, others, began):
+        slower = speed[end - 1] < least - max(SLACK_SPEED, SLACK * least) if math.isfinite(least) else True
+        if began >= after and much and firm and slower and not _blocked(seen, others, began):
             return began
     return None
 

@@ -14,11 +14,13 @@ from chatscene.terms.conclusions import LANE_CHANGES
 from chatscene.terms.episode import Episode, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import Maneuver, Place, includes
+from chatscene.terms.scenario import Maneuver, Place, Site, includes
 
 MOST = 0.9  # of the turn at a junction: after it, a road user is seen to be in the street that is turned into
 IS_TURN = math.radians(30)
 ALONG = math.radians(30)  # of the road's direction, or of the other: who heads so goes along it
+LEADS_OVER = frozenset((Site.ON_RAMP, Site.OFF_RAMP, Site.LANE_DROP))
+"""Where whoever goes along the ego's way moves over with it."""
 CROSSED = 8.0  # [m] behind the entry of a junction: nobody who is farther is before it
 
 
@@ -88,20 +90,18 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
     facing = bearing
     if route.junction is None:
         facing = (track.heading - route.line.headings_at(at) + math.pi) % (2 * math.pi) - math.pi
-    _, drift = in_frame(track, track.x[0], track.y[0], track.heading[0])
-    if includes(Place.CURVE, route.place) and abs(math.sin(facing[0])) < math.sin(ALONG):  # its line bends as well
-        drift = (offset - offset[0]) * math.copysign(1.0, math.cos(facing[0]))
+    aside = offset + _left_by_route(route, at)
     return Seen(
         track=track,
         ego=ego,
         along=along,
         across=across,
         offset=offset,
-        aside=offset + _left_by_route(route, at),
+        aside=aside,
         beyond=at - _turned_at(route),
         at=at,
         line=route.line,
-        drift=drift,
+        drift=_drift(track, route, at, offset, aside, float(facing[0])),
         acceleration=track.acceleration(episode.dt),
         bearing=bearing,
         facing=facing,
@@ -109,6 +109,30 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
         signals=episode.signals,
         grip=episode.surroundings.grip,
     )
+
+
+def _drift(track: Track, route: Route, at: Array, offset: Array, aside: Array, facing: float) -> Array:
+    """(T,) [m], how far somebody is to the left of the line on which it began, which bends as the road does.
+
+    Who begins along the ego's road, or against it, keeps to that road or goes straight on, whichever moves it less: at
+    a junction its road may leave the ego's. On a ramp the way itself leads over. In a roundabout nobody goes straight
+    on, and of who comes by another way than the ego no line is known; nor is it before or beyond the ego's way.
+    """
+    _, straight = in_frame(track, track.x[0], track.y[0], track.heading[0])
+    if abs(math.sin(facing)) >= math.sin(ALONG):
+        return np.zeros_like(straight) if route.site is Site.ROUNDABOUT else straight
+    way = math.copysign(1.0, math.cos(facing))
+    beside = (aside - aside[0]) * way
+    if route.site is Site.ROUNDABOUT:
+        return beside if way > 0.0 else np.zeros_like(straight)
+    lines = [beside] if includes(Place.CURVE, route.place) else [beside, straight]
+    if route.site in LEADS_OVER:
+        lines.append((offset - offset[0]) * way)
+    drift = min(lines, key=lambda line: float(np.abs(line).max()))
+    there = np.flatnonzero((at > 0.0) & (at < route.length))
+    if there.size:
+        drift[there[-1] + 1 :] = drift[there[-1]]
+    return drift
 
 
 @lru_cache(maxsize=64)

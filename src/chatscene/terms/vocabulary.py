@@ -589,7 +589,9 @@ PLAIN = acts_of(Heads.ALONG, Heads.THROUGH)
 """What somebody does of whom nothing else is said."""
 ASIDE = acts_of(Heads.ASIDE, Heads.DRIFTS)
 """What leads somebody aside of its line."""
-SIDEWAYS = ASIDE | acts_of(Heads.BEFORE, Heads.MERGES, Heads.OVER, Heads.OUT, Heads.SWINGS)
+SWINGS = acts_of(Heads.SWINGS)
+"""What leads somebody to both sides of its line."""
+SIDEWAYS = ASIDE | SWINGS | acts_of(Heads.BEFORE, Heads.MERGES, Heads.OVER, Heads.OUT)
 """What is done by moving to a side on the road."""
 ROLLING = acts_of(Heads.ACROSS, Heads.IN)
 """What a thing does that rolls or is blown."""
