@@ -415,7 +415,7 @@ def speeds(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
 
 
 def _other(speed: Speed, rng: random.Random) -> Speed:
-    low, high = speed.within(0.0, 2 * speed.low if speed.low > 0.0 else 10.0)
+    low, high = max(speed.low, 0.0), min(speed.high, 2 * speed.low if speed.low > 0.0 else 10.0)
     share = rng.choice((FASTER, SLOWER))
     return Speed.of(f"{3.6 * share * (high if share > 1.0 else low):.0f} km/h")
 

@@ -84,7 +84,7 @@ class Yardstick:
         steps = round(HELD / seen.dt)
         values = np.abs(seen.track.speed[max(once.began - steps, 0) :])
         windows = np.lib.stride_tricks.sliding_window_view(values, min(steps, len(values)))
-        slow = max(said.high if math.isfinite(said.high) else said.low, 0.0) + self.ego_speed * said.than_ego
+        slow = max(said.most, 0.0) + self.ego_speed * said.than_ego
         least = min(SLACK_SPEED, slow / 3.0)  # who walks at half a speed is seen not to walk at that
         even = np.ptp(windows, axis=1) <= least  # a share of a high speed would call even what brakes from that
         turns = np.flatnonzero(np.diff(np.sign(np.diff(values)))) + 1

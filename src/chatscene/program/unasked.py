@@ -196,7 +196,7 @@ def _along_the_road(one: Other, seen: Seen, others: Sequence[Track], after: int 
         yield Finding(path=f"unasked.{one.id}.turn", shown=False, told=told, at=off * seen.dt)
     speeds = [deed.speed for deed in one.does if deed.speed is not None]
     free = after is not None and acts.isdisjoint(SLOWS | KEEPS_TO) and not any(speed.than_ego for speed in speeds)
-    least = min((speed.low if math.isfinite(speed.low) else 0.0 for speed in speeds), default=math.inf)
+    least = min((max(speed.low, 0.0) for speed in speeds), default=math.inf)
     if free and (brakes := _brakes_for_nobody(seen, others, after or 0, least)) is not None:
         told = f"{one.id} brakes for nobody, which nobody said"
         yield Finding(path=f"unasked.{one.id}.brakes", shown=False, told=told, at=brakes * seen.dt)
