@@ -312,7 +312,7 @@ _NAMING: dict[str, Callable[[str], object]] = {
 
 @pytest.mark.parametrize("call", _NAMING.values(), ids=_NAMING)
 def test_a_name_with_a_nul_is_no_path(call: Callable[[str], object]) -> None:
-    with pytest.raises(ChatSceneError, match="is no path: it holds a NUL character"):
+    with pytest.raises(ChatSceneError, match="is not a path: it holds a NUL character"):
         call("run\0s")
 
 
@@ -348,7 +348,7 @@ def test_how_a_text_is_read_is_refused_beside_a_situation(option: str, tmp_path:
     value: Any = {"library": str(tmp_path), "language_model": "gguf:none", "reader": "paper"}[option]
     verbs: tuple[Callable[..., Any], ...] = (chatscene.explain, chatscene.run)
     for verb in verbs:
-        with pytest.raises(SettingsError, match=f"`{option}` is about how a text is read"):
+        with pytest.raises(SettingsError, match=f"`{option}` is for reading a text"):
             verb(said, **{option: value})
 
 

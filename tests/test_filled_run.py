@@ -142,7 +142,7 @@ def test_what_the_model_does_not_take_for_one_is_refused_in_its_words(tmp_path: 
 def test_what_nothing_builds_ends_with_the_fact(tmp_path: Path) -> None:
     backwards = answer(ego={"route": "reverse"})
     model = says(tmp_path, backwards, backwards, backwards)
-    with pytest.raises(NotBuilt, match=r"others\.A\.starts\.where: kerb, of an ego that backs"):
+    with pytest.raises(NotBuilt, match=r"others\.A\.starts\.where: kerb, with a reversing ego"):
         chatscene.run(TEXT, tmp_path / "run", language_model=model)
     assert not (tmp_path / "run").exists()
 

@@ -28,8 +28,8 @@ road: {has: [hill]}
 others: [{id: A, kind: van, starts: {where: kerb}, does: [{act: stand}, {act: pull-out, manner: sudden}]}]
 """
 TOLD = (
-    "A is on the right, which was not said",
-    "left out, since nothing builds it yet: road.has.0: hill",
+    "assumed: A is on the right",
+    "left out, since it cannot be built yet: road.has.0: hill",
 )
 
 
@@ -96,7 +96,7 @@ def test_a_situation_is_explained_without_running_and_its_facts_are_set_by_path(
     assert "new Truck at" in made["program"]
     assert "wantedSpeed 5.556" in made["program"]
     side, shifted = made["assumed"]
-    assert side == "A is on the right, which was not said"
+    assert side == "A is on the right"
     assert shifted.startswith("OPT_A_OFFSET is ")  # the program that stands there is rehearsed
     shown = CliRunner().invoke(main, ["explain", str(finished / "van.yaml"), "--program"]).output
     assert "new Van at" in shown
@@ -152,7 +152,7 @@ def test_from_python_it_is_a_value(finished: Path) -> None:
     assert "new Van at" in stated.built.program.source
     with pytest.raises(SituationError, match=r"others\.A\.starts\.side: 'up' is none of left, right"):
         chatscene.explain(situation, set={"others.A.starts.side": "up"})
-    with pytest.raises(NotBuilt, match=r"others\.A\.starts\.where: kerb, of an ego that backs"):
+    with pytest.raises(NotBuilt, match=r"others\.A\.starts\.where: kerb, with a reversing ego"):
         chatscene.explain(situation, set={"ego.route": "reverse"})
 
 

@@ -94,7 +94,7 @@ def make(kind: Kind[Plugin], name: str, *arguments: Any, **named: Any) -> Plugin
             raise kind.error(f"{kind.noun} {name!r}: {entry.attr!r} fails: {type(error).__name__}: {error}") from error
     if not callable(getattr(made, kind.method, None)):
         raise kind.error(
-            f"{kind.noun} {name!r} makes {with_article(type(made).__name__)}, which has no method {kind.method}"
+            f"{kind.noun} {name!r} gives {with_article(type(made).__name__)} without the method {kind.method}"
         )
     return made
 
@@ -118,7 +118,7 @@ def _find(kind: Kind[Any], name: str) -> EntryPoint:
     if len(found) > 1:
         places = ", ".join(sorted(entry.value for entry in found))
         raise kind.error(
-            f"several packages bring {with_article(kind.noun)} {name!r} ({places}); name one as module:factory"
+            f"several packages define {with_article(kind.noun)} {name!r} ({places}); name one as module:factory"
         )
     if found:
         return found[0]

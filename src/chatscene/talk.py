@@ -138,7 +138,7 @@ class Talk:
 
     def _undo(self) -> Undone:
         if not self._edits:
-            raise EditRefused("nothing to undo: this is what was said first")
+            raise EditRefused("nothing to undo: this is the first text")
         return Undone(*self._edits.pop())
 
     def _run(self, folder: Path, progress: Progress) -> api.Run:

@@ -178,11 +178,11 @@ def test_arguments_that_are_about_something_else_are_refused_and_none_is_dropped
     (folder / "own.scenic").write_text("model scenic.domains.driving.model\nego = new Car\n")
     (folder / "told.txt").write_text(CROSSES)
     for arguments, says in (
-        ({"file": "crosses.yaml", "reading": 2}, "`reading` is about a text"),
-        ({"file": "own.scenic", "reading": 2}, "`reading` is about a text"),
-        ({"file": "own.scenic", "facts": {"side": "left"}}, "`set` are about what is said"),
-        ({"file": "crosses.yaml", "as_written": True}, "are about a program, and none is run"),
-        ({"sentence": CROSSES, "as_written": True}, "are about a program, and none is run"),
+        ({"file": "crosses.yaml", "reading": 2}, "`reading` is for a text"),
+        ({"file": "own.scenic", "reading": 2}, "`reading` is for a text"),
+        ({"file": "own.scenic", "facts": {"side": "left"}}, "`set` change a text or situation"),
+        ({"file": "crosses.yaml", "as_written": True}, "are for a program, and none is given"),
+        ({"sentence": CROSSES, "as_written": True}, "are for a program, and none is given"),
     ):
         assert says in called(folder, "run", out="dropped", **arguments)["error"], arguments
     assert not (folder / "dropped").exists()

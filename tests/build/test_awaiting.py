@@ -39,5 +39,5 @@ def test_the_ego_sets_off_once_who_is_ahead_does() -> None:
 
 def test_waiting_for_what_somebody_does_from_the_first_is_refused() -> None:
     change = {"act": "lane-change", "to": "left", "when": {"during": "A.stand"}}
-    with pytest.raises(NotBuilt, match="which A does from the first"):
+    with pytest.raises(NotBuilt, match="which A does from the start"):
         build(from_plain(said([change], MET | {"does": [{"act": "stand"}]})))

@@ -114,8 +114,8 @@ def test_who_runs_into_what_is_behind_touches_it_with_its_rear() -> None:
 @pytest.mark.parametrize(
     ("ego", "where", "told"),
     [
-        (OUT, {"where": "kerb", "side": "right"}, "starts.where: kerb, of an ego that backs"),
-        ({"route": "reverse"}, {"where": "beside", "side": "left"}, "starts.where: beside, of an ego that backs"),
+        (OUT, {"where": "kerb", "side": "right"}, "starts.where: kerb, with a reversing ego"),
+        ({"route": "reverse"}, {"where": "beside", "side": "left"}, "starts.where: beside, with a reversing ego"),
     ],
 )
 def test_whom_an_ego_that_backs_cannot_meet_is_refused(ego: dict[str, Any], where: dict[str, str], told: str) -> None:

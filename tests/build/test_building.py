@@ -140,11 +140,11 @@ def test_a_number_that_was_said_is_a_number_of_the_program() -> None:
 def test_a_number_that_no_body_can_do_is_refused_with_what_it_can() -> None:
     numbers = Numbers("A", AdversaryKind.BICYCLE.row)
     with pytest.raises(
-        NotBuilt, match=r"others\.A\.starts\.speed: 80 km/h is more than a cyclist can: 11\.4 m/s at most"
+        NotBuilt, match=r"others\.A\.starts\.speed: 80 km/h is more than a cyclist can do: at most 11\.4 m/s"
     ):
         numbers.bind("SPEED", Speed.of("80 km/h"), "others.A.starts.speed")
     with pytest.raises(
-        NotBuilt, match=r"others\.A\.does\.0\.acceleration: 9 m/s² is more than a cyclist can: 4\.5 m/s² at most"
+        NotBuilt, match=r"others\.A\.does\.0\.acceleration: 9 m/s² is more than a cyclist can do: at most 4\.5 m/s²"
     ):
         numbers.bind("BRAKE", Acceleration.of(9), "others.A.does.0.acceleration")
 
@@ -179,11 +179,11 @@ def test_a_fact_that_cannot_be_built_is_refused_by_its_path(changed: dict[str, A
 
 def test_what_was_not_said_and_had_to_be_something_is_told() -> None:
     assert built("a van ahead in the next lane, side unsaid, cuts in").assumed == (
-        "A is on the right, which was not said",
-        "the ego wants 50 km/h, which was not said",
+        "A is on the right",
+        "the ego drives at 50 km/h",
     )
     several = built("we turn left, people cross the road we turn into").assumed
-    assert several[-1] == "of A there are 3, since their number was not said"
+    assert several[-1] == "there are 3 of A, since their number is not stated"
 
 
 def test_others_are_timed_by_the_speed_that_the_ego_wants() -> None:

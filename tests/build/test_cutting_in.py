@@ -79,7 +79,7 @@ def test_who_is_too_slow_to_get_ahead_is_met_by_a_slower_ego_and_that_is_told() 
     built = comes_in("tractor", "beside", **MOTORWAY)
     assert built.program.wanted_speed is not None
     assert built.program.wanted_speed < 20.0
-    assert any("since at 110 this cannot be built" in one for one in built.assumed)
+    assert any("since 110 km/h cannot be built" in one for one in built.assumed)
 
 
 def test_somebody_who_goes_on_before_the_ego_is_far_enough_ahead_of_who_comes_in_between() -> None:
@@ -123,7 +123,7 @@ def test_who_comes_in_slower_than_the_ego_is_before_it_until_it_is_in_its_lane(f
 @pytest.mark.parametrize(
     ("facts", "told"),
     [
-        (at_speed("truck", "beside", "110 km/h", "90 km/h"), "which holds 90 km/h, does not get before an ego at 110"),
+        (at_speed("truck", "beside", "110 km/h", "90 km/h"), "with at most 90 km/h cannot get ahead of an ego at 110"),
         (
             {
                 "ego": {"speed": "80 km/h"},
@@ -136,7 +136,7 @@ def test_who_comes_in_slower_than_the_ego_is_before_it_until_it_is_in_its_lane(f
                     }
                 ],
             },
-            "a car at 60 km/h does not get before an ego at 80 km/h from beside; say ahead-beside, or a slower ego",
+            "a car at 60 km/h cannot get ahead of an ego at 80 km/h from beside; say ahead-beside, or a slower ego",
         ),
     ],
 )

@@ -84,7 +84,7 @@ def test_a_cyclist_who_follows_is_not_left_behind() -> None:
     [
         (
             situation(one("A", "bicycle", "behind", "follow"), speed="50 km/h"),
-            "which holds 36 km/h, is left behind by an ego at 50 km/h; say an ego at 36 km/h at most",
+            "drives at most 36 km/h, so an ego at 50 km/h leaves it behind; say an ego at 36 km/h at most",
         ),
         (
             situation(

@@ -44,7 +44,7 @@ def test_the_ego_is_slower_for_who_cannot_keep_up_and_that_is_told() -> None:
     built = beside("bicycle", "behind-beside", "right", "right-turn")
     assert built.program.wanted_speed is not None
     assert built.program.wanted_speed < 6.0
-    assert any("the ego wants" in one for one in built.assumed)
+    assert any("the ego drives at" in one for one in built.assumed)
 
 
 def test_a_speed_that_was_said_of_the_ego_stays() -> None:

@@ -77,5 +77,5 @@ def test_an_ego_that_brakes_hard_has_the_firm_brake(manner: str) -> None:
 
 def test_nobody_comes_up_where_there_is_no_lane_on_that_side_of_the_ego() -> None:
     passes = car("A", "behind-beside", deed("go-along"), deed("keep-level"), side="right")
-    with pytest.raises(NotBuilt, match="no lane to the right of ours"):
+    with pytest.raises(NotBuilt, match="needs a lane to the right of ours"):
         build(others(passes, ego={"route": "enter-driveway", "does": [{"act": "lane-change", "to": "left"}]}))

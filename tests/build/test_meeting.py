@@ -97,11 +97,11 @@ def test_who_stops_at_a_junction_does_so_before_it_and_then_comes_before_the_ego
 
 
 def test_an_animal_on_the_road_runs_over_it_which_is_told() -> None:
-    assert "A crosses our lane, which was not said" in somebody("animal", "ahead").assumed
+    assert "A crosses our lane" in somebody("animal", "ahead").assumed
 
 
 def test_nobody_on_foot_is_in_a_lane_that_it_would_have_to_drive_along() -> None:
-    with pytest.raises(NotBuilt, match="arm of somebody on foot; the nearest is exit-crossing"):
+    with pytest.raises(NotBuilt, match="arm for a pedestrian; the nearest is exit-crossing"):
         somebody("pedestrian", "arm", "cross", side="right")
 
 
@@ -113,14 +113,14 @@ def test_the_speed_of_who_backs_onto_the_road_is_what_was_said() -> None:
 def test_that_the_ego_has_a_stop_sign_too_is_told() -> None:
     sign = {"control": "stop-sign"}
     built = somebody("car", "arm", {"act": "go-straight", "breaks": "stop-sign"}, side="right", road=sign)
-    assert any("the ego has a stop sign as well" in one for one in built.assumed)
+    assert any("the ego has a stop sign too" in one for one in built.assumed)
 
 
 def test_who_hides_somebody_beside_the_road_stands_there_and_that_is_told() -> None:
     child = {"id": "A", "kind": "child", "starts": {"where": "roadside", "side": "right"}, "hidden_by": "B"}
     bus = {"id": "B", "kind": "bus", "role": "hides", "starts": {"where": "ahead"}, "does": [{"act": "stand"}]}
     made = build(from_plain({"others": [child | {"does": [{"act": "cross"}]}, bus]}))
-    assert "B stands beside the road, and not ahead, so that it hides A" in made.assumed
+    assert "B stands beside the road instead of ahead, so that it hides A" in made.assumed
 
 
 def test_who_comes_in_our_lane_without_a_deed_goes_by_where_the_two_do_not_touch() -> None:

@@ -104,18 +104,18 @@ def test_who_comes_too_fast_to_be_braked_for_gains_speed_in_time():
                     one("A", "car", "arm", {"act": "go-straight", "when": {"ego_within": "15 m"}}, side="right")
                 ],
             },
-            "others.A.does.0.when.ego_within: 15 m: from where A stands",
+            "others.A.does.0.when.ego_within: 15 m: A needs",
         ),
         (
             {"others": [one("A", "truck", "ahead", {"act": "brake"}, speed="110 km/h")], "ego": {"speed": "110 km/h"}},
-            "others.A.starts.speed: 110 km/h is more than a truck holds: 90 km/h at most",
+            "others.A.starts.speed: 110 km/h is more than a truck can drive: at most 90 km/h",
         ),
         (
             {
                 "ego": {"does": [{"act": "stand"}, {"act": "swerve", "to": "right"}]},
                 "others": [one("A", "car", "behind", {"act": "go-along"})],
             },
-            "ego.does.1.act: who stands must set off before it can swerve",
+            "ego.does.1.act: a standing ego must set off before it can swerve",
         ),
     ],
 )

@@ -79,7 +79,7 @@ def test_a_door_opens_into_our_way_of_who_stands_in_a_lane(where: str, side: str
 
 
 def test_a_door_of_who_drives_is_refused() -> None:
-    with pytest.raises(NotBuilt, match="open-door but of one who stands"):
+    with pytest.raises(NotBuilt, match="open-door, except by a vehicle"):
         build(from_plain(said("ahead-beside", {"act": "go-along"}, OPENS, side="left")))
 
 
@@ -88,7 +88,7 @@ def test_where_only_others_have_a_stop_sign_the_ego_has_none() -> None:
     plain = said("arm", breaks, side="right")
     built = build(from_plain(plain))
     assert "control='none'" in built.program.source
-    assert any("no sign is seen where others do not stop" in one for one in built.assumed)
+    assert any("the others' stop sign is not shown" in one for one in built.assumed)
     assert from_plain(plain | {"road": {"control": "none"}}).others[0].does[0].breaks == "stop-sign"
     waits = plain | {"ego": {"does": [{"act": "stand"}, {"act": "set-off"}]}}
     assert "control='stop-sign'" in build(from_plain(waits)).program.source

@@ -50,7 +50,7 @@ def test_a_place_across_the_road_that_is_not_built_is_refused_with_where_it_is()
     said = someone("roadside", "cross", kind="child", side="right", lateral={"edge": "1 m"})
     with pytest.raises(NotBuilt) as refused:
         build(from_plain(said))
-    assert str(refused.value) == f"nothing builds yet: others.A.starts.lateral.edge: 1 m; {LATERAL_OF_STARTS}"
+    assert str(refused.value) == f"cannot be built yet: others.A.starts.lateral.edge: 1 m; {LATERAL_OF_STARTS}"
     assert LATERAL_OF_STARTS in explained("Lateral")
     assert LATERAL_OF_STARTS in explained("others.A.starts.lateral")
 
@@ -60,7 +60,7 @@ def test_who_hides_somebody_is_refused_across_the_road_with_that_reason() -> Non
     said["others"][0]["hidden_by"] = "B"
     parked = {"where": "kerb", "side": "left", "lateral": {"overlap": "50 %"}}
     said["others"].append({"id": "B", "kind": "truck", "role": "hides", "starts": parked, "does": [{"act": "stand"}]})
-    with pytest.raises(NotBuilt, match=r"not of B, who hides somebody$"):
+    with pytest.raises(NotBuilt, match=r"not for B, which hides a road user$"):
         build(from_plain(said))
 
 
@@ -73,7 +73,7 @@ def test_a_place_that_no_map_has_is_refused_with_the_one_fact_to_leave_out() -> 
         build(from_plain(said))
     told = str(refused.value)
     assert told.count("map 'town' has no place") == 1
-    assert told.endswith("; a place is found without road.lanes: 4")
+    assert told.endswith("; leave out road.lanes: 4, and a place is found")
     assert len(told) < 600
     less = LANES | {"lanes": None}
     assert build(from_plain(said | {"road": {name: value for name, value in less.items() if value is not None}}))
@@ -81,7 +81,7 @@ def test_a_place_that_no_map_has_is_refused_with_the_one_fact_to_leave_out() -> 
 
 def test_where_no_single_fact_lets_a_place_be_found_that_is_said() -> None:
     said = someone("ahead", "brake") | {"road": {"kind": "roundabout", "lanes": 7, "ego_lane": 6}}
-    with pytest.raises(NotBuilt, match="no fact of the road, left out alone, lets one be found"):
+    with pytest.raises(NotBuilt, match="leaving out one fact of the road is not enough"):
         build(from_plain(said))
 
 

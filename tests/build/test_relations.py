@@ -92,7 +92,7 @@ def test_several_in_a_row_keep_apart() -> None:
 
 
 def test_a_truck_does_not_turn_round_on_a_narrow_road() -> None:
-    with pytest.raises(NotBuilt, match=r"u-turn of a truck, which takes \d+ m of road"):
+    with pytest.raises(NotBuilt, match=r"u-turn: a truck needs \d+ m of road"):
         build(others(car("A", "ahead", deed("u-turn"), kind="truck")))
 
 

@@ -23,7 +23,7 @@ def beside(kind: str, *does: dict[str, Any]) -> dict[str, Any]:
 @pytest.mark.parametrize("kind", ["object", "debris"])
 def test_a_thing_that_rolls_over_the_road_moves_as_a_ball_does_which_is_told(kind: str, seed: int) -> None:
     said = others(beside(kind, deed("cross")))
-    assert "A rolls, and is built as a ball, which may be smaller" in build(said).assumed
+    assert "A rolls, so it is built as a ball, which may be smaller" in build(said).assumed
     assert track(driven(said, seed)).kind == "Ball"
 
 

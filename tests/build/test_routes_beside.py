@@ -64,9 +64,9 @@ def test_an_ego_that_comes_into_a_lane_meets_who_is_in_it(who: str, ego: str) ->
 @pytest.mark.parametrize(
     ("route", "where", "told"),
     [
-        ("leave-driveway", {"where": "arm", "side": "right"}, "starts.where: arm, where ego.route is leave-driveway"),
-        ("leave-parking", {"where": "beside", "side": "left"}, "starts.where: beside of a parked ego"),
-        ("park", {"where": "exit"}, "starts.where: exit, where ego.route is park"),
+        ("leave-driveway", {"where": "arm", "side": "right"}, "starts.where: arm, with ego.route: leave-driveway"),
+        ("leave-parking", {"where": "beside", "side": "left"}, "starts.where: beside with a parked ego"),
+        ("park", {"where": "exit"}, "starts.where: exit, with ego.route: park"),
         ("park", {"where": "arm"}, "starts.where: arm"),
     ],
 )
@@ -77,4 +77,4 @@ def test_whom_such_an_ego_cannot_meet_is_refused(route: str, where: dict[str, st
 
 def test_that_the_ego_stands_before_it_pulls_out_is_told() -> None:
     made = build(from_plain(someone("behind", "go-along") | {"ego": {"route": "leave-parking"}}))
-    assert "the ego stands beside its lane for 3 s, which was not said" in made.assumed
+    assert "the ego first waits beside its lane for 3 s" in made.assumed

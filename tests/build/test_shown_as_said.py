@@ -136,29 +136,29 @@ def test_most_drives_show_what_was_said(name: str) -> None:
         (
             "{ego: {speed: 90 km/h}, road: {kind: junction}, others: [{id: A, kind: car, starts: {where: behind-beside,"
             " side: left}, does: [{act: overtake}, {act: cut-in, distance: 5 m}, {act: brake}]}]}",
-            "others.A: all that it does takes",
+            "others.A: its deeds take",
         ),
         (
             "{ego: {route: overtake}, others: [{id: A, kind: car, starts: {where: oncoming}}]}",
-            "this cannot be: ego.route: there is nobody whom we could overtake",
+            "impossible:ego.route: there is nobody to overtake",
         ),
         (
             "{others: [{id: A, kind: car, starts: {where: oncoming}, does: [{act: overtake}, {act: overtake}]}]}",
-            "this cannot be: others.A.does.1.act: after overtake it is ahead of ego",
+            "impossible:others.A.does.1.act: after overtake it is ahead of ego",
         ),
         (
             "{road: {kind: four-way}, others: [{id: A, kind: car, starts: {where: ahead}, does: [{act: exit}]}]}",
-            "nothing builds yet: others.A.does.0.act: exit, at a junction; say turn-right",
+            "cannot be built yet: others.A.does.0.act: exit at a junction; say turn-right",
         ),
         (
             "{road: {kind: four-way, control: signal, ego_light: green}, others: [{id: A, kind: car,"
             " starts: {where: oncoming}, does: [{act: go-straight, breaks: red-light}]}]}",
-            "nothing builds yet: others.A.does.0.breaks: red-light of who is oncoming",
+            "cannot be built yet: others.A.does.0.breaks: red-light, oncoming: its light shows",
         ),
         (
             "{ego: {speed: 50 km/h}, others: [{id: A, kind: car, starts: {where: behind},"
             " does: [{act: go-along, speed: 15 km/h}]}]}",
-            "others.A: at 15 km/h it is left behind by an ego at 50 km/h",
+            "others.A: at 15 km/h an ego at 50 km/h leaves it behind",
         ),
     ],
 )

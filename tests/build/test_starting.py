@@ -100,7 +100,7 @@ def test_a_distance_and_a_speed_that_lead_past_the_ego_are_refused_with_where_it
 
 
 def test_a_speed_for_which_the_road_is_too_short_is_refused_with_the_most() -> None:
-    with pytest.raises(NotBuilt, match=r"others\.A: the road by which it comes is too short for over \d+"):
+    with pytest.raises(NotBuilt, match=r"others\.A: the road that it comes from is too short for more than \d+"):
         build(from_plain(someone("arm", "go-straight", side="left", speed="150 km/h", ego={"speed": "15 km/h"})))
 
 
@@ -119,7 +119,7 @@ def test_who_was_said_to_be_far_ahead_is_so_far_ahead_on_a_longer_road(where: st
 
 @pytest.mark.parametrize(("where", "acts"), [("ahead", ("stand",)), ("oncoming", ("enter",))])
 def test_a_distance_beyond_the_longest_road_is_refused_with_that(where: str, acts: tuple[str, ...]) -> None:
-    with pytest.raises(NotBuilt, match=r"others\.A\.starts\.distance: 3000 m: the longest road there is leads \d+ m"):
+    with pytest.raises(NotBuilt, match=r"others\.A\.starts\.distance: 3000 m: the longest road has \d+ m"):
         build(from_plain(someone(where, *acts, distance="3000 m")))
 
 

@@ -52,8 +52,8 @@ def test_a_program_says_by_its_class_what_the_ego_is(kind: str, known: str) -> N
     [
         ("idm", ()),
         ("planner", ()),
-        ("sac", ("the ego is no car (bus), and sac drives it as if it were one",)),
-        ("rule-based", ("the ego is no car (bus), and RuleBased drives it as if it were one",)),
+        ("sac", ("the ego is not a car (bus), and sac drives it as if it were one",)),
+        ("rule-based", ("the ego is not a car (bus), and RuleBased drives it as if it were one",)),
     ],
 )
 def test_of_an_ego_that_drives_a_bus_as_a_car_it_is_told(ego: str, told: tuple[str, ...]) -> None:

@@ -142,7 +142,7 @@ def test_a_door_that_opens_is_led_along_its_track(tmp_path: Path) -> None:
     SAID["led"] = one("car", "kerb", {"act": "stand"}, {"act": "open-door"}, side="right")
     kept.cache_clear()
     text = written("led", tmp_path).read_text(encoding="utf-8")
-    assert re.search(r"; not said: A-door goes as it was driven, as it is no road user", text)
+    assert re.search(r"; not said: A-door goes as it was driven, as it is not a road user", text)
     del SAID["led"]
 
 

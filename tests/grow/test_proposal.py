@@ -448,7 +448,7 @@ def test_an_id_names_nothing_outside_of_the_queue(bad: str, tmp_path: Path) -> N
         lambda: review.accept(shelf, bad, make_judge=reads_only, embedder=Words),
         lambda: review.text_of(shelf, bad),
     ):
-        with pytest.raises(SnippetError, match="is no id"):
+        with pytest.raises(SnippetError, match="is not an id"):
             act()
 
 

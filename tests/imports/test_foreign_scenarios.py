@@ -205,14 +205,14 @@ CONTINUOUS = (
         (scenario().replace('<Private entityRef="lead">', '<Private entityRef="$nobody">'), r"\$nobody"),
         (scenario().replace("</Entities>", '<EntitySelection name="all"><Members><EntityRef entityRef="$nobody"/></Members></EntitySelection></Entities>'), r"\$nobody"),
         (scenario(events=event(DISTANCE)).replace('<SpeedActionTarget><AbsoluteTargetSpeed value="5"/></SpeedActionTarget>', CONTINUOUS), r"\$nobody"),
-        (scenario(events=event(DISTANCE).replace("<Event ", '<Event maximumExecutionCount="²" ')), "'²' is no number"),
-        (scenario(events=event(DISTANCE).replace("<Event ", '<Event maximumExecutionCount="--5" ')), "'--5' is no number"),
+        (scenario(events=event(DISTANCE).replace("<Event ", '<Event maximumExecutionCount="²" ')), "'²' is not a number"),
+        (scenario(events=event(DISTANCE).replace("<Event ", '<Event maximumExecutionCount="--5" ')), "'--5' is not a number"),
         (scenario(events=event(DISTANCE).replace("<Event ", '<Event maximumExecutionCount="1.5" ')), "to be a whole number"),
-        (routed(WAYPOINT.format(AT.format(136))), "no line of two points"),
-        (routed(""), "no route of two waypoints"),
+        (routed(WAYPOINT.format(AT.format(136))), "not a line of two points"),
+        (routed(""), "not a route of two waypoints"),
         (routed("".join(WAYPOINT.format(f'<RoadPosition roadId="1" s="{s}" t="0"/>') for s in (1, 900_000))), "900000 m is not on it"),
-        (scenario(events=event(FOLLOWS)), "no line of two points"),
-        (scenario(events=event("<LongitudinalAction/>")), "nobody does this here"),
+        (scenario(events=event(FOLLOWS)), "not a line of two points"),
+        (scenario(events=event("<LongitudinalAction/>")), "this is not supported here"),
     ],
     ids=[*"abcdefghijk"],
 )  # fmt: skip
@@ -262,7 +262,7 @@ def test_each_variant_is_run_on_the_map_that_it_names(beside: Path) -> None:
 
 
 def test_where_one_variant_is_refused_no_program_is_written(beside: Path) -> None:
-    with pytest.raises(ScenarioError, match=r"variant 2 of .*values\.xosc, near = far: .*\n.*'far' is no number"):
+    with pytest.raises(ScenarioError, match=r"variant 2 of .*values\.xosc, near = far: .*\n.*'far' is not a number"):
         import_scenario(variants(beside, sets("near", "20", "far")))
     assert not list(beside.glob("*.scenic"))
     (beside / "values-2.scenic").write_text("mine")
@@ -306,7 +306,7 @@ def test_every_variant_is_held_to_what_a_program_of_a_user_may_be(
 
 @pytest.mark.parametrize("second", [sets("near", "1"), '<Stochastic><StochasticDistribution parameterName="near"><NormalDistribution expectedValue="5" variance="4"/></StochasticDistribution></Stochastic>'])  # fmt: skip
 def test_a_parameter_whose_values_are_told_twice_is_refused(second: str, beside: Path) -> None:
-    with pytest.raises(ScenarioError, match=r"line \d+: .*the values of \$near are told twice"):
+    with pytest.raises(ScenarioError, match=r"line \d+: .*the values of \$near are given twice"):
         import_scenario(variants(beside, STEPS.format(0.1) + second))
 
 
@@ -353,7 +353,7 @@ def test_values_that_belong_together_are_taken_together_and_drawn_ones_vary(tmp_
 def test_more_variants_than_are_read_are_refused_before_they_are_made(axes: int, beside: Path) -> None:
     one = STEPS.format(0.02).removeprefix("<Deterministic>").removesuffix("</Deterministic>")
     path = variants(beside, f"<Deterministic>{one * axes}</Deterministic>")
-    with pytest.raises(ScenarioError, match="tells more than 1000000 variants"):
+    with pytest.raises(ScenarioError, match="has more than 1000000 variants"):
         variants_of(read_xml(path), path)
 
 
@@ -371,14 +371,14 @@ def test_drives_are_spread_over_the_variants_and_which_are_judged_is_told(beside
     assert "variant 2 of 3 of theirs.xosc: near = 20" in str(chatscene.story(path, variant=2))
     with pytest.raises(SettingsError, match="variants 1 to 3, and no 4"):
         chatscene.verify(path, SLOWS_DOWN, variant=4)
-    with pytest.raises(SettingsError, match="tells the values of 'near' itself"):
+    with pytest.raises(SettingsError, match="sets the values of 'near' itself"):
         chatscene.verify(path, SLOWS_DOWN, param={"near": 12})
 
 
 def test_a_variant_that_cannot_be_imported_or_driven_is_told_and_the_others_are_judged(beside: Path) -> None:
     verdict = chatscene.verify(variants(beside, sets("near", "20", "far", "30")), SLOWS_DOWN, draws=3)
     assert [one.variant for one in verdict.draws] == [1, 1, 3]
-    assert re.match(r"NOT judged: variant 2 of .*values\.xosc, near = far: .* 'far' is no number", verdict.notes[0])
+    assert re.match(r"NOT judged: variant 2 of .*values\.xosc, near = far: .* 'far' is not a number", verdict.notes[0])
     assert verdict.status == chatscene.verify(beside / "values.xosc", SLOWS_DOWN, draws=1, variant=1).status
     with pytest.raises(ScenarioError, match=r"variant 1 of .*near = far"):
         chatscene.verify(variants(beside, sets("near", "far", "away")), SLOWS_DOWN, draws=3)
@@ -428,7 +428,7 @@ def test_a_parameter_that_a_file_declares_can_be_given_and_no_other(beside: Path
     [
         ('<ClothoidSpline>' + '<ClothoidSplineSegment length="900" curvatureStart="0" curvatureEnd="0"/>' * 12 + "</ClothoidSpline>", "more than 20000 points"),
         ('<Clothoid curvature="0" curvaturePrime="0" length="1000000"/>', "more than 20000 points"),
-        ('<Clothoid curvature="0" curvaturePrime="0" length="0.001"/>', "no line of two points"),
+        ('<Clothoid curvature="0" curvaturePrime="0" length="0.001"/>', "not a line of two points"),
         ('<Nurbs order="13"/>', "its order is 13"),
         ("<Nurbs order=\"2\">" + "<ControlPoint/>" * 2_501 + "</Nurbs>", "more than 20000 points"),
     ],
@@ -615,7 +615,7 @@ def test_a_file_with_nobody_but_an_ego_is_a_program(beside: Path) -> None:
 
 def test_the_ego_may_be_named_and_else_the_first_vehicle_is_taken_and_that_is_noted(beside: Path) -> None:
     text = scenario().replace('"ego"', '"first"')
-    assert any("first is taken; else name one with --ego: lead" in note for note in read(beside, text).notes)
+    assert any("first is used; name another with --ego: lead" in note for note in read(beside, text).notes)
     assert read(beside, text.replace('"first"', '"VUT"')).board.actors[0].name == "ego"  # type: ignore[union-attr]
     with pytest.raises(ScenarioError, match="there is no 'nobody' that could be the ego"):
         read(beside, text, ego="nobody")
@@ -624,7 +624,7 @@ def test_the_ego_may_be_named_and_else_the_first_vehicle_is_taken_and_that_is_no
 @pytest.mark.parametrize(
     ("action", "why"),
     [
-        ("<TrailerAction><DisconnectTrailerAction/></TrailerAction>", "<DisconnectTrailerAction>: nobody does this here"),
+        ("<TrailerAction><DisconnectTrailerAction/></TrailerAction>", "<DisconnectTrailerAction>: this is not supported here"),
         ('<ControllerAction><OverrideControllerValueAction><Brake active="true" value="1"/></OverrideControllerValueAction></ControllerAction>', "it takes over pedals"),
     ],
 )  # fmt: skip

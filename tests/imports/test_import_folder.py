@@ -45,7 +45,7 @@ def test_a_folder_of_scenarios_becomes_a_folder_of_programs_and_each_file_has_a_
     assert "a catalog" in rows[1]
     assert "REFUSED: " in rows[3]
     assert "does not lie there" in rows[3]
-    assert re.search(r"-1.scenic and 1 more, WITHOUT 1 variant: line \d+: .*'far' is no number.* on map", rows[4])
+    assert re.search(r"-1.scenic and 1 more, WITHOUT 1 variant: line \d+: .*'far' is not a number.* on map", rows[4])
     assert rows[-1] == f"5 files: 3 became 4 programs in {out}, 1 were refused, 1 are catalogs"
     assert [str(one.relative_to(out)) for one in foreign_files(out)] == [
         "a.scenic", "deep/b.scenic", "values-1.scenic", "values-3.scenic",
@@ -59,7 +59,7 @@ def test_the_rows_of_a_folder_are_json_too_and_nothing_is_overwritten(theirs: Pa
     assert [row["became"] for row in rows] == ["programs", "catalog", "programs", "refused", "programs"]
     assert rows[4]["programs"] == ["values-1.scenic", "values-3.scenic"]
     assert [one.startswith("variant 2 of ") for one in rows[4]["without"]] == [True]
-    with pytest.raises(SettingsError, match="is no empty folder"):
+    with pytest.raises(SettingsError, match="is not an empty folder"):
         import_folder(theirs, theirs / "mine")
 
 

@@ -114,8 +114,8 @@ def test_a_place_may_be_told_by_road_lane_or_beside_somebody(beside: Path) -> No
 @pytest.mark.parametrize(
     ("text", "why"),
     [
-        (scenario(events=event(NEAR)), r"line \d+: <ByEntityCondition>|nobody does this here"),
-        (scenario(events=event("<TeleportAction/>")), r"<TeleportAction>: nobody does this here"),
+        (scenario(events=event(NEAR)), r"line \d+: <ByEntityCondition>|this is not supported here"),
+        (scenario(events=event("<TeleportAction/>")), r"<TeleportAction>: this is not supported here"),
         (
             scenario(events=event(condition=NEAR.replace("RelativeDistance", "TimeToCollision"))),
             "<TimeToCollisionCondition>: it has no target",
@@ -210,7 +210,7 @@ def test_a_change_to_the_left_of_who_drives_against_the_reference_line_goes_to_t
 @pytest.mark.parametrize("value", ["abc", "nan", ""])
 def test_a_parameter_that_varies_about_no_number_is_refused_by_its_line(beside: Path, value: str) -> None:
     text = scenario().replace('parameterType="double" value="20"', f'parameterType="double" value="{value}"')
-    with pytest.raises(ScenarioError, match=r"line 4: <ParameterDeclaration>: .* is no number"):
+    with pytest.raises(ScenarioError, match=r"line 4: <ParameterDeclaration>: .* is not a number"):
         read(beside, text)
 
 
@@ -393,7 +393,7 @@ def test_a_map_that_lies_beside_the_file_is_found_however_it_is_named(name: str,
 @pytest.mark.parametrize(
     ("name", "why"),
     [
-        ("town.osgb", "is no .xodr file"),
+        ("town.osgb", "is not an .xodr file"),
         ("$Nobody", r"<LogicFile>: it speaks of \$Nobody, which the file does not declare"),
         ("C:\\maps\\town.xodr", "name it with --map C:/maps/town.xodr"),
         ("C:town.xodr", "name it with --map C:town.xodr"),
@@ -455,7 +455,7 @@ def test_an_ego_that_faces_against_its_lane_goes_against_it_and_that_is_noted(be
 def test_an_ego_whose_direction_is_not_told_faces_along_its_lane_and_that_is_noted(beside: Path) -> None:
     found = read(beside, placed('<WorldPosition x="136.75" y="-374"/>'))
     assert board_of(found).actors[0].start.turn == 0.0
-    assert any("how the ego is turned is not told" in note for note in found.notes)
+    assert any("the ego's heading is not given" in note for note in found.notes)
 
 
 def test_who_begins_beside_the_middle_of_a_lane_stays_there(beside: Path) -> None:

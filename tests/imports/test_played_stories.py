@@ -74,13 +74,13 @@ def test_a_file_in_which_only_the_ego_does_something_ends_as_it_tells(beside: Pa
 
 def test_the_end_of_a_file_with_nobody_but_an_ego_is_noted(beside: Path) -> None:
     found = read(beside, stopped_by(TIME.format(1), alone()))
-    assert any("ends as any does, not as is told" in note for note in found.notes)
+    assert any("ends as usual, not as the file says" in note for note in found.notes)
     foreign_program("theirs", written_story(found.board, "theirs.xosc"))  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
     ("dynamics", "told"),
-    [('dynamicsDimension="time" value="7"', "after 7 s, as is told"), ('dynamicsDimension="rate" value="2"', "after 3 s, as no time is told")],
+    [('dynamicsDimension="time" value="7"', "after 7 s, as the file says"), ('dynamicsDimension="rate" value="2"', "after 3 s, since no time is given")],
 )  # fmt: skip
 def test_how_long_the_ego_is_waited_for_is_noted(dynamics: str, told: str, beside: Path) -> None:
     does = f'<LongitudinalAction><SpeedAction><SpeedActionDynamics dynamicsShape="linear" {dynamics}/><SpeedActionTarget><AbsoluteTargetSpeed value="3"/></SpeedActionTarget></SpeedAction></LongitudinalAction>'
@@ -112,7 +112,7 @@ def test_a_selection_holds_those_that_it_names_by_type_selection_or_name(members
 
 @pytest.mark.parametrize(
     ("members", "why"),
-    [("", "it holds nobody"), ('<ByType objectType="boat"/>', "the type 'boat' is not known"), ('<EntityRef entityRef="who"/>', "'who' is nobody"), ('<EntityRef entityRef="all"/>', "'all' is nobody")],
+    [("", "it is empty"), ('<ByType objectType="boat"/>', "the type 'boat' is not known"), ('<EntityRef entityRef="who"/>', "'who' is not an entity"), ('<EntityRef entityRef="all"/>', "'all' is not an entity")],
 )  # fmt: skip
 def test_a_selection_of_nobody_who_is_known_is_refused(members: str, why: str, beside: Path) -> None:
     text = scenario(events=about("ego")).replace("</Entities>", BY_TYPE.format(members))
@@ -141,7 +141,7 @@ def test_that_a_condition_is_about_nobody_who_is_there_is_noted(beside: Path) ->
     )
     notes = read(beside, text).notes
     assert any("there is nobody of the type pedestrian" in note for note in notes)
-    assert any("nobody whom it is about is there; this never holds" in note for note in notes)
+    assert any("none of its entities exists; this never holds" in note for note in notes)
 
 
 def test_a_collision_with_a_type_is_one_with_those_of_that_type(beside: Path) -> None:
@@ -290,7 +290,7 @@ def test_that_a_plan_follows_its_line_from_where_somebody_is_is_noted(beside: Pa
         beside, scenario(place=at, events=event(way, TIME.format(1)) + event(speed(2), TIME.format(3), "then"))
     )
     assert isinstance(found.board, Storyboard)
-    assert any("follows its line from where it is" in note for note in found.notes)
+    assert any("follows its line from its position" in note for note in found.notes)
 
 
 HEADWAY = '<ByEntityCondition><TriggeringEntities triggeringEntitiesRule="any"><EntityRef entityRef="lead"/></TriggeringEntities><EntityCondition><TimeHeadwayCondition entityRef="ego" value="0.1" freespace="true" rule="greaterThan" relativeDistanceType="longitudinal"/></EntityCondition></ByEntityCondition>'

@@ -51,7 +51,7 @@ def test_other_steps_than_ours_are_made_even(tmp_path: Path) -> None:
         (HEAD + "0,e,car,0,0,0,1,0\n1,e,car,1,0,0,1,0\n", "marks 0 road users as the ego"),
         (HEAD + "0,e,ufo,0,0,0,1,1\n1,e,ufo,1,0,0,1,1\n", "no kind of road user 'ufo'"),
         (HEAD + "0,e,car,0,0,0,1,1\n5000,e,car,1,0,0,1,1\n", "has 5000.0 s"),
-        (HEAD + '0,e,"' + "x" * 200_000, "no table"),
+        (HEAD + '0,e,"' + "x" * 200_000, "not a table"),
     ],
 )
 def test_what_is_no_drive_is_told_with_its_place(tmp_path: Path, text: str, told: str) -> None:

@@ -92,8 +92,8 @@ def test_a_report_without_a_conflict_is_refused() -> None:
     [
         (b"", "is empty"),
         (b" \n\t\n", "is empty"),
-        (b"\xff\xfe\x00r\x80", "is no text in UTF-8"),
-        (b"PK\x03\x04\x00\x00", "is no text"),
+        (b"\xff\xfe\x00r\x80", "is not UTF-8 text"),
+        (b"PK\x03\x04\x00\x00", "is not text"),
         (b"a " * MOST_BYTES, "has 2.0 MB, and at most 1 MB are read"),
         (None, "cannot be read: No such file"),
     ],
@@ -123,7 +123,7 @@ def test_a_reading_is_chosen_for_one_conflict_at_a_time(tmp_path: Path) -> None:
     path.write_text(LOG, encoding="utf-8")
     answer = command("run", "--report", str(path), "--set", "side=left")
     assert answer.exit_code == 2
-    assert "--reading and --set are about one" in answer.stderr
+    assert "--reading and --set need one" in answer.stderr
 
 
 def test_a_run_keeps_from_which_report_it_is_and_what_was_left_out() -> None:

@@ -407,7 +407,7 @@ class TestWhole:
 
 def test_only_sac_can_be_fine_tuned(tmp_path: Path) -> None:
     for ego in ("td3", "ppo", "rule-based"):
-        with pytest.raises(EgoError, match=r"no SAC|no network"):
+        with pytest.raises(EgoError, match=r"not an SAC|not a network"):
             finetune(tmp_path / "t", [], replace(TINY, ego=ego), progress=silent)
     with pytest.raises(RunError, match="no run is named"):
         finetune(tmp_path / "t", [], TINY, progress=silent)

@@ -270,8 +270,8 @@ def test_who_is_to_stand_and_goes_is_told() -> None:
     still = (40, 0.0, 0.0)
     for legs, told in (
         (((60, 0.0, 0.0),), None),
-        (((20, 3.0, 0.0),), "adversary goes off, which nobody said"),
-        (((20, -3.0, 0.0),), "adversary goes back, which nobody said"),
+        (((20, 3.0, 0.0),), "adversary moves away, which the text does not say"),
+        (((20, -3.0, 0.0),), "adversary moves backwards, which the text does not say"),
     ):
         finding = found("unasked.adversary", said, episode(moving(60.0, 0.0, still, *legs)))
         assert (finding and finding.told) == told

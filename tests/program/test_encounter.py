@@ -201,7 +201,7 @@ def test_who_keeps_its_lane_while_the_ego_changes_its_own_has_left_none_and_take
         assert not list(ACTS[Act.EXIT](watch(episode(stays), route, stays)))
     leaves = moving(20.0, 0.0, (30, 8.0, 0.0), (10, 8.0, 20.0), (15, 8.0, 0.0), (60, 8.0, 0.0), speed=8.0)
     (told,) = (f.told for f in judge(goes, episode(leaves), route) if f.path == "unasked.adversary.lane")
-    assert told.startswith("adversary goes ")
+    assert told.startswith("adversary leaves its line by ")
 
 
 # Numbers

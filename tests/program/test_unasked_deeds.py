@@ -71,12 +71,12 @@ def test_what_was_said_is_not_told_as_unasked(situation: Situation) -> None:
 
 def test_a_car_that_brakes_hard_for_nobody_after_it_cut_in_does_what_nobody_said() -> None:
     claimed = only(BRAKES, Act.OVERTAKE, Act.CUT_IN)
-    assert unasked(claimed, BRAKES) == ("unasked.A.brakes: A brakes for nobody, which nobody said",)
+    assert unasked(claimed, BRAKES) == ("unasked.A.brakes: A brakes hard for nobody, which the text does not say",)
 
 
 def test_a_car_that_turns_round_does_what_nobody_said() -> None:
     claimed = only(TURNS_ROUND, Act.GO_ALONG)
-    assert "unasked.A.turn: A turns off or round, which nobody said" in unasked(claimed, TURNS_ROUND)
+    assert "unasked.A.turn: A turns off or turns round, which the text does not say" in unasked(claimed, TURNS_ROUND)
 
 
 @pytest.mark.parametrize("act", [Act.TURN_LEFT, Act.EXIT])
@@ -87,19 +87,23 @@ def test_who_turns_round_neither_turns_off_nor_exits(act: Act) -> None:
 
 def test_who_is_to_stay_behind_and_gets_past_does_what_nobody_said() -> None:
     claimed = only(TAILGATES, Act.TAILGATE, Act.LANE_CHANGE)
-    assert "unasked.A.past: A gets past the ego, which nobody said" in unasked(claimed, TAILGATES)
+    assert "unasked.A.past: A gets past the ego, which the text does not say" in unasked(claimed, TAILGATES)
 
 
 def test_who_is_to_go_along_and_swerves_does_what_nobody_said() -> None:
     (told,) = unasked(only(SWERVES, Act.GO_ALONG), SWERVES)
-    assert told.startswith("unasked.A.lane: A goes ")
+    assert told.startswith("unasked.A.lane: A leaves its line by ")
 
 
 def test_a_car_that_brakes_below_the_speed_that_was_said_does_what_nobody_said() -> None:
     (one,) = BRAKES_ON_THE_WAY.others
     claimed = replace(BRAKES_ON_THE_WAY, others=(replace(one, does=one.does[:1]),))
-    assert unasked(claimed, BRAKES_ON_THE_WAY) == ("unasked.A.brakes: A brakes for nobody, which nobody said",)
+    assert unasked(claimed, BRAKES_ON_THE_WAY) == (
+        "unasked.A.brakes: A brakes hard for nobody, which the text does not say",
+    )
 
 
 def test_a_pedestrian_who_only_hesitates_and_goes_back_does_what_nobody_said() -> None:
-    assert unasked(only(GOES_BACK, Act.HESITATE), GOES_BACK) == ("unasked.A.back: A goes back, which nobody said",)
+    assert unasked(only(GOES_BACK, Act.HESITATE), GOES_BACK) == (
+        "unasked.A.back: A moves backwards, which the text does not say",
+    )

@@ -118,15 +118,15 @@ def test_fences_thoughts_and_nulls_of_an_old_model_are_passed_over() -> None:
         (changed(lambda said: said["others"][0].update(wheels=4)), "others.A.wheels: there is no 'wheels' here"),
         (changed(lambda said: said["others"][0]["does"][1].update(speed=25)), "does.1.speed: 25 has no unit"),
         (changed(lambda said: said["others"][0]["does"][1].update(speed="25")), "does.1.speed: '25' has no unit"),
-        (changed(lambda said: said["others"][0].update(count=10**9)), "others.A.count: 1000000000 is more than 20"),
+        (changed(lambda said: said["others"][0].update(count=10**9)), "others.A.count: 1000000000 is too many"),
         (
             changed(lambda said: said["others"][0].update(does=[{"act": "stand"}] * 21)),
-            "others.A.does: 21 deeds are more than 20",
+            "others.A.does: 21 deeds are too many",
         ),
         (changed(lambda said: said["others"].clear()), "others: nobody is there"),
         (
             changed(lambda said: said.update(ego={"does": [{"act": "cut-in"}]})),
-            "ego.does.0.act: the ego cannot be told to cut-in",
+            "ego.does.0.act: the ego cannot cut-in",
         ),
         ({"verdict": "situation", "reason": "", "situation": None}, "situation: is missing"),
         ({"verdict": "no-situation", "reason": " ", "situation": None}, "reason: say in one sentence"),
@@ -189,7 +189,7 @@ def test_what_cannot_be_built_is_told_and_mended() -> None:
     rails = changed(lambda said: said.update(road={"kind": "rail-crossing", "ego_light": "turns-red"}))
     reader, script = asked(rails, ANSWER, cannot_build=unbuilt)
     assert reader.read(TEXT).ranked[0].situation.road.kind is not RoadKind.RAIL_CROSSING
-    assert "it cannot be built: nothing builds yet: road.ego_light: turns-red" in told_again(script)
+    assert "it cannot be built: cannot be built yet: road.ego_light: turns-red" in told_again(script)
 
 
 def test_what_can_never_be_built_is_given_as_it_was_said() -> None:
@@ -209,7 +209,7 @@ def test_a_model_names_no_map_and_no_version() -> None:
 
 def test_a_text_of_many_pages_is_refused_before_anybody_is_asked() -> None:
     reader, script = asked(ANSWER)
-    with pytest.raises(SettingsError, match="describe one situation"):
+    with pytest.raises(SettingsError, match="use at most 2000 for one situation"):
         reader.read("x" * (LONGEST + 1))
     assert not script.asked
 

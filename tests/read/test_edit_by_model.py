@@ -85,7 +85,7 @@ def test_what_cannot_be_built_or_changes_nothing_or_has_faults_is_sent_back_and_
     def bus_only(situation: Situation) -> str:
         asked.append(situation["A"].kind)
         return (
-            "" if situation["A"].kind is UserKind.BUS else f"nothing builds yet: others.A.kind: {situation['A'].kind}"
+            "" if situation["A"].kind is UserKind.BUS else f"cannot be built yet: others.A.kind: {situation['A'].kind}"
         )
 
     made = edited_by(scripted(tmp_path, same, reply(LEFT), reply({**LEFT, "kind": "bus"})), bus_only)(READ, "a bus")

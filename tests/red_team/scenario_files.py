@@ -76,20 +76,23 @@ ATTACKS = {
     "elements in elements": ("<a>" * 100 + "</a>" * 100, "deep in one another"),
     "many elements": ("<OpenSCENARIO>" + "<a/>" * 200_001 + "</OpenSCENARIO>", "more than 200000 elements"),
     "a long attribute": (f'<OpenSCENARIO name="{"a" * 20_000}"/>', "more than 10000 characters"),
-    "a map elsewhere": (scenario(map_name="/etc/passwd"), "is no .xodr file"),
+    "a map elsewhere": (scenario(map_name="/etc/passwd"), "is not an .xodr file"),
     "a map above": (scenario(map_name="../town.xodr"), "does not lie there"),
     "a map behind a drive": (scenario(map_name="..\\town.xodr"), "does not lie there"),
     "a catalog": (
         scenario(body='<CatalogReference catalogName="../../x" entryName="y"/>'),
         "no folder that the file names has a catalog",
     ),
-    "a number that is none": (scenario(place=AT.format(y="inf")), "no number within a million"),
+    "a number that is none": (scenario(place=AT.format(y="inf")), "not a number within a million"),
     "an expression that calls": (
         scenario(place=AT.format(y="${__import__(near)}")),
-        "no number that can be said here",
+        "not a number that can be said here",
     ),
-    "brackets without end": (scenario(place=AT.format(y="${" + "(" * 3000 + "}")), "no number that can be said here"),
-    "a zoo": ("\0\1\2", "no complete XML"),
+    "brackets without end": (
+        scenario(place=AT.format(y="${" + "(" * 3000 + "}")),
+        "not a number that can be said here",
+    ),
+    "a zoo": ("\0\1\2", "not complete XML"),
     "another language": ('<?xml version="1.0" encoding="x-nonsense"?><OpenSCENARIO/>', "XML"),
     "a body like a town": (scenario(body=CAR.replace('length="4.5"', 'length="4500"')), "is not made here"),
 }

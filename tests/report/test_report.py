@@ -558,7 +558,7 @@ def test_a_page_says_why_no_scene_was_driven_again(tmp_path: Path) -> None:
     run = finished(tmp_path / "run", count=1)
     assert "The kept scenes were not driven again for this page" in _page(run.path)  # its snippets are not ours
     update(run, egos=["somebodys.stack:make_ego"])
-    assert "the run names what is not packaged, and only who made it runs that" in _page(run.path)
+    assert "the run uses code that is not packaged, so it cannot be run here" in _page(run.path)
 
 
 def test_a_gif_of_the_best_scene_is_small_and_moves(tmp_path: Path) -> None:

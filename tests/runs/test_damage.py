@@ -431,7 +431,7 @@ def test_every_number_of_the_settings_has_a_range() -> None:
 def test_a_program_that_is_no_text_is_named(folder: Path) -> None:
     path = next(folder.glob("programs/*.scenic"))
     path.write_bytes(b"ego = \xff\xfe")
-    with pytest.raises(RunError, match=r"\.scenic is no text in UTF-8"):
+    with pytest.raises(RunError, match=r"\.scenic is not UTF-8 text"):
         read_programs(Workspace(folder))
 
 
@@ -481,7 +481,7 @@ def test_a_path_with_a_nul_is_one_message_of_our_own(tmp_path: Path) -> None:
 
 
 def test_a_text_that_is_no_text_is_one_message_of_our_own(tmp_path: Path) -> None:
-    with pytest.raises(RunError, match="no character; write it in UTF-8"):
+    with pytest.raises(RunError, match="not a character; write it in UTF-8"):
         started(tmp_path / "run", text="A cyclist\udcff")
 
 
@@ -522,7 +522,7 @@ FORGED: dict[str, tuple[str, Callable[[Any], Any], str]] = {
     "a column is missing": ("scenes.parquet", lambda t: t.drop_columns(["ending"]), "no column 'ending'"),
     "another type": ("events.parquet", lambda t: _with(t, "step", ["zz"] * t.num_rows), "'step' holds string"),
     "a lack of values": ("scenes.parquet", lambda t: _with(t, "dt", [None] * t.num_rows), "'dt' lacks values"),
-    "no route": ("scenes.parquet", lambda t: _with(t, "route_id", ["x"] * t.num_rows), "'x' is no route"),
+    "no route": ("scenes.parquet", lambda t: _with(t, "route_id", ["x"] * t.num_rows), "'x' is not a route"),
     "no time": ("scenes.parquet", lambda t: _with(t, "dt", [-0.05] * t.num_rows), "do not hold a drive.*dt is -0.05 s"),
     "no ending": ("scenes.parquet", lambda t: _with(t, "ending", ["x"] * t.num_rows), "do not hold a drive"),
     "no rows": ("episodes", lambda t: t.slice(0, 0), "do not hold a drive"),
@@ -551,7 +551,7 @@ def test_a_drawing_that_nobody_can_draw_is_one_message(tmp_path: Path, points: o
     run = finished(tmp_path / "run")
     run.file("map.json").write_text(json.dumps({"lane_boundaries": [{"kind": "solid", "points": points}]}))
     resealed(run)
-    with pytest.raises(RunError, match=r"map\.json is no drawing of a map"):
+    with pytest.raises(RunError, match=r"map\.json is not the drawing of a map"):
         write_report(run.path)
 
 

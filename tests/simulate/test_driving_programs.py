@@ -224,7 +224,7 @@ def test_a_map_whose_name_is_too_long_for_any_file_is_not_there(tmp_path: Path) 
 
     file = tmp_path / "lead.scenic"
     file.write_text(LEAD.replace("Town01", "T" * 300), encoding="utf-8")
-    with pytest.raises(Told, match=r"TTT\.xodr is not there; it runs on town"):
+    with pytest.raises(Told, match=r"TTT\.xodr does not exist; it runs on town"):
         api.run(program=file, folder=tmp_path / "run", progress=progress)
 
 
@@ -240,7 +240,7 @@ def test_a_run_of_a_program_that_is_drawn_is_replayed_bit_for_bit_from_its_seed(
         scenes=2,
         progress=lambda said, _done, _all: told.append(said),
     )
-    assert any("Town01.xodr is not there; it runs on town" in said for said in told)
+    assert any("Town01.xodr does not exist; it runs on town" in said for said in told)
     scene = "lead/route-00/scene-001"
     again = api.replay(tmp_path / "run", scene, generator=(generator_for(trusted=True, as_written=False),))
     assert again.identical, again.difference

@@ -90,7 +90,9 @@ def test_every_fault_of_a_file_is_told_with_its_line_and_with_what_was_meant() -
     assert told[1].endswith("did you mean right-turn?")
     assert told[2] == "  line 2, road.lane: there is no 'lane' here; did you mean lanes?"
     assert told[3].startswith("  line 4, others.A.kind: 'bycicle' is none of car")
-    assert told[4] == "  line 5, others.A.does.0.speed: 'm' is no unit of a speed, which has km/h, kph, kmh, mph, m/s"
+    assert (
+        told[4] == "  line 5, others.A.does.0.speed: 'm' is not a unit of a speed, which has km/h, kph, kmh, mph, m/s"
+    )
 
 
 @pytest.mark.parametrize(
@@ -99,31 +101,31 @@ def test_every_fault_of_a_file_is_told_with_its_line_and_with_what_was_meant() -
         ("ego.set-off", "ego.go", "there is no deed 'ego.go'"),
         ("{after: ego.set-off}", "{after: A.1}", "a deed cannot wait for itself"),
         ("{where: ahead}", "{where: ahead, side: left}", "line 7, others.B.starts.side: ahead has no side"),
-        ("id: B", "id: A", "'A' is the name of two"),
-        ("id: B", "id: a", "'a' is the name of two"),
-        ("id: B", "id: A-1", "'A-1' is what one of several is called"),
+        ("id: B", "id: A", "'A' is used twice"),
+        ("id: B", "id: a", "'a' is used twice"),
+        ("id: B", "id: A-1", "'A-1' is reserved for a member of a group"),
         ("speed: 50 km/h,", "speed: -50 km/h,", "speed is never below 0"),
-        ("speed: 50 km/h,", "speed: 5 km/h more than the ego,", "only others are measured against the ego"),
+        ("speed: 50 km/h,", "speed: 5 km/h more than the ego,", "only others can be relative to the ego"),
         ("distance: 10 m", "distance: 10 m more than the ego", "only a speed is measured against the ego's"),
-        ("act: brake", "act: brake, breaks: stop-sign", "there is no stop-sign where the control is signal"),
+        ("act: brake", "act: brake, breaks: stop-sign", "there is no stop-sign with road.control: signal"),
         ("{act: stand}]}", "{act: stand, when: {after: B.0}}]}", "a deed cannot wait for itself"),
         ("act: go-straight,", "act: go-straight, when: {after: A.1},", "it waits for a deed that waits for it"),
-        ("id: B", "id: ego", "'ego' is no name"),
+        ("id: B", "id: ego", "'ego' is not a name"),
         ("kind: truck", "kind: cone, hidden_by: D", "there is no 'D' in it, but A, B"),
         ("kind: truck", "kind: truck, hidden_by: B", "nobody hides itself"),
-        ("kind: truck", "kind: truck, count: 1000000000", "is more than 20"),
-        ("kind: truck", "kind: truck, count: -1", "-1 is no number of road users"),
+        ("kind: truck", "kind: truck, count: 1000000000", "1000000000 is too many; at most 20"),
+        ("kind: truck", "kind: truck, count: -1", "-1 is not a number of road users"),
         (
             "act: brake",
             "act: cut-in",
             "cut-in has no acceleration, but speed (how fast it does that), distance (the gap",
         ),
-        ("act: brake", "act: brake, whom: B", "brake is done to nobody"),
+        ("act: brake", "act: brake, whom: B", "brake has no other party"),
         ("kind: bicycle", "kind: pedestrian", "pedestrian walks, and cannot go-straight"),
-        ("[{act: stand}, {act: set-off}]", "[{act: cross}]", "the ego cannot be told to cross"),
+        ("[{act: stand}, {act: set-off}]", "[{act: cross}]", "the ego cannot cross"),
         ("kind: four-way", "kind: road", "it cannot turn at a junction where the road is a road"),
-        ("control: signal", "control: stop-sign", "there is no light where the control is stop-sign"),
-        ("lanes: 2", "lanes: 0", "a road has one lane at least"),
+        ("control: signal", "control: stop-sign", "there is no light with road.control: stop-sign"),
+        ("lanes: 2", "lanes: 0", "a road has at least one lane"),
         ("lanes: 2", "lanes: 2, ego_lane: 3", "it is 3, and the road has 2 lanes; 1 is the outermost"),
         ("striker: ego", "striker: ego, whom: C", "there is no 'C' in it"),
         ("id: A,", "id: A, role: supporting,", "nobody is the adversary"),
@@ -141,18 +143,18 @@ def test_what_cannot_be_together_is_refused(there: str, instead: str, told: str)
     [
         ("ego: [", "line 1: "),
         ("- 1", "a situation is a mapping"),
-        ("ego: {}\nego: {}", "line 2, ego: 'ego' stands here twice"),
-        ("ego: 3", "3 is no mapping; write one with kind, route, speed, does"),
+        ("ego: {}\nego: {}", "line 2, ego: 'ego' is here twice"),
+        ("ego: 3", "3 is not a mapping; write one with kind, route, speed, does"),
         ("[1]: 2", "a name is a word"),
-        ("version: 99", "99 is of another chatscene"),
+        ("version: 99", "version 99 is from another chatscene"),
         ("ego: " + "[" * 5000, "it is nested too deeply"),
         (BOMB, "more than 20,000 values"),
         ("ego: &e {route: *e}", "or in itself"),
-        ("ego: !!python/object/apply:os.system [id]", "stands for nothing in a situation"),
+        ("ego: !!python/object/apply:os.system [id]", "has no meaning in a situation"),
         ('"a[b]": 1', "there is no 'a[b]' here"),
-        ('version: "9"', "'9' is of another chatscene"),
+        ('version: "9"', "version '9' is from another chatscene"),
         ("road: {has: crosswalk}", "a list stands here"),
-        (f"ego: {{speed: 1{'0' * 400}}}", "it is no number"),
+        (f"ego: {{speed: 1{'0' * 400}}}", "it is not a number"),
         ("road: {has: 2026-13-45}", "month must be in 1..12"),
     ],
 )  # fmt: skip
@@ -173,12 +175,12 @@ def test_what_is_no_situation_is_refused_in_words(text: str, told: str) -> None:
         ("kind: truck", "kind: truck, speed: 3 m/s", "did you mean starts.speed or does.speed?"),
         ("kind: truck", "kind: truck, weather: rain", "did you mean around.weather?"),
         ("kind: truck", "kind: truck, colour: red", "there is no 'colour' here, but id, kind, count"),
-        ("lanes: 2", "lanes: two", "'two' is no whole number"),
+        ("lanes: 2", "lanes: two", "'two' is not a whole number"),
         ("two_way: true", "two_way: perhaps", "'perhaps' is neither true nor false"),
-        ("id: B", "id: 2", "2 is no text; write it in quotes"),
+        ("id: B", "id: 2", "2 is not text; write it in quotes"),
         ("after: ego.set-off", "after: ego.sets-off", "but ego.stand, ego.set-off, A.go-straight"),
         ("striker: ego", "striker: ego, whom: a", "but A, B; did you mean A?"),
-        ("3 m/s²", "3 km/h", "is no unit of an acceleration"),
+        ("3 m/s²", "3 km/h", "is not a unit of an acceleration"),
         ("act: brake", "act: brake, whom: B", "leave this out; cut-in, overtake"),
         ("act: brake", "act: brake, to: left", "leave this out; cross, cut-in"),
     ],
@@ -199,7 +201,7 @@ def test_a_file_that_cannot_be_read_is_refused_in_words(tmp_path: Path) -> None:
     with pytest.raises(SituationError, match="more than 1 MB"):
         read_file(tmp_path / "large.yaml")
     (tmp_path / "bytes.yaml").write_bytes(b"ego: \xff")
-    with pytest.raises(SituationError, match="no UTF-8 text"):
+    with pytest.raises(SituationError, match="not UTF-8 text"):
         read_file(tmp_path / "bytes.yaml")
 
 

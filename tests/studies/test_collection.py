@@ -174,7 +174,7 @@ def test_a_program_that_does_not_run_is_named_and_ends_with_status_1(imported: P
         ({"programs": ["../a.scenic"]}, "which is not in"),
         ({"programs": ["gone.scenic"]}, "which is not in"),
         ({"maps": ["../gone.xodr"]}, "is not there any more"),
-        ({"programs": 3}, "is no record of an import"),
+        ({"programs": 3}, "is not the record of an import"),
     ],
 )
 def test_a_record_that_was_changed_is_refused(
@@ -194,7 +194,7 @@ def test_a_record_that_was_changed_is_refused(
 
 
 def test_what_is_asked_of_runs_is_not_asked_of_an_imported_folder(imported: Path, tmp_path: Path) -> None:
-    with pytest.raises(SettingsError, match="is evaluated by itself, in the sandbox"):
+    with pytest.raises(SettingsError, match="is evaluated alone, in the sandbox"):
         chatscene.evaluate([imported], tmp_path / "out", simulator="native")
     with pytest.raises(SettingsError, match="name each ego once"):
         chatscene.evaluate(imported, tmp_path / "out", ego=[EGO, EGO])

@@ -123,7 +123,7 @@ def test_an_entry_is_served_or_refused_or_out_of_reach() -> None:
     rows = cover([HERE], Asked(), progress=silent)
     assert [row.answer for row in rows] == [Answer.SERVED, Answer.REFUSED, Answer.OUT_OF_REACH]
     served, refused, beyond = rows
-    assert "the ego wants 50 km/h, which was not said" in " ".join(served.unused)
+    assert "the ego drives at 50 km/h" in " ".join(served.unused)
     assert served.slots["adversary"] == "car"
     assert not served.reasons
     assert refused.reasons
@@ -268,7 +268,7 @@ def test_the_command_prints_a_row_for_every_entry(tmp_path: Path) -> None:
     answer = told("--catalogue", file)
     assert answer.exit_code == 0
     assert "b[1]" in answer.stdout
-    assert "the ego wants 50 km/h" in answer.stdout
+    assert "the ego drives at 50 km/h" in answer.stdout
     assert "1 served of 1 in reach, of 1 entries" in answer.stdout
     assert json.loads(told("--catalogue", file, "--json").stdout)["catalogues"][0]["name"] == "mine"
 

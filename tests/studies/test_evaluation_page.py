@@ -78,7 +78,7 @@ def test_the_command_prints_a_row_per_ego_and_gives_the_rows_to_a_script(
         f"{rows[1]['completion']:.0f}",
         "%",
     ]
-    assert "the careful driver is that of UN R157; who brakes earlier may avoid what that driver does not" in said
+    assert "the careful driver is that of UN R157; a driver that brakes earlier may avoid more" in said
     assert len(said.splitlines()) < 10  # the paper's four tables go to files
 
 

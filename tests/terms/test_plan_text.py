@@ -261,7 +261,7 @@ def test_a_name_is_known_by_what_it_must_stand_for() -> None:
         ("OPT_ADV_SPEED)", "OPT_ADV_SPEED, pace=2)", "line 4: MoveAhead takes (speed, turn), each once"),
         ("OPT_ADV_SPEED)", "OPT_ADV_SPEED, 0 < 1)", "line 4: '0 < 1' is a truth, where a number is needed"),
         ("< 20", "+ 20", "line 3: 'headway(egoRoute, ego, self) + 20' is a number, where a truth is needed"),
-        ("< 20", "<", "line 3: 'headway ( egoRoute , ego , self ) <' is no expression"),
+        ("< 20", "<", "line 3: 'headway ( egoRoute , ego , self ) <' is not an expression"),
         ("headway(", "distance(", "line 3: no plan can say 'distance(egoRoute, ego, self)'"),
         ("Range(0.8, 4)", "Uniform(1, 2)", "line 1: 'param OPT_ADV_SPEED = Uniform ( 1 , 2 )'"),
         ("    do Move", "    while True:\n        do Halt()\n    do Move", "line 6: "),

@@ -37,22 +37,23 @@ def test_a_verdict_of_drives_that_show_all_of_it_says_no_more() -> None:
 
 def test_what_no_drive_came_to_stands_beside_the_number_of_those_that_show_all() -> None:
     never = verdict(KIND, fact("contact.happens", 0, of=0))
-    assert never == ("shown: 10 of 10 drives show all of it, but for what they did not come to (contact.happens)")
+    assert never == ("shown: 10 of 10 drives show all of it, except what they did not reach (contact.happens)")
     some = verdict(KIND, fact("contact.happens", 2, of=2))
-    assert some.endswith("what they did not come to (contact.happens in 8 of them)")
+    assert some.endswith("what they did not reach (contact.happens in 8 of them)")
 
 
 def test_what_no_track_tells_stands_there_too_and_a_long_list_is_counted() -> None:
     lanes = [fact(f"road.{name}", 0, untold=True) for name in ("lanes", "ego_lane", "setting", "two_way", "has")]
     assert verdict(KIND, *lanes).endswith(
-        "but for what no track tells (road.lanes, road.ego_lane, road.setting, road.two_way and 1 more)"
+        "except what tracks cannot show (road.lanes, road.ego_lane, road.setting, road.two_way and 1 more)"
     )
 
 
 def test_what_nobody_said_is_named_first_where_it_alone_decides() -> None:
-    aside = fact("unasked.A.lane", 2, instead="A goes 2.3 m aside, which nobody said")
+    aside = fact("unasked.A.lane", 2, instead="A leaves its line by 2.3 m, which the text does not say")
     assert verdict(KIND, ACT, unasked=(aside,)) == (
-        "not shown: A goes 2.3 m aside, which nobody said (8 of 10 drives); 9 of 10 drives show all that was said"
+        "not shown: A leaves its line by 2.3 m, which the text does not say (8 of 10 drives); "
+        "9 of 10 drives show all that was said"
     )
     rare = fact("unasked.A.lane", 8, instead="A goes aside")
     assert verdict(KIND, unasked=(rare,)) == "shown: 8 of 10 drives show all of it"

@@ -131,7 +131,7 @@ def test_who_comes_and_goes_and_was_not_spoken_of_is_said_not_to_be_judged_and_a
     )
     verdict = chatscene.verify(path, "A pedestrian crosses from the right.")
     assert verdict.who == {"A": "walker"}
-    assert "not judged, but for a contact: first, late, not there all that time" in verdict.notes
+    assert "not judged, except contacts: first, late, absent for part of that time" in verdict.notes
     assert [one.path for one in verdict.unasked] == ["unasked.contact"]
 
 

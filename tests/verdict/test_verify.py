@@ -226,7 +226,7 @@ def test_a_program_shows_nothing_else_than_it_does(theirs: Path) -> None:
 def test_an_ego_that_never_moves_is_told_as_such(theirs: Path) -> None:
     verdict = chatscene.verify(theirs / "still.scenic", "The car ahead brakes hard.", draws=2)
     assert verdict.status == 1
-    assert verdict.dead == ("the ego never moves in 2 of 2 drives, which nobody said",)
+    assert verdict.dead == ("the ego never moves in 2 of 2 drives, which the text does not say",)
 
 
 def test_a_program_that_ends_without_a_step_shows_nothing(theirs: Path) -> None:

@@ -14,20 +14,20 @@ if TYPE_CHECKING:
 
 
 def export(folder: Name | Run, scenes: Names = (), *, to: str, out: Name | None = None) -> Exported:
-    """Write scenes of a run as files that other tools read; nothing is simulated or executed.
+    """Write scenes of a run as files for other tools; simulates and runs nothing.
 
     Args:
         folder: A run, or its folder.
-        scenes: Ids of the scenes; none for those that the run keeps.
+        scenes: Ids of the scenes; none for all kept scenes.
         to: An exporter by name, one of `chatscene.exports.exporter.EXPORTERS` such as ``openscenario`` or ``csv``, or
             ``package.module:factory``.
-        out: Where to; a new folder, or an empty one.
+        out: A new or empty folder.
 
     Raises:
         SettingsError: There is no such exporter, or the folder is not empty.
         MissingExtra: The exporter needs a package that is not installed.
-        RunError: The run has no such scene, it was never driven, or it keeps none.
-        MapError: The run's map is not there any more.
+        RunError: The run has no such scene, the scene was never driven, or no scene is kept.
+        MapError: The run's map no longer exists.
     """
     from chatscene.exports.export import export as export_scenes
 
@@ -44,21 +44,21 @@ def import_scenario(
     param: Mapping[str, object] | None = None,
     within: Name | None = None,
 ) -> ImportedScenario:
-    """Write a scenario of OpenSCENARIO XML as a Scenic program of one's own, which `run` takes; nothing of it is run.
+    """Convert a scenario in OpenSCENARIO XML to a Scenic program, which `run` takes; runs nothing.
 
     Args:
         file: An ``.xosc`` file: a scenario, or parameter values for one, each set of which gives a program.
         out: The ``.scenic`` file, a new one; None for one beside it with its name.
         map: A packaged map or an ``.xodr`` file; None for the one that the file names by a path from its folder.
-        ego: What the file calls the ego; None where that is told by the file.
+        ego: The ego's name in the file; None for the one that the file implies.
         variant: The number of one set of parameter values, from 1; None for all of them.
-        param: Values of parameters in place of those in the file, by name.
-        within: The folder in which catalogs and the map lie that the file names, if they may lie nowhere else.
+        param: Values, by name, that replace those in the file.
+        within: Folder outside which the file's catalogs and map may not lie; None for anywhere.
 
     Raises:
-        ScenarioError: It cannot be read, or says what cannot be said here; the message names each element and its line.
-        MapError: The map is not there, or is broken.
-        SettingsError: The program is there already, or there is no such variant.
+        ScenarioError: It cannot be read, or has elements that cannot be imported; the message names each with its line.
+        MapError: The map does not exist, or is broken.
+        SettingsError: The program already exists, or there is no such variant.
     """
     from chatscene.imports.import_file import import_scenario as import_file
 

@@ -33,26 +33,26 @@ def finetune(
     settings: FinetuneSettings | None = None,
     progress: Progress = silent,
 ) -> Finetuned:
-    """Fine-tune an SAC ego on the kept scenes of runs, or teach a new one; measured before and after.
+    """Fine-tune an SAC ego on the kept scenes of runs, or teach a new one, and measure it before and after.
 
-    Needs the extra ``train``. The same call goes on after a kill.
+    Needs the extra ``train``. Repeat the call to continue after an interruption.
 
     Args:
         scenes: Runs, or folders with runs somewhere below.
-        folder: Where the hardened ego goes: a new folder, or one to go on in.
+        folder: Folder for the ego: new, or one to continue.
         ego: ``sac``, the file of an SAC policy, or its folder.
-        teacher: An ego to learn from, from nothing, instead of by reward.
+        teacher: Ego that a new policy learns from, instead of by reward.
         preset: Gradient steps: ``paper``, one per step; ``released``.
-        choice: Who chooses the checkpoint: ``paper`` or ``held-out``.
+        choice: Routes that choose the checkpoint: ``paper`` or ``held-out``.
         episodes: Scenes driven.
         train_routes: How many of the first routes train; the rest test.
-        reward: What it is paid for: ``safebench`` or ``progress``.
+        reward: ``safebench`` or ``progress``.
         ordinary_share: Share of the episodes on ordinary routes.
-        simulator: What scenes are driven in; that of the runs if None.
-        physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``; that of the runs if None.
-        seed: What everything random derives from.
-        settings: All other settings; the keywords above come before them.
-        progress: Told what is done.
+        simulator: Simulator of the scenes; that of the runs if None.
+        physics: How vehicles respond to pedals and steering: ``kinematic`` or ``lagged``; that of the runs if None.
+        seed: Seed of everything random.
+        settings: All other settings; the keywords above override them.
+        progress: Called with what is done.
 
     Raises:
         MissingExtra: The extra is not installed.
@@ -98,24 +98,22 @@ def train(
 ) -> Trained:
     """Train an ego on the ordinary drives of a map.
 
-    Needs the extra ``train``. The same call goes on after a kill.
+    Needs the extra ``train``. Repeat the call to continue after an interruption.
 
     Args:
-        folder: Where the ego goes: a new folder, or one to go on in.
+        folder: Folder for the ego: new, or one to continue.
         algorithm: ``sac``, ``ppo`` or ``td3``.
-        observation: What the ego sees: ``safebench``, ``actors``, ``road`` or ``traffic``, which is what it sees by
-            default if it is to drive at a speed.
-        reward: What it is paid for: ``safebench`` or ``progress``.
-        pedals: ``safebench``, or ``full-brake``, which it has by default if it is to drive at a speed.
+        observation: What the ego sees: ``safebench``, ``actors``, ``road`` or ``traffic``, the default with a speed.
+        reward: ``safebench`` or ``progress``.
+        pedals: ``safebench``, or ``full-brake``, the default with a speed.
         steps: Environment steps of 0.1 s.
         round: Steps between two evaluations.
-        seed: What everything random derives from.
+        seed: Seed of everything random.
         map: Packaged ``town``, or an ``.xodr`` file.
-        simulator: What scenes run in.
-        physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``.
-        speed: What the ego is to drive at [km/h] within the limits of the roads, 110 for these alone; None for one
-            that drives at SafeBench's speed.
-        progress: Told what is done.
+        simulator: Simulator of the drives.
+        physics: How vehicles respond to pedals and steering: ``kinematic`` or ``lagged``.
+        speed: Speed of the ego [km/h] within the speed limits, 110 for the limits alone; None for SafeBench's speed.
+        progress: Called with what is done.
 
     Raises:
         MissingExtra: The extra is not installed.

@@ -31,16 +31,16 @@ def replay(
 
     Args:
         folder: A run, or its folder.
-        scene_id: Id of the scene; None for the first that the report shows.
-        ego: Ego of the run again, if it may run code of its own.
-        generator: Generator of the run again, if it is none of ours.
-        simulator: Simulator of the run again, if it is none of ours.
-        library: Folder of snippets of the run again, if it has one.
+        scene_id: Id of the scene; None for the first scene of the report.
+        ego: Ego of the run, repeated if it may run its own code.
+        generator: Generator of the run, repeated if it is not packaged.
+        simulator: Simulator of the run, repeated if it is not packaged.
+        library: Snippet folder of the run, repeated if it has one.
         watch: Whether the window of a CARLA server looks down on the ego.
         record: Whether a CARLA server's recorder writes a file below ``recordings`` in the folder.
 
     Raises:
-        RunError: The run has no such scene, or it was never driven; or it names what must be repeated.
+        RunError: The run has no such scene, it was never driven, or the run names code that must be repeated.
         SettingsError: The simulator has no window or no recorder.
     """
     from chatscene.runs.replay import replay as replay_scene
@@ -59,19 +59,18 @@ def why(
     simulator: Names = (),
     library: Names = (),
 ) -> Why:
-    """Say why a scene of a run crashed, by driving it otherwise: who struck whom, what it took, how the ego avoids it.
+    """Explain why a scene of a run crashed by driving variants of it: who struck whom, what decides, what avoids it.
 
     Args:
         folder: A run, or its folder.
-        scene_id: Id of the scene; None for the first that the report shows.
-        ego: Ego of the run again, if it may run code of its own.
-        generator: Generator of the run again, if it is none of ours.
-        simulator: Simulator of the run again, if it is none of ours.
-        library: Folder of snippets of the run again, if it has one.
+        scene_id: Id of the scene; None for the first scene of the report.
+        ego: Ego of the run, repeated if it may run its own code.
+        generator: Generator of the run, repeated if it is not packaged.
+        simulator: Simulator of the run, repeated if it is not packaged.
+        library: Snippet folder of the run, repeated if it has one.
 
     Raises:
-        RunError: The run has no such scene, or it did not crash, or does not any more; or it names what must be
-            repeated.
+        RunError: The run has no such scene, the scene does not crash, or the run names code that must be repeated.
     """
     from chatscene.runs.why import why as why_crashed
 
@@ -102,20 +101,20 @@ def story(
     The answer prints as lines; its `picture` is a moment from above.
 
     Args:
-        what: As `verify`: of a program the first drive is told.
-        scene: Which scene of a run; None for the first that it keeps.
-        seed: What the values of a program's drive are drawn by.
-        ego: Who drives a program; None for its own ego, or the usual one where it has none or was imported.
+        what: As in `verify`; a program is driven once.
+        scene: Id of a scene of a run; None for its first kept scene.
+        seed: Seed of a program's values.
+        ego: The ego that drives a program; None for its own ego, or the default one if it has none or was imported.
         map: The map of a program that names none.
         trust: Whether a program may use all of Scenic and Python, in this process.
-        as_written: Whether the program's own ego drives; of an imported scenario, as its file says.
-        ego_id: Whose track of a recording is the ego's; None for the one that is marked.
+        as_written: Whether the program's own ego drives; an imported one drives as its file says.
+        ego_id: Id of the ego in a recording; None for the one that is marked.
         param: As `verify`.
-        variant: Which set of parameter values of a file of such sets, from 1; None for the first.
-        within: The folder in which map and catalogs lie that a program names, if they may lie nowhere else.
-        generator: Generator of the run again, if it is none of ours.
-        simulator: Simulator of the run again, if it is none of ours.
-        library: Folder of snippets of the run again, if it has one.
+        variant: Number of a set in a file of parameter values, from 1; None for the first.
+        within: Folder outside which a program's map and catalogs may not lie; None for anywhere.
+        generator: Generator of the run, repeated if it is not packaged.
+        simulator: Simulator of the run, repeated if it is not packaged.
+        library: Snippet folder of the run, repeated if it has one.
 
     Raises:
         ChatSceneError: It cannot be read or driven, or has no such scene.
@@ -148,11 +147,11 @@ def sql(query: str, folder: Name = "runs") -> Table:
 
     Raises:
         MissingExtra: The extra is not installed.
-        QueryError: It is no SQL, names what there is not, or would do more than read these tables.
+        QueryError: It is not SQL, names something that does not exist, or would do more than read these tables.
         RunError: There is no run in the folder.
 
     Warns:
-        RuntimeWarning: For each folder that is left out, with the reason: it is damaged, or not done.
+        RuntimeWarning: For each folder that is left out, with the reason: it is damaged or unfinished.
     """
     from chatscene.report.index import index
     from chatscene.report.sql import ask

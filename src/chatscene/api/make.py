@@ -69,45 +69,43 @@ def run(
 
     Args:
         text: The sentence, a conflict of a report (`conflicts`), or a situation.
-        folder: Run folder, new or empty, or one to go on in.
-        report: File of a report that tells one conflict, in place of the sentence; of several, see `conflicts`.
-        program: File of a Scenic program of one's own, in place of the sentence.
+        folder: Run folder: new, empty, or one to continue.
+        report: File of a report with one conflict, instead of the sentence; for several, see `conflicts`.
+        program: File of your own Scenic program, instead of the sentence.
         trust: Whether the program may use all of Scenic and Python, in this process; else it runs in the sandbox.
-        as_written: Whether the program's own ego drives, of an imported scenario as its file says; else `ego` does, on
-            a route that follows from the program.
-        within: The folder in which the map lies that the program names, if it may lie nowhere else.
+        as_written: Whether the program's own ego drives (an imported one as its file says); else `ego` does, on a route
+            derived from the program.
+        within: Folder outside which the program's map may not lie; None for anywhere.
         param: Values, by name, of parameters that the program uses and does not define; only with a program.
-        edit: What is to differ from the text or the situation, in words: one edit, or several that are applied one
-            after the other. None and ``[]`` change nothing.
-        map: Packaged ``town``, ``outskirts`` or ``region``, or an ``.xodr`` file; None for the town, or for the
-            outskirts where the text names what the town has not, such as a motorway. Where a program names a map that
-            is there, that one is taken.
+        edit: Changes to the text or the situation, in words: one edit, or several that are applied in order. None and
+            ``[]`` change nothing.
+        map: Packaged ``town``, ``outskirts`` or ``region``, or an ``.xodr`` file; None for the first packaged map that
+            has what the text names. A program's own map comes first, if it exists.
         ego: An ego by name, file or ``package.module:factory``.
-        speed: What it drives at [km/h] if that was not said, whatever the road allows; None for the speed of the road.
+        speed: Speed of the ego [km/h] if the text gives none, whatever the road allows; None for the speed of the road.
         scenes: Simulations per scenario and route.
         routes: Routes per scenario.
-        seed: What everything random derives from.
-        avoidable: Whether to keep no crash that a careful driver would not have avoided.
-        sampler: Who says where to look next.
-        simulator: What scenes run in; ``native`` where neither this nor ``settings`` is given.
-        physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``.
-        library: Folder of one's own snippets, beside the packaged ones.
-        embedder: Who measures wording.
-        language_model: ``openai:MODEL`` or ``gguf:FILE``, which fills a situation from the text; ``offline``;
-            or another reader, ``package.module:factory``.
-        reader: ``situation``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
-        reading: Which of the readings that are offered is taken whole, from 1.
-        set: Facts beside the text, by name, which are sure: ``{"side": "left"}``; of a situation, stated or
-            filled, by path: ``{"others.A.starts.side": "left"}``.
-        settings: All other settings; the keywords above come before them.
-        jobs: How many work at a time; any number gives the same files. A script that starts more than one needs the
+        seed: Seed of everything random.
+        avoidable: Whether to keep only crashes that a careful driver would have avoided.
+        sampler: How to search, one of `chatscene.search.sampler` by name, or ``package.module:factory``.
+        simulator: Simulator of the scenes; ``native`` if neither this nor ``settings`` is given.
+        physics: How vehicles respond to pedals and steering: ``kinematic`` or ``lagged``.
+        library: Folder of your own snippets, in addition to the packaged ones.
+        embedder: Text encoder.
+        language_model: Reader of the text: ``offline``, ``openai:MODEL``, ``gguf:FILE``, or ``package.module:factory``.
+        reader: ``situation``, or ``paper`` to choose snippets by wording alone, as the paper does, and refuse nothing.
+        reading: Number of the offered reading to use, from 1.
+        set: Facts that are certain, by name (``{"side": "left"}``) or by path in the situation
+            (``{"others.A.starts.side": "left"}``).
+        settings: All other settings; the keywords above override them.
+        jobs: Number of worker processes; any number gives the same files. A script that starts more than one needs the
             guard ``if __name__ == "__main__":``.
-        executor: Who they are, one of `chatscene.runs.executor.EXECUTORS`; anyone gives the same files.
-        progress: Told what is done.
+        executor: Where they run, one of `chatscene.runs.executor.EXECUTORS`; each gives the same files.
+        progress: Called with what is done.
 
     Raises:
-        NothingFits: It is not sure what the text says, nothing is built of it, or a model says that it tells nothing.
-        ChatSceneError: Anything else that went wrong; the folder can be resumed.
+        NothingFits: The text is not understood well enough, cannot be built, or has no situation.
+        ChatSceneError: Something else went wrong; the folder can be resumed.
     """
     from chatscene import pipeline
 
@@ -186,7 +184,7 @@ def read_situation(file: Name) -> Situation:
     """The situation in a file of YAML or JSON.
 
     Raises:
-        SituationError: It cannot be read, or is none; the message lists each fault with its line.
+        SituationError: It cannot be read, or is not a situation; the message lists each fault with its line.
     """
     from chatscene.report.stated import stated
 
@@ -228,28 +226,26 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
 ) -> Understood | Stated:
     """How a text is understood: the situation, the words of each fact, the program. Runs nothing.
 
-    With a library of one's own, or in the paper's way, it is the snippets that are chosen for a sentence, and why.
+    With your own library, or with the reader ``paper``, the answer has the chosen snippets, and why.
 
-    As text (``print``) it reads as the command prints it; in a notebook it shows as the report does.
+    Printed, the answer reads like the command's output; in a notebook it looks like the report.
 
     Args:
-        text: The sentence, a conflict of a report (`conflicts`), or a situation, of which the program is built.
-        report: File of a report that tells one conflict, in place of the sentence; of several, see `conflicts`.
-        edit: What is to be another than it says, in words, edit by edit, as in `run`; so does `edit` of the answer.
-        map: The map that it is to be built on, as in `run`; None for the first packaged one that has such a place.
-        library: Folder of one's own snippets, beside the packaged ones.
-        embedder: Who measures wording.
-        language_model: ``openai:MODEL`` or ``gguf:FILE``, which fills a situation from the text; ``offline``;
-            or another reader, ``package.module:factory``.
-        reader: ``situation``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
-        reading: Which of the readings that are offered is taken whole, from 1.
-        set: Facts beside the text, by name, which are sure: ``{"side": "left"}``; of a situation, stated or filled, by
-            path.
-        settings: All other settings; the keywords above come before them.
+        text: The sentence, a conflict of a report (`conflicts`), or a situation.
+        report: File of a report with one conflict, instead of the sentence; for several, see `conflicts`.
+        edit: Changes in words, as in `run`; the answer has a method `edit` as well.
+        map: Map to build on, as in `run`; None for the first packaged map that has such a place.
+        library: Folder of your own snippets, in addition to the packaged ones.
+        embedder: Text encoder.
+        language_model: Reader of the text: ``offline``, ``openai:MODEL``, ``gguf:FILE``, or ``package.module:factory``.
+        reader: ``situation``, or ``paper`` to choose snippets by wording alone, as the paper does, and refuse nothing.
+        reading: Number of the offered reading to use, from 1.
+        set: Facts that are certain, by name (``{"side": "left"}``) or by path in the situation.
+        settings: All other settings; the keywords above override them.
 
     Raises:
         EditRefused: An edit was not understood.
-        NothingFits: It is not sure what the text says, nothing is built of it, or a model says that it tells nothing.
+        NothingFits: The text is not understood well enough, cannot be built, or has no situation.
     """
     on = None if map is None else str(map)
     if isinstance(text, Situation):
@@ -281,15 +277,15 @@ def conflicts(
     *,
     progress: Progress = silent,
 ) -> tuple[Conflict, ...]:
-    """The conflicts that a report tells, each to be run or explained, with what is in none of them.
+    """The conflicts in a report, each to be run or explained, and the passages outside all of them.
 
     Args:
         report: A file: text in UTF-8, of any length up to 1 MB.
         progress: Told how many of its sentences are read.
 
     Raises:
-        SettingsError: There is no such file, or it is no text.
-        NothingFits: It tells no conflict.
+        SettingsError: There is no such file, or it is not text.
+        NothingFits: It has no conflict.
     """
     from chatscene.interpret.conflicts import conflicts_in, read_report
 
@@ -307,15 +303,15 @@ def describe(
     embedder: str | None = None,
     language_model: str | None = None,
 ) -> tuple[Description, ...]:
-    """Make up scenarios for `run`, each with a sentence of its own (``text``) that the library serves.
+    """Make up scenarios for `run`, each with its own sentence (``text``) about a different combination of snippets.
 
     Args:
         n: How many.
         base: Base scenario they belong to; any if None.
-        instruction: What they are to be about, in words.
-        seed: Another seed, other sentences.
-        library: Folder of one's own snippets, beside the packaged ones.
-        embedder: Who measures wording.
+        instruction: What the sentences should be about, in words.
+        seed: Seed; another seed gives other sentences.
+        library: Folder of your own snippets, in addition to the packaged ones.
+        embedder: Text encoder.
         language_model: as `explain`.
 
     Raises:
@@ -346,24 +342,24 @@ def resume(
     language_model: Names = (),
     progress: Progress = silent,
 ) -> Run | Evaluated | Compared | Benchmarked | Reproduced | Finetuned | Trained:
-    """Go on with what was killed or failed; the result is that of an uninterrupted one.
+    """Continue work that was killed or failed; the result is the same as without the interruption.
 
     Args:
         folder: Folder of a run, an evaluation, a benchmark, a reproduction, a fine-tuning or a training.
-        jobs: How many work at a time; any number gives the same files. A fine-tuning and a training are one process.
+        jobs: Number of worker processes; any number gives the same files. Fine-tuning and training use one process.
         executor: As `run`.
-        ego: Egos again that the folder names and that may run code of their own: that its files say so is not enough.
-        generator: Generator again, if it names one that is none of ours.
-        sampler: Sampler again, if it names one that is none of ours.
-        simulator: Simulator again, if it names one that is none of ours.
-        library: Folder of snippets again, if it names one.
-        embedder: Embedder again, if it names another than the packaged one.
-        language_model: Language model again, if it names one.
-        progress: Told what is done.
+        ego: Egos of the folder that may run their own code, repeated to confirm that you trust them.
+        generator: Generator of the folder, repeated if it is not packaged.
+        sampler: Sampler of the folder, repeated if it is not packaged.
+        simulator: Simulator of the folder, repeated if it is not packaged.
+        library: Snippet folder of the folder, repeated if it has one.
+        embedder: Encoder of the folder, repeated if it is not the packaged one.
+        language_model: Language model of the folder, repeated if it has one.
+        progress: Called with what is done.
 
     Raises:
-        RunError: There is nothing to go on with in the folder, it is damaged, another process is at work on it, or it
-            names what must be repeated.
+        RunError: The folder has nothing to continue, is damaged, is in use by another process, or names code that must
+            be repeated.
     """
     where = path_of(folder)
     repeated = again(
@@ -385,7 +381,7 @@ def resume(
     return done
 
 
-ONE_READING = "`reading` is about a text; there is one way to read a situation or a program"
+ONE_READING = "`reading` is for a text; a situation or a program has only one reading"
 _RESUMES = {
     "run": "chatscene.pipeline",
     "evaluation": "chatscene.studies.evaluation",
@@ -420,14 +416,14 @@ def _check_asked(program: bool, *, told: bool, driven: bool, changed: bool, read
         SettingsError: There is such a thing.
     """
     if driven and not program:
-        raise SettingsError("`trust`, `as_written`, `within` and `param` are about a program, and none is run")
+        raise SettingsError("`trust`, `as_written`, `within` and `param` are for a program, and none is given")
     if changed and program:
-        raise SettingsError("`edit` and `set` are about what is said, and a program is run as it is; leave them out")
+        raise SettingsError("`edit` and `set` change a text or situation, not a program; leave them out")
     if reading and (program or told):
         raise SettingsError(ONE_READING)
     if reads and (program or told):
         what = "a program is run as it is" if program else "a situation is not read"
-        raise SettingsError(f"`{reads}` is about how a text is read, and {what}; leave it out")
+        raise SettingsError(f"`{reads}` is for reading a text, and {what}; leave it out")
 
 
 def _only_conflict(report: Name) -> Conflict:
@@ -437,7 +433,7 @@ def _only_conflict(report: Name) -> Conflict:
     found, *others = conflicts_in(read_report(path_of(report)), path_of(report).name)
     if others:
         raise SettingsError(
-            f"{report} tells {found.of} conflicts; run them one by one: "
+            f"{report} has {found.of} conflicts; run them one by one: "
             f"[chatscene.run(one) for one in chatscene.conflicts({str(report)!r})]"
         )
     return found
@@ -459,7 +455,7 @@ def _at_speed(program: ScenicProgram, speed: float) -> ScenicProgram:
     """
     if program.drawn or program.as_written:
         why = "drives as it is written" if program.as_written else "is written for another world model"
-        raise SettingsError(f"{program.called} {why}, so that its ego is not told a speed")
+        raise SettingsError(f"{program.called} {why}, so its ego gets no speed")
     return at_speed(program, speed / 3.6)
 
 

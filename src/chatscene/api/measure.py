@@ -50,39 +50,39 @@ def verify(
     generator: Names = (),
     simulator: Names = (),
 ) -> Verdict:
-    """Whether a program, a run or a recording shows what was said, fact by fact, from its tracks.
+    """Check from the tracks whether a program, a run or a recording shows what was said, fact by fact.
 
     Args:
         what: A Scenic program (``.scenic``) or a file of OpenSCENARIO (``.xosc``), which run in the sandbox; a run; a
             table of tracks (``.csv``); or a trace of ASAM OSI (``.mcap``).
-        said: A sentence, a situation, or the file of a situation or of a report; None for what a run was made of.
-        draws: How many drives of a program are judged, or scenes of a run.
-        seed: What their values are drawn by.
-        least: The share of the drives that must show a fact, of those that came to it.
-        ego: Who drives a program; None for its own ego, or the usual one where it has none or was imported.
+        said: A sentence, a situation, or the file of a situation or a report; None for the run's own text.
+        draws: Number of drives of a program to judge, or of scenes of a run.
+        seed: Seed of their values.
+        least: Share of the drives that must show a fact, among those that reached it.
+        ego: The ego that drives a program; None for its own ego, or the default one if it has none or was imported.
         map: The map of a program that names none.
         trust: Whether a program may use all of Scenic and Python, in this process.
-        as_written: Whether the program's own ego drives; of an imported scenario, as its file says.
-        ego_id: Whose track of a recording is the ego's; None for the one that is marked.
-        scene: Which scene of a run; None for those that it keeps.
-        param: Parameters that a program reads and does not state, or values of those that a file of OpenSCENARIO
-            declares, by name.
-        variant: Which set of parameter values of a file of such sets, from 1; None spreads the drives over them.
-        budget: Processor time [s] for scenes that cannot be driven, over all drives; then no more are tried.
-        within: The folder in which map and catalogs lie that a program names, if they may lie nowhere else.
-        page: Where a page with the moment of each fact is written; None for none.
-        library: Folder of snippets of the run again, if it has one. For all else it is refused: snippets have no facts
+        as_written: Whether the program's own ego drives; an imported one drives as its file says.
+        ego_id: Id of the ego in a recording; None for the one that is marked.
+        scene: Id of a scene of a run; None for all its kept scenes.
+        param: Values, by name, of parameters that a program uses and does not define, or that an OpenSCENARIO file
+            declares.
+        variant: Number of a set in a file of parameter values, from 1; None spreads the drives over all sets.
+        budget: Processor time [s] for scenes that cannot be driven, over all drives.
+        within: Folder outside which a program's map and catalogs may not lie; None for anywhere.
+        page: File for a page with the moment of each fact; None for none.
+        library: Snippet folder of the run, repeated if it has one. For all else it is refused: snippets have no facts
             to be judged by.
         embedder: As `explain`.
         language_model: As `explain`.
         reader: As `explain`.
         reading: As `explain`.
-        set: Facts beside what was said, by their paths; beside a text also by their names.
-        generator: Generator of the run again, if it is none of ours.
-        simulator: Simulator of the run again, if it is none of ours.
+        set: Further facts, by path; for a text also by name.
+        generator: Generator of the run, repeated if it is not packaged.
+        simulator: Simulator of the run, repeated if it is not packaged.
 
     Raises:
-        NothingFits: Nothing, or nothing for sure, is read in the text.
+        NothingFits: The text is not understood well enough.
         ChatSceneError: It cannot be read or driven.
     """
     from chatscene.verdict.page import write_page
@@ -127,10 +127,10 @@ def _made_of(folder: Path) -> Situation:
 
     check_there(folder)
     if not folder.is_dir():
-        raise SettingsError(f"say what {folder} is to show: a sentence, a situation or a report")
+        raise SettingsError(f"say what {folder} should show: a sentence, a situation or a report")
     record = runs.read_record(runs.open_run(folder, runs.RunRecord))
     if record.situation is None:
-        raise SettingsError(f"{folder} was made of no situation; say what it is to show")
+        raise SettingsError(f"{folder} has no situation; say what it should show")
     return read_text(record.situation.text)
 
 
@@ -148,25 +148,24 @@ def rate(
     simulator: Names = (),
     library: Names = (),
 ) -> Rate:
-    """Say how often the situation of a run ends in a crash, and in an avoidable one, if it comes about.
+    """Estimate how often the situation of a run ends in a crash, and in an avoidable one, if it occurs.
 
     Args:
         folder: A run, or its folder; its ego drives.
-        scenes: How many scenes to draw for this.
-        seed: Of these.
-        exposure: TOML file that says how often values occur on the road; without it every value of a parameter's range
-            is taken to occur alike.
-        jobs: How many work at a time; any number gives the same.
+        scenes: Number of scenes to draw in addition to the run's.
+        seed: Seed of these scenes.
+        exposure: TOML file with a density per parameter; without it, all values of a range are equally frequent.
+        jobs: Number of worker processes; any number gives the same result.
         executor: As `run`.
-        progress: Told what is done.
-        ego: Ego of the run again, if it may run code of its own.
-        generator: Generator of the run again, if it is none of ours.
-        simulator: Simulator of the run again, if it is none of ours.
-        library: Folder of snippets of the run again, if it has one.
+        progress: Called with what is done.
+        ego: Ego of the run, repeated if it may run its own code.
+        generator: Generator of the run, repeated if it is not packaged.
+        simulator: Simulator of the run, repeated if it is not packaged.
+        library: Snippet folder of the run, repeated if it has one.
 
     Raises:
-        RunError: There is no run, it has no program, or it names what must be repeated.
-        SettingsError: The exposure cannot be read, or is of other parameters or units.
+        RunError: There is no run, it has no program, or it names code that must be repeated.
+        SettingsError: The exposure cannot be read, or has other parameters or units.
     """
     from chatscene.runs.rate import rate as rate_of
     from chatscene.search.exposure import read_exposure
@@ -202,28 +201,27 @@ def evaluate(
     library: Names = (),
     progress: Progress = silent,
 ) -> Evaluated | Compared:
-    """Measure egos on the kept scenes of runs; gives the paper's tables with intervals.
+    """Compare egos on the kept scenes of runs; makes the paper's tables, with intervals.
 
-    Of a folder that was imported (`chatscene import FOLDER --out DIR`), each ego drives every program on its own map.
+    In an imported folder (`chatscene import FOLDER --out DIR`), each ego drives every program on its own map.
 
     Args:
         scenes: Runs, or folders with runs somewhere below; or one folder that was imported.
-        folder: Folder of the evaluation, new or empty, or one to go on in.
+        folder: Folder of the evaluation: new, empty, or one to continue.
         ego: Egos by name, file or ``package.module:factory``; `planner`, `idm` and `sac` if none is given.
-        as_written: Of an imported folder: whether each program is driven as its file says, too; alone, if no ego is
-            given.
+        as_written: Whether each program of an imported folder is also driven as its file says; without an ego, only so.
         all: Whether every scene that ran is driven, not only the kept ones.
-        simulator: What they are driven in; that of the runs if None.
-        physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``; that of the runs if None.
-        speed: What egos drive at [km/h] in scenes of which it was not said; None for what the runs have.
+        simulator: Simulator of the drives; that of the runs if None.
+        physics: How vehicles respond to pedals and steering: ``kinematic`` or ``lagged``; that of the runs if None.
+        speed: Speed of the egos [km/h] in scenes whose text gives none; None for that of the runs.
         jobs: As `run`.
         executor: As `run`.
-        generator: Generators of the runs again, if they are none of ours.
-        library: Folders of snippets of the runs again, if they have any.
-        progress: Told what is done.
+        generator: Generators of the runs, repeated if they are not packaged.
+        library: Snippet folders of the runs, repeated if they have any.
+        progress: Called with what is done.
 
     Raises:
-        RunError: A run is not finished, they lie on different maps, or one names what must be repeated.
+        RunError: A run is not finished, the runs have different maps, or one names code that must be repeated.
         EgoError: An ego cannot be loaded.
         SettingsError: An option that only applies to runs was given for an imported folder.
     """
@@ -236,7 +234,7 @@ def evaluate(
 
         if len(sources) > 1 or all or simulator or names_of(generator) or names_of(library):
             raise SettingsError(
-                "an imported folder is evaluated by itself, in the sandbox: name no other folder, and no `all`, "
+                "an imported folder is evaluated alone, in the sandbox: give no other folder, and no `all`, "
                 "`simulator`, `generator` or `library`"
             )
         egos = names_of(ego) or (() if as_written else evaluation.COMPARED)
@@ -245,7 +243,7 @@ def evaluate(
             sources[0], folder_for(folder), driving, workers=Workers(jobs, executor), progress=progress
         )
     if as_written:
-        raise SettingsError("`as_written` is about an imported folder; an ego of a run drives as it was run")
+        raise SettingsError("`as_written` is for an imported folder")
     return evaluation.evaluate(
         sources,
         folder_for(folder),

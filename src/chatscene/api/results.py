@@ -34,14 +34,14 @@ class Run:
     In a notebook it shows the report, with a replay of the scenes.
 
     Args:
-        folder: Folder that `chatscene.run` or the command left.
-        ego: Ego of the run again, if it may run code of its own: that a record names one is not enough to load it.
-        generator: Generator of the run again, if it is none of ours.
-        sampler: Sampler of the run again, if it is none of ours.
-        simulator: Simulator of the run again, if it is none of ours.
-        library: Folder of snippets of the run again, if it has one.
-        embedder: Embedder of the run again, if it is not the packaged one.
-        language_model: Language model of the run again, if it has one.
+        folder: Folder that `chatscene.run` or the command wrote.
+        ego: Ego of the run, repeated if it may run its own code; a record alone never loads code.
+        generator: Generator of the run, repeated if it is not packaged.
+        sampler: Sampler of the run, repeated if it is not packaged.
+        simulator: Simulator of the run, repeated if it is not packaged.
+        library: Snippet folder of the run, repeated if it has one.
+        embedder: Encoder of the run, repeated if it is not the packaged one.
+        language_model: Language model of the run, repeated if it has one.
 
     Attributes:
         folder: The folder.
@@ -103,7 +103,7 @@ class Run:
 
     @property
     def best(self) -> DrivenScene:
-        """The first scene that the report shows.
+        """The first scene of the report.
 
         Raises:
             RunError: None was driven.
@@ -130,11 +130,11 @@ class Run:
 
     @property
     def understood(self) -> Understood | Stated:
-        """How it is understood, with its edits; nothing of it is run again.
+        """How the text is understood, with its edits; runs nothing.
 
         Raises:
-            EditRefused: It is a run of a program of one's own, of which nothing was read.
-            RunError: It names what must be repeated.
+            EditRefused: It is a run of your own program, which has no text.
+            RunError: It names code that must be repeated.
         """
         from chatscene.report.filled import explain_text
         from chatscene.report.stated import explain_stated
@@ -142,7 +142,7 @@ class Run:
 
         record = self._record
         if record.program is not None:
-            raise EditRefused(f"{self.folder} is a run of a program of one's own; only what was said can be edited")
+            raise EditRefused(f"{self.folder} is a run of your own program; only texts and situations can be edited")
         follow(replace(self._repeated, ego=(), simulator=()), reading_of=[self._workspace])
         if record.situation is not None:
             return explain_stated(self._situation, record.situation.read_by)
@@ -168,21 +168,21 @@ class Run:
         executor: str = EXECUTOR,
         progress: Progress = silent,
     ) -> Run:
-        """A new run of the same situation but for what an edit names, with the same settings, seed and ego.
+        """A new run of the situation with an edit applied, with the same settings, seed and ego.
 
-        This run stays as it is: to undo the edit is to go on with this one.
+        This run does not change; to undo the edit, use this run again.
 
         Args:
-            text: What is to be another one: "make it a truck, from the left, and faster".
+            text: The edit, such as "make it a truck, from the left, and faster".
             folder: The new run's folder; one beside this one's if none is given.
             jobs: How many work at a time; any number gives the same files.
-            executor: Who they are, one of `chatscene.runs.executor.EXECUTORS`.
-            progress: Told what is done.
+            executor: Where they run, one of `chatscene.runs.executor.EXECUTORS`.
+            progress: Called with what is done.
 
         Raises:
-            EditRefused: The edit was not understood, contradicts itself or what stays, or changes nothing.
-            NothingFits: The edited situation cannot be built, or the library cannot serve it.
-            RunError: The run names what must be repeated.
+            EditRefused: The edit is not understood, contradicts itself or other facts, or changes nothing.
+            NothingFits: The edited situation cannot be built.
+            RunError: The run names code that must be repeated.
         """
         from chatscene import pipeline
 
@@ -211,10 +211,10 @@ class Run:
         """The run of which this one is an edit.
 
         Raises:
-            RunError: It is of none, or that one is not there any more.
+            RunError: It is not an edit, or the other run no longer exists.
         """
         if not self._record.edited_from:
-            raise RunError(f"{self.folder} is no edit of another run")
+            raise RunError(f"{self.folder} is not an edit of another run")
         return Run(self._record.edited_from)
 
     def _ranked(self) -> list[Mapping[str, Any]]:
@@ -228,7 +228,7 @@ class Run:
 
     @property
     def told_first(self) -> list[str]:
-        """Words that were not read, and what was built otherwise than it was read; read this before any number."""
+        """What was not read, assumed or left out, in lines; read this before any number."""
         from chatscene.report.accounting import told_first
         from chatscene.runs.explanation import read_explanation
 
@@ -300,14 +300,14 @@ class DrivenScene:
         return replay_scene(self._workspace.path, self.id, repeated=self._repeated)
 
     def branch(self, at: float, ego: str | EgoPolicy) -> Episode:
-        """The same drive until a moment, with another ego from then on, which has no memory of what was before.
+        """The same drive until a moment, continued by another ego that has no memory of what was before.
 
         Args:
-            at: When the other takes over [s].
-            ego: Who: by name, file or ``package.module:factory``, or an object with ``act``.
+            at: Time at which the other ego takes over [s].
+            ego: The other ego: a name, a file, ``package.module:factory``, or an object with ``act``.
 
         Raises:
-            RunError: The run names what must be repeated.
+            RunError: The run names code that must be repeated.
             SimulationError: The scene cannot be driven again.
         """
         from chatscene.runs.branching import branch_scene
@@ -315,10 +315,10 @@ class DrivenScene:
         return branch_scene(self._workspace.path, self.id, at=at, ego=ego, repeated=self._repeated)
 
     def why(self) -> Why:
-        """Why it crashed, by driving it otherwise: who struck whom, what it took, how the ego avoids it.
+        """Explain why it crashed by driving variants of it: who struck whom, what decides, what avoids it.
 
         Raises:
-            RunError: It did not crash, or the run names what must be repeated.
+            RunError: It did not crash, or the run names code that must be repeated.
         """
         from chatscene.runs.why import why as why_crashed
 
@@ -342,8 +342,8 @@ class DrivenScene:
 
         Raises:
             MissingExtra: The extra is not installed.
-            RunError: The run names what must be repeated.
-            Diverged: This version makes another program than the one that was kept.
+            RunError: The run names code that must be repeated.
+            Diverged: This version builds another program than the stored one.
         """
         from chatscene.learn.env import DrivingEnv
         from chatscene.program.ordinary import Course

@@ -95,7 +95,7 @@ class Actor:
         self.deeds = self.one.does
         if bolts(self.one):
             self.deeds = (Deed(act=Act.CROSS),)
-            self.ledger.assume(f"{self.one.id} crosses our lane, which was not said")
+            self.ledger.assume(f"{self.one.id} crosses our lane")
         self._bind_speed()
         asked = Asked(
             situation=self.ledger.situation,
@@ -119,15 +119,15 @@ class Actor:
         if self.stand.faces:
             self.ledger.take(f"{at}.starts.facing")
         if self.one.starts.where in AT_CROSSWALKS and not (is_marked(self.found) or has_crosswalks(self.found)):
-            self.ledger.assume(f"{self.one.id} crosses where no crosswalk is marked, since the map has none there")
+            self.ledger.assume(f"{self.one.id} crosses where the map has no crosswalk")
         told = self.ledger.told
         if told is not None and any(rolls(one) for one in told.others if one.id == self.one.id):
-            self.ledger.assume(f"{self.one.id} rolls, and is built as a ball, which may be smaller")
+            self.ledger.assume(f"{self.one.id} rolls, so it is built as a ball, which may be smaller")
         elif self.one.kind.row.general:
             built = one_seen(self.one.kind.row.body.row.scenic)
-            self.ledger.assume(f"{self.one.id} is built as {built}, since its kind was not said")
+            self.ledger.assume(f"{self.one.id} is built as {built}, since its exact kind is not stated")
         if self.one.count == SEVERAL:
-            self.ledger.assume(f"of {self.one.id} there are {SOME}, since their number was not said")
+            self.ledger.assume(f"there are {SOME} of {self.one.id}, since their number is not stated")
 
     @property
     def ego_speed(self) -> float:

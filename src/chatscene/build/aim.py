@@ -183,7 +183,7 @@ def _at_point(
     nearest = min((far for far in there if not math.isnan(far)), default=1.0)
     if nearest > NEAR_POINT:
         raise NotBuilt(
-            f"nothing builds yet: contact.at: {contact.at}, of {actor.one.id}, whom the front meets nowhere there"
+            f"cannot be built yet: contact.at: {contact.at}: the ego's front cannot meet {actor.one.id} there"
         )
     least, most = _when(sooner, shares, low), _when(sooner, shares, high)
     taken = [path for path in ("contact.happens", "contact.striker") if is_said(actor.ledger.situation, path)]

@@ -111,8 +111,9 @@ def _check_there(actor: Actor) -> None:
     elif latest < seconds - EARLIEST or soonest > seconds + LATEST:
         far = there - 0.5 * (slow + fast) * seconds
         raise NotBuilt(
-            f"{actor.path}.does.0: at {3.6 * fast:.0f} km/h it is where we turn over its way after {soonest:.1f} s, we"
-            f" are after {seconds:.1f} s; it would have to start {abs(far):.0f} m {'ahead' if far > 0.0 else 'behind'}"
+            f"{actor.path}.does.0: at {3.6 * fast:.0f} km/h it is where we turn across its way after {soonest:.1f} s,"
+            f" and we are after {seconds:.1f} s; it would have to start {abs(far):.0f} m"
+            f" {'ahead' if far > 0.0 else 'behind'}"
         )
 
 

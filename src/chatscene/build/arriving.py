@@ -86,8 +86,8 @@ def roundabout(asked: Asked) -> Stand:
     circles = found.from_side != ROUND and found.turn is not Maneuver.STRAIGHT
     if circles and any(deed.act in THROUGH for deed in asked.one.does):
         raise NotBuilt(
-            f"others.{asked.one.id}: who comes from there and goes straight on has left the roundabout before it meets"
-            f" the ego; say {Act.GO_ALONG}, by which it goes round"
+            f"others.{asked.one.id}: from there straight on, it leaves the roundabout before it meets"
+            f" the ego; say {Act.GO_ALONG}, which stays in the roundabout"
         )
     way = f"ringTraffic(egoRoute, {', '.join(repr(arm) for arm in arms)})"
     waits = (
@@ -122,7 +122,9 @@ def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> S
     (low, high), most = asked.numbers.range_of("SPEED")[:2], found.meets_at / (seconds + LATEST)
     if high > most:
         if asked.numbers.is_said("SPEED"):
-            raise NotBuilt(f"others.{asked.one.id}: the road by which it comes is too short for over {most:.1f} m/s")
+            raise NotBuilt(
+                f"others.{asked.one.id}: the road that it comes from is too short for more than {most:.1f} m/s"
+            )
         if low > most:
             return stand
         asked.numbers.narrow("SPEED", low, most)
@@ -191,8 +193,8 @@ def _in_time(asked: Asked, found: CrossingPath, seconds: float) -> bool:
     soonest, latest = (near + within) / high, (far + within) / low
     if latest < seconds - EARLIEST or soonest > seconds + LATEST:
         raise NotBuilt(
-            f"others.{asked.one.id}.starts.distance: {asked.one.starts.distance}: at that speed it is where they meet"
-            f" after {soonest:.1f} s, the ego after {seconds:.1f} s; it would have to start"
+            f"others.{asked.one.id}.starts.distance: {asked.one.starts.distance}: at that speed it reaches the place"
+            f" where they meet after {soonest:.1f} s, the ego after {seconds:.1f} s; it would have to start"
             f" {max(seconds * low - within, 0.0):.0f} to {seconds * high - within:.0f} m before the junction"
         )
     return True
@@ -202,8 +204,8 @@ def comes_along(asked: Asked) -> Stand:
     """In the lane that the ego comes into, from behind: where the ego is in it when it is."""
     if asked.side == Side.RIGHT or not asked.rolls or asked.one.starts.distance is not None:
         raise NotBuilt(
-            f"nothing builds yet: others.{asked.one.id}.starts, of an ego that comes from beside its lane: only who"
-            " comes driving in that lane, from no distance that was said, is timed"
+            f"cannot be built yet: others.{asked.one.id}.starts, with an ego that comes from beside its lane: only a"
+            " moving vehicle in that lane, without a stated distance, can be timed"
         )
     stand = Stand(
         meets=Meets.ALONG,
@@ -256,6 +258,6 @@ def _on_the_road(asked: Asked, room: float, meets_at: float) -> None:
     if low <= most:
         asked.numbers.narrow("SPEED", low, min(high, most))
     elif asked.numbers.is_said("SPEED"):
-        raise NotBuilt(f"others.{asked.one.id}: the road by which it comes is too short for over {most:.1f} m/s")
+        raise NotBuilt(f"others.{asked.one.id}: the road that it comes from is too short for more than {most:.1f} m/s")
     else:
         asked.numbers.narrow("SPEED", 0.85 * most, most)

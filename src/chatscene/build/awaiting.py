@@ -64,7 +64,7 @@ def _in_phase(order: Order, situation: Situation, actors: Mapping[str, Actor]) -
     who, k = order.whom.partition(".")[0], situation.number_of(order.whom)
     phases = actors[who].begins
     if k >= len(phases) or (phase := phases[k]) < 1:
-        raise NotBuilt(f"nothing builds yet: that the ego waits for {order.whom}, which {who} does from the first")
+        raise NotBuilt(f"cannot be built yet: that the ego waits for {order.whom}, which {who} does from the start")
     if order.phase and k + 1 < len(phases):
         return replace(order, whom=who, phase=phase + 1)
     later = UNDER_WAY if order.phase and not order.ends else 0.0

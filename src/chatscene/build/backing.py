@@ -35,8 +35,8 @@ def check_met(situation: Situation) -> None:
     for one in situation.others if backs(situation) else ():
         if one.starts.where not in (_BY_ROAD if out_of(situation) else _ALONG):
             raise NotBuilt(
-                f"nothing builds yet: others.{one.id}.starts.where: {one.starts.where}, of an ego that backs; who comes"
-                f" by behind it on foot or on two wheels is at the {Where.ROADSIDE}, who drives is {Where.BEHIND}"
+                f"cannot be built yet: others.{one.id}.starts.where: {one.starts.where}, with a reversing ego; behind"
+                f" it, pedestrians and cyclists start at the {Where.ROADSIDE}, vehicles {Where.BEHIND}"
             )
 
 

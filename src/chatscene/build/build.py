@@ -47,7 +47,7 @@ from chatscene.terms.vocabulary import Act, Role, Where
 
 _SAME = {Where.DRIVEWAY: "roadside", Where.IN_ROUNDABOUT: "roundabout-entry"}
 """Where those stand in one row who are said to be in two places."""
-NOBODY = "nobody meets the ego: others: nobody has the role adversary"
+NOBODY = "others: nobody meets the ego; give one the role adversary"
 """Why a situation is refused in which nobody does."""
 IN_TIME = 0.75  # of the time that somebody needs, the least that the ego leaves it
 SLOWEST = 4.0  # [m/s] that an ego wants of which no speed was said
@@ -117,7 +117,7 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
     if not situation.adversaries:
         raise NotBuilt(NOBODY)
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
-        raise NotBuilt("this cannot be: " + "; ".join(cannot))
+        raise NotBuilt("impossible:" + "; ".join(cannot))
     situation = replace(situation, others=tuple(along_the_road(wrong_way(one)) for one in situation.others))
     said, situation = situation, at_a_corner(in_queue(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation))))))
     check_met(situation)
@@ -211,8 +211,8 @@ def _check_road(situation: Situation, actors: Sequence[Actor]) -> None:
         drives = situation.ego.speed is not None and not situation.ego.does
         if drives and several and actor.given < IN_TIME * actor.needs:
             raise NotBuilt(
-                f"others.{actor.one.id}: all that it does takes {actor.needs:.0f} s, an ego at"
-                f" {3.6 * actor.ego_speed:.0f} km/h is there after {actor.given:.0f} s; say a slower one"
+                f"others.{actor.one.id}: its deeds take {actor.needs:.0f} s, but an ego at"
+                f" {3.6 * actor.ego_speed:.0f} km/h arrives after {actor.given:.0f} s; say a slower one"
             )
 
 

@@ -71,8 +71,12 @@ def steps_of(actor: Actor, k: int) -> Steps:
     if deed.act is Act.REVERSE and across and any(one.act in COMES_IN for one in actor.deeds[:k]):
         table[Act.REVERSE] = BACK_OUT
     if deed.act not in table or (deed.act in _ASIDE and where in ROUNDABOUT_PLACES):  # nobody sees it on a bend
-        along = "; who goes along the road is ahead, beside or behind" if across and deed.act in ALONG else ""
-        raise NothingBuilds(f"nothing builds yet: {deed.act} of somebody who is {where}{along}")
+        along = (
+            "; a road user that goes along the road starts ahead, beside or behind"
+            if across and deed.act in ALONG
+            else ""
+        )
+        raise NothingBuilds(f"cannot be built yet: {deed.act}, {where}{along}")
     steps = at_a_rate(actor, k, _by_numbers(actor, k, table[deed.act]), across=across)
     if deed.act is Act.OVERTAKE and not across and _ego_waits_for(actor, k):
         steps = seen_to_pass(steps)

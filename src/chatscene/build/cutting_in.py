@@ -108,11 +108,11 @@ def _most_road(actor: Actor) -> float:
 def _is_too_slow(actor: Actor, k: int, most: float) -> str:
     """What is told of somebody who does not get before the ego: by its speed or its kind, and what could be said."""
     begins, ego, seconds = 3.6 * _first_speed(actor), 3.6 * actor.ego_speed, seconds_to_get_before(actor, k)
-    holds = f"{one_of(actor.one.kind)}, which holds {3.6 * Body(actor.limits, actor.walks).fastest:.0f} km/h,"
+    holds = f"{one_of(actor.one.kind)} with at most {3.6 * Body(actor.limits, actor.walks).fastest:.0f} km/h"
     who = f"{one_of(actor.one.kind)} at {begins:.0f} km/h" if actor.numbers.is_said("SPEED") else holds
     near = f"; say {Where.AHEAD_BESIDE}, or a slower ego" if actor.one.starts.where in BESIDE_EGO else ""
     return (
-        f"{actor.path}.does.{k}: {who} does not get before an ego at {ego:.0f} km/h from {actor.one.starts.where}"
+        f"{actor.path}.does.{k}: {who} cannot get ahead of an ego at {ego:.0f} km/h from {actor.one.starts.where}"
         f"{f' within {most:.0f} m' if seconds < _LONGEST else ''}{near}"
     )
 

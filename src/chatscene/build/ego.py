@@ -41,6 +41,7 @@ from chatscene.terms.vocabulary import (
     UserKind,
     acts_of,
 )
+from chatscene.world.ego_route import EgoRoute as Route
 
 LINE = 3.5  # [m] before the junction the centre of a car stands whose nose is at the line
 STAND = 4.0  # [s] that somebody stands who sets off again
@@ -92,7 +93,7 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     if ego.speed is not None:
         if ego.speed.low > (most := MOST * body.top_speed):
             what = one_of(ego.kind or UserKind.CAR)
-            raise NotBuilt(f"ego.speed: {ego.speed} is more than {what} can: {3.6 * most:.0f} km/h at most")
+            raise NotBuilt(f"ego.speed: {ego.speed} is more than {what} can do: at most {3.6 * most:.0f} km/h")
         ledger.take("ego.speed")
     ledger.take("ego.kind")
     keeps = keeps_limits(situation)
@@ -101,8 +102,7 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
         speed, keeps = min(speed, *held), False  # which is as fast as it ever is
     elif ego.speed is None:  # others are timed by it, so that it is wanted of every ego
         ledger.take("road.speed_limit")
-        usual, kmh = wanted_by(situation), f"the ego wants {3.6 * speed:.0f} km/h, which was not said"
-        ledger.assume(kmh + (f", since at {3.6 * usual:.0f} this cannot be built here" if speed < usual - 0.01 else ""))
+        ledger.assume(_drives_at(speed, wanted_by(situation), found.route if keeps else None))
     wanted = f", with wantedSpeed {speed:.4g}" + (", with keepsLimits True" if keeps else "")
     longer = 0.5 * (body.length - LIMITS[CAR].length)  # its nose is so much nearer than a car's
     stands = bool(ego.does) and ego.does[0].act in FROM_A_STAND
@@ -118,7 +118,7 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     if (ego.route in BEGINS or back) and not stands:  # others are to come meanwhile
         stands, orders = True, (Order(at_most=0, till=BESIDE), *orders)
         where = "" if ego.route is EgoRoute.REVERSE else " beside its lane"
-        ledger.assume(f"the ego stands{where} for {BESIDE:g} s, which was not said")
+        ledger.assume(f"the ego first waits{where} for {BESIDE:g} s")
     params = ["param egoStart = 'at-line'"] if at_line else []
     params += _lights(ledger, found)
     at_first = f"speedOn(egoRoute, 0, {speed:.4g})" if keeps else f"{speed:.4g}"
@@ -127,6 +127,22 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     comes = coming(speed, orders, found.route, metres, stands=stands, keeps_limits=keeps, gain=gain_in(body))
     query = {"to_line": round(metres, 2)} if at_line and longer else {}
     return BuiltEgo(params=tuple(params), query=query, coming=comes, properties=moving + wanted, orders=orders)
+
+
+def _drives_at(speed: float, usual: float, kept: Route | None) -> str:
+    """What a speed that was chosen for the ego comes to, in words.
+
+    Args:
+        speed: What the ego wants [m/s].
+        usual: What an ego usually wants on such a road [m/s].
+        kept: Its route, if it keeps the limits there.
+    """
+    drives, why = speed, f", since {3.6 * usual:.0f} km/h cannot be built here" if speed < usual - 0.01 else ""
+    if kept is not None:
+        way = kept.allowed(keeps_limits=True)[: kept.line.segment_at(kept.eventAt) + 1]
+        if (most := float(way.max())) < speed - 0.01:
+            drives, why = most, f", all that its road allows ({3.6 * speed:.0f} km/h elsewhere)"
+    return f"the ego drives at {3.6 * drives:.0f} km/h{why}"
 
 
 def ordered(orders: Sequence[Order]) -> str:
@@ -178,7 +194,7 @@ def _lights(ledger: Ledger, found: Found) -> list[str]:
     if said is None and any(deed.breaks is Breach.RED_LIGHT for deed in ledger.situation.ego.does):
         said = EgoLight.RED
     if said is None and not any(deed.breaks is Breach.RED_LIGHT for one in others for deed in one.does):
-        ledger.assume("our light is green, which was not said")
+        ledger.assume("the ego's light is green")
     return [f"param signals = 'ego-{said or EgoLight.GREEN}'"]
 
 
@@ -192,7 +208,7 @@ def _orders(
         if (waits := awaited(deed)) is not None and deed.act in acts_of(Tempo.SETS_OFF, Heads.ALONG):
             name, reference = waits
             if k == 0 and deed.act is Act.GO_ALONG:
-                ledger.assume(f"the ego goes along before {reference} as well")
+                ledger.assume(f"the ego already drives along before {reference}")
             else:
                 drives = any(one.act in _DRIVES for one in deeds[:k])  # and so waits where it then stops
                 yield waiting(Order(at_most=0, ends=True, place=stop if drives else -math.inf), name, reference)
@@ -212,7 +228,7 @@ def _orders(
             name, reference = answers
             does = f"the {ledger.situation.deed(reference).act} of {reference.partition('.')[0]}"
             ledger.take(f"{at}.when.{name}", f"{at}.manner")
-            ledger.assume(f"the ego's {deed.act} {name} {does} is left to whoever drives it")
+            ledger.assume(f"the ego's {deed.act} {name} {does} is left to its driver")
             continue
         there = begins * speed if begins else stop  # where it is to be slow, or to stand
         if k in stops and len(stops) > 1:  # one after the other
@@ -233,7 +249,7 @@ def _breaks(ledger: Ledger, deed: Deed, at: str, stop: float, speed: float) -> I
     if deed.breaks is Breach.RIGHT_OF_WAY:
         keeps = min(GOES_THROUGH, KEEPS * speed)
         till = (stop + THROUGH) / keeps
-        ledger.assume(f"the ego goes on at {3.6 * keeps:.0f} km/h at least until it is through")
+        ledger.assume(f"the ego keeps at least {3.6 * keeps:.0f} km/h until it is through")
         yield Order(at_least=round(keeps, 2), place=round(max(stop - THROUGH, 0.0), 1), till=round(till, 1))
 
 
@@ -262,7 +278,7 @@ def _pedals(
         case Act.GO_ALONG | Act.FOLLOW if deed.manner is Manner.SLOW or deed.speed is not None:
             said = ledger.situation.ego.speed
             if deed.speed is None and begins <= 0.0 and said is not None and said.low > SLOW:
-                raise NotBuilt(f"{at}.manner: slow, of an ego at {said}; say one of the two")
+                raise NotBuilt(f"{at}.manner: slow, with ego.speed: {said}; say only one of the two")
             ledger.take(f"{at}.speed" if deed.speed is not None else f"{at}.manner")
             till = _lasts(ledger, deed, at)
             yield Order(at_most=deed.speed.near(speed) if deed.speed is not None else SLOW, till=begins + till)
@@ -292,7 +308,7 @@ def _otherwise(ledger: Ledger, deed: Deed, at: str, speed: float) -> Iterator[Or
         case Act.REVERSE if backs(ledger.situation):
             yield from _backed(ledger, deed, at, speed)
         case _:
-            raise NothingBuilds(f"nothing builds yet: {at}.act: {deed.act}")
+            raise NothingBuilds(f"cannot be built yet: {at}.act: {deed.act}")
 
 
 def _backed(ledger: Ledger, deed: Deed, at: str, speed: float) -> Iterator[Order]:
@@ -354,6 +370,8 @@ def _braking(ledger: Ledger, deed: Deed, at: str, usual: float) -> float:
     if deed.acceleration is None:
         return usual
     if deed.acceleration.low > body.brake + body.drag:
-        raise NotBuilt(f"{at}.acceleration: {deed.acceleration} is more than {kind} can: {body.brake:g} m/s² at most")
+        raise NotBuilt(
+            f"{at}.acceleration: {deed.acceleration} is more than {kind} can do: at most {body.brake:g} m/s²"
+        )
     ledger.take(f"{at}.acceleration")
     return deed.acceleration.near(usual)

@@ -71,11 +71,11 @@ def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
     """
     situation = ledger.situation
     if situation.ego.route not in MANEUVERS:
-        raise NothingBuilds(f"nothing builds yet: ego.route: {situation.ego.route}")
+        raise NothingBuilds(f"cannot be built yet: ego.route: {situation.ego.route}")
     for one in situation.others:
         if beside_lane(situation) and one.starts.where.row.junction and not from_left(situation, one):
             raise NothingBuilds(
-                f"nothing builds yet: others.{one.id}.starts.where: {one.starts.where}, where ego.route is"
+                f"cannot be built yet: others.{one.id}.starts.where: {one.starts.where}, with ego.route:"
                 f" {situation.ego.route}"
             )
     rooms: dict[str, float] = {}
@@ -90,7 +90,7 @@ def find(ledger: Ledger, speed: float, road: float = 0.0) -> Found:
     if rooms:
         raise NotBuilt("; ".join(told.format(most) for told, most in rooms.items()))
     first, *others = dict.fromkeys((*lacking.unfit, *lacking.nowhere))
-    more_alike = f" ({len(others)} places that are much like it were looked for, too)" if others else ""
+    more_alike = f" ({len(others)} similar places were tried, too)" if others else ""
     refusal = NoSuchPlace if lacking.unfit else NoSuchRoad  # the shortest was looked for last
     raise refusal(f"no map has such a place: {first}{more_alike}")
 
@@ -160,8 +160,8 @@ def without_one_fact(situation: Situation, speed: float) -> str:
         if _found(replace(situation, road=_without(situation.road, path)), speed, 1.0, 0.0, _Lacking(), {}, load)
     ]
     if helps:
-        return f"a place is found without {' or without '.join(helps)}"
-    return "no fact of the road, left out alone, lets one be found: leave out more" if len(said) > 1 else ""
+        return f"leave out {' or '.join(helps)}, and a place is found"
+    return "leaving out one fact of the road is not enough: leave out several" if len(said) > 1 else ""
 
 
 def _without(road: Road, path: str) -> Road:
@@ -327,7 +327,7 @@ def _answered(
     beside = backs(situation) and situation.ego.route is not EgoRoute.REVERSE  # along the road, that it backs onto
     for one in () if beside else situation.others:
         if _said_distance(one) > (room := _room(route, one)):
-            fact = f"others.{one.id}.starts.distance: {one.starts.distance}: the longest road there is leads {{:.0f}} m"
+            fact = f"others.{one.id}.starts.distance: {one.starts.distance}: the longest road has {{:.0f}} m"
             rooms[fact] = max(room, rooms.get(fact, 0.0))
             return None
     if road and keeps_limits(situation) and timetable(route, speed, keeps_limits=True).speed_at(0.0) < _AS_FAST * speed:
@@ -354,25 +354,25 @@ def _take(ledger: Ledger, found: Found) -> None:
     situation = ledger.situation
     ledger.take(*as_said(situation, found))
     if situation.road.control is RightOfWay.YIELD_SIGN and "control" in found.query:
-        ledger.assume("no sign at the junction says who gives way, since no map has such signs")
+        ledger.assume("the junction has no give-way sign, since no map has one")
     if situation.road.kind is RoadKind.RAIL_CROSSING and situation.road.control is RightOfWay.SIGNAL:
-        ledger.assume("no lights stand at the rails, since no map has any there")
+        ledger.assume("the rail crossing has no lights, since no map has any there")
         ledger.take("road.control")
     for name, side in found.sides.items():
         if comes_from(situation[name]) is side:
             continue  # which was said
         own = turned_about(side) if backs(situation) else side
-        ledger.assume(f"{name} is on the {own}, which was not said")
+        ledger.assume(f"{name} is on the {own}")
     if only_others_stop(situation):
-        ledger.assume("no sign is seen where others do not stop, since no map has one that only others have")
+        ledger.assume("the others' stop sign is not shown, since no map has one for the others only")
     stops = any(deed.act in HALTS for deed in situation.ego.does)
     if found.query.get("control") == Control.STOP_SIGN and not stops:
-        ledger.assume("the ego has a stop sign as well, since no map has a junction where only others have one")
+        ledger.assume("the ego has a stop sign too, since no map has a junction where only the others have one")
     if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
-        ledger.assume(f"the ego's {situation.ego.route} is to the left, which was not said")
+        ledger.assume(f"the ego's {situation.ego.route} goes to the left")
     said, there = situation.road.lanes, lanes_there(found)
     if said is not None and 1 < said < there:  # what lies beyond is used by nobody
-        ledger.assume(f"{there} lanes go the ego's way, since no road of the maps at hand fits that has {said}")
+        ledger.assume(f"the road has {there} lanes in the ego's direction, since no suitable road has {said}")
         ledger.take("road.lanes")
 
 

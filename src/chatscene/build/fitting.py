@@ -26,7 +26,7 @@ def lacking_for(situation: Situation, found: Found) -> str | None:
         there = {way.from_side for way in ring_ways(found.route.network, found.route.route)}
         for one in situation.others:
             if (arms := ring_arms(one, found.sides)) and not there & set(arms):
-                return f"nobody from the {' or '.join(arms)} meets the ego's way in the roundabout"
+                return f"no lane from the {' or '.join(arms)} meets the ego's route in the roundabout"
     if (side := _no_lane(situation, found)) is not None:
         return f"no lane of the ego's direction lies to its {side}"
     arms = [(one, arm) for one in situation.others if (arm := arm_of(situation, one, found.sides))]
@@ -34,9 +34,9 @@ def lacking_for(situation: Situation, found: Found) -> str | None:
     unmet = [pair for pair, (_, way) in zip(arms, ways, strict=True) if way is None]
     if missing := {(arm, way_of(situation, one, arm)) for one, arm in unmet}:
         who = ", ".join(f"from the {arm} in {with_article(turn)}" for arm, turn in sorted(missing))
-        return f"nobody who comes {who} meets the ego's way there"
+        return f"no way {who} meets the ego's route there"
     if arms and abreast(situation) and not _comes_in_two_lanes(found):
-        return "nobody comes against the ego there in two lanes"
+        return "there are not two oncoming lanes there"
     return None
 
 
@@ -74,7 +74,7 @@ def too_short(situation: Situation, found: Found, ego: float) -> Iterator[tuple[
             continue
         way = way_through(situation, found, one) if arm_of(situation, one, found.sides) else None
         if way is not None and said > (most := way.meets_at / (way.ego_meets_at / ego + LATEST)):
-            yield f"others.{one.id}: the road by which it comes is too short for over {{:.1f}} m/s", most
+            yield f"others.{one.id}: the road that it comes from is too short for more than {{:.1f}} m/s", most
 
 
 def abreast(situation: Situation) -> bool:

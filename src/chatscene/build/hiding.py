@@ -42,16 +42,18 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
         return _before_it(actor, hidden, n)
     if hidden.stand.meets is not Meets.ACROSS or "besideRoad" not in hidden.stand.point:
         raise NothingBuilds(
-            f"nothing builds yet: {actor.one.id}, which hides somebody who is {hidden.one.starts.where}"
+            f"cannot be built yet: {actor.one.id} hiding a road user that starts {hidden.one.starts.where}"
         )
     side = str(hidden.one.starts.side)
     if actor.one.starts.side not in (None, side):
-        raise NothingBuilds(f"nothing builds yet: {actor.path}, which hides {hidden.one.id} from its side")
+        raise NothingBuilds(f"cannot be built yet: {actor.path} hiding {hidden.one.id} from the other side")
     actor.ledger.take(*(f"others.{name}.hidden_by" for name in hidden_with(actor, hidden.one)))
     aside = _in_our_lane(actor)
     if actor.one.starts.where not in BESIDE and aside is None:
         where = actor.one.starts.where
-        actor.ledger.assume(f"{actor.one.id} stands beside the road, and not {where}, so that it hides {hidden.one.id}")
+        actor.ledger.assume(
+            f"{actor.one.id} stands beside the road instead of {where}, so that it hides {hidden.one.id}"
+        )
     if aside is not None:
         actor.ledger.take(f"{actor.path}.starts.lateral")
         length = actor.limits.length

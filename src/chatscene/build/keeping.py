@@ -40,7 +40,7 @@ def take_kept(ledger: Ledger) -> None:
             at = f"ego.does.{k}" if name == EGO else f"others.{name}.does.{k}"
             ledger.take(*_kept(situation, name, deed, at))
     if any(deed.act is Act.FOLLOW and _amount(deed) is not None for deed in situation.ego.does):
-        ledger.assume("how near the ego then keeps is left to whoever drives it")
+        ledger.assume("the ego's driver chooses the gap that it then keeps")
 
 
 def _kept(situation: Situation, name: str, deed: Deed, at: str) -> Iterator[str]:

@@ -111,7 +111,7 @@ def _side(lateral: Lateral, one: Other) -> tuple[Side, str]:
     if (side := lateral.side or one.starts.side) is not None:
         return side, ""
     usual = Side.LEFT if one.starts.where in (Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE) else Side.RIGHT
-    return usual, f"{one.id} is to the {usual} across the road, which was not said"
+    return usual, f"{one.id} is to the {usual} across the road"
 
 
 def in_lane(lateral: Lateral, side: Side, limits: Limits, own: float, ego: float) -> tuple[float, float]:

@@ -63,14 +63,14 @@ class Ledger:
         facts = ((path, value) for path, value in said_in(self.told or self.situation) if not self._is_built(path))
         left = {path: f"{path}: {str(value).lower() if isinstance(value, bool) else value}" for path, value in facts}
         if refused := [told for path, told in left.items() if not LEFT_OUT.match(path)]:
-            raise NotBuilt("nothing builds yet: " + "; ".join(refused) + self._instead(refused))
+            raise NotBuilt("cannot be built yet: " + "; ".join(refused) + self._instead(refused))
         return tuple(left.values())
 
     def _instead(self, refused: list[str]) -> str:
         """Where it is built what was said of somebody's place across the road; empty where nothing was said of that."""
         across = {told.split(".")[1] for told in refused if _ACROSS.match(told)}
         hides = sorted(across & {one.hidden_by for one in self.situation.others if one.hidden_by is not None})
-        unless = f"; not of {', '.join(hides)}, who hides somebody" if hides else ""
+        unless = f"; not for {', '.join(hides)}, which hides a road user" if hides else ""
         return f"; {LATERAL_OF_STARTS}{unless}" if across else ""
 
     def _is_built(self, path: str) -> bool:

@@ -57,8 +57,8 @@ def _check_opposite(actor: Actor, deed: Deed) -> None:
     if actor.one.starts.where is Where.ONCOMING and not red:
         k = next(k for k, one in enumerate(actor.deeds) if one is deed)
         raise NothingBuilds(
-            f"nothing builds yet: {actor.path}.does.{k}.breaks: {Breach.RED_LIGHT} of who is {Where.ONCOMING}, whose"
-            f" light shows what ours does; say road.ego_light: {EgoLight.RED}, or starts.where: {Where.ARM}"
+            f"cannot be built yet: {actor.path}.does.{k}.breaks: {Breach.RED_LIGHT}, {Where.ONCOMING}: its"
+            f" light shows the same as ours; say road.ego_light: {EgoLight.RED}, or starts.where: {Where.ARM}"
         )
 
 
@@ -86,7 +86,7 @@ def check_round(actor: Actor, k: int) -> None:
     fastest = 1.1 * curve_speeds(line)[line.project(*line.point_at(way.meets_at))[2]]  # who cuts the bend is faster
     if said.low > fastest:
         at = f"{actor.path}.does.{k}.speed: {said}"
-        raise NotBuilt(f"{at} is more than the roundabout lets anybody go: {3.6 * fastest:.0f} km/h at most")
+        raise NotBuilt(f"{at} is too fast for the roundabout: at most {3.6 * fastest:.0f} km/h")
 
 
 def check_turn(actor: Actor, k: int) -> None:
@@ -99,7 +99,7 @@ def check_turn(actor: Actor, k: int) -> None:
     circle = 2.0 * limits.wheelbase / math.tan(limits.wheel_angle) if limits.wheelbase else 0.0
     if circle > LANE:
         raise NothingBuilds(
-            f"nothing builds yet: {actor.path}.does.{k}.act: {actor.deeds[k].act} of {one_of(actor.one.kind)} that "
+            f"cannot be built yet: {actor.path}.does.{k}.act: {actor.deeds[k].act} after {one_of(actor.one.kind)} "
             f"turned back, since it takes {circle:.0f} m to turn round again"
         )
 
@@ -127,7 +127,7 @@ def way_to_turn_round(actor: Actor, k: int) -> Round:
     """
     at, limits, route = f"{actor.path}.does.{k}.act: {actor.deeds[k].act}", actor.limits, actor.found.route
     if lanes_beside(route).get("left") is not True:
-        raise NotBuilt(f"no map has such a place: {at}, which takes a lane of oncoming traffic to the left of ours")
+        raise NotBuilt(f"no map has such a place: {at} needs an oncoming lane to the left of ours")
     aside = LANE + (KERB_ASIDE if actor.stand.meets is Meets.KERB else 0.0)
     circle = max(aside, 2.0 * WIDER * limits.wheelbase / math.tan(limits.wheel_angle))
     own = line_of(ownLane(route))  # the ego's way may swing out there
@@ -145,8 +145,8 @@ def way_to_turn_round(actor: Actor, k: int) -> Round:
     back = (circle - aside) / math.sin(over) if over else math.inf
     if back > BACKS:
         raise NotBuilt(
-            f"nothing builds yet: {at} of {one_of(actor.one.kind)}, which takes {circle + limits.width / 2:.0f} m "
-            f"of road to its left, of which there are {room:.0f} m"
+            f"cannot be built yet: {at}: {one_of(actor.one.kind)} needs {circle + limits.width / 2:.0f} m "
+            f"of road to its left, and there are {room:.0f} m"
         )
     return Round(radius=circle / 2, first=over, back=back)
 

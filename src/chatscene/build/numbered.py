@@ -88,7 +88,7 @@ def _lasts(phases: Phases, k: int, text: str, speed: Speed) -> str:
     if deed.act is Act.WEAVE and deed.time is not None:
         if deed.time.high < SWINGS * max(3.0, WAVE / phases.actor.ego_speed):
             at = f"{phases.actor.path}.does.{k}.time"
-            raise NotBuilt(f"{at}: {deed.time} is too short for anybody to swing from side to side")
+            raise NotBuilt(f"{at}: {deed.time} is too short to weave from side to side")
         low, high = deed.time.drawn(*WEAVES)
         at = f"{phases.actor.path}.does.{k}.time"
         phases.actor.numbers.measure(f"WEAVE_TIME_{k}", low, high, "s", "for how long it weaves", at)
@@ -96,7 +96,7 @@ def _lasts(phases: Phases, k: int, text: str, speed: Speed) -> str:
     if deed.act is Act.DRIFT and deed.time is not None:  # in three pieces, and some time behind each
         at = f"{phases.actor.path}.does.{k}.time"
         if deed.time.high < SOONEST:
-            raise NotBuilt(f"{at}: {deed.time} is less than anybody drifts: {SOONEST:g} s at least")
+            raise NotBuilt(f"{at}: {deed.time} is too short to drift: at least {SOONEST:g} s")
         low, high = ((one - SETS_OUT) / PIECES for one in deed.time.drawn(SOONEST, LATEST))
         phases.actor.numbers.measure(f"DRIFT_TIME_{k}", low, high, "s", "how long a piece of its drift takes", at)
         text = text.replace("{drift} seconds", f"$DRIFT_TIME_{k} seconds")

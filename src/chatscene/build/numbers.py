@@ -107,9 +107,9 @@ class Numbers:
         top = 1.0 if share else MOST * fastest if unit == "m/s" else most
         least, most = (max(GENTLEST, least), max(GENTLEST, most)) if drag else (least, most)
         if least > top + 1e-9:
-            most_told = f"{top * scale:.3g} {unit if unit != '1' else 'm/s²'} at most"
+            most_told = f"at most {top * scale:.3g} {unit if unit != '1' else 'm/s²'}"
             at = f"{path}: " if path else ""
-            raise NotBuilt(f"{at}{amount} is more than {one_seen(self.row.scenic)} can: {most_told}")
+            raise NotBuilt(f"{at}{amount} is more than {one_seen(self.row.scenic)} can do: {most_told}")
         self.ranges[name] = (least, min(most, top), unit, meaning)
         self.bound[name] = path
 

@@ -171,7 +171,7 @@ class Paces:
             raise NotBuilt(f"{name} {_told(was, most)}; say {_kmh(was + least)} at least")
         if before.low > MOST * self._numbers.row.limits.top_speed:
             kind, most = one_seen(self._numbers.row.scenic), MOST * self._numbers.row.limits.top_speed
-            raise NotBuilt(f"{name} to {_kmh(after.low)} cannot be seen of {kind}, which goes at {_kmh(most)} at most")
+            raise NotBuilt(f"{name} to {_kmh(after.low)} is not visible for {kind}, which drives at most {_kmh(most)}")
         least = loss_of(before.high)
         if not one.gains and after.low > before.high - least:
             raise NotBuilt(f"{name} {_told(before.high, after.low)}; say {_kmh(before.high - least)} at most")
@@ -288,7 +288,7 @@ def check_held(actor: Actor, speed: float, said: str) -> None:
     """
     most = Body(actor.limits, actor.walks).fastest if actor.one.kind.row.body.row.motorised else speed
     if most < ABOUT * speed:
-        raise NotBuilt(f"{said} is more than {one_of(actor.one.kind)} holds: {_kmh(most)} at most")
+        raise NotBuilt(f"{said} is more than {one_of(actor.one.kind)} can drive: at most {_kmh(most)}")
 
 
 def in_one_manner(actor: Actor) -> bool:

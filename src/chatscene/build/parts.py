@@ -88,7 +88,7 @@ def _waits(text: str, meanwhile: str, one: str) -> str:
     """A phase of whoever has it, as that which is carried waits it out."""
     end = _ENDS.search(text)
     if end is None:
-        raise NotBuilt(f"nothing builds yet: what {one} lets go after {text.partition('(')[0]}")
+        raise NotBuilt(f"cannot be built yet: what {one} releases after {text.partition('(')[0]}")
     return meanwhile + re.sub(r"\bself\b", one, end[0])
 
 
@@ -106,7 +106,8 @@ def _opens(actor: Actor, k: int) -> tuple[str, ...]:
     at_left = actor.one.starts.where is Where.KERB and actor.one.starts.side is not Side.RIGHT
     if actor.stand.meets is not Meets.KERB or at_left or actor.count > 1:
         raise NothingBuilds(
-            f"nothing builds yet: {actor.path}.does.{k}: open-door but of one who stands at the right kerb or in a lane"
+            f"cannot be built yet: {actor.path}.does.{k}: open-door, except by a vehicle that stands at the right"
+            " kerb or in a lane"
         )
     if actor.deeds[k].to is away(actor.one):
         raise NotBuilt(f"{actor.path}.does.{k}.to: {actor.deeds[k].to}: that door opens away from our lane")

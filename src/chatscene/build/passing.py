@@ -142,8 +142,8 @@ def _begin_at(actor: Actor, by: Actor, k: int) -> None:
     most = room_against(actor.found.route)
     if most < usual and actor.found.route.line.length > usual:
         raise NotBuilt(
-            f"others.{actor.one.id}: the road leads {most:.0f} m ahead; {by.one.id} is back in our lane after"
-            f" {_seconds(by, k):.0f} s, when {actor.one.id} would have to have begun {usual:.0f} m ahead"
+            f"others.{actor.one.id}: the road is only {most:.0f} m long; {by.one.id} is back in our lane after"
+            f" {_seconds(by, k):.0f} s, so {actor.one.id} would have to start {usual:.0f} m ahead"
         )
     actor.numbers.measure("Y", usual, usual + SPREAD, unit, meaning)
     middle = needed()

@@ -97,7 +97,7 @@ class Phases:
                 actor.ledger.take(f"{actor.path}.does.{k}.manner")
             actor.ledger.take(f"{actor.path}.does.{k}.act", *broken)
             if deed.act is Act.FALL:
-                actor.ledger.assume(f"{one.id} stays where it falls, as high as it was")
+                actor.ledger.assume(f"{one.id} stays upright where it falls")
         in_the_way = any(other.hidden_by == one.id for other in actor.ledger.situation.others)
         hides = one.role is Role.HIDES or (in_the_way and one.role is Role.SUPPORTING)
         if actor.lies or (hides and all(deed.act is Act.STAND for deed in deeds)):
@@ -169,7 +169,7 @@ class Phases:
         if meets is Meets.ACROSS and actor.one.role is not Role.ADVERSARY:
             return "Halt()"
         if meets is Meets.ACROSS:
-            actor.ledger.assume(f"{actor.one.id} crosses our lane, which was not said")
+            actor.ledger.assume(f"{actor.one.id} crosses our lane")
         return "Park()" if meets is Meets.KERB else go
 
     def begins(self, bodies: list[list[str]], start: Course, meeting: Meeting | None = None) -> Course:
@@ -215,8 +215,8 @@ class Phases:
         if metres > 0.0:
             if "$X" not in actor.stand.point:
                 raise NotBuilt(
-                    f"nothing builds yet: {actor.path}.does.{first}.act: {actor.deeds[first].act} of somebody who is "
-                    f"{actor.one.starts.where}, before it comes into our lane"
+                    f"cannot be built yet: {actor.path}.does.{first}.act: {actor.deeds[first].act},"
+                    f" {actor.one.starts.where}, before it is in our lane"
                 )
             actor.numbers.move("X", metres)
         return near
@@ -230,7 +230,7 @@ class Phases:
             at = f"{self.actor.path}.does.{k}.speed: {self.actor.deeds[k].speed}"
             kind = one_of(self.actor.one.kind)
             raise NotBuilt(
-                f"{at} is more than {kind} has that sets off beside our lane; say {3.6 * most:.0f} km/h at most"
+                f"{at} is more than {kind} reaches when it sets off beside our lane; say {3.6 * most:.0f} km/h at most"
             )
         if self.actor.deeds[k].act is Act.ENTER:  # and stops in the lane
             return replace(there, metres=there.metres + there.speed**2 / (2.0 * self.actor.limits.brake))
@@ -373,11 +373,11 @@ class Phases:
             self._check_exit(k)
         beside = actor.one.starts.where in NEXT_LANE and deed.act is Act.OVERTAKE
         if beside and deed.to not in (None, actor.one.starts.side):
-            raise NothingBuilds(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, of who is on the other side")
+            raise NothingBuilds(f"cannot be built yet: {actor.path}.does.{k}.to: {deed.to}, from the other side")
         if deed.to is not None and deed.act in acts_of(Heads.OUT, Heads.OVER, Heads.BY):
             into_ours = deed.act is Act.LANE_CHANGE and lane_after(actor.one, actor.deeds, k) == 0
             if not into_ours and actor.named.setdefault("side", str(deed.to)) != str(deed.to):
-                raise NothingBuilds(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, after the other side")
+                raise NothingBuilds(f"cannot be built yet: {actor.path}.does.{k}.to: {deed.to}, after the other side")
             actor.ledger.take(f"{actor.path}.does.{k}.to")
         if deed.whom is not None:
             actor.ledger.take(f"{actor.path}.does.{k}.whom")
@@ -390,10 +390,10 @@ class Phases:
         """
         situation, one = self.actor.ledger.situation, self.actor.one
         if at_roundabout(situation):
-            self.actor.ledger.assume(f"{one.id} leaves the roundabout where the ego does, or goes on in it")
+            self.actor.ledger.assume(f"{one.id} takes the ego's exit of the roundabout, or stays in it")
         elif not leaves_by_ramp(situation, one):
             at = f"{self.actor.path}.does.{k}.act"
-            raise NothingBuilds(f"nothing builds yet: {at}: {Act.EXIT}, at a junction; say {Act.TURN_RIGHT}")
+            raise NothingBuilds(f"cannot be built yet: {at}: {Act.EXIT} at a junction; say {Act.TURN_RIGHT}")
 
     def _careful(self, phases: tuple[str, ...]) -> tuple[str, ...]:
         """The last phases, of somebody on foot who is not to touch an ego that stands where it is to go on."""

@@ -103,20 +103,22 @@ def impossible(situation: Situation) -> Iterator[Fault]:
             moved_away = any(other.act in FROM for other in one.does[:k])
             if not moved_away and one.starts.where not in _from(deed):
                 places = ", ".join(where for where in Where if where in _from(deed))
-                told = f"nobody who is {one.starts.where} can {deed.act}, but who is {places}"
+                told = f"{deed.act} is not possible from {one.starts.where}, only from {places}"
                 yield Fault((f"{at}.{k}.act",), told)
             if stood and deed.act not in _OFF | _WHERE_IT_STANDS:
-                yield Fault((f"{at}.{k}.act",), f"who stands must set off before it can {deed.act}")
+                yield Fault((f"{at}.{k}.act",), f"a standing road user must set off before it can {deed.act}")
             if k and deed.act is Act.SET_OFF and one.does[k - 1].act not in _MAY_STAND:
-                yield Fault((f"{at}.{k}.act",), f"after {one.does[k - 1].act} it is under way, and cannot set-off")
+                yield Fault(
+                    (f"{at}.{k}.act",), f"after {one.does[k - 1].act} it is already moving, so it cannot set-off"
+                )
             if stood and deed.act is Act.STAND and deed.time is not None and one.does[k - 1].time is not None:
-                yield Fault((f"{at}.{k}.time",), f"it stands already, for {one.does[k - 1].time}")
+                yield Fault((f"{at}.{k}.time",), f"it already stands for {one.does[k - 1].time}")
             stood = deed.act in _STILL or (stood and deed.act in _WHERE_IT_STANDS)
         yield from _comes_in_twice(one, at)
         yield from _passes_twice(one, at)
         for k, (before, after) in enumerate(pairwise(one.does), 1):
             if before.act in _TURNED and after.act not in _GOES:
-                yield Fault((f"{at}.{k}.act",), f"after {before.act} it is elsewhere, and cannot {after.act}")
+                yield Fault((f"{at}.{k}.act",), f"after {before.act} it is no longer there to {after.act}")
 
 
 def _of_ego(situation: Situation) -> Iterator[Fault]:
@@ -124,10 +126,10 @@ def _of_ego(situation: Situation) -> Iterator[Fault]:
     for k, (before, after) in enumerate(pairwise(situation.ego.does), 1):
         stays = before.act in _STILL and before.time is None and situation.answered(before) is None
         if stays and after.act in ASIDE:
-            yield Fault((f"ego.does.{k}.act",), f"who stands must set off before it can {after.act}")
+            yield Fault((f"ego.does.{k}.act",), f"a standing ego must set off before it can {after.act}")
     if situation.ego.route is EgoRoute.OVERTAKE and not any(one.starts.where in OVERTAKEN for one in situation.others):
         places = ", ".join(where for where in Where if where in OVERTAKEN)
-        yield Fault(("ego.route",), f"there is nobody whom we could overtake, who is {places}")
+        yield Fault(("ego.route",), f"there is nobody to overtake; a road user to overtake starts at {places}")
 
 
 def _from(deed: Deed) -> frozenset[Where]:
@@ -142,7 +144,10 @@ def _passes_twice(one: Other, at: str) -> Iterator[Fault]:
     for k, deed in enumerate(one.does):
         whom = deed.whom or EGO
         if deed.act is Act.OVERTAKE and whom in passed:
-            yield Fault((f"{at}.{k}.act",), f"after overtake it is ahead of {whom}, and cannot overtake that again")
+            yield Fault(
+                (f"{at}.{k}.act",),
+                f"after overtake it is ahead of {whom} and must fall back before it can overtake again",
+            )
         if deed.act is Act.OVERTAKE:
             passed.add(whom)
         elif deed.act in _FALLS_BACK:
@@ -156,7 +161,9 @@ def _comes_in_twice(one: Other, at: str) -> Iterator[Fault]:
         over = deed.act is Act.GO_STRAIGHT and one.starts.where in OFF_ROAD
         if deed.act in COMES_IN or over:
             if came is not None:
-                yield Fault((f"{at}.{k}.act",), f"after {came} it is in our lane or over it, and cannot {deed.act}")
+                yield Fault(
+                    (f"{at}.{k}.act",), f"after {came} it is already in our lane or past it, so it cannot {deed.act}"
+                )
             came = deed.act
         elif deed.act in _TURNED:
             came = None

@@ -126,7 +126,7 @@ def throttles_by(actor: Actor, k: int, body: Body, before: Speed, after: Speed, 
         most = _mean(body, was, then, 1.0)
         said_so = deed.time if deed.time is not None and deed.acceleration is None else f"{rates[0]:.3g} m/s²"
         raise NotBuilt(
-            f"{path}: {said_so} is more than {one_of(actor.one.kind)} can from {3.6 * was:.0f} to {3.6 * then:.0f} "
+            f"{path}: {said_so} is more than {one_of(actor.one.kind)} can do from {3.6 * was:.0f} to {3.6 * then:.0f} "
             f"km/h: {most:.2g} m/s² at most"
         )
     name = f"THROTTLE_{k}"
@@ -171,11 +171,11 @@ def _bind(actor: Actor, k: int, name: str, rates: tuple[float, float], path: str
     low, high = (max(GENTLEST, rate - drag) / most for rate in rates)
     at = f"{actor.path}.does.{k}.{path}"
     if rates[1] < drag:
-        raise NotBuilt(f"{at}: {getattr(actor.deeds[k], path)}: it loses speed sooner if it only rolls out")
+        raise NotBuilt(f"{at}: {getattr(actor.deeds[k], path)}: it slows down faster even without braking")
     if low > 1.0:
         said = getattr(actor.deeds[k], path)
         raise NotBuilt(
-            f"{at}: {said} is more than {one_of(actor.one.kind)} can: {rates[0]:.3g} m/s², and {most:.3g} at most"
+            f"{at}: {said} needs {rates[0]:.3g} m/s²; {one_of(actor.one.kind)} brakes with at most {most:.3g}"
         )
     actor.numbers.measure(f"{name}_{k}", low, min(high, 1.0), "1", "how hard it brakes", at)
 

@@ -206,14 +206,14 @@ def check_kept_up(situation: Situation, ego: float) -> None:
     for one in situation.others:
         if (most := _said_behind(one)) < HELD * ego:
             raise NotBuilt(
-                f"others.{one.id}: at {3.6 * most:.0f} km/h it is left behind by an ego at {3.6 * ego:.0f} km/h; say an"
+                f"others.{one.id}: at {3.6 * most:.0f} km/h an ego at {3.6 * ego:.0f} km/h leaves it behind; say an"
                 f" ego at {3.6 * most:.0f} km/h at most, or a faster {one.kind}"
             )
         if goes_with(one) and (most := _holds(one)) < HELD * ego:
             k = next(k for k, deed in enumerate(one.does) if deed.act in _WITH)
             raise NotBuilt(
-                f"others.{one.id}.does.{k}.act: {one.does[k].act}: {one_of(one.kind)}, which holds {3.6 * most:.0f} "
-                f"km/h, is left behind by an ego at {3.6 * ego:.0f} km/h; say an ego at {3.6 * most:.0f} km/h at most"
+                f"others.{one.id}.does.{k}.act: {one.does[k].act}: {one_of(one.kind)} drives at most {3.6 * most:.0f} "
+                f"km/h, so an ego at {3.6 * ego:.0f} km/h leaves it behind; say an ego at {3.6 * most:.0f} km/h at most"
             )
 
 
@@ -228,5 +228,6 @@ def check_passed_by_ego(situation: Situation, ego: float) -> None:
         if said is not None and said > (most := passed_share(situation, one) * ego):
             raise NotBuilt(
                 f"others.{one.id}: the ego at {3.6 * ego:.0f} km/h does not overtake {one_of(one.kind)} at "
-                f"{3.6 * said:.0f} km/h before it comes back; say {3.6 * most:.0f} km/h at most, or a faster ego"
+                f"{3.6 * said:.0f} km/h before it must return to its lane; say {3.6 * most:.0f} km/h at most, or a"
+                " faster ego"
             )

@@ -92,7 +92,7 @@ def screen_of(actor: Actor, hidden: Actor) -> Screen:
         screen = _beside_lane(actor, hidden)
     else:
         raise NothingBuilds(
-            f"nothing builds yet: {actor.one.id}, which hides somebody who is {hidden.one.starts.where}"
+            f"cannot be built yet: {actor.one.id} hiding a road user that starts {hidden.one.starts.where}"
         )
     actor.ledger.take(*(f"others.{name}.hidden_by" for name in hidden_with(actor, hidden.one)))
     actor.ledger.take(*(f"{actor.path}.does.{k}.act" for k in range(len(actor.deeds))))
@@ -112,7 +112,7 @@ def shadowed(stand: Stand, by: Other, width: float) -> Stand:
 
 
 def _refused(actor: Actor, hidden: Actor, why: str) -> NotBuilt:
-    return NotBuilt(f"nothing builds yet: {actor.path}, which hides {hidden.one.id}: {why}")
+    return NotBuilt(f"cannot be built yet: {actor.path} hiding {hidden.one.id}: {why}")
 
 
 def _acts(actor: Actor) -> frozenset[Act]:

@@ -58,7 +58,7 @@ def _takes(actor: Actor, k: int) -> tuple[float, float] | None:
         return None
     if deed.time.high < QUICKEST:
         at = f"{actor.path}.does.{k}.time"
-        raise NotBuilt(f"{at}: {deed.time} is less than anybody takes to change lanes: {QUICKEST:g} s at least")
+        raise NotBuilt(f"{at}: {deed.time} is too short to change lanes: at least {QUICKEST:g} s")
     low, high = deed.time.drawn(QUICKEST, 2.0 * QUICKEST)
     return max(QUICKEST, low), high
 

@@ -232,7 +232,7 @@ def _next_lane(asked: Asked) -> Stand:
         if asked.one.starts.where is Where.BEHIND_BESIDE:
             return comes_along(asked)
         raise NothingBuilds(
-            f"nothing builds yet: others.{asked.one.id}.starts.where: {asked.one.starts.where} of a parked ego"
+            f"cannot be built yet: others.{asked.one.id}.starts.where: {asked.one.starts.where} with a parked ego"
         )
     back = asked.one.starts.where is Where.BEHIND_BESIDE
     if asked.walks and not back:
@@ -246,7 +246,7 @@ def _next_lane(asked: Asked) -> Stand:
         sign = "-" if asked.side == Side.RIGHT else ""
         return Stand(meets=Meets.ALONG, way=f"extended(straightOn(egoRoute), 60).offset({sign}2.3)", at=at, behind=back)
     if asked.side not in lanes_beside(asked.found.route):
-        raise NotBuilt(f"no map has such a place: others.{asked.one.id} has no lane to the {asked.side} of ours")
+        raise NotBuilt(f"no map has such a place: others.{asked.one.id} needs a lane to the {asked.side} of ours")
     way = lane_beside(asked.side)
     if _filters(asked):
         way = _within(way, between_lanes(asked.side))
@@ -546,10 +546,10 @@ def start_of(asked: Asked) -> Stand:
     where = asked.one.starts.where
     if asked.walks and where not in ON_FOOT:
         raise NothingBuilds(
-            f"nothing builds yet: others.{asked.one.id}.starts.where: {where} of somebody on foot; the nearest is"
+            f"cannot be built yet: others.{asked.one.id}.starts.where: {where} for a pedestrian; the nearest is"
             f" {Where.EXIT_CROSSING if where is Where.ARM else Where.ROADSIDE}"
         )
     if where not in STARTS:
         near = f"; the nearest is {NEAREST[where]}" if where in NEAREST else ""
-        raise NothingBuilds(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}{near}")
+        raise NothingBuilds(f"cannot be built yet: others.{asked.one.id}.starts.where: {where}{near}")
     return turned(asked, stands_in_lane(asked) if opens_in_lane(asked) else STARTS[where](asked))

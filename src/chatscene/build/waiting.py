@@ -185,14 +185,14 @@ def _seen(actor: Actor, k: int, name: str, reference: str) -> str:
     if who == actor.one.id:
         if any(deed is earlier for earlier in actor.deeds[:k]):
             return ""  # its own deeds come one after the other, each while the one before is under way
-        raise NothingBuilds(f"nothing builds yet: {at}: {reference}, of its own")
+        raise NothingBuilds(f"cannot be built yet: {at}: {reference}, its own deed")
     does = situation.does(who)
     if name == "during" and deed.act.row.lasting and deed is does[0] and deed.act is not Act.TAILGATE:
         return ""  # what it does from the beginning
     sign = _sign_of(actor, who, deed)
     if sign is None:
         raise NothingBuilds(
-            f"nothing builds yet: {at}: {reference}, as nothing shows that somebody does {deed.act}; "
+            f"cannot be built yet: {at}: {reference}: it cannot be seen when {deed.act} happens; "
             "wait for another deed, or say ego_within"
         )
     called, whom = (one if one == EGO else name_of(one) for one in (who, deed.whom or EGO))

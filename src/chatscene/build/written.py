@@ -48,8 +48,8 @@ class Written:
         named = self._lines(screen)
         body = "\n".join(phases)
         if self.hidden is not None and screen is None and f"way{one}" in body:
-            stands = f"{self.actor.one.id} hides {self.hidden.one.id}, and only stands there"
-            raise NothingBuilds(f"nothing builds yet: {self.actor.path}.does: {stands}")
+            stands = f"{self.actor.one.id} hides {self.hidden.one.id}, so it only stands there"
+            raise NothingBuilds(f"cannot be built yet: {self.actor.path}.does: {stands}")
         if any(f"own{one}" in text for text in (body, *named)):
             named.insert(0, f"own{one} = ownWay(egoRoute)")
         named += self._named(body)
@@ -155,7 +155,7 @@ class Written:
                 return lane_beside(side)
         side = said or str(Side.LEFT)
         if side not in sides:
-            raise NotBuilt(f"no map has such a place: {self.actor.path} has no lane to the {side} of ours")
+            raise NotBuilt(f"no map has such a place: {self.actor.path} needs a lane to the {side} of ours")
         return f"extended({OWN}, 60).offset({'' if side == Side.LEFT else '-'}{LANE})"
 
     def _next(self) -> str:
@@ -167,7 +167,7 @@ class Written:
         lane = int(self.actor.named["lane"])
         if not is_lane(self.actor.found.route, lane):
             side = Side.LEFT if lane > 0 else Side.RIGHT
-            raise NotBuilt(f"no map has such a place: {self.actor.path} has no second lane to the {side} of ours")
+            raise NotBuilt(f"no map has such a place: {self.actor.path} needs a second lane to the {side} of ours")
         return lane_line(lane)
 
     def _place(self, n: int) -> tuple[str, str]:

@@ -19,7 +19,7 @@ from chatscene.commands.output import console, progress, say
     multiple=True,
     metavar="NAME|FILE|DIR",
     help="nhtsa, ncap, r157, iso34502, leaderboard, challenge, a .toml file of your own, or a folder that `import` "
-    "made; repeat.  [default: all six named here]",
+    "made. Repeatable.  [default: all six names]",
 )
 @click.option("--drive", is_flag=True, help="Draw scenes of each entry and let egos drive them.")
 @click.option(
@@ -34,7 +34,7 @@ from chatscene.commands.output import console, progress, say
     cls=Named,
     kind=EGOS,
     multiple=True,
-    help="By name, file or package.module:factory; repeat. Runs have the first.  [default: sac, idm]",
+    help="An ego by name, file or package.module:factory. Repeatable; runs use the first.  [default: sac, idm]",
 )
 @MAP_WITH_SITE
 @SEED
@@ -64,9 +64,9 @@ def coverage(
     as_json: bool,
     **reading: Unpack[Reading],
 ) -> None:
-    """Show what of a catalogue of traffic situations is served: a row per entry, and why the others are not.
+    """Show which entries of a catalogue of traffic situations can be made, and why the others cannot.
 
-    With --drive also in how many drives all that was read is seen, and how many of the collisions were avoidable.
+    With --drive, also show in how many drives everything that was read is seen, and how many collisions were avoidable.
 
     \b
     chatscene coverage

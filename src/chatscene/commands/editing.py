@@ -47,9 +47,9 @@ def edit(
     as_json: bool,
     **again: Any,
 ) -> None:
-    """Change what EDIT names in the situation of RUN, show the difference, and run it with the same settings.
+    """Apply EDIT to the situation of RUN, show the difference, and run the new situation with the same settings.
 
-    RUN is the folder of a finished run of a sentence or a situation, and stays as it is; run.json of the new one names
+    RUN is the folder of a finished run of a sentence or a situation. It does not change; the new run's run.json names
     it.
 
     \b
@@ -58,7 +58,7 @@ def edit(
     chatscene edit runs/hidden-by-a-hedge --undo
     """
     if undo == (text is not None):
-        raise click.UsageError("say what to change, as an EDIT, or --undo")
+        raise click.UsageError("give an EDIT, or --undo")
     run = chatscene.Run(folder, **again)
     if text is None:
         say(json.dumps({"folder": str(run.edited_from.folder)}) if as_json else str(run.edited_from.folder))
@@ -86,11 +86,11 @@ def chat(
     seed: int,
     **reading: Unpack[Reading],
 ) -> None:
-    """Talk about a situation: the first line says it, each further line changes it.
+    """Work on a situation line by line: the first line describes it, each further line changes it.
 
-    Lines come from the keyboard or a pipe. Besides edits they may be: show (the situation and its facts), undo (the
-    last edit), reading N (of those that are offered), set FACT=VALUE (a fact), run [DIR] (search it for scenes), new
-    TEXT (another situation), quit. What is refused changes nothing.
+    Lines come from the keyboard or a pipe. Besides edits, a line may be: show (the situation and its facts), undo (the
+    last edit), reading N (one of the offered readings), set FACT=VALUE, run [DIR] (search for scenes), new TEXT
+    (another situation), or quit. A refused line changes nothing.
 
     \b
     chatscene chat
@@ -134,7 +134,7 @@ def _lines() -> Iterator[str]:
     """What is said, line by line, until the end of the input; a terminal is asked for each."""
     asks = sys.stdin.isatty()
     if asks:
-        say("Say a situation, then what is to be another one; undo, show, run [DIR], new TEXT, quit.")
+        say("Describe a situation, then change it; or: undo, show, run [DIR], new TEXT, quit.")
     while True:
         if asks:
             click.echo("> ", nl=False)

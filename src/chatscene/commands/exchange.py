@@ -30,13 +30,12 @@ from chatscene.commands.output import say
 )
 @JSON
 def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: bool) -> None:
-    """Write each SCENE of RUN as a file that other tools read; without SCENE, the scenes that the run keeps.
+    """Write each SCENE of RUN as files for other tools. Without SCENE, all kept scenes are written.
 
-    openscenario: OpenSCENARIO XML 1.2, everybody on a timed trajectory as driven, and the OpenDRIVE map beside it.
-    openscenario-logical: what the plans say, in events, with parameters and their ranges; or a refusal that says why.
-    opendrive: the map, and what its lights showed. commonroad: a planning problem among what was driven.
-    osi: a trace of ground truth of ASAM OSI, in MCAP; needs the extra 'osi'. csv: the tracks.
-    scenic: the program with the scene's values in it, and the map.
+    openscenario: OpenSCENARIO XML 1.2; every road user follows its driven trajectory. openscenario-logical: events with
+    parameters and ranges, so that others react to your ego. opendrive: the map, and the states of its lights.
+    commonroad: a planning problem. osi: an ASAM OSI ground-truth trace in MCAP; needs the extra 'osi'. csv: the tracks.
+    scenic: the program with the scene's values. All but commonroad and csv come with the map.
 
     \b
     chatscene export runs/cyclist --to openscenario --out exported/cyclist
@@ -51,7 +50,7 @@ def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: b
 @click.option(
     "--out",
     type=click.Path(path_type=Path),
-    help="The .scenic file to write, or of FOLDER a new folder.  [default: beside FILE, with its name]",
+    help="The .scenic file to write; for FOLDER, a new folder.  [default: beside FILE, with its name]",
 )
 @click.option(
     "--map",
@@ -60,7 +59,9 @@ def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: b
     help="A packaged map or an .xodr file.  [default: the map that FILE names]",
 )
 @click.option("--ego", metavar="NAME", help="The ego in FILE.  [default: the one named ego, else the first vehicle]")
-@click.option("--variant", type=click.IntRange(min=1), metavar="N", help="Only set N of a file of parameter values.")
+@click.option(
+    "--variant", type=click.IntRange(min=1), metavar="N", help="Import only set N of a file of parameter values."
+)
 @param_option("Set a parameter that FILE declares.")
 @JSON
 def import_scenario(
@@ -72,11 +73,11 @@ def import_scenario(
     param: dict[str, object],
     as_json: bool,
 ) -> None:
-    """Write an OpenSCENARIO XML file, or each one in a folder, as a Scenic program. Nothing is run.
+    """Convert an OpenSCENARIO XML file, or each one in a folder, to a Scenic program. Runs nothing.
 
-    FILE is a scenario (.xosc), or a file of parameter values, which gives a program for each set of values. Catalogs
-    and the map are found by the paths in FILE, seen from its own folder. An element that cannot be imported is refused
-    with its line. `run --program` and `verify` take the programs.
+    FILE is a scenario (.xosc), or a file of parameter values, which gives a program for each set of values. Paths in
+    FILE to catalogs and the map are relative to its folder. An element that cannot be imported is refused with its
+    line. `run --program` and `verify` take the programs.
 
     \b
     chatscene import cut-in.xosc
@@ -84,7 +85,7 @@ def import_scenario(
     chatscene import variations.xosc --variant 3
     chatscene import theirs --out mine
 
-    FOLDER needs --out. Every .xosc file below FOLDER gives programs there, and a table shows what became of each.
+    FOLDER needs --out. Every .xosc file below FOLDER is imported there, and a table shows the result of each.
     """
     from chatscene.imports.import_folder import import_folder
 

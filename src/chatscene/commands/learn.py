@@ -46,8 +46,8 @@ _SELDOM = 0.1  # of its drives: who crashes or leaves the road more often has no
     "--pedals", default=None, help="safebench, or full-brake.  [default: safebench; with --speed, full-brake]"
 )
 @road_speed(
-    "Speed of the ego, and of everybody in proportion, within the limits of the roads: km/h, or 'road' "
-    "for these alone.  [default: SafeBench's speed]"
+    "Speed of the ego in km/h, within the speed limits; other traffic scales with it. 'road': the limits alone."
+    "  [default: SafeBench's speed]"
 )
 @click.option(
     "--steps",
@@ -109,10 +109,10 @@ def train(steps: int, round_: int, out: Path, **options: Any) -> None:
 @NEW_FOLDER
 @JSON
 def finetune(sources: tuple[Path, ...], out: Path, as_json: bool, **options: Any) -> None:
-    """Fine-tune an SAC ego on the kept scenes of the runs in DIR..., or teach a new one; show it before and after.
+    """Fine-tune an SAC ego on the kept scenes of the runs in DIR..., or teach a new one; compare before and after.
 
-    Scenes on the first eight routes train, the others test. Needs the extra 'train'. The same command goes on after a
-    kill.
+    Scenes on the first eight routes train, the others test. Needs the extra 'train'. Repeat the command to continue
+    after an interruption.
 
     \b
     chatscene benchmark --budget paper --out bench

@@ -13,12 +13,14 @@ from chatscene.commands.options import JSON, MANY, READER, READING, WORKERS, Rea
 from chatscene.commands.output import console, progress, say
 
 COMPONENT = click.Choice(["behavior", "geometry", "spawn"])
-OWN = click.option("--library", "own", default="", metavar="DIR", help="Your own snippets, beside the packaged ones.")
+OWN = click.option(
+    "--library", "own", default="", metavar="DIR", help="Folder of your own snippets, in addition to the packaged ones."
+)
 
 
 @click.group()
 def library() -> None:
-    """The snippets that serve TEXT with --library DIR and in the paper's way."""
+    """The snippets that --library DIR and --reader paper build programs from."""
 
 
 @library.command("list")
@@ -45,7 +47,7 @@ def list_snippets(component: str | None, own: str, as_json: bool) -> None:
 @click.argument("snippet_id", metavar="ID")
 @OWN
 def show(snippet_id: str, own: str) -> None:
-    """Print one snippet: what it says, what it needs and gives, its code.
+    """Print one snippet: its description, what it requires and provides, its code.
 
     \b
     chatscene library show behavior/cross-and-stop
@@ -113,7 +115,9 @@ def lint(own: str, scenes: int, jobs: int, executor: str, as_json: bool) -> None
 @library.command()
 @click.option("--sentences", default="held-out", show_default=True, help="A packaged set, or a file of JSON lines.")
 @click.option("--no-drive", is_flag=True, help="Do not run the programs.")
-@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and sentences.")
+@click.option(
+    "--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Folder for tables and sentences."
+)
 @WORKERS
 @READING
 @READER

@@ -23,10 +23,10 @@ from chatscene.errors import RunError
 @click.option("--record", is_flag=True, help="Let a CARLA server's recorder write a file to DIR/recordings.")
 @JSON
 def replay(folder: Path, scene_id: str | None, as_json: bool, **options: Any) -> None:
-    """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
+    """Simulate one scene of a run again from its stored values, and check whether the tracks are identical.
 
-    Without SCENE_ID it is the first that the report shows. In a CARLA server, which does not repeat itself to the bit,
-    they have to be the same within half a metre.
+    Without SCENE_ID, the first scene of the report is taken. A CARLA server does not repeat itself exactly, so there
+    the tracks may differ by half a metre.
 
     \b
     chatscene replay runs/cyclist cyclist-1f2e/route-00/scene-017
@@ -44,12 +44,12 @@ def replay(folder: Path, scene_id: str | None, as_json: bool, **options: Any) ->
 @DRIVEN_AGAIN
 @JSON
 def why(folder: Path, scene_id: str | None, as_json: bool, **again: Any) -> None:
-    """Say why a scene of a run crashed: who struck whom, what it took, and how the ego avoids it.
+    """Explain why a scene of a run crashed: who struck whom, what the crash depends on, and what avoids it.
 
-    Without SCENE_ID it is the first scene that the report shows.
+    Without SCENE_ID, the first scene of the report is taken.
 
-    The scene is driven again and again: without things, with parameters set back to those of the nearest scene without
-    a crash, with an ego that brakes earlier or goes slower. Takes seconds.
+    The scene is driven again many times: without one of the others, with parameters from the nearest scene without a
+    crash, and with an ego that brakes earlier or drives slower. This takes seconds.
 
     \b
     chatscene why runs/cyclist
@@ -63,12 +63,13 @@ def why(folder: Path, scene_id: str | None, as_json: bool, **again: Any) -> None
 @click.argument("folders", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @JSON
 def check(folders: tuple[Path, ...], as_json: bool) -> None:
-    """Say which files of the folders DIR... are damaged or missing, and which were added since.
+    """List the damaged, missing and added files of the folders DIR....
 
-    DIR is what run, evaluate, benchmark, reproduce, finetune or train left; the folders in it are checked as well.
+    DIR is a folder that run, evaluate, benchmark, reproduce, finetune or train wrote. Folders in it are checked as
+    well.
 
-    Every file of a finished folder is compared with the digest that run.json keeps of it, and run.json with its own.
-    Exit status 0: all that was written is there and unchanged; 1: it is not, or nobody can tell.
+    Every file of a finished folder is compared with its digest in run.json, and run.json with its own. Exit status 0:
+    everything is there and unchanged; 1: it is not, or cannot be checked.
 
     \b
     chatscene check runs/cyclist

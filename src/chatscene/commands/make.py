@@ -116,7 +116,7 @@ def run(
     from chatscene.simulate.simulator import has_one_world
 
     if sum(one is not None for one in (text, report, program)) != 1:
-        raise click.UsageError("say what to run: a TEXT, --report FILE or --program FILE")
+        raise click.UsageError("nothing to run: give TEXT, --report FILE or --program FILE")
     asked: list[tuple[str, str | Conflict | Situation, Path | None]] = [(text or "", text or "", None)]
     stated = situation_file(text) if text is not None else None
     if stated is not None and text is not None:
@@ -156,9 +156,9 @@ def run(
 @CHOOSING
 @JSON
 def explain(text: str | None, report: Path | None, show_program: bool, as_json: bool, **options: Any) -> None:
-    """Show how TEXT is understood: the situation in words, the words of each fact, the facts. Runs nothing.
+    """Show how TEXT is understood: the situation in words, your words with their facts, and the facts. Runs nothing.
 
-    What was not read, assumed or left out stands first. --program prints the program that is built.
+    What was not read, assumed or left out comes first. --program prints the program as well.
 
     TEXT is a sentence, or the .yaml or .json file of a situation.
 
@@ -169,7 +169,7 @@ def explain(text: str | None, report: Path | None, show_program: bool, as_json: 
     chatscene explain --report claim.txt
     """
     if (text is None) == (report is None):
-        raise click.UsageError("say what to explain: a TEXT or --report FILE")
+        raise click.UsageError("nothing to explain: give TEXT or --report FILE")
     if text is None or report is not None:
         explain_report(report or Path(), options, program=show_program, as_json=as_json)
         return
@@ -189,9 +189,9 @@ def explain(text: str | None, report: Path | None, show_program: bool, as_json: 
 @AGAIN
 @JSON
 def resume(folder: Path, as_json: bool, **options: Any) -> None:
-    """Continue the work in DIR after it was killed or failed; the result is that of an uninterrupted one.
+    """Continue the work in DIR after it was killed or failed. The result is the same as without the interruption.
 
-    DIR is what run, evaluate, benchmark, reproduce, finetune or train left.
+    DIR is a folder that run, evaluate, benchmark, reproduce, finetune or train wrote.
 
     \b
     chatscene resume runs/cyclist

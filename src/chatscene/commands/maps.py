@@ -62,12 +62,16 @@ def check_map_file(map_name: str) -> None:
 
 @map_group.command("import")
 @click.argument("extract", metavar="FILE.osm", type=click.Path(path_type=Path))
-@click.option("--out", type=click.Path(path_type=Path), help="The .xodr file; default: as FILE.osm is called, here.")
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    help="The .xodr file; default: the name of FILE.osm, in the working folder.",
+)
 @JSON
 def import_map(extract: Path, out: Path | None, as_json: bool) -> None:
     """Make a map of the streets in an extract of OpenStreetMap, and show what it offers.
 
-    Traffic keeps to the right on it, and the world is flat. Needs the extra 'osm'; Linux only.
+    Traffic on the map keeps to the right, and the world is flat. Needs the extra 'osm'; Linux only.
 
     \b
     chatscene map import street.osm

@@ -18,14 +18,14 @@ from chatscene.commands.output import say
     "--language-model",
     default="offline",
     show_default=True,
-    help="Who reads: openai:MODEL, gguf:FILE, or offline.",
+    help="Reader of sentences: offline, openai:MODEL, or gguf:FILE.",
 )
 def mcp(folder: Path, http: bool, port: int, language_model: str) -> None:
-    """Serve agents by the Model Context Protocol: they make, drive and judge scenes in FOLDER. Needs the extra 'mcp'.
+    """Serve the Model Context Protocol, so that agents make, drive and judge scenes in FOLDER. Needs the extra 'mcp'.
 
-    Nothing outside FOLDER is read or written for them, and a program of theirs runs in the sandbox. An agent starts
-    this command itself and speaks to it by the standard streams. With --http it is served on loopback, to whoever has
-    the token: the one in CHATSCENE_MCP_TOKEN, or a fresh one, which is printed.
+    Agents can read and write only in FOLDER, and their programs run in the sandbox. An agent starts this command itself
+    and uses its standard streams. --http serves on loopback instead, and requires a token: CHATSCENE_MCP_TOKEN, or a
+    new one, which is printed.
 
     \b
     chatscene mcp scenes

@@ -51,22 +51,24 @@ if TYPE_CHECKING:
     cls=Named,
     kind=EGOS,
     multiple=True,
-    help="By name, file or package.module:factory; repeat.  [default: planner, idm, sac]",
+    help="An ego by name, file or package.module:factory. Repeatable.  [default: planner, idm, sac]",
 )
 @AS_WRITTEN
 @SPEED
-@click.option("--all", is_flag=True, help="Every scene that ran, not only the kept ones.")
+@click.option("--all", is_flag=True, help="Use every scene that ran, not only the kept ones.")
 @SIMULATOR_THERE
 @PHYSICS_THERE
-@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Default: under runs/.")
+@click.option(
+    "--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Default: a new folder under runs/."
+)
 @WORKERS
 @GENERATOR_AGAIN
 @LIBRARY_AGAIN
 @JSON
 def evaluate(scenes: tuple[Path, ...], out: Path | None, as_json: bool, **options: Any) -> None:
-    """Measure egos on the kept scenes of the runs in DIR..., and print a row per ego; the paper's tables go to files.
+    """Compare egos on the kept scenes of the runs in DIR.... Prints a row per ego; the paper's tables go to files.
 
-    DIR may be a folder that `chatscene import FOLDER --out DIR` made: each ego drives each of its programs.
+    DIR may be a folder that `chatscene import FOLDER --out DIR` made. Then each ego drives each of its programs.
 
     \b
     chatscene evaluate runs/cyclist --ego sac --ego idm
@@ -156,18 +158,20 @@ def benchmark(
     kind=EGOS,
     multiple=True,
     required=True,
-    help="By name, file or package.module:factory; repeat.",
+    help="An ego by name, file or package.module:factory. Repeatable.",
 )
 @MAP
 @SIMULATOR_OPTION
 @PHYSICS_OPTION
-@click.option("--scenes", default=5, show_default=True, type=MANY, help="Draws of traffic per course.")
+@click.option("--scenes", default=5, show_default=True, type=MANY, help="Variants of the traffic per course.")
 @click.option("--seed", default=20_000, show_default=True, type=SEEDS, help="Seed of the traffic.")
 @road_speed(
-    "Speed of the egos, and of everybody in proportion, within the limits of the roads: km/h, or 'road' for "
-    "these alone.  [default: egos are told nothing]"
+    "Speed of the egos in km/h, within the speed limits; other traffic scales with it. 'road': the limits alone."
+    "  [default: the egos' own speed]"
 )
-@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and GIFs.")
+@click.option(
+    "--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Folder for tables and GIFs."
+)
 @WORKERS
 def drive(
     egos: tuple[str, ...],
@@ -180,7 +184,7 @@ def drive(
     executor: str,
     **options: Any,
 ) -> None:
-    """Let egos drive the ordinary routes of a map: do they get there, do they crash, how fast are they?
+    """Let egos drive the ordinary routes of a map, and report arrivals, crashes and speeds.
 
     \b
     chatscene drive --ego sac --ego idm

@@ -27,7 +27,7 @@ class Finite(click.FloatRange):
         """The number."""
         number = super().convert(value, param, ctx)
         if not math.isfinite(number):
-            self.fail(f"{value!r} is no finite number.", param, ctx)
+            self.fail(f"{value!r} is not a finite number.", param, ctx)
         return number
 
 
@@ -154,7 +154,7 @@ PHYSICS_OPTION = click.option(
     type=click.Choice(PHYSICS),
     default=SimulationSettings().physics,
     show_default=True,
-    help="How vehicles answer to pedals and wheel: kinematic, or lagged (delays and a friction circle).",
+    help="How vehicles respond to pedals and steering: kinematic, or lagged (delays and a friction circle).",
 )
 PHYSICS_THERE = click.option(
     "--physics", type=click.Choice(PHYSICS), default=None, help="Physics of the drives.  [default: that of the runs]"
@@ -187,7 +187,7 @@ SPEED = click.option(
     type=KMH,
     default=None,
     metavar="KMH",
-    help="Speed of the ego [km/h] where the text says none.  [default: the speed of the road]",
+    help="Speed of the ego [km/h] if the text gives none.  [default: the speed of the road]",
 )
 AVOIDABLE = click.option(
     "--avoidable", is_flag=True, help="Keep only crashes that a careful driver would have avoided."
@@ -234,7 +234,7 @@ def _facts(_context: click.Context, _option: click.Parameter, said: tuple[str, .
     for one in said:
         name, equals, value = one.partition("=")
         if not equals or name in facts:
-            raise click.BadParameter(f"{one!r}; say each fact once, as FACT=VALUE, such as side=left")
+            raise click.BadParameter(f"{one!r}; give each fact once, as FACT=VALUE, such as side=left")
         facts[name.strip()] = value.strip()
     return facts
 
@@ -253,7 +253,7 @@ READING = together(
         default="",
         metavar="DIR",
         callback=usable_library,
-        help="Folder of your own snippets. TEXT is then served by snippets.",
+        help="Folder of your own snippets. Programs are then built from snippets.",
     ),
     click.option("--embedder", cls=Named, kind=EMBEDDERS, default="minilm", show_default=True, help="Text encoder."),
     click.option(
@@ -262,7 +262,7 @@ READING = together(
         kind=READERS,
         default="offline",
         show_default=True,
-        help="Who reads: openai:MODEL, gguf:FILE, offline, or another reader, package.module:factory.",
+        help="Reader of TEXT: offline, openai:MODEL, gguf:FILE, or package.module:factory.",
     ),
 )
 READER = click.option(
@@ -270,8 +270,8 @@ READER = click.option(
     type=click.Choice(READ_AS),
     default=READ_AS[0],
     show_default=True,
-    help="How TEXT is read: as a situation, of which a program is built; or, as in the paper, by wording alone, with "
-    "snippets and without refusals.",
+    help="situation: build a program from the facts in TEXT. paper: choose snippets by wording alone, as the paper "
+    "does, and refuse nothing.",
 )
 CHOOSING = together(
     READER,
@@ -279,7 +279,7 @@ CHOOSING = together(
         "--reading",
         type=click.IntRange(0, MOST_READINGS),
         default=0,
-        help="Use reading N of those that a refusal offers.",
+        help="Use reading N of the ones that a refusal offers.",
     ),
     click.option(
         "--set",
@@ -302,7 +302,7 @@ REPORT = click.option(
     type=click.Path(path_type=Path),
     default=None,
     metavar="FILE",
-    help="A report of any length, in place of TEXT: a narrative, or several.",
+    help="A report of any length instead of TEXT, with one conflict or several.",
 )
 
 # Programs and recordings of others.
@@ -339,7 +339,7 @@ TRUST = click.option("--trust", is_flag=True, help="Run the program with all of 
 AS_WRITTEN = click.option(
     "--as-written",
     is_flag=True,
-    help="The program's own ego drives; of an imported scenario, as its file says.",
+    help="Let the program's own ego drive; an imported one drives as its file says.",
 )
 JUDGED = together(
     click.option(
@@ -347,21 +347,19 @@ JUDGED = together(
         cls=Named,
         kind=EGOS,
         default=None,
-        help="Who drives a program.  [default: its own ego; planner where it has none or was imported]",
+        help="The ego that drives a program.  [default: its own; planner if it has none or was imported]",
     ),
-    click.option("--map", default=None, help="The map of a program that names none: a packaged one, or a file."),
+    click.option("--map", default=None, help="Map of a program that names none: a packaged map, or a file."),
     TRUST,
     AS_WRITTEN,
-    click.option(
-        "--ego-id", default=None, metavar="ID", help="Whose track of a recording is the ego's, if none is marked."
-    ),
+    click.option("--ego-id", default=None, metavar="ID", help="Id of the ego in a recording that does not mark it."),
     param_option("Set a parameter that a program uses and does not define, or that an .xosc file declares."),
     click.option(
         "--variant",
         default=None,
         type=click.IntRange(min=1),
         metavar="N",
-        help="Set N of an .xosc file of parameter values.  [default: drives spread over all sets]",
+        help="Use only set N of an .xosc file of parameter values.  [default: drives spread over all sets]",
     ),
 )
 

@@ -32,7 +32,7 @@ FOLDER = click.option(
     required=True,
     metavar="DIR",
     type=click.Path(path_type=Path, file_okay=False),
-    help="Folder of your own snippets; made if it is not there.",
+    help="Folder of your own snippets; created if it does not exist.",
 )
 SCENES = click.option("--scenes", default=10, show_default=True, type=MANY, help="Scenes per program.")
 PROPOSAL = click.argument("proposal_id", metavar="ID")
@@ -41,7 +41,7 @@ PROPOSAL = click.argument("proposal_id", metavar="ID")
 @click.command()
 @click.option("--component", type=COMPONENT, default=None, help="What to propose; goes with --base.")
 @click.option("--base", type=BASES, default=None, help="For which base scenario.")
-@click.option("--rephrase", default=None, metavar="ID", help="Propose wordings of this snippet of yours instead.")
+@click.option("--rephrase", default=None, metavar="ID", help="Propose wordings of this snippet of yours.")
 @click.option("--n", "count", default=5, show_default=True, type=MANY, help="How many to ask for.")
 @click.option("--language-model", required=True, metavar="NAME", help="openai:MODEL or gguf:FILE.")
 @FOLDER
@@ -59,7 +59,7 @@ def propose(
 ) -> None:
     """Have a language model propose snippets; those that pass every check wait in DIR/proposed for you to review.
 
-    What a model writes is run in a confined process only. What does not pass is counted, with the reason.
+    A model's code runs only in the sandbox. Rejected proposals are counted by reason.
 
     \b
     chatscene library propose --component behavior --base straight-obstacle --n 20 \\
@@ -67,9 +67,9 @@ def propose(
     chatscene library propose --rephrase behavior/mine --n 5 --language-model openai:MODEL --library my-snippets
     """
     if rephrase is None and (component is None or base is None):
-        raise click.UsageError("say what to propose: --component and --base, or --rephrase ID")
+        raise click.UsageError("nothing to propose: give --component and --base, or --rephrase ID")
     if rephrase is not None and (component or base):
-        raise click.UsageError("--rephrase ID stands alone; leave --component and --base out")
+        raise click.UsageError("--rephrase ID does not go with --component and --base; leave them out")
     model = _model(language_model)
     if rephrase is not None:
         _rephrase(model, rephrase, count, own, as_json)
@@ -138,7 +138,7 @@ def _say_counts(kept: int, reasons: dict[str, int], spent: Spending) -> None:
 @FOLDER
 @JSON
 def pending(own: Path, as_json: bool) -> None:
-    """List what waits for review in DIR/proposed; nothing of it is run.
+    """List the proposals in DIR/proposed that wait for review. Runs nothing.
 
     \b
     chatscene library pending --library my-snippets
@@ -163,7 +163,7 @@ def pending(own: Path, as_json: bool) -> None:
 @FOLDER
 @SCENES
 def accept(proposal_id: str, own: Path, scenes: int) -> None:
-    """Check a proposal once more and move it into your library; read it first: from then on runs choose it.
+    """Check a proposal again, and move it into your library. Read it first: from then on, runs may use it.
 
     \b
     chatscene library accept behavior/wave-and-go --library my-snippets
@@ -226,13 +226,13 @@ def edit(proposal_id: str, own: Path, scenes: int) -> None:
 @click.option("--base", type=BASES, default=None, help="Only scenarios of this base scenario.")
 @click.option("--n", "count", default=10, show_default=True, type=MANY, help="How many.")
 @click.option("--instruction", default="", metavar="TEXT", help="What the sentences are about.")
-@click.option("--seed", default=0, show_default=True, type=SEEDS, help="Another seed, other sentences.")
+@click.option("--seed", default=0, show_default=True, type=SEEDS, help="Seed; another seed gives other sentences.")
 @READING
 @JSON
 def describe(
     base: str | None, count: int, instruction: str, seed: int, as_json: bool, **reading: Unpack[Reading]
 ) -> None:
-    """Make up sentences for `chatscene run`, each a scenario of its own that the library serves.
+    """Make up sentences for `chatscene run`, each about a different combination of snippets.
 
     \b
     chatscene describe --base right-turn --n 20

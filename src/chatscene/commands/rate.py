@@ -47,10 +47,10 @@ def rate(
     as_json: bool,
     **again: Any,
 ) -> None:
-    """Say how often the situation of a run ends in a crash, and in an avoidable one, if it comes about.
+    """Estimate how often the situation of a run ends in a crash, and in an avoidable one, if it occurs.
 
-    DIR is a run, whose ego drives; of a TEXT a run is made first, with --ego if one is named. Where crashes are rare,
-    scenes are drawn around those that were seen, and each counts as often as it occurs.
+    DIR is a run; its ego drives. For a TEXT, a run is made first, with --ego if given. If crashes are rare, more scenes
+    are drawn near those that were found, and weighted by how often they occur.
 
     \b
     chatscene rate runs/cyclist

@@ -24,9 +24,7 @@ def found_in(report: Path, reading: Mapping[str, Any], as_json: bool) -> tuple[C
     with refusing("", reading["embedder"], as_json):
         found = chatscene.conflicts(report, progress=progress())
     if len(found) > 1 and (reading["reading"] or reading["set"]):
-        raise click.UsageError(
-            f"{report} tells {len(found)} conflicts; --reading and --set are about one: give its text"
-        )
+        raise click.UsageError(f"{report} has {len(found)} conflicts; --reading and --set need one: give its text")
     if not as_json:
         for line in in_words(found):
             say(line, err=True)
@@ -36,7 +34,7 @@ def found_in(report: Path, reading: Mapping[str, Any], as_json: bool) -> tuple[C
 def in_words(found: tuple[Conflict, ...]) -> list[str]:
     """What a report is read as, in lines."""
     first = found[0]
-    lines = [f"{first.report} tells {'a conflict' if len(found) == 1 else f'{len(found)} conflicts'}:"]
+    lines = [f"{first.report} has {'a conflict' if len(found) == 1 else f'{len(found)} conflicts'}:"]
     lines += [f"  {one.number}  {one.text}" for one in found]
     return [*lines, *(f"  left out: {passage}" for passage in first.left_out)]
 

@@ -36,10 +36,10 @@ ALL = "all"
 def reproduce(
     tables: tuple[str, ...], avoidable: bool, out: Path, jobs: int, executor: str, as_json: bool, **options: Any
 ) -> None:
-    """Make the paper's tables, TABLE... being table1 to table5 or all, with its own numbers below ours.
+    """Make the paper's tables, with the paper's numbers below ours. TABLE is table1 to table5, or all.
 
-    What is missing is run, and the same command goes on after a kill. Needs the extras 'search' and, for table 3,
-    'train'.
+    Missing runs are made. Repeat the command to continue after an interruption. Needs the extras 'search' and, for
+    table 3, 'train'.
 
     \b
     chatscene reproduce all --out runs/tables

@@ -50,13 +50,13 @@ PORTS = click.IntRange(1, 65534)  # streams are on the next
     type=click.Choice(PHYSICS),
     default=SimulationSettings().physics,
     show_default=True,
-    help="How vehicles answer to pedals and wheel: kinematic, or lagged (delays and a friction circle).",
+    help="How vehicles respond to pedals and steering: kinematic, or lagged (delays and a friction circle).",
 )
 def serve_carla(maps: tuple[str, ...], port: int, host: str, files: Path | None, simulator: str, physics: str) -> None:
-    """Speak CARLA 0.9.16's protocol over our own world, for clients without a CARLA server.
+    """Serve CARLA 0.9.16's protocol with our own simulator, for clients without a CARLA server.
 
-    It is a stand-in and not CARLA: no tyres, no engine, drawings for pictures; docs/carla.md says what it can do.
-    Clients need the wheel carla 0.9.16, and so does this command: the extra 'carla'.
+    It is a stand-in, not CARLA: no tyres, no engine, drawings as camera images. docs/carla.md lists what it supports.
+    This command and its clients need the wheel carla 0.9.16 (the extra 'carla').
 
     \b
     chatscene serve-carla --port 2000 --files runs
@@ -67,11 +67,11 @@ def serve_carla(maps: tuple[str, ...], port: int, host: str, files: Path | None,
     def ready(world: World) -> None:
         say(
             f"a stand-in for CARLA 0.9.16, not CARLA: {world.roads.name} on {host}, ports {port} and {port + 1}; "
-            + (f"files of clients are below {files}" if files else "files of clients go to a private temporary folder")
+            + (f"clients' files are in {files}" if files else "clients' files go to a private temporary folder")
         )
 
     settings = SimulationSettings(simulator=simulator, physics=physics)
     try:
         serve(maps, host, port, settings, files=files, ready=ready, log=partial(say, err=True))
     except KeyboardInterrupt:
-        say("ended; the world is gone, and clients have to connect anew")
+        say("ended; clients must connect again to a new server")

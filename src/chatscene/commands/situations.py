@@ -33,8 +33,8 @@ def situation_file(text: str) -> Situation | None:
         return chatscene.read_situation(text)
     if there:
         raise SettingsError(
-            f"{text!r} is a file, and not the text of a situation; a file with a situation ends in .yaml or .json, one "
-            "with a report is given with --report, one with a program with --program"
+            f"{text!r} is a file, but not of a situation (.yaml, .json); give a report with --report, and a program "
+            "with --program"
         )
     return None
 

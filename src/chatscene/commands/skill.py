@@ -22,7 +22,7 @@ NAME = "chatscene"
 def skill(folder: Path, replace: bool) -> None:
     """Install the skill for agents into DIR, where an agent looks for skills.
 
-    It teaches an agent the loop: write a situation, build, verify, look at the story, mend, keep, test.
+    It teaches an agent the loop: write a situation, build, verify, read the story, fix, keep, test.
 
     \b
     chatscene skill .claude/skills
@@ -32,7 +32,7 @@ def skill(folder: Path, replace: bool) -> None:
     parts = dict(_parts(files("chatscene") / "skills" / NAME))
     there = [path for path in parts if (where / path).exists()]
     if there and not replace:
-        raise SettingsError(f"{where / there[0]} is there already; say --replace to write the files of the skill anew")
+        raise SettingsError(f"{where / there[0]} is there already; use --replace to overwrite it")
     for path, content in parts.items():
         try:
             (where / path).parent.mkdir(parents=True, exist_ok=True)

@@ -20,7 +20,9 @@ WHERE = click.argument("folder", metavar="[DIR]", default=Path("runs"), type=cli
 @click.command()
 @click.argument("query", required=False)
 @WHERE
-@click.option("--tables", "show_tables", is_flag=True, help="List the tables and columns, with units, and ask nothing.")
+@click.option(
+    "--tables", "show_tables", is_flag=True, help="List the tables and columns, with units, instead of a query."
+)
 @JSON
 def sql(query: str | None, folder: Path, show_tables: bool, as_json: bool) -> None:
     """Answer QUERY, a SELECT over all runs below DIR. DIR is runs/ if none is given.
@@ -37,7 +39,7 @@ def sql(query: str | None, folder: Path, show_tables: bool, as_json: bool) -> No
         _say_tables(as_json)
         return
     if query is None:
-        raise click.UsageError("say what to ask: a SELECT, or --tables")
+        raise click.UsageError("nothing to ask: give a SELECT, or --tables")
     from chatscene.report.sql import ask, rows_of
 
     answer = ask(query, _index(folder))

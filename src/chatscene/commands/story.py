@@ -16,22 +16,31 @@ from chatscene.errors import SettingsError
 
 @click.command()
 @click.argument("what", metavar="WHAT", type=click.Path(path_type=Path))
-@click.option("--scene", default=None, metavar="ID", help="A scene of a run.  [default: the first it keeps]")
-@click.option("--seed", default=0, show_default=True, type=SEEDS, help="Of a program's values.")
+@click.option("--scene", default=None, metavar="ID", help="A scene of a run.  [default: the first kept scene]")
+@click.option("--seed", default=0, show_default=True, type=SEEDS, help="Seed of a program's values.")
 @JUDGED
-@click.option("--picture", type=click.Path(path_type=Path), default=None, help="Write a moment from above, as PNG.")
 @click.option(
-    "--at", type=Finite(0.0), default=None, metavar="SECONDS", help="Which moment.  [default: the nearest one]"
+    "--picture",
+    type=click.Path(path_type=Path),
+    default=None,
+    help="Write a picture of one moment, from above, as PNG.",
+)
+@click.option(
+    "--at",
+    type=Finite(0.0),
+    default=None,
+    metavar="SECONDS",
+    help="Time of the picture.  [default: when the ego and another are nearest]",
 )
 @GENERATOR_AGAIN
 @SIMULATOR_AGAIN
 @LIBRARY_AGAIN
 @JSON
 def story(what: Path, picture: Path | None, at: float | None, as_json: bool, **options: Any) -> None:
-    """Say what happened in a drive of WHAT, in words, with times and speeds. Nothing is judged.
+    """Describe a drive of WHAT in words, with times and speeds. Judges nothing.
 
-    WHAT is as with verify: a run's folder, a Scenic program (.scenic), a file of OpenSCENARIO (.xosc), a table of
-    tracks (.csv), or a trace of ASAM OSI (.mcap). Of a program one drive is made.
+    WHAT is a run folder, a Scenic program (.scenic), an OpenSCENARIO file (.xosc), a table of tracks (.csv), or an ASAM
+    OSI trace (.mcap), as for verify. A program is driven once.
 
     \b
     chatscene story runs/cyclist
@@ -41,7 +50,7 @@ def story(what: Path, picture: Path | None, at: float | None, as_json: bool, **o
     from chatscene.files.atomic import write_whole
 
     if at is not None and picture is None:
-        raise click.UsageError("--at needs --picture, which is of that moment")
+        raise click.UsageError("--at needs --picture")
     told = chatscene.story(what, **options)
     if picture is not None:
         try:

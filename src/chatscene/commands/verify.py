@@ -24,9 +24,9 @@ _USUAL = VerifySettings()
 @click.argument("what", metavar="WHAT", type=click.Path(path_type=Path))
 @click.argument("said", metavar="[SAID]", required=False)
 @click.option(
-    "--draws", default=_USUAL.draws, show_default=True, type=click.IntRange(1, 1_000), help="Drives that are judged."
+    "--draws", default=_USUAL.draws, show_default=True, type=click.IntRange(1, 1_000), help="Number of drives to judge."
 )
-@click.option("--seed", default=_USUAL.seed, show_default=True, type=SEEDS, help="Of their values.")
+@click.option("--seed", default=_USUAL.seed, show_default=True, type=SEEDS, help="Seed of their values.")
 @click.option(
     "--least",
     default=_USUAL.least,
@@ -41,9 +41,9 @@ _USUAL = VerifySettings()
     show_default=True,
     type=Finite(0.0, 1e6),
     metavar="SECONDS",
-    help="Processor time for scenes that cannot be driven, over all drives; then no more are tried.",
+    help="Processor time for scenes that cannot be driven, over all drives.",
 )
-@click.option("--scene", default=None, metavar="ID", help="A scene of a run.  [default: those it keeps]")
+@click.option("--scene", default=None, metavar="ID", help="A scene of a run.  [default: all kept scenes]")
 @click.option(
     "--page", type=click.Path(path_type=Path), default=None, help="Write a page with the moment of each fact."
 )
@@ -53,14 +53,14 @@ _USUAL = VerifySettings()
 @CHOOSING
 @JSON
 def verify(what: Path, said: str | None, as_json: bool, **options: Any) -> None:
-    """Say whether WHAT shows what was SAID, fact by fact, from its tracks.
+    """Check from the tracks whether WHAT shows what was SAID, fact by fact.
 
-    WHAT is a Scenic program (.scenic), a file of OpenSCENARIO (.xosc), a run's folder, a table of tracks (.csv), or
-    a trace of ASAM OSI (.mcap). SAID is a sentence, or a file: a situation (.yaml, .json), or a report (.txt, .md). Of
-    a run it may be left out: it is then what the run was made of.
+    WHAT is a Scenic program (.scenic), an OpenSCENARIO file (.xosc), a run folder, a table of tracks (.csv), or an ASAM
+    OSI trace (.mcap). SAID is a sentence, or a file with a situation (.yaml, .json) or a report (.txt, .md). For a run
+    it may be left out; the run's own text is then used.
 
-    Exit status: 0 all that could be judged is shown; 1 something is not, or happens unasked; 2 nothing could be
-    judged, or WHAT or SAID cannot be read or driven; 3 the sentence was not understood.
+    Exit status: 0 everything that could be judged is shown; 1 something is not shown, or something happens unasked; 2
+    nothing could be judged, or WHAT or SAID cannot be read or driven; 3 the sentence was not understood.
 
     \b
     chatscene verify theirs.scenic "a cyclist crosses from the right"

@@ -31,10 +31,10 @@ def view(
     seed: int,
     **reading: Unpack[Reading],
 ) -> None:
-    """Show the runs below DIR, or runs/, in a page, in which a situation can be said, changed and run.
+    """Show the runs below DIR (default: runs/) in the browser, where you can also describe, change and run situations.
 
-    The page is on loopback and asks nobody for anything; its address has a secret, which is new each time. It is there
-    until the command is interrupted.
+    The page is served on loopback and loads nothing from elsewhere. Its address has a secret that is new each time.
+    Interrupt the command to end it.
 
     \b
     chatscene view
@@ -44,20 +44,20 @@ def view(
 
     search = {"map": map, "ego": ego, "scenes": scenes, "seed": seed}
     with Server(folder, port, reading, search) as server:
-        say(f"the runs below {folder} are shown at {server.address} until this is interrupted (Ctrl+C)")
+        say(f"the runs below {folder} are shown at {server.address} until you press Ctrl+C")
         try:
             server.serve_forever()
         except KeyboardInterrupt:
-            say("ended; runs are in their folders")
+            say("ended; the runs stay in their folders")
 
 
 @click.command("open")
 @click.argument("folder", metavar="[RUN]", required=False, type=click.Path(path_type=Path))
 def open_report(folder: Path | None) -> None:
-    """Open the report of RUN in the browser, or of the newest run below runs/; print its path.
+    """Open the report of RUN, or of the newest run below runs/, in the browser, and print its path.
 
-    RUN is a run or an evaluation. The report is drawn anew from the other files of the folder first: what stood in its
-    place is never opened.
+    RUN is a run or an evaluation. The report is first written anew from the folder's tables; an existing report.html is
+    never opened.
 
     \b
     chatscene open

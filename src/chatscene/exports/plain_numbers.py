@@ -140,7 +140,7 @@ class Moving:
                 above = self._sign(differ, first) > 0
                 return self._linear(then if above == (relation in (">", ">=")) else otherwise)
             case _:
-                raise Unsayable(f"{print_expression(expression)!r} is no number that the format can say")
+                raise Unsayable(f"{print_expression(expression)!r} is not a number that the format can express")
 
     def _static(self, found: Linear, expression: Expression) -> Sum:
         if found.live:
@@ -246,7 +246,7 @@ class Moving:
             abs(math.remainder(line.heading_at(at + d) - line.heading_at(at), math.tau)) for d in (-_NEAR, _NEAR)
         )
         if bend > STRAIGHT:
-            raise Unsayable(f"{print_expression(path)!r} is no straight line there")
+            raise Unsayable(f"{print_expression(path)!r} is not a straight line there")
         return Linear(left, {"self": math.sin(turn)})
 
     def _braked(self) -> Sum:

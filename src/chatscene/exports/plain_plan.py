@@ -135,7 +135,7 @@ class _Teller(Moving):
         if phase.primitive not in _ALONG:
             raise Unsayable("the format has no action that does this")
         if site.walks:
-            raise Unsayable("nobody on foot follows a line")
+            raise Unsayable("pedestrians do not follow a line")
         if self._number(told["left"] or Number(0)).number != 0:
             raise Unsayable("it goes beside a line")
         stays = phase.primitive == "PaceOnPath" and self._stays(told)

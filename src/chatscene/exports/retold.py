@@ -199,7 +199,7 @@ class _Retelling:
         try:
             return parse_plan(f"behavior {BEHAVIOR}():\n{body}")
         except SnippetError as error:
-            raise Unsayable(f"{does.partition('(')[0]} is no plan: {error}") from error
+            raise Unsayable(f"{does.partition('(')[0]} is not a plan: {error}") from error
 
     def _at_ends(self, names: Sequence[str]) -> dict[str, tuple[_Placed, _Placed]]:
         """Everybody with each parameter at the ends of its range; under an empty name, with all at the upper end.
@@ -297,7 +297,7 @@ class _Retelling:
 
         kind = BY_CLASS.get(track.kind)
         if kind is None:  # as a door, which is a thing and moves
-            raise Unsayable("it is no road user")
+            raise Unsayable("it is not a road user")
         return Site(
             limits=LIMITS[track.kind],
             grip=self._scene.episode.surroundings.surface.row.friction * 9.81,
@@ -326,7 +326,7 @@ class _Retelling:
         for ahead in (2.0, _BESIDE / 2, _BESIDE):
             section = self._network.laneSectionAt(line.point_at(along + ahead))
             if section is None or (section.lane.maneuvers and section.road in self._network.connectingRoads):
-                raise Unsayable("it changes to what is no lane")
+                raise Unsayable("it changes to something that is not a lane")
             numbers.add(int(section.openDriveID))
         if len(numbers) > 1:
             raise Unsayable("it changes to a line that does not stay in one lane")

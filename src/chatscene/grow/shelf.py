@@ -195,7 +195,7 @@ def checked_id(proposal_id: str) -> str:
     """
     if not _ID.fullmatch(proposal_id):
         raise SnippetError(
-            f"{proposal_id!r} is no id; an id is behavior/NAME, geometry/NAME or spawn/NAME, or one of these after "
+            f"{proposal_id!r} is not an id; an id is behavior/NAME, geometry/NAME or spawn/NAME, or one of these after "
             f"{REPHRASINGS}/, with letters a to z, digits and hyphens in NAME"
         )
     return proposal_id

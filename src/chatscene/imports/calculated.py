@@ -50,7 +50,7 @@ def calculated(text: str) -> float:
     try:
         return float(_value(ast.parse(plain, mode="eval").body))
     except SyntaxError as error:
-        raise ValueError("it is no expression") from error
+        raise ValueError("it is not an expression") from error
     except (RecursionError, MemoryError) as error:
         raise ValueError("brackets within brackets, too many to follow") from error
     except (ArithmeticError, TypeError) as error:

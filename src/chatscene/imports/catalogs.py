@@ -121,7 +121,7 @@ class Catalogs:
                 continue
             where = relative(self._path, named, given.within)
             if where is None:
-                unread.append(f"{one.where}: {named[:60]!r} is no path from the file's own folder")
+                unread.append(f"{one.where}: {named[:60]!r} is not a path from the file's own folder")
                 continue
             inside = [where] if where.is_file() else sorted(where.glob("*.xosc"))
             files.update(dict.fromkeys(f for f in inside if relative(f, f.name, given.within) is not None))

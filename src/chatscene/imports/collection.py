@@ -152,7 +152,8 @@ def _record(folder: Path) -> _Record:
         first = error.errors()[0]
         at = ".".join(map(str, first["loc"]))
         raise RunError(
-            f"{where} is no record of an import that this version reads: {at}: {first['msg']}; import the folder anew"
+            f"{where} is not the record of an import that this version reads: {at}: {first['msg']}; import the"
+            " folder again"
         ) from error
 
 

@@ -227,7 +227,7 @@ class Conditions:
         if self._given.text(one, "freespace") != "true":
             return value
         if self._given.text(one, "relativeDistanceType") != "longitudinal":
-            raise Refused(one, 'it asks for free space that is no distance along the road; write freespace="false"')
+            raise Refused(one, 'it asks for free space that is not a distance along the road; write freespace="false"')
         lengths = (Call("length", (Name(name, Kind.ACTOR),)) for name in ("ego", "self"))
         return Arithmetic("+", value, Arithmetic("/", Arithmetic("+", *lengths), Number(2)))
 

@@ -78,14 +78,14 @@ class Entities:
             raise Refused(selection, f"selections hold one another more than {DEEPEST} deep")
         held = [one for one in selection.walk() if one.tag in ("EntityRef", "ByType")]
         if not held:
-            raise Refused(selection, "it holds nobody; write EntityRef or ByType")
+            raise Refused(selection, "it is empty; write EntityRef or ByType")
         for one in held:
             if one.tag == "ByType":
                 yield from self.of_type(one, "objectType")
                 continue
             name = self._given.text(one, "entityRef")
             if name in within or name not in self.objects.keys() | self._selections.keys():
-                raise Refused(one, f"{name[:40]!r} is nobody who could be in it")
+                raise Refused(one, f"{name[:40]!r} is not an entity that it can contain")
             yield from [name] if name in self.objects else self._group(name, within)
 
     def of_type(self, one: Element, attribute: str) -> tuple[str, ...]:
@@ -138,7 +138,7 @@ class Entities:
         if len(names) > 1:
             others = ", ".join(names[1:])[:120]
             self._given.note(
-                self.objects[names[0]], f"which one the ego is, is not told; {names[0]} is taken; else name one with "
+                self.objects[names[0]], f"the file does not name its ego, so {names[0]} is used; name another with "
                 f"--ego: {others}"
             )  # fmt: skip
         return names[0]
@@ -149,7 +149,7 @@ class Entities:
     def body(self, one: Element) -> tuple[str, float, float, float]:
         """The class of somebody, its length and width, and how far its centre lies before its origin [m]."""
         if not one.inside or one.inside[0].tag in ("CatalogReference", "ExternalObjectReference"):
-            raise Refused(one.inside[0] if one.inside else one, "what body it has is not told; write a Vehicle here")
+            raise Refused(one.inside[0] if one.inside else one, "its body is not given; write a Vehicle here")
         body = one.inside[0]
         named = next((name for name in body.attributes if name.endswith("Category")), "")
         category = self._given.text(body, named) if named else ""

@@ -98,14 +98,14 @@ class _Reader:
                     raise Refused(action.inside[0] if action.inside else action, "the world does not change meanwhile")
                 continue
             if action.tag != "PrivateAction" or len(action.inside) != 1 or not action.inside[0].inside:
-                raise Refused(action, "it is no action of a road user")
+                raise Refused(action, "it is not an action of a road user")
             (kind,) = action.inside
             if kind.tag == "LongitudinalAction" and speed is None:
                 speed = kind.inside[0]
             elif kind.tag in ("LateralAction", "RoutingAction") and way is None:
                 way = kind.inside[0]
             else:
-                raise Refused(kind, "nobody does this here; write speeds, lane changes and trajectories")
+                raise Refused(kind, "this is not supported here; write speeds, lane changes and trajectories")
         if way is not None:
             self._turns_to(way)
             self._state.turned = self._way_done(way)
@@ -142,7 +142,7 @@ class _Reader:
                 if self._given.number(way, "targetLaneOffset", "0"):
                     raise Refused(way, "it changes to a line beside a lane; leave out targetLaneOffset")
                 if player.walks:
-                    raise Refused(way, "nobody on foot changes lanes")
+                    raise Refused(way, "pedestrians do not change lanes")
                 lane = self._target_lane(way)
                 line = player.lane(way, lane)
                 name = f"{player.prefix}Way{len(self._own_lines()) + 1 if self._own_lines() else ''}"
@@ -156,7 +156,9 @@ class _Reader:
                     raise Refused(way, "it keeps beside somebody; write an AbsoluteTargetLaneOffset of a vehicle")
                 state.left = self._given.sum(target, "value").times(player.left if player.side > 0 else -1)
             case _:
-                raise Refused(way, "nobody goes so here; write LaneChangeAction or an untimed FollowTrajectoryAction")
+                raise Refused(
+                    way, "this is not supported here; write LaneChangeAction or an untimed FollowTrajectoryAction"
+                )
 
     def _own_lines(self) -> list[str]:
         return [name for name in self._player.lines if re.fullmatch(rf"{self._player.prefix}Way\d*", name)]
@@ -186,18 +188,18 @@ class _Reader:
         relative = [one.inside[0] for one in positions if one.find("RelativeObjectPosition") is not None]
         if relative:
             if len(relative) != 2 or len(positions) != 2 or any(self._other(one) != player.name for one in relative):
-                raise Refused(trajectory, "only a straight line from where the actor itself is may be told beside it")
+                raise Refused(trajectory, "relative to the actor itself, only a straight line can be given")
             dx, dy = self._given.number(relative[1], "dx"), player.side * self._given.number(relative[1], "dy", "0")
             state.way, state.turn = AHEAD, round(math.atan2(dy, dx), 6)
             return
         if player.walks:
-            raise Refused(trajectory, "nobody on foot follows a line; write two RelativeObjectPositions of itself")
+            raise Refused(trajectory, "pedestrians do not follow a line; write two RelativeObjectPositions of itself")
         name, line = player.line_of(trajectory, player.prefix)
         stood = state.way == AHEAD and all(phase.primitive == "Halt" for phase in state.phases)
         if state.phases and state.way not in (None, name) and not stood:
             raise Refused(trajectory, "it comes to another line while it drives; write a LaneChangeAction")
         if self._given.sum(way, "initialDistanceOffset", "0").number != 0:
-            self._given.note(way, "it follows its line from where it is, whatever distance along it is told")
+            self._given.note(way, "it follows its line from its position; the given distance is ignored")
         player.lines.setdefault(name, line)
         state.way = name
 
@@ -222,7 +224,7 @@ class _Reader:
             state.speed = self._given.sum(target, "value")
             share = self._pace(speed, before)
         if state.speed.number is not None and state.speed.number < 0:
-            raise Refused(speed or event, "it drives backwards, and how it steers then is not told")
+            raise Refused(speed or event, "it drives backwards, and its steering is not given")
         stops = state.speed.number == 0
         if state.way in (None, AHEAD):
             if stops:

@@ -82,7 +82,7 @@ class Given:
         for one in (below for group in root.all("ParameterDeclarations") for below in group.inside):
             name, kind = one.attributes.get("name", ""), one.attributes.get("parameterType", "double")
             if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]{0,50}", name):
-                self.refusals.append(str(Refused(one, f"{name[:40]!r} is no name; use letters, digits and _")))
+                self.refusals.append(str(Refused(one, f"{name[:40]!r} is not a name; use letters, digits and _")))
                 continue
             self.values[name] = self.told.get(name, one.attributes.get("value", ""))
             groups = one.all("ConstraintGroup")
@@ -192,7 +192,7 @@ class Given:
         try:
             found = self._evaluated(element, written, ())
         except ValueError as error:
-            raise Refused(element, f"{written[:60]!r} is no number that can be said here ({error})") from error
+            raise Refused(element, f"{written[:60]!r} is not a number that can be said here ({error})") from error
         return finite(element, repr(found))
 
     def least(self, one: Sum) -> float:
@@ -280,9 +280,9 @@ def finite(element: Element, written: str) -> float:
     try:
         found = float(written)
     except ValueError:
-        raise Refused(element, f"{written[:40]!r} is no number") from None
+        raise Refused(element, f"{written[:40]!r} is not a number") from None
     if not math.isfinite(found) or abs(found) > 1e6:
-        raise Refused(element, f"{written[:40]} is no number within a million")
+        raise Refused(element, f"{written[:40]} is not a number within a million")
     return found
 
 

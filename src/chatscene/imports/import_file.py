@@ -112,7 +112,7 @@ def import_scenario(
     if variant is None and at_most is None and found.count > MOST_PROGRAMS:
         found = found.searched()
     if twice := sorted(set(told) & found.names):
-        raise SettingsError(f"{path} tells the values of {twice[0]!r} itself; choose them with --variant")
+        raise SettingsError(f"{path} sets the values of {twice[0]!r} itself; choose them with --variant")
     chosen = _chosen(found, variant, at_most, path)
     where = {n: out if len(chosen) == 1 else out.with_name(f"{out.stem}-{n}.scenic") for n in chosen}
     for one in where.values():

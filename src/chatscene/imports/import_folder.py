@@ -113,7 +113,7 @@ def import_folder(
     if not files:
         raise SettingsError(f"{folder} holds no .xosc file, and neither does any folder in it")
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
-        raise SettingsError(f"{out} is there and is no empty folder; give another with --out")
+        raise SettingsError(f"{out} exists and is not an empty folder; give another with --out")
     rows = list[ImportedFile]()
     for path in files:
         named = path.relative_to(folder)

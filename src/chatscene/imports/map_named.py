@@ -93,7 +93,7 @@ def _file_at(named: str, path: Path, given: Given) -> Path:
             return PACKAGED[named]
         named += ".xodr"
     if not named.endswith(".xodr"):
-        raise ScenarioError(f"{path}: its map {named[:60]!r} is no .xodr file; name one with --map")
+        raise ScenarioError(f"{path}: its map {named[:60]!r} is not an .xodr file; name one with --map")
     if ABSOLUTE.match(named):
         beside = path.parent / Path(named).name
         if os.path.normpath(Path.cwd() / named) != os.path.normpath(Path.cwd() / beside):

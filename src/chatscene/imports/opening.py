@@ -127,7 +127,7 @@ class Opening:
         """
         place = self._placed_first(name)
         if place is None:
-            raise Refused(one, "where it is at first is not told; give it a TeleportAction in Init")
+            raise Refused(one, "its first position is not given; add a TeleportAction in Init")
         if place.tag == "Position":
             return self._positions.pose(place)
         line = self._followed(place)
@@ -197,7 +197,7 @@ class Opening:
         one = self._objects[name]
         kind, length, width, ahead = self._entities.body(one)
         if kind not in LIMITS or BY_CLASS[kind].row.manner is Manner.WALKS:
-            raise Refused(one, "the ego is no vehicle")
+            raise Refused(one, "the ego is not a vehicle")
         place = self._place(name, one, ahead)
         if isinstance(place, Start):
             raise Refused(one, "the ego begins somewhere on a line; write a WorldPosition or a LanePosition")
@@ -218,7 +218,7 @@ class Opening:
         turn = math.remainder(place[2] - line.heading_at(along), math.tau)
         if self._faces(name) is None:
             if abs(turn) > _TURNED:
-                self._given.note(one, "how the ego is turned is not told; it faces along its lane")
+                self._given.note(one, "the ego's heading is not given; it faces along its lane")
             turn = 0.0
         if abs(turn) > math.pi / 2 and not self._speed(name) < 0.0:
             raise Refused(

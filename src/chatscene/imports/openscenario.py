@@ -92,13 +92,13 @@ class ScenarioFile:
         self._path, self._ego, self._within = path, ego, within
         self._root = root = root or read_xml(path)
         if root.tag != "OpenSCENARIO":
-            raise ScenarioError(f"{path} is no OpenSCENARIO XML: its root is <{root.tag[:40]}>")
+            raise ScenarioError(f"{path} is not OpenSCENARIO XML: its root is <{root.tag[:40]}>")
         header = root.find("FileHeader")
         version = (header.attributes.get("revMajor"), header.attributes.get("revMinor")) if header else (None, None)
         if version[0] != "1" or str(version[1]) not in map(str, VERSIONS):
             raise ScenarioError(f"{path} is of version {'.'.join(str(part) for part in version)}; known are 1.0 to 1.3")
         if root.find("Entities") is None or root.find("Storyboard", "Init", "Actions") is None:
-            raise ScenarioError(f"{path} tells no scenario: it has no Entities, or no Storyboard with an Init")
+            raise ScenarioError(f"{path} is not a scenario: it has no Entities, or no Storyboard with an Init")
         self._maps, self._catalogs = Maps(path, map_name), Catalogs(root, path)
 
     def check_declared(self, names: Iterable[str]) -> None:

@@ -66,7 +66,7 @@ def _messages(path: Path) -> Iterator[Any]:
                     raise ScenarioError(f"{path} has more than {MOST_MESSAGES:,} messages; cut it down to the drive")
                 yield GroundTruth.FromString(message.data)
     except (McapError, DecodeError) as error:
-        raise ScenarioError(f"{path} is no trace of OSI in an MCAP file: {error}") from error
+        raise ScenarioError(f"{path} is not an OSI trace in an MCAP file: {error}") from error
 
 
 def _pose(one: Any) -> tuple[float, float, float, float]:
@@ -80,7 +80,9 @@ def _pose(one: Any) -> tuple[float, float, float, float]:
 def _poses(path: Path, body: Any, rows: list[_Row], ego: bool) -> Poses:
     time, x, y, heading, speed = np.array(sorted(rows)).T
     if not np.isfinite([time, x, y, heading, speed]).all() or (np.diff(time) <= 0.0).any():
-        raise ScenarioError(f"{path}: the object {body.id.value} is twice at a time, or somewhere that is no number")
+        raise ScenarioError(
+            f"{path}: the object {body.id.value} is twice at a time, or at a position that is not a number"
+        )
     name, kind = _named(body)
     size = body.base.dimension
     return Poses(

@@ -88,7 +88,7 @@ class Positions:
             Refused: It is not told.
         """
         if name not in self.known:
-            raise Refused(one, f"where {name[:40]!r} is, is not told before")
+            raise Refused(one, f"the position of {name[:40]!r} is not given before")
         return self.known[name]
 
     def _of(self, one: Element) -> Pose:
@@ -115,7 +115,7 @@ class Positions:
         inside = one.find("InRoutePosition")
         told = inside.inside[0] if inside is not None and inside.inside else None
         if route is None or told is None or told.tag not in ("FromLaneCoordinates", "FromRoadCoordinates"):
-            raise Refused(one, "where on its route it is, is not told by pathS")
+            raise Refused(one, "pathS does not give its place on the route")
         along, waypoints = g.number(told, "pathS"), [p for w in route.all("Waypoint") for p in w.all("Position")]
         if not all(p.find("LanePosition") or p.find("RoadPosition") for p in waypoints):
             return self._on_line(one, told, line_through(route, [self.pose(p) for p in waypoints]), along)
@@ -163,7 +163,7 @@ class Positions:
                 raise Refused(route, "from one of its waypoints no road leads to the next")
             way += found
         if not way:
-            raise Refused(route, "it is no route of two waypoints or more")
+            raise Refused(route, "it is not a route of two waypoints or more")
         return way
 
     def _on_it(self, one: Element, road: DrawnRoad, s: float) -> float:
@@ -192,7 +192,7 @@ class Positions:
         try:
             return int(self._given.text(one, "laneId"))
         except ValueError:
-            raise Refused(one, f"the lane {self._given.text(one, 'laneId')[:40]!r} is no number") from None
+            raise Refused(one, f"the lane {self._given.text(one, 'laneId')[:40]!r} is not a number") from None
 
     def _on_road(self, one: Element, s: float, lane: int, aside: float) -> Pose:
         """A point by its arc length on a road; of lane 0, `aside` counts from the road's reference line."""
@@ -211,7 +211,7 @@ class Positions:
         x, y, facing = self._of(one)
         section = self.network.laneSectionAt((x, y))
         if section is None:
-            raise Refused(one, "whom it is told beside stands on no lane")
+            raise Refused(one, "the entity that it refers to stands on no lane")
         lanes = self._given.count(one, "dLane", "0")
         if lanes:  # counted to the left of whom it is told beside
             of = self.in_lane(section, (x, y, facing))

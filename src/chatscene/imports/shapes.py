@@ -79,7 +79,7 @@ def line_through(one: Element, points: Sequence[tuple[float, ...]]) -> Polyline:
         Refused: They are not two or more places.
     """
     if max((math.dist(points[0][:2], point[:2]) for point in points), default=0.0) < _SHORTEST:
-        raise Refused(one, "it is no line of two points or more")
+        raise Refused(one, "it is not a line of two points or more")
     return Polyline(points)
 
 

@@ -102,7 +102,9 @@ class StoryActions:
                 self._given.note(action, LEFT_ALONE[tag])
                 return _NOTHING
             case _:
-                raise Refused(inner, "nobody does this here; write speeds, lane changes, distances and trajectories")
+                raise Refused(
+                    inner, "this is not supported here; write speeds, lane changes, distances and trajectories"
+                )
 
     def _controlled(self, action: Element) -> Told:
         if any(self._given.flag(one, "active") for one in action.walk() if "active" in one.attributes):

@@ -82,7 +82,7 @@ class StoryConditions:
         names = self._cast.several(triggering.all("EntityRef") if triggering is not None else [])
         whose = tuple(self._cast.names[name] for name in names)
         if not whose:
-            self._given.note(by_entity, "nobody whom it is about is there; this never holds")
+            self._given.note(by_entity, "none of its entities exists; this never holds")
             return _NEVER
         quantor = self._given.text(triggering, "triggeringEntitiesRule", "any") if triggering is not None else "any"
         kind, *rest = self._by_entity(asked.inside[0])
@@ -110,14 +110,14 @@ class StoryConditions:
             case "StoryboardElementStateCondition":
                 return self._of_part(one)
             case _:
-                raise Refused(one, "such a condition is not asked here; write one of time, distance, speed or events")
+                raise Refused(one, "this condition is not supported here; write one of time, distance, speed or events")
 
     def _of_part(self, one: Element) -> Told:
         state, kind = self._given.text(one, "state"), self._given.text(one, "storyboardElementType", "event")
         if state not in _STATES:
             raise Refused(one, f"the state {state[:40]!r} is not known; known are {', '.join(sorted(_STATES))}")
         if kind not in DEPTHS:
-            raise Refused(one, f"the type {kind[:40]!r} is not asked about; write one of {', '.join(DEPTHS)}")
+            raise Refused(one, f"the type {kind[:40]!r} is not supported; write one of {', '.join(DEPTHS)}")
         path = tuple(self._ref(one).split("::"))
         if (kind, path) not in self._cast.parts:
             self._given.note(one, f"there is no {kind} {'::'.join(path)[:60]!r}; this never holds")
@@ -190,7 +190,7 @@ class StoryConditions:
                     g.text(one, "angleType", "heading") != "heading"
                     or g.text(one, "coordinateSystem", "world") != "world"
                 ):
-                    raise Refused(one, "only the heading on the map is asked here")
+                    raise Refused(one, "only the heading on the map is supported here")
                 return ("turned", cast.side * g.number(one, "angle"), g.number(one, "angleTolerance", "0.05"))
             case "ReachPositionCondition":
                 return ("reaches", cast.value(one, "tolerance"), self._place(one))
@@ -207,7 +207,7 @@ class StoryConditions:
                     raise Refused(one, "it has no target")
                 return self._between("collision-in", one, cast.who(whom) if whom is not None else self._place(target))
             case _:
-                raise Refused(one, "such a condition is not asked here; write one of distance, speed or time")
+                raise Refused(one, "this condition is not supported here; write one of distance, speed or time")
 
     def _along(self, one: Element) -> None:
         if self._given.text(one, "direction", "longitudinal") != "longitudinal":

@@ -71,7 +71,7 @@ def read_xml(path: Path, *, file: str = "", most: int = MOST) -> Element:
         most: Elements that it may have.
 
     Raises:
-        ScenarioError: It cannot be read, is no XML, or is larger, deeper or more than an XML file of a scenario is.
+        ScenarioError: It cannot be read, is not XML, or is larger, deeper or more than an XML file of a scenario is.
     """
     try:
         if not path.is_file():
@@ -85,9 +85,9 @@ def read_xml(path: Path, *, file: str = "", most: int = MOST) -> Element:
     try:
         return _Reader(path, file, most).root(content)
     except expat.ExpatError as error:
-        raise ScenarioError(f"{path} is no complete XML: {error}; export it again") from error
+        raise ScenarioError(f"{path} is not complete XML: {error}; export it again") from error
     except (ValueError, LookupError) as error:
-        raise ScenarioError(f"{path} is no XML in an encoding that is known: {error}; save it as UTF-8") from error
+        raise ScenarioError(f"{path} is not XML in an encoding that is known: {error}; save it as UTF-8") from error
 
 
 class _Reader:

@@ -48,7 +48,7 @@ class PlanReader(Opening):
         surroundings = self._attempt(lambda: surroundings_of(self._actions(), self._given)) or Surroundings()
         self._endings()
         if not any(actor.plan for actor in actors) and not self._given.refusals:
-            self._given.refusals.append(str(Refused(self._root, "nobody but the ego does anything in it")))
+            self._given.refusals.append(str(Refused(self._root, "only the ego acts in it")))
         return Storyboard(
             actors=tuple(actors),
             lines=self._lines,

@@ -87,9 +87,9 @@ class StoryReader(Opening):
         ]
         surroundings = self._attempt(lambda: surroundings_of(self._actions(), self._given)) or Surroundings()
         if not any(one.acts for one in members[1:]):
-            self._given.note(self._root, "nobody but the ego does anything; everybody else stands")
+            self._given.note(self._root, "only the ego acts; everybody else stands")
         if stop is not None and len(members) == 1:
-            self._given.note(self._root, "there is nobody but the ego, and its drive ends as any does, not as is told")
+            self._given.note(self._root, "there is only the ego, so the drive ends as usual, not as the file says")
         read = {part.name for told in (acts, stop) for part in _parameters(told)}
         return StoryProgram(
             members=tuple(members),
@@ -170,7 +170,7 @@ class StoryReader(Opening):
         if not self._placed_first(name):
             added = self._added_later(name)
             if added is None and self._inits.get(name):
-                raise Refused(one, "where it is at first is not told; give it a TeleportAction in Init")
+                raise Refused(one, "its first position is not given; add a TeleportAction in Init")
             if added is None:
                 self._given.note(one, f"{name[:40]} is never put anywhere, so it is not there")
                 return None
@@ -415,14 +415,14 @@ class _Story:
             self._given.note(inner, "a command to another program is left out")
             return ("nothing",)
         if inner.tag != "PrivateAction" or not inner.inside:
-            raise Refused(inner, "it is no action of a road user")
+            raise Refused(inner, "it is not an action of a road user")
         return self._done_by(inner, names)
 
     def _done_by(self, inner: Element, names: tuple[str, ...]) -> Told:
         """What a PrivateAction has somebody do."""
         (kind,) = inner.inside[:1]
         if not names:
-            raise Refused(inner, "nobody does it; name its actors")
+            raise Refused(inner, "it has no actors; name them")
         does = partial(self._actions.of, names[0] if len(names) == 1 else None, kind)
         told = self._opening.of_ego(does) if names == (self._cast.ego,) else does()
         if self._cast.ego in names:
@@ -440,7 +440,11 @@ class _Story:
         seconds = lasts(told) if told is not None else None
         if isinstance(seconds, Expression):
             seconds = valued(seconds, self._given.nominal)
-        return f"after {SHORT:g} s, as no time is told" if seconds is None else f"after {abs(seconds):g} s, as is told"
+        return (
+            f"after {SHORT:g} s, since no time is given"
+            if seconds is None
+            else f"after {abs(seconds):g} s, as the file says"
+        )
 
 
 def _moves(kind: str) -> bool:

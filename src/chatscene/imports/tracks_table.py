@@ -62,11 +62,11 @@ def read_table(path: Path) -> tuple[Poses, ...]:
         with path.open(encoding="utf-8-sig", newline="") as file:
             found = _rows(path, csv.reader(file))
     except UnicodeDecodeError as error:
-        raise ScenarioError(f"{path} is no text in UTF-8: {error.reason} at byte {error.start}") from error
+        raise ScenarioError(f"{path} is not UTF-8 text: {error.reason} at byte {error.start}") from error
     except OSError as error:
         raise ScenarioError(f"{path} cannot be read: {error.strerror or error}") from error
     except (ValueError, csv.Error) as error:
-        raise ScenarioError(f"{path} is no table: {error}") from error
+        raise ScenarioError(f"{path} is not a table: {error}") from error
     return tuple(_poses(path, name, rows) for name, rows in found.items())
 
 
@@ -105,7 +105,7 @@ def _number(path: Path, line: int, name: str, written: str) -> float:
     except ValueError:
         found = math.nan
     if not math.isfinite(found) or abs(found) > 1e9:
-        raise ScenarioError(f"{path}, line {line}: the {name} {written[:40]!r} is no number")
+        raise ScenarioError(f"{path}, line {line}: the {name} {written[:40]!r} is not a number")
     return found
 
 

@@ -110,7 +110,7 @@ def _bounded(axes: list[list[Values]], path: Path) -> None:
         ScenarioError: There are.
     """
     if math.prod(map(len, axes)) > MOST:
-        raise ScenarioError(f"{path} tells more than {MOST} variants; cut it down")
+        raise ScenarioError(f"{path} has more than {MOST} variants; remove some")
 
 
 def _once(one: Element, names: set[str], known: set[str]) -> None:
@@ -120,7 +120,7 @@ def _once(one: Element, names: set[str], known: set[str]) -> None:
         Refused: One of them is known: it would have two values in one variant.
     """
     if twice := sorted(names & known):
-        raise Refused(one, f"the values of ${twice[0]} are told twice; tell each parameter's once")
+        raise Refused(one, f"the values of ${twice[0]} are given twice; give each parameter's once")
     known |= names
 
 

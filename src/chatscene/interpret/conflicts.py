@@ -91,9 +91,9 @@ def read_report(path: Path) -> str:
     try:
         text = written.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise SettingsError(f"the report {path} is no text in UTF-8; save it as plain text") from None
+        raise SettingsError(f"the report {path} is not UTF-8 text; save it as plain text") from None
     if "\0" in text:
-        raise SettingsError(f"the report {path} is no text; save it as plain text in UTF-8")
+        raise SettingsError(f"the report {path} is not text; save it as plain text in UTF-8")
     if not text.strip():
         raise SettingsError(f"the report {path} is empty; write what happened, such as a crash narrative")
     return text

@@ -38,7 +38,7 @@ def edited(situation: Situation, text: str) -> Edited:
         raise EditRefused(f"{why}; say what is to be another, such as 'make it a truck', or --set a fact")
     for path, now in meant.items():
         if isinstance(now, Step):
-            raise EditRefused(f"{path} was not said, so that there is nothing to change by {now.by}")
+            raise EditRefused(f"{path} is not stated, so it cannot change by {now.by}")
     try:
         made = with_facts(situation, meant)
     except SituationError as error:

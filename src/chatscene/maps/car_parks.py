@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import Any
 
 from chatscene.maps.furniture import Stand, furniture_of
+from chatscene.maps.kept import kept_with_network
 from chatscene.maps.limits import limits_of
 
 DEEP = 4.0  # [m] from which on a strip for parking has bays at a right angle: along the road it is as wide as a car
 
 
-@lru_cache(maxsize=8)
+@kept_with_network()
 def car_parks(network: Any) -> frozenset[int]:
     """OpenDRIVE's ids of the roads of a network that are ways of a car park."""
     bays = {(place.road, place.forward) for place in furniture_of(network).standing if _deep(place)}

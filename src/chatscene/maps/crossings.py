@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
+from chatscene.maps.kept import kept_with_network
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
@@ -49,7 +49,7 @@ class CrossingPath:
     ego_meets_at: float
 
 
-@lru_cache(maxsize=ALL_LEGS)
+@kept_with_network(ALL_LEGS)
 def conflicting_paths(network: Any, route: Route) -> tuple[CrossingPath, ...]:
     """The ways of other vehicles through a route's junction that meet the route.
 
@@ -99,7 +99,7 @@ def _crossing(network: Any, maneuver: Any, route: Route) -> CrossingPath | None:
     )
 
 
-@lru_cache(maxsize=256)
+@kept_with_network(256)
 def passing_path(network: Any, route: Route) -> CrossingPath | None:
     """The way of who comes from the arm opposite the ego's, goes straight on, and passes it in the junction.
 
@@ -130,7 +130,7 @@ def passing_path(network: Any, route: Route) -> CrossingPath | None:
     return best
 
 
-@lru_cache(maxsize=4096)
+@kept_with_network(4096)
 def _way(network: Any, maneuver: Any) -> tuple[Polyline, float]:
     """The line of a vehicle that does a manoeuvre, from the junction before to the one after, and where it enters."""
     runs = lane_runs(network)

@@ -6,11 +6,10 @@ import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import accumulate
 from typing import Any
 
-from chatscene.maps.kept import kept
+from chatscene.maps.kept import kept, kept_with_network
 from chatscene.terms.polyline import Polyline
 
 _SEAM = 0.5  # [m]; roads of a map that follow one another do not quite touch
@@ -41,7 +40,7 @@ class LaneRun:
         return tuple(lane.uid for lane, begin, stop in spans if begin < end and stop > start)
 
 
-@lru_cache(maxsize=8)
+@kept_with_network()
 def lane_runs(network: Any) -> dict[str, LaneRun]:
     """The run that each lane outside junctions belongs to, by Scenic's lane id; sorted by id."""
     lanes = {lane.uid: lane for road in network.roads for lane in road.lanes}

@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -18,6 +17,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from chatscene.maps.kept import kept_with_network
 from chatscene.maps.lane_runs import forward
 from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.terms.polyline import Polyline
@@ -73,7 +73,7 @@ class Lanelet:
         return shapely.Polygon(np.concatenate([self.right, self.left[::-1]]))
 
 
-@lru_cache(maxsize=8)
+@kept_with_network()
 def lanelets_of(network: Any) -> tuple[Lanelet, ...]:
     """All lanelets of Scenic's road network as they lie on its map, in the order of their numbers."""
     found = _lanelets(network)

@@ -11,14 +11,14 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import lru_cache, partial
+from functools import partial
 from operator import attrgetter
 from typing import Any
 
 import numpy as np
 import shapely
 
-from chatscene.maps.kept import kept
+from chatscene.maps.kept import kept, kept_with_network
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import opposes, section_beside
 
@@ -126,7 +126,7 @@ def _heading(lane: Any, *, last: bool) -> float:
     return line.heading_at(line.length if last else 0.0)
 
 
-@lru_cache(maxsize=8)
+@kept_with_network()
 def junction_kinds(network: Any) -> dict[str, JunctionKind]:
     """The kind of each junction of a network, by Scenic's id."""
     on_ring = {junction for ring in roundabouts(network) for junction in ring.junctions}
@@ -169,7 +169,7 @@ def _streams(junction: Any) -> Iterator[tuple[set[str], set[str]]]:
 # Roundabouts
 
 
-@lru_cache(maxsize=8)
+@kept_with_network()
 def roundabouts(network: Any) -> tuple[Ring, ...]:
     """The roundabouts of a network: short round rings of one-way roads that are entered and left at junctions."""
     beyond = _one_way_steps(network)
@@ -248,7 +248,7 @@ def _is_round(lanes: list[Any]) -> bool:
 # Motorways
 
 
-@lru_cache(maxsize=8)
+@kept_with_network()
 def motorway_groups(network: Any) -> tuple[Any, ...]:
     """The carriageways of a network's motorways.
 
@@ -326,7 +326,7 @@ def _prominence(lane: Any) -> tuple[int, float]:
     return len(lane.group.lanes), -bent
 
 
-@lru_cache(maxsize=8)
+@kept_with_network()
 def weaving_sections(network: Any) -> tuple[Weave, ...]:
     """Where traffic from an on-ramp and traffic to an off-ramp change places."""
     on = {m.endLane.uid: m.intersection.uid for m in ramp_ways(network, JunctionKind.MERGE)}

@@ -65,7 +65,7 @@ def read_extract(path: Path) -> Extract:
     except Xml.ParseError as error:
         raise MapError(f"{path} is not complete XML: {error}; if it is truncated, export it again") from error
     except ValueError as error:
-        raise MapError(f"{path} is no extract of OpenStreetMap: {error}; {_EXPORT}") from error
+        raise MapError(f"{path} is not an extract of OpenStreetMap: {error}; {_EXPORT}") from error
     if not places and not ways:
         raise MapError(f"{path} is an extract of OpenStreetMap with nothing in it; {_EXPORT}")
     streets = [way for way in ways if way.tags.get("highway") in STREETS]

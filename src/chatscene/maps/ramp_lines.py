@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import Any
 
 from chatscene.errors import MapError
+from chatscene.maps.kept import kept_with_network
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, ramp_ways
 from chatscene.terms.polyline import Polyline
@@ -14,7 +14,7 @@ from chatscene.terms.route import Route
 BESIDE = 8.0  # [m] from the ego's way at most to the nose of a ramp that leaves the lane beside its own
 
 
-@lru_cache(maxsize=256)
+@kept_with_network(256)
 def off_ramp_line(network: Any, route: Route) -> Polyline:
     """The middle of the lane that leads to the nearest ramp off the road beside a route, and on down that ramp.
 

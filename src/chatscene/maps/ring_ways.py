@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from chatscene.maps.crossings import MEETING, CrossingPath, from_side_of
+from chatscene.maps.kept import kept_with_network
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.layout import Ring, roundabouts
 from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
@@ -25,7 +25,7 @@ _OPPOSITE = math.radians(45)  # from right opposite an entry, up to which an exi
 _LAP = 0.3  # of the ring, behind which it leads back to the ego's entry
 
 
-@lru_cache(maxsize=256)
+@kept_with_network(256)
 def ring_ways(network: Any, route: Route) -> tuple[CrossingPath, ...]:
     """The ways of others in the roundabout that a route leads through, that meet it.
 

@@ -10,7 +10,6 @@ import math
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from itertools import count as counter
 from itertools import islice
 from typing import Any
@@ -21,7 +20,7 @@ from chatscene.errors import MapError
 from chatscene.maps.crossings import ALL_LEGS, TURNS, conflicting_paths
 from chatscene.maps.equipment import is_equipped
 from chatscene.maps.junctions import junction_control
-from chatscene.maps.kept import kept
+from chatscene.maps.kept import kept, kept_with_network
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, arms, junction_kinds
 from chatscene.maps.neighbours import opposes, section_beside
@@ -216,7 +215,7 @@ def _first_lane(network: Any, found: _Candidate) -> Any:
     return network.elements[found.route.lane_ids[0]]
 
 
-@lru_cache(maxsize=8)
+@kept_with_network()
 def _drivable(network: Any) -> Any:
     """All lanes, and the seams between them."""
     area = shapely.buffer(network.drivableRegion.polygons, _SEAM)
@@ -254,7 +253,7 @@ def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: 
                 yield _Candidate(variant, str(intersection.uid), route)
 
 
-@lru_cache(maxsize=ALL_LEGS)
+@kept_with_network(ALL_LEGS)
 def _junction_route(network: Any, maneuver: Any, map_name: str, approach: float) -> Route | None:
     runs = lane_runs(network)
     before, after = runs[maneuver.startLane.uid], runs[maneuver.endLane.uid]

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import Any
 
 from chatscene.maps.car_parks import car_parks
+from chatscene.maps.kept import kept_with_network
 from chatscene.maps.lane_runs import lane_runs
 from chatscene.maps.layout import motorway_groups
 from chatscene.maps.limits import SLOW, TOWN, limits_of
@@ -34,7 +34,7 @@ def lies_in(network: Any, lane: Any, setting: Setting) -> bool:
     return allowed <= _SLACK + (SLOW if setting is Setting.RESIDENTIAL else TOWN)
 
 
-@lru_cache(maxsize=8)
+@kept_with_network()
 def _motorways(network: Any) -> frozenset[str]:
     return frozenset(group.uid for group in motorway_groups(network))
 

@@ -127,7 +127,7 @@ def _numbers(element: Xml.Element) -> Iterator[str]:
         try:
             float(written or "")
         except ValueError:
-            yield f"has no {name}" if written is None else f"has {name}={written[:40]!r}, which is no number"
+            yield f"has no {name}" if written is None else f"has {name}={written[:40]!r}, which is not a number"
 
 
 def road_unread(error: Exception) -> str | None:

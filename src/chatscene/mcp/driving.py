@@ -83,7 +83,7 @@ def verify(
     what: Annotated[Path, Field(description="A program (.scenic, .xosc), run folder or recording (.csv, .mcap).")],
     said: Sentence | None = None,
     said_file: Annotated[Path, Field(description="Instead: a situation (.yaml) or report (.txt).")] | None = None,
-    draws: Annotated[int, Field(ge=1, le=200, description="Drives that are judged.")] = 10,
+    draws: Annotated[int, Field(ge=1, le=200, description="Number of drives to judge.")] = 10,
     seed: Seed | None = None,
     least: Annotated[float, Field(ge=0, le=1, description="Share of the drives that must show a fact.")] | None = None,
     ego: Ego | None = None,

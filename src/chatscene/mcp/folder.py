@@ -71,7 +71,7 @@ class Folder:
             first = [*islice(self.runs(), MOST_RUNS + 1)]
             known = ", ".join(map(repr, first[:MOST_RUNS])) or "none yet; make one with run"
             known += " and more" * (len(first) > MOST_RUNS)
-            raise SettingsError(f"{name!r} is no folder of a run; runs here: {known}")
+            raise SettingsError(f"{name!r} is not the folder of a run; runs here: {known}")
         made = runs.read_record(runs.Workspace(self.root / path), runs.RunRecord)
         self.map(made.map_name)
         for ego in made.egos:
@@ -166,11 +166,11 @@ class Folder:
             SettingsError: It leads out of the folder, or is none.
         """
         if not name.strip() or len(name) > LONGEST or not name.isprintable() or name.startswith("~"):
-            raise SettingsError(f"{name[:60]!r} is no path; give one below the folder, such as 'runs/left'")
+            raise SettingsError(f"{name[:60]!r} is not a path;  give one below the folder, such as 'runs/left'")
         try:
             path = Path(os.path.realpath(self.root / name))
         except (OSError, ValueError) as error:
-            raise SettingsError(f"{name[:60]!r} is no path: {error}") from error
+            raise SettingsError(f"{name[:60]!r} is not a path:  {error}") from error
         if not path.is_relative_to(self.root):
             raise SettingsError(f"{name!r} lies outside the folder; give a path below it, such as 'runs/left'")
         return path.relative_to(self.root)

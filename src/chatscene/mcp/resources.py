@@ -65,10 +65,10 @@ def read(desk: Desk, uri: str) -> Content:
         parts = urlsplit(uri)
         asked = {name: values[-1] for name, values in parse_qs(parts.query, max_num_fields=5).items()}
     except ValueError as error:
-        raise SettingsError(f"{uri[:100]!r} is no address: {error}; {_ADDRESSES}") from error
+        raise SettingsError(f"{uri[:100]!r} is not an address:  {error}; {_ADDRESSES}") from error
     if parts.scheme != SCHEME or parts.netloc not in KINDS:
         known = no_such("resource", parts.netloc[:60], KINDS) if parts.scheme == SCHEME else _ADDRESSES
-        raise SettingsError(f"nothing stands at {uri[:100]!r}: {known}")
+        raise SettingsError(f"there is nothing at {uri[:100]!r}: {known}")
     return KINDS[parts.netloc].reads(desk, unquote(parts.path.lstrip("/")), asked)
 
 
@@ -134,7 +134,7 @@ def _picture(desk: Desk, path: str, asked: dict[str, str]) -> Content:
     try:
         at = float(asked["at"]) if "at" in asked else None
     except ValueError:
-        raise SettingsError(f"at={asked['at'][:40]!r} is no time; give seconds, such as at=2.5") from None
+        raise SettingsError(f"at={asked['at'][:40]!r} is not a time; give seconds, such as at=2.5") from None
     told = chatscene.story(seen(desk, path), scene=asked.get("scene"), within=desk.folder.root)
     return Content("image/png", picture=told.picture(at))
 

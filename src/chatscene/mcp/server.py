@@ -182,7 +182,7 @@ class Agents:
         arguments = dict(params.arguments or {})
         part = arguments.pop("part", 1)
         if type(part) is not int or part < 1:
-            return _said(f"{tool.name}: part: {short(part)} is no whole number from 1 on", error=True)
+            return _said(f"{tool.name}: part: {short(part)} is not a whole number from 1 on", error=True)
         try:
             tool.checked(arguments)
         except WrongArguments as error:
@@ -372,7 +372,7 @@ def _whole(params: types.PaginatedRequestParams | None) -> None:
 
 
 def _no_cursor(cursor: str) -> Exception:
-    return _refused(f"{short(cursor)} is no cursor; begin without one")
+    return _refused(f"{short(cursor)} is not a cursor;  begin without one")
 
 
 def _failed(answer: Mapping[str, Any], uri: str, protocol: str) -> Exception:

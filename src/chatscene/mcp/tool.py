@@ -143,7 +143,7 @@ def _plain(said: dict[str, Any]) -> dict[str, Any]:
 
 _NO = {
     "string": "is no text",
-    "int": "is no whole number",
+    "int": "is not a whole number",
     "float": "is no number",
     "finite": "is no number",
     "bool": "is neither true nor false",

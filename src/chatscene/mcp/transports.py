@@ -105,12 +105,12 @@ def _no_message(error: Exception) -> Any:
 
     faults = error.errors(include_url=False) if isinstance(error, ValidationError) else []
     if not faults or faults[0]["type"] == "json_invalid":
-        message = f"this is no JSON: {faults[0]['msg'] if faults else short(str(error))}"
+        message = f"this is not JSON: {faults[0]['msg'] if faults else short(str(error))}"
         return JSONRPCError(jsonrpc="2.0", id=None, error=ErrorData(code=PARSE_ERROR, message=message))
     given = next((one["input"] for one in faults if isinstance(one["input"], dict) and "id" in one["input"]), {})
     known = given.get("id")
     own = known if isinstance(known, str) or type(known) is int else None
-    message = 'this is no message of JSON-RPC 2.0: a request has "jsonrpc": "2.0", an "id" and a "method"'
+    message = 'this is not a message of JSON-RPC 2.0: a request has "jsonrpc": "2.0", an "id" and a "method"'
     return JSONRPCError(jsonrpc="2.0", id=own, error=ErrorData(code=INVALID_REQUEST, message=message))
 
 

@@ -47,7 +47,7 @@ def served_model(name: str) -> str:
         return name
     if kind not in LANGUAGE_MODELS.built_in or not which.strip():
         known = ", ".join((OFFLINE, *(f"{one}:…" for one in LANGUAGE_MODELS.built_in)))
-        raise SettingsError(f"{name[:60]!r} is no language model that can read for agents; there are {known}")
+        raise SettingsError(f"{name[:60]!r} is not a language model that can read for agents; there are {known}")
     if kind not in LOCAL:
         return name
     file = os.path.realpath(which)

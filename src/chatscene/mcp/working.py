@@ -63,7 +63,7 @@ def answered(desk: Desk, question: Question) -> dict[str, Any]:
             return {"error": complaint(lacks)}
         traceback.print_exc(file=sys.stderr)
         told = f"a fault of chatscene, not of yours: {type(error).__name__}: {short(str(error), 300)}"
-        return _without_root(desk, {"error": f"{told}; try it otherwise, and report it with what the server printed"})
+        return _without_root(desk, {"error": f"{told}; try another way, and report this with the server's output"})
 
 
 def _answer(desk: Desk, question: Question) -> dict[str, Any]:

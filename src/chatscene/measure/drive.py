@@ -122,5 +122,7 @@ def _not_kept_to(program: ScenicProgram, ego: EgoPolicy) -> list[str]:
         elif 0.0 < trained_for < wanted and not program.keeps_limits:
             told = [f"{so} was trained for up to {trained_for:.4g} m/s and drives no faster"]
     if program.ego_kind != CAR and not knows_body(ego):
-        told.append(f"the ego is no car ({noun_of(program.ego_kind)}), and {name_of(ego)} drives it as if it were one")
+        told.append(
+            f"the ego is not a car ({noun_of(program.ego_kind)}), and {name_of(ego)} drives it as if it were one"
+        )
     return told

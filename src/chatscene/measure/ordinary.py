@@ -77,7 +77,7 @@ def drive_ordinary(
     Args:
         ego: Who drives.
         simulator: Where, on which map.
-        scenes: Draws of traffic per course.
+        scenes: Variants of the traffic per course.
         seed: Of the traffic.
         speed: What the ego wants to drive at [m/s] within the limits of the roads; None if it is told nothing.
 

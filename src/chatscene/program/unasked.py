@@ -76,14 +76,14 @@ def unasked(situation: Situation, episode: Episode, until: int | None) -> Iterat
     if crash is not None and contact is None:
         adversary = any(is_with(crash.other, one.id) for one in situation.adversaries)
         if not adversary:
-            told = f"the ego and {crash.other} touch, which nobody said"
+            told = f"the ego and {crash.other} touch, which the text does not say"
             yield Finding(path="unasked.contact", shown=False, told=told, at=crash.step * episode.dt)
     rules = {EventKind.RED_LIGHT: situation.road.ego_light, EventKind.STOP_SIGN: situation.road.control}
     for event in episode.events:
         broken = any(deed.breaks is not None and BROKEN.get(deed.breaks) is event.kind for deed in situation.ego.does)
         chosen = event.kind in rules and rules[event.kind] not in _SAID[event.kind] and not broken
         if chosen and (until is None or event.step < until):
-            told = f"the ego runs {with_article(event.kind.replace('-', ' '))}, and nobody said that it has one"
+            told = f"the ego runs {with_article(event.kind.replace('-', ' '))}, which the text does not mention"
             yield Finding(path=f"unasked.{event.kind}", shown=False, told=told, at=event.step * episode.dt)
     yield from _let_go(situation, episode, until)
     yield from _through_others(situation, episode, until)
@@ -99,7 +99,7 @@ def _let_go(situation: Situation, episode: Episode, until: int | None) -> Iterat
                 moves = np.abs(body.speed[:until]) > STANDING
                 if moves.any():
                     at, name = int(np.argmax(moves)) * episode.dt, f"{one.id}-{part}"
-                    told = f"{one.id}: {act}, {said} times said, happens once more"
+                    told = f"{one.id}: {act} happens {said + 1} times, and the text says {said}"
                     yield Finding(path=f"unasked.{name}", shown=False, told=told, at=at)
 
 
@@ -137,10 +137,10 @@ def of_somebody(
     """
     acts = [deed.act for deed in one.does]
     if acts and acts[-1] is Act.CROSS and (stops := _in_the_way(seen)) is not None:
-        told = f"{one.id} comes to stand in the way of the ego, which nobody said"
+        told = f"{one.id} stops in the ego's way, which the text does not say"
         yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=stops * seen.dt)
     if acts and GOES_BACK.isdisjoint(acts) and (back := _back(seen)) is not None:
-        told = f"{one.id} goes back, which nobody said"
+        told = f"{one.id} moves backwards, which the text does not say"
         yield Finding(path=f"unasked.{one.id}.back", shown=False, told=told, at=back * seen.dt)
     if not STAYS_BEHIND.isdisjoint(acts) and ALONG.issuperset(acts) and GETS_AHEAD.isdisjoint(acts):
         yield from _gets_past(one, seen, route)
@@ -155,7 +155,7 @@ def _stands_no_more(one: Other, seen: Seen) -> Iterator[Finding]:
     gone = np.hypot(seen.track.x - seen.track.x[0], seen.track.y - seen.track.y[0]) > LEFT_PLACE
     if gone.any():
         step = int(np.argmax(gone))
-        told = f"{one.id} goes {'back' if seen.track.speed[step] < 0.0 else 'off'}, which nobody said"
+        told = f"{one.id} moves {'backwards' if seen.track.speed[step] < 0.0 else 'away'}, which the text does not say"
         yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=step * seen.dt)
 
 
@@ -165,7 +165,7 @@ def _in_its_lane(situation: Situation, one: Other, seen: Seen, route: Route) -> 
     said = (one.does[0].act in SLOWS) + sum(deed.act in (*SLOWS, Act.STAND) or deed.speed is not None for deed in later)
     times = _times_braking(seen, turns=route.junction is not None)
     if said and len(times) > said:
-        told = f"{one.id} brakes {len(times)} times, which was said {said} {'time' if said == 1 else 'times'}"
+        told = f"{one.id} brakes {len(times)} times, and the text says {'once' if said == 1 else f'{said} times'}"
         yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=times[0] * seen.dt)
     even = np.ptp(headings(route.line)) < STRAIGHT or includes(Place.CURVE, route.place)
     contact = situation.contact
@@ -176,7 +176,7 @@ def _in_its_lane(situation: Situation, one: Other, seen: Seen, route: Route) -> 
         least = LEFT_LINE if contact is None else LEFT_LANE
         if (gone := inside & (aside > least)).any() and abs(np.cos(seen.facing[0])) > 0.9:
             step = int(np.argmax(gone))
-            told = f"{one.id} goes {aside[step]:.1f} m aside, which nobody said"
+            told = f"{one.id} leaves its line by {aside[step]:.1f} m, which the text does not say"
             yield Finding(path=f"unasked.{one.id}.lane", shown=False, told=told, at=step * seen.dt)
 
 
@@ -184,7 +184,7 @@ def _gets_past(one: Other, seen: Seen, route: Route) -> Iterator[Finding]:
     """Whether somebody who is to stay behind gets past the ego, before the two may take different ways."""
     for once in ACTS[Act.OVERTAKE](seen):
         if once.done is not None and (route.junction is None or seen.at[once.done] < route.event_at):
-            told = f"{one.id} gets past the ego, which nobody said"
+            told = f"{one.id} gets past the ego, which the text does not say"
             yield Finding(path=f"unasked.{one.id}.past", shown=False, told=told, at=once.began * seen.dt)
 
 
@@ -192,13 +192,13 @@ def _along_the_road(one: Other, seen: Seen, others: Sequence[Track], after: int 
     """What somebody does who is only told to go along a road: it leaves that, brakes for nobody."""
     acts = {deed.act for deed in one.does}
     if acts.isdisjoint(SWINGS) and (off := _turns_off(seen)) is not None:
-        told = f"{one.id} turns off or round, which nobody said"
+        told = f"{one.id} turns off or turns round, which the text does not say"
         yield Finding(path=f"unasked.{one.id}.turn", shown=False, told=told, at=off * seen.dt)
     speeds = [deed.speed for deed in one.does if deed.speed is not None]
     free = after is not None and acts.isdisjoint(SLOWS | KEEPS_TO) and not any(speed.than_ego for speed in speeds)
     least = min((max(speed.low, 0.0) for speed in speeds), default=math.inf)
     if free and (brakes := _brakes_for_nobody(seen, others, after or 0, least)) is not None:
-        told = f"{one.id} brakes for nobody, which nobody said"
+        told = f"{one.id} brakes hard for nobody, which the text does not say"
         yield Finding(path=f"unasked.{one.id}.brakes", shown=False, told=told, at=brakes * seen.dt)
 
 

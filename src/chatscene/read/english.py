@@ -41,7 +41,7 @@ def check_english(text: str) -> None:
     """
     if not is_english(text):
         raise NothingFits(
-            "this does not look like English, and the offline reader reads English alone; say it in English, or name a "
+            "this does not look like English, and the offline reader reads only English; write English, or name a "
             "language model with --language-model",
             reasons=("not in English",),
         )

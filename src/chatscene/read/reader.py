@@ -63,7 +63,7 @@ def check_text(text: str) -> None:
     if not text.strip():
         raise SettingsError("the text is empty; describe a situation, such as 'a cyclist cuts across from the left'")
     if len(text) > LONGEST:
-        raise SettingsError(f"the text has {len(text)} characters; describe one situation in at most {LONGEST}")
+        raise SettingsError(f"the text has {len(text)} characters; use at most {LONGEST} for one situation")
 
 
 def in_one_line(text: str) -> str:

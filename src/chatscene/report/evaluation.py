@@ -88,9 +88,11 @@ def fared_in_words(fared: Sequence[Row]) -> str:
     widths = [max(len(line[i]) for line in told) for i in range(len(names))]
     lines = ["  ".join(text.ljust(width) for text, width in zip(line, widths, strict=True)).rstrip() for line in told]
     if any(one["collided"] for one in fared):
-        lines.append("the careful driver is that of UN R157; who brakes earlier may avoid what that driver does not")
+        lines.append("the careful driver is that of UN R157; a driver that brakes earlier may avoid more")
     if any(one["by_selection"] for one in fared):
-        lines.append("by selection: its scenes were kept for what it did in them, which says nothing of how it fares")
+        lines.append(
+            "by selection: the scenes were kept because of this ego's results, so they say nothing about how good it is"
+        )
     return "\n".join(lines)
 
 

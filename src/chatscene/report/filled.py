@@ -115,11 +115,9 @@ def explain_text(
     settings = settings or Settings()
     if not is_filled(text, settings.retrieval):
         if speed is not None:
-            raise SettingsError(
-                "the ego's speed is for a text of which a situation is made, and here snippets are chosen"
-            )
+            raise SettingsError("the option sets the ego's speed in a situation, and here snippets are used")
         if map_name is not None:
-            raise SettingsError("a map is for a text of which a situation is made, and snippets are chosen for any map")
+            raise SettingsError("a map is used to build a situation, and here snippets are used")
         reading = replace(settings.retrieval, stated=in_text(facts)) if facts else settings.retrieval
         if edits:
             raise EditRefused(NO_EDITS)
@@ -210,7 +208,7 @@ def _unsure(
 ) -> NothingFits:
     """Why a text is refused of which it is not sure enough what it says."""
     sure = ranked[0].probability
-    said = f"it is not sure enough what this says (confidence {sure:.0%})"
+    said = f"the reading is too uncertain (confidence {sure:.0%})"
     reasons = (f"no fact was read in {', '.join(map(repr, read.unread))}",) if read.unread else ()
     told_so = NothingFits("; ".join((said, *reasons)), reasons=reasons or (said,), confidence=sure)
     return _with_what_was_read(told_so, read, ranked[0], offered(ranked, settings, cannot_build))

@@ -90,7 +90,7 @@ def in_words(values: Mapping[str, float]) -> list[dict[str, str]]:
 def _note(column: str, value: float) -> str:
     measure = MEASURES[column]
     if column == "deceleration_required" and value > GRAVITY:
-        said = "more than any tyre can do: at that time braking could not avoid it any more"
+        said = "more than any tyre can do: braking could no longer avoid it"
     elif column in CRITICALITY and CRITICALITY[column].touched and value == 0.0:
         said = "they touched"
     else:

@@ -89,7 +89,7 @@ def verdict(scenes: Sequence[Row], counts: Mapping[str, int], *, read: bool) -> 
         outcomes_in_words(counts),
         counts["selected"],
         kept_in_words(ran),
-        _shown(ran) if read else "Nothing was read that a scene would have to show.",
+        _shown(ran) if read else "No fact was read, so scenes are not checked.",
     )
 
 

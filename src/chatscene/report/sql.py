@@ -137,7 +137,7 @@ def answer(query: str, tables: Mapping[str, Table]) -> Table:
     try:
         query.encode()
     except UnicodeEncodeError as error:
-        raise QueryError(f"the query is no text in UTF-8: {error.object[: error.start]!r} ends there") from error
+        raise QueryError(f"the query is not UTF-8 text: {error.object[: error.start]!r} ends there") from error
     import duckdb
 
     with duckdb.connect(":memory:", config=_SHUT) as connection:

@@ -19,7 +19,7 @@ from chatscene.terms.snippet import Retrieval
 if TYPE_CHECKING:
     from chatscene.report.stated import Changed
 
-NO_EDITS = "snippets were chosen for this text, and only a situation can be edited; say the text anew"
+NO_EDITS = "this run used snippets, and only situations can be edited; start again with the text"
 
 
 @dataclass(frozen=True, slots=True)

@@ -67,7 +67,7 @@ def asked_run(
     load_sampler(settings.search.sampler)
     stated = situation.text if situation is not None else program.source if program is not None else str(text)
     if edits and situation is None:
-        raise EditRefused("only a situation can be edited, and this is none; say the text anew")
+        raise EditRefused("this run has no situation, and only situations can be edited; start again with the text")
     read = maker.read(stated, settings.retrieval)
     if situation is None and program is None:
         _check_keeps_right(map_name or map_with(read.slots.site))
@@ -115,7 +115,9 @@ def scenario_of(record: RunRecord, generator: Generator) -> Scenario:
     reading = settings_of(record).retrieval
     if not record.stated:
         if record.edits:
-            raise RunError("this run was edited before texts became situations, and is only shown; say its text anew")
+            raise RunError(
+                "this run was edited by an older version, so it can only be shown; start again with its text"
+            )
         return generator.read(record.text, reading)
     read = generator.read(record.stated, reading)
     return replace(read, id=record.program.name) if record.program is not None else read

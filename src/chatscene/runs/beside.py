@@ -91,7 +91,7 @@ def drive_beside(run: Workspace, rows: Sequence[Mapping[str, Any]], *, followed:
         try:
             follow(Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
         except RunError:
-            return Beside(why_not="the run names what is not packaged, and only who made it runs that")
+            return Beside(why_not="the run uses code that is not packaged, so it cannot be run here")
     try:
         return _beside(remade(run), record.ego, rows)
     except ChatSceneError as error:

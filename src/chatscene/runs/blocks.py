@@ -199,7 +199,7 @@ def _parts(run: Workspace) -> Iterator[Part | Damaged]:
             written = read_bytes(path)
             part = Part.model_validate(json_of(path, written))
         except (RunError, ValidationError) as error:
-            why = str(error) if isinstance(error, RunError) else f"it is no block: {first_problem(error)}"
+            why = str(error) if isinstance(error, RunError) else f"it is not a block: {first_problem(error)}"
             yield Damaged(part=path, file=path, why=why)
             continue
         tracks = run.episodes(part.scenario_id, part.route, part.block)

@@ -74,7 +74,7 @@ def write_sealed(path: Path, content: Mapping[str, Any], *, for_a_person: bool =
         digest = hashlib.sha256(blank.encode()).hexdigest()
     except UnicodeEncodeError as error:
         wrong = error.object[max(0, error.start - 20) : error.end]
-        raise RunError(f"cannot write {path}: {wrong!r} ends in what is no character; write it in UTF-8") from error
+        raise RunError(f"cannot write {path}: {wrong!r} ends in what is not a character; write it in UTF-8") from error
     before, _, after = blank.rpartition(_BLANK.format(""))
     write_bytes(path, f"{before}{_BLANK.format(digest)}{after}".encode())
 

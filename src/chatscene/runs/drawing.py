@@ -53,6 +53,7 @@ def read_drawing(run: Workspace) -> dict[str, Any]:
         _Drawing.model_validate(content)
     except ValidationError as error:
         raise RunError(
-            f"{path} is no drawing of a map: {first_problem(error)}; it was changed or damaged after it was written"
+            f"{path} is not the drawing of a map: {first_problem(error)}; it was changed or damaged after it was"
+            " written"
         ) from error
     return content

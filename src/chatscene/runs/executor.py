@@ -61,7 +61,7 @@ class Workers:
 
     def __post_init__(self) -> None:
         if self.jobs < 1:
-            raise SettingsError(f"there is no work with {self.jobs} jobs; use at least one")
+            raise SettingsError(f"jobs is {self.jobs}; use at least one")
         check_name(EXECUTORS, self.executor)
 
     def needed(self, tasks: int) -> int:

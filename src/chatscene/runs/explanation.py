@@ -225,5 +225,6 @@ def _read(run: Workspace) -> tuple[dict[str, Any], _Explanation | None]:
         return content, _Explanation.model_validate(content)
     except ValidationError as error:
         raise RunError(
-            f"{path} is no explanation of a run: {first_problem(error)}; it was changed or damaged after it was written"
+            f"{path} is not the explanation of a run: {first_problem(error)}; it was changed or damaged after it was"
+            " written"
         ) from error

@@ -266,7 +266,7 @@ def _not_counted(by: str, blocks: int | None, *, counted: bool) -> str:
     if counted:
         return ""
     which = "the drives after the first block of a route" if blocks else "its drives"
-    return f"{which}: how likely {by} was to draw each is not known"
+    return f"{which}: {by} draws with unknown probabilities"
 
 
 def _stored(

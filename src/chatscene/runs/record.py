@@ -21,7 +21,7 @@ SCHEMA_VERSION = 3
 
 
 def _short(text: str) -> str:
-    """A text, if it is not too long; by hand, as pydantic's own check refuses what is no character."""
+    """A text, if it is not too long; by hand, as pydantic's own check refuses what is not a character."""
     if len(text) > MOST_TEXT:
         raise ValueError(f"it has {len(text):,} characters, and at most {MOST_TEXT:,} are read")
     return text

@@ -270,7 +270,7 @@ def route_index(name: str) -> int:
     try:
         return int(name.removeprefix("route-"))
     except ValueError as error:
-        raise RunError(f"{name!r} is no route; the folder was changed or damaged after it was written") from error
+        raise RunError(f"{name!r} is not a route; the folder was changed or damaged after it was written") from error
 
 
 def scenes_table(parts: Sequence[Part], selected: Mapping[str, bool] | None = None) -> Table:

@@ -149,7 +149,7 @@ class Why:
 
     def _careful(self) -> str:
         if not self.changeable:
-            return "The program's own ego drives; what another driver could have done is not asked."
+            return "The program's own ego drives, so other drivers were not tried."
         if self.risk is None or self.careful_brakes is None:
             seen = "Nobody could see it coming for long enough to judge it."
         else:
@@ -167,7 +167,7 @@ class Why:
         for thing in self.things:
             told = self._all_named(thing)
             if thing.needed is None:
-                lines.append(f"It is unknown whether {told} matters: {thing.why}.")
+                lines.append(f"Whether {told} matters is unknown: {thing.why}.")
             elif thing.needed:
                 lines.append(f"The crash needs {told}; without: {thing.why}.")
         if spare := [self._all_named(thing) for thing in self.things if thing.needed is False]:

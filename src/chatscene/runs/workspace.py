@@ -424,7 +424,7 @@ def _read_program(path: Path) -> str:
         return read_bytes(path).decode()
     except UnicodeDecodeError as error:
         raise RunError(
-            f"{path} is no text in UTF-8 ({error.reason} at byte {error.start}); it was changed after it was written"
+            f"{path} is not UTF-8 text ({error.reason} at byte {error.start}); it was changed after it was written"
         ) from error
 
 

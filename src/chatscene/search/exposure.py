@@ -58,11 +58,11 @@ def read_exposure(path: Path) -> tuple[Density, ...]:
     except OSError as error:
         raise SettingsError(f"the exposure {path} cannot be read: {error.strerror or error}") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise SettingsError(f"the exposure {path} is no TOML: {error}") from error
+        raise SettingsError(f"the exposure {path} is not TOML: {error}") from error
     except ValidationError as error:
         first = error.errors()[0]
         raise SettingsError(
-            f"the exposure {path} has a table {first['loc'][0]!r} that is no density ({first['msg']}); one is "
+            f"the exposure {path} has a table {first['loc'][0]!r} that is not a density ({first['msg']}); one is "
             'shape = "normal" with mean and deviation, "lognormal" with median and log_deviation, or "uniform", '
             "and says its source"
         ) from error
@@ -127,9 +127,7 @@ def exposure_of(parameters: Sequence[ParameterRange], densities: Sequence[Densit
     cube, told = UnitCube(tuple(parameters)), {one.parameter: one for one in densities}
     if strangers := sorted(set(told) - {p.name for p in parameters}):
         have = ", ".join(p.name for p in cube.free) or "none"
-        raise SettingsError(
-            f"the exposure tells of {', '.join(strangers)}, which the program does not have; it has {have}"
-        )
+        raise SettingsError(f"the exposure has {', '.join(strangers)}, and the program does not; it has {have}")
     found = Exposure(cube, tuple(told.get(p.name, Density(parameter=p.name)) for p in cube.free))
     for name, share in found.inside().items():
         if share < LEAST_INSIDE:

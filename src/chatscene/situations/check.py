@@ -48,23 +48,23 @@ def faults_of(situation: Situation) -> Iterator[Fault]:
         at: Path = ("others", i)
         if not _NAME.fullmatch(one.id) or one.id == EGO:
             yield Fault(
-                (*at, "id"), f"{one.id!r} is no name; take letters and digits, as in A or truck2, and not 'ego'"
+                (*at, "id"), f"{one.id!r} is not a name; take letters and digits, as in A or truck2, and not 'ego'"
             )
         elif ids[_plain(one.id)] > 1:
-            yield Fault((*at, "id"), f"{one.id!r} is the name of two, whether with capitals or not")
+            yield Fault((*at, "id"), f"{one.id!r} is used twice, apart from capitals")
         elif any(_plain(one.id) == f"{_plain(other.id)}-{n}" for other in situation.others for n in range(MOST)):
-            yield Fault((*at, "id"), f"{one.id!r} is what one of several is called; take another name")
+            yield Fault((*at, "id"), f"{one.id!r} is reserved for a member of a group; take another name")
         yield from _of_other(situation, one, at)
     if situation.others and not situation.adversaries:
-        yield Fault(("others",), "nobody is the adversary; who meets the ego has the role 'adversary'")
+        yield Fault(("others",), "nobody is the adversary; give the road user that meets the ego the role 'adversary'")
     if (kind := situation.ego.kind) is not None and not kind.may_be_ego:
         kinds = ", ".join(one for one in UserKind if one.may_be_ego)
-        no = "says nothing of what it is, so leave it out" if kind.row.general else _WAYS[kind.moves]
-        yield Fault(("ego", "kind"), f"{kind!s} {no}; the ego drives or rides, as one of {kinds}")
+        no = "does not describe it, so leave it out" if kind.row.general else _WAYS[kind.moves]
+        yield Fault(("ego", "kind"), f"{kind!s} {no}; the ego is one of {kinds}")
     for i, deed in enumerate(situation.ego.does):
         if not deed.act.row.ego:
             acts = ", ".join(act for act in Act if act.row.ego)
-            yield Fault(("ego", "does", i, "act"), f"the ego cannot be told to {deed.act!s}; it can be told to {acts}")
+            yield Fault(("ego", "does", i, "act"), f"the ego cannot {deed.act!s}; it can {acts}")
         yield from _of_deed(situation, deed, ("ego", "does", i))
     yield from _of_road(situation)
     yield from _of_contact(situation)
@@ -77,7 +77,7 @@ def _of_contact(situation: Situation) -> Iterator[Fault]:
     if contact.whom is not None:
         yield from _somebody(situation, contact.whom, ("contact", "whom"), ego=False)
     if contact.behind_nose is not None and contact.at is None:
-        yield Fault(("contact", "behind_nose"), "say where on the ego's width that point is met, with contact.at")
+        yield Fault(("contact", "behind_nose"), "add contact.at, the place on the ego's width")
 
 
 def _against_itself(situation: Situation) -> Iterator[Fault]:
@@ -90,7 +90,7 @@ def _against_itself(situation: Situation) -> Iterator[Fault]:
         said += [(("ego", "does", i, name), getattr(deed, name)) for name in AMOUNTS]
     for path, amount in said:
         if amount is not None and amount.than_ego:
-            yield Fault(path, f"{amount}: only others are measured against the ego")
+            yield Fault(path, f"{amount}: only others can be relative to the ego")
 
 
 def _plain(name: str) -> str:
@@ -106,7 +106,7 @@ def _too_many(situation: Situation) -> Iterator[Fault]:
     listed += [(("others", i, "does"), one.does) for i, one in enumerate(situation.others)]
     for path, does in listed:
         if len(does) > MOST:
-            yield Fault(path, f"{len(does)} deeds are more than {MOST}")
+            yield Fault(path, f"{len(does)} deeds are too many; at most {MOST}")
 
 
 def on_another_side(one: Other, at: Path) -> Iterator[Fault]:
@@ -119,9 +119,9 @@ def on_another_side(one: Other, at: Path) -> Iterator[Fault]:
 
 def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
     if one.count > MOST:
-        yield Fault((*at, "count"), f"{one.count} is more than {MOST}, the most of a kind; 0 is several")
+        yield Fault((*at, "count"), f"{one.count} is too many; at most {MOST}, and 0 means several")
     if one.count < 0:
-        yield Fault((*at, "count"), f"{one.count} is no number of road users; 0 is several")
+        yield Fault((*at, "count"), f"{one.count} is not a number of road users; 0 means several")
     where = one.starts.where
     if not where.row.sides or situation.map is None:  # a map may keep to the left
         yield from on_another_side(one, at)
@@ -133,7 +133,7 @@ def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
             yield Fault((*at, "hidden_by"), "nobody hides itself")
     for k, deed in enumerate(one.does):
         if deed.act in TO_A_SIDE and deed.to is not None and deed.to is side:
-            yield Fault((*at, "does", k, "to"), f"it is on the {deed.to} at first, and comes to the other side")
+            yield Fault((*at, "does", k, "to"), f"it starts on the {deed.to}, so it can only move to the other side")
         if not one.kind.can(deed.act):
             yield Fault((*at, "does", k, "act"), f"{one.kind!s} {_WAYS[one.kind.moves]}, and cannot {deed.act!s}")
         yield from _of_deed(situation, deed, (*at, "does", k))
@@ -143,17 +143,15 @@ def _of_deed(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
     row = deed.act.row
     if deed.to is not None and not row.sided:
         some = ", ".join(act for act in Act if act.row.sided)
-        yield Fault((*at, "to"), f"{deed.act!s} goes to no side, so leave this out; {some} go to one")
+        yield Fault((*at, "to"), f"{deed.act!s} has no side, so leave this out; {some} have one")
     ruled = RULED_BY.get(deed.breaks) if deed.breaks is not None else None
     theirs = deed.breaks is Breach.STOP_SIGN and situation.road.control is RightOfWay.NONE  # whoever comes has the sign
     if ruled is not None and situation.road.control not in (None, ruled) and not theirs:
-        yield Fault((*at, "breaks"), f"there is no {deed.breaks!s} where the control is {situation.road.control}")
+        yield Fault((*at, "breaks"), f"there is no {deed.breaks!s} with road.control: {situation.road.control}")
     if deed.whom is not None:
         if not row.whom:
             some = ", ".join(act for act in Act if act.row.whom)
-            yield Fault(
-                (*at, "whom"), f"{deed.act!s} is done to nobody, so leave this out; {some} are done to somebody"
-            )
+            yield Fault((*at, "whom"), f"{deed.act!s} has no other party, so leave this out; {some} have one")
         else:
             yield from _somebody(situation, deed.whom, (*at, "whom"), ego=True)
     for name in AMOUNTS:
@@ -171,7 +169,7 @@ def _of_when(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
     if when.of is not None:
         yield from _somebody(situation, when.of, (*at, "of"), ego=False)
         if when.ego_within is None:
-            yield Fault((*at, "of"), "it goes with ego_within, which says how near the ego is to whom")
+            yield Fault((*at, "of"), "it needs ego_within, the distance to the ego")
     for name in ("after", "during"):
         if (reference := getattr(when, name)) is not None:
             yield from _some_deed(situation, reference, deed, (*at, name))
@@ -183,7 +181,7 @@ def _of_lateral(lateral: Lateral | None, at: Path, *, placed: bool = True) -> It
         return
     if not placed:
         some = ", ".join(act for act in Act if act.row.placed)
-        yield Fault(at, f"it leads nowhere across the road, so leave this out; {some} do")
+        yield Fault(at, f"it has no lateral position, so leave this out; {some} have")
     said = [name for name in LATERALS if getattr(lateral, name) is not None]
     if len(said) != 1:
         told = f"has {', '.join(said)}, which are" if said else "says nothing, and is"
@@ -241,9 +239,9 @@ def _of_road(situation: Situation) -> Iterator[Fault]:
                 f"{one.starts.where!s} is at a junction, and the road is {elsewhere}",
             )
     if road.ego_light is not None and road.control not in (None, RightOfWay.SIGNAL):
-        yield Fault(("road", "ego_light"), f"there is no light where the control is {road.control}")
+        yield Fault(("road", "ego_light"), f"there is no light with road.control: {road.control}")
     if road.lanes is not None and road.lanes < 1:
-        yield Fault(("road", "lanes"), "a road has one lane at least")
+        yield Fault(("road", "lanes"), "a road has at least one lane")
     if road.ego_lane is not None and not 1 <= road.ego_lane <= (road.lanes or road.ego_lane):
         yield Fault(
             ("road", "ego_lane"), f"it is {road.ego_lane}, and the road has {road.lanes} lanes; 1 is the outermost"

@@ -40,7 +40,7 @@ def read_file(file: Path) -> Situation:
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise SituationError(f"{file} is no UTF-8 text: {error.reason} at byte {error.start}") from error
+        raise SituationError(f"{file} is not UTF-8 text: {error.reason} at byte {error.start}") from error
     return read_text(text, str(file))
 
 
@@ -59,7 +59,7 @@ def read_text(text: str, called: str = "the situation") -> Situation:
     try:
         written = _plain(text, lines)
         if written is None:
-            raise SituationError(f"{called} says nothing; write a situation, such as: {SHORT}")
+            raise SituationError(f"{called} is empty; write a situation, such as: {SHORT}")
         return parsed(written)
     except yaml.MarkedYAMLError as error:
         at = error.problem_mark or error.context_mark
@@ -117,7 +117,7 @@ def _value(loader: Any, node: yaml.Node, path: Place, lines: dict[Place, int]) -
         raise Malformed([Fault((), f"it has more than {MOST_NODES:,} values; a situation is a page of text")])
     lines[path] = node.start_mark.line + 1
     if not isinstance(node, yaml.ScalarNode) and node.tag not in _PLAIN:
-        raise Malformed([Fault(path, f"{node.tag!r} stands for nothing in a situation")])
+        raise Malformed([Fault(path, f"{node.tag!r} has no meaning in a situation")])
     if isinstance(node, yaml.SequenceNode):
         return [_value(loader, one, (*path, i), lines) for i, one in enumerate(node.value)]
     if not isinstance(node, yaml.MappingNode):
@@ -130,7 +130,7 @@ def _value(loader: Any, node: yaml.Node, path: Place, lines: dict[Place, int]) -
         at = (*path, key)
         if key in made:
             lines[at] = key_node.start_mark.line + 1
-            raise Malformed([Fault(at, f"{key!r} stands here twice")])
+            raise Malformed([Fault(at, f"{key!r} is here twice")])
         made[key] = _value(loader, value_node, at, lines)
         lines[at] = key_node.start_mark.line + 1
     return made

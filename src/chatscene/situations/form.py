@@ -45,7 +45,9 @@ def parsed(written: object) -> Situation:
         raise Malformed([Fault((), "a situation is a mapping, with ego, road and others")])
     version = cast("Mapping[str, Any]", written).get("version", VERSION)
     if type(version) is not int or version != VERSION:
-        raise Malformed([Fault(("version",), f"{version!r} is of another chatscene; this one reads version {VERSION}")])
+        raise Malformed(
+            [Fault(("version",), f"version {version!r} is from another chatscene; this one reads version {VERSION}")]
+        )
     try:
         situation = situation_in(cast("Mapping[str, Any]", written))
     except NotPlain:
@@ -116,11 +118,11 @@ def _said(one: Any, path: Path) -> str:  # noqa: PLR0911
     given, context = one["input"], one.get("ctx", {})
     match str(one["type"]).partition("_")[0]:
         case "int":
-            return f"{given!r} is no whole number; write one, as in 2"
+            return f"{given!r} is not a whole number; write one, as in 2"
         case "bool":
             return f"{given!r} is neither true nor false"
         case "string":
-            return f"{given!r} is no text; write it in quotes"
+            return f"{given!r} is not text; write it in quotes"
         case "missing":
             words = words_at(path)
             return f"is missing; write one of {', '.join(words)}" if words else "is missing"
@@ -130,7 +132,7 @@ def _said(one: Any, path: Path) -> str:  # noqa: PLR0911
         case "value":
             return str(context["error"])
         case "dataclass":
-            return f"{given!r} is no mapping; write one with {', '.join(fields_at(path))}"
+            return f"{given!r} is not a mapping; write one with {', '.join(fields_at(path))}"
         case "tuple":
             return "a list stands here, as in [a, b]"
         case "unexpected" | "extra":

@@ -62,7 +62,7 @@ def drive(
         folder: Where the table and a GIF of each ego go; None for nowhere.
         map_name: Where they drive.
         simulation: In what, and with which step and limits.
-        scenes: Draws of traffic per course.
+        scenes: Variants of the traffic per course.
         seed: Of the traffic.
         speed: What they want to drive at [m/s] within the limits of the roads; None if they are told nothing.
         workers: Who drives; an ego is driven by one.

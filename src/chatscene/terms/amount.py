@@ -57,7 +57,7 @@ class Amount:
 
     def __post_init__(self) -> None:
         if math.isnan(self.low) or math.isnan(self.high):
-            raise ValueError("it is no number")
+            raise ValueError("it is not a number")
         if self.low > self.high:
             raise ValueError(f"the least {self.QUANTITY} is more than the most")
         if self.than_ego and not self.RELATIVE:
@@ -82,15 +82,19 @@ class Amount:
             try:
                 return cls(float(said), float(said))
             except OverflowError as error:
-                raise ValueError("it is no number") from error
+                raise ValueError("it is not a number") from error
         form = _FORM.fullmatch(said) if isinstance(said, str) else None
         if form is None:
-            raise ValueError(f"{said!r} is no {cls.QUANTITY}; write it as in {', '.join(map(repr, cls.EXAMPLES))}")
+            raise ValueError(
+                f"{said!r} is not {with_article(cls.QUANTITY)}; write it as in {', '.join(map(repr, cls.EXAMPLES))}"
+            )
         if (scale := cls.UNITS.get(form["unit"])) is None:
             named = ", ".join(unit for unit in cls.UNITS if unit)
             near = nearest(form["unit"], cls.UNITS)
             meant = f"; did you mean {near}?" if near else ""
-            raise ValueError(f"{form['unit']!r} is no unit of {with_article(cls.QUANTITY)}, which has {named}{meant}")
+            raise ValueError(
+                f"{form['unit']!r} is not a unit of {with_article(cls.QUANTITY)}, which has {named}{meant}"
+            )
         return cls._of_form(form, scale)
 
     @classmethod

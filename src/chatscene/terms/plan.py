@@ -380,7 +380,7 @@ class Plan:
 
 @dataclass(frozen=True, slots=True)
 class Foreign:
-    """A behavior that is no plan: Scenic that says more than a plan can. It runs as any other.
+    """A behavior that is not a plan: Scenic that says more than a plan can. It runs as any other.
 
     Attributes:
         reason: The first thing in it that no plan can say, with its line.

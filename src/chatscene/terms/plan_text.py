@@ -119,7 +119,7 @@ def _lines(source: str) -> Iterator[_Line]:
     except UnicodeEncodeError as error:  # from Python 3.12 on; before, half a character is a token like others
         at = next(at for at, sign in enumerate(source) if "\ud800" <= sign <= "\udfff")
         line = source.count("\n", 0, at) + 1
-        raise SnippetError(f"line {line}: U+{ord(source[at]):04X} is no character") from error
+        raise SnippetError(f"line {line}: U+{ord(source[at]):04X} is not a character") from error
 
 
 def _plan_in(lines: Iterator[_Line]) -> Plan:
@@ -225,7 +225,7 @@ def _node(line: _Line, words: Iterable[str]) -> ast.expr:
     try:
         return ast.parse(f"({text})", mode="eval").body
     except (SyntaxError, ValueError, MemoryError) as error:
-        raise SnippetError(f"line {line.number}: {text!r} is no expression: {error}") from error
+        raise SnippetError(f"line {line.number}: {text!r} is not an expression: {error}") from error
 
 
 def _kind_of(words: list[str]) -> Kind:

@@ -236,7 +236,7 @@ def ego_of(ego: Ego) -> EgoPolicy:
         return load_ego(ego)
     made: Any = cast("Any", ego)() if isinstance(ego, type) or not hasattr(ego, "act") else ego
     if not callable(getattr(made, "act", None)):
-        raise EgoError(f"{ego!r} makes {with_article(type(made).__name__)}, which has no method act")
+        raise EgoError(f"{ego!r} gives {with_article(type(made).__name__)} without the method act")
     return made
 
 

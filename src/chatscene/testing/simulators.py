@@ -179,7 +179,7 @@ def _shows_every_preset(simulator: Simulator) -> None:
         try:
             for _ in range(2):
                 assert session.observation.shape == (size,), f"{preset} has {size} numbers"
-                assert np.isfinite(session.observation).all(), f"{preset} shows what is no number"
+                assert np.isfinite(session.observation).all(), f"{preset} shows what is not a number"
                 session.step((0.0, 0.0))
         finally:
             session.close()
@@ -188,7 +188,7 @@ def _shows_every_preset(simulator: Simulator) -> None:
 def _refuses_what_is_no_action(simulator: Simulator) -> None:
     session = _opened(simulator, _ROAD, _scene())
     try:
-        _fails("an action that is no number", EgoError, lambda: session.step((math.nan, 0.0)))
+        _fails("an action that is not a number", EgoError, lambda: session.step((math.nan, 0.0)))
     finally:
         session.close()
 

@@ -51,9 +51,9 @@ def _but(verdict: Verdict, shows: set[int]) -> str:
     open_in = {one.path: len(shows - {seen.draw for seen in one.judged}) for one in said if not _untold(one)}
     missed = [path if n == len(shows) else f"{path} in {n} of them" for path, n in open_in.items() if n]
     untold = [one.path for one in said if _untold(one)]
-    groups = [f"what they did not come to ({_listed(missed)})"] * bool(missed)
-    groups += [f"what no track tells ({_listed(untold)})"] * bool(untold)
-    return f", but for {' and '.join(groups)}" if groups else ""
+    groups = [f"what they did not reach ({_listed(missed)})"] * bool(missed)
+    groups += [f"what tracks cannot show ({_listed(untold)})"] * bool(untold)
+    return f", except {' and '.join(groups)}" if groups else ""
 
 
 def _untold(one: Fact) -> bool:

@@ -57,7 +57,7 @@ def asked(said: str | Path | Situation, reading: RetrievalSettings, facts: Mappi
     if text.lower().endswith(REPORTS) and (isinstance(said, Path) or is_there(Path(text))):
         found, *others = conflicts_in(read_report(Path(text)), Path(text).name)
         if others:
-            raise SettingsError(f"{text} tells {found.of} conflicts; give the text of one")
+            raise SettingsError(f"{text} has {found.of} conflicts; give the text of one")
         text = found.text
     if not is_filled(text, reading):
         raise SettingsError("say what it is to show: a sentence that is read into facts, a situation or a report")

@@ -123,7 +123,7 @@ def _cut(played: Sequence[Played], cast: Cast) -> Iterator[str]:
             end = one.begin + one.episode.duration
             yield f"judged from {one.begin:.1f} to {end:.1f} s, while {who} and the ego are there"
         if one.left_out:
-            yield f"not judged, but for a contact: {', '.join(one.left_out)}, not there all that time"
+            yield f"not judged, except contacts: {', '.join(one.left_out)}, absent for part of that time"
 
 
 def _moves(speed: object) -> bool:
@@ -135,7 +135,7 @@ def _still(situation: Situation, episodes: Sequence[Episode], least: float) -> I
     stays = any(deed.act in RESTS for deed in situation.ego.does) or situation.ego.route is EgoRoute.PARK
     still = sum(not _moves(one.ego_track.speed) for one in episodes)
     if still > (1.0 - least) * len(episodes) and not stays:
-        yield f"the ego never moves in {still} of {len(episodes)} drives, which nobody said"
+        yield f"the ego never moves in {still} of {len(episodes)} drives, which the text does not say"
 
 
 def _motionless(situation: Situation, episodes: Sequence[Episode]) -> Iterator[str]:

@@ -12,7 +12,7 @@ _WORDS = {
     Answer.IN_PART: "in part",
     Answer.NOT_SHOWN: "NOT shown",
     Answer.NOT_REACHED: "not reached",
-    Answer.NOT_SEEN: "no track tells",
+    Answer.NOT_SEEN: "not in tracks",
 }
 _MOST = 3  # reasons for which drives were not made that are told; of more, how many
 
@@ -50,7 +50,7 @@ def _facts(facts: Sequence[Fact]) -> Iterator[str]:
         count = f"{one.shown}/{len(one.judged)}" if one.judged else "-"
         said = f": {one.said}" if one.said else ""
         told = f" ({one.instead})" if one.instead else ""
-        given = ", assumed, not said" if one.assumed else ""
+        given = ", assumed" if one.assumed else ""
         yield f"  {_WORDS[one.answer]:<14} {count:>5}  {at:>7}  {one.path}{said}{given}{told}"
 
 
@@ -64,7 +64,7 @@ def _encounters(verdict: Verdict) -> Iterator[str]:
         near = "".join(
             f"; {who} comes no nearer to the ego than {gap:.1f} m" for who, gap in verdict.nearest.items() if gap > 0.0
         )
-        yield f"  encounter    nothing that was said asks for one{near}"
+        yield f"  encounter    nothing that was said needs one{near}"
 
 
 def _careful(verdict: Verdict) -> Iterator[str]:
@@ -74,7 +74,7 @@ def _careful(verdict: Verdict) -> Iterator[str]:
         return
     known = [one for one in crashes if one.avoidable is not None]
     helped = f"a careful driver avoids {sum(bool(one.avoidable) for one in known)} of {len(known)}"
-    yield f"  collisions   {len(crashes)}; {helped if known else 'nobody can drive it again to say who avoids them'}"
+    yield f"  collisions   {len(crashes)}; {helped if known else 'it cannot be driven again to see who avoids them'}"
 
 
 def _in(one: Fact) -> str:

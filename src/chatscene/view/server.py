@@ -199,7 +199,7 @@ class _Handler(BaseHTTPRequestHandler):
             try:
                 split = urlsplit(self.path)
             except ValueError as error:
-                raise Refused(HTTPStatus.BAD_REQUEST, f"this is no address: {error}") from error
+                raise Refused(HTTPStatus.BAD_REQUEST, f"this is not an address:  {error}") from error
             secret, _, path = split.path.removeprefix("/").partition("/")
             if _same(secret, self.server.of_reports):
                 self._report(unquote(path))
@@ -216,7 +216,7 @@ class _Handler(BaseHTTPRequestHandler):
         names = {f"{name}:{self.server.server_port}" for name in (LOOPBACK, "localhost")}
         host, origin = self.headers.get("Host", ""), self.headers.get("Origin")
         if host not in names:
-            raise Refused(HTTPStatus.FORBIDDEN, f"this server is {LOOPBACK}, and was asked for as another")
+            raise Refused(HTTPStatus.FORBIDDEN, f"the request names another host than this server, {LOOPBACK}")
         if origin != f"http://{host}" and (origin is not None or self.command != "GET"):
             raise Refused(HTTPStatus.FORBIDDEN, "only the page itself may ask for that")
 
@@ -285,7 +285,7 @@ class _Handler(BaseHTTPRequestHandler):
         try:
             said = json.loads(self.rfile.read(int(length)))
         except (ValueError, RecursionError) as error:
-            raise Refused(HTTPStatus.BAD_REQUEST, "this is no JSON") from error
+            raise Refused(HTTPStatus.BAD_REQUEST, "this is not JSON") from error
         if not isinstance(said, dict):
             raise Refused(HTTPStatus.BAD_REQUEST, "say an object")
         return said

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cached_property, lru_cache
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import MapError
+from chatscene.maps.kept import kept_with_network
 from chatscene.maps.lane_runs import centre_line
 from chatscene.maps.limits import limits_along
 from chatscene.maps.onward import route_through
@@ -148,7 +149,7 @@ def routes_for(
     return found
 
 
-@lru_cache(maxsize=1024)  # all catalogues ask for 640
+@kept_with_network(1024)  # all catalogues ask for 640
 def _routes(network: Any, map_name: str, query: RouteQuery) -> tuple[Route, ...] | str:
     """The routes, or why there are none, which takes as long to find out and is asked as often."""
     try:
@@ -193,7 +194,7 @@ def choose_route(
     return _ego_route(network, routes[index], len(routes), to_line if at_line else None)
 
 
-@lru_cache(maxsize=1024)  # what is worked out of a route, as its limits, is so once
+@kept_with_network(1024)  # what is worked out of a route, as its limits, is so once
 def _ego_route(network: Any, route: Route, count: int, to_line: float | None) -> EgoRoute:
     route, before = (route, None) if to_line is None else from_line(network, route, to_line)
     return EgoRoute(route, network, count, before)

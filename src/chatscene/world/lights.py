@@ -179,7 +179,7 @@ def state_of(color: str) -> str:
 def _lines_of(signal: Any) -> list[StopLine]:
     """The stop lines of the lanes whose ways through a junction a signal of the map controls."""
     if not signal.isTrafficLight:
-        raise ValueError(f"the signal {signal.openDriveID} is no traffic light")
+        raise ValueError(f"the signal {signal.openDriveID} is not a traffic light")
     return [
         line
         for junction in lights().network.intersections

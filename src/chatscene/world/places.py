@@ -17,6 +17,7 @@ import shapely
 
 from chatscene.errors import MapError
 from chatscene.maps.crossings import CrossingPath, conflicting_paths, passing_path
+from chatscene.maps.kept import kept_with_network
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.maps.ramp_lines import off_ramp_line
@@ -464,14 +465,20 @@ def timetable(
         gain: With which it takes up speed [m/s²].
         grip: What the road holds [m/s²].
     """
-    return _timetable(path, wanted, keeps_limits, gain, grip)
+    if isinstance(path, EgoRoute):
+        return _by_limits(path.network, path, wanted, keeps_limits, gain, grip)
+    return _by_bends(line_of(path), wanted, gain, grip)
+
+
+@kept_with_network(256)
+def _by_limits(
+    _network: Any, route: EgoRoute, wanted: float, keeps_limits: bool, gain: float, grip: float
+) -> Timetable:
+    return Timetable(route.line, route.allowed(keeps_limits=keeps_limits, grip=grip), wanted, gain)
 
 
 @lru_cache(maxsize=256)
-def _timetable(path: Any, wanted: float, keeps_limits: bool, gain: float, grip: float) -> Timetable:
-    if isinstance(path, EgoRoute):
-        return Timetable(path.line, path.allowed(keeps_limits=keeps_limits, grip=grip), wanted, gain)
-    line = line_of(path)
+def _by_bends(line: Polyline, wanted: float, gain: float, grip: float) -> Timetable:
     return Timetable(line, allowed_speeds(line, None, grip), wanted, gain)
 
 

@@ -82,7 +82,7 @@ def test_others_are_called_by_letters_and_deeds_by_numbers() -> None:
 
 def test_more_others_than_letters_are_not_written() -> None:
     some = tuple(Other(id=f"x{i}", kind=UserKind.CAR, starts=Start(where=Where.AHEAD)) for i in range(len(NAMES) + 1))
-    with pytest.raises(ValueError, match="others are more than are written"):
+    with pytest.raises(ValueError, match="others are too many"):
         with_plain_names(Situation(others=some))
 
 

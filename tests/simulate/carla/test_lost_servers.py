@@ -1,4 +1,4 @@
-"""What a user is told where there is no CARLA server, another one, or none any more; and that nothing is lost."""
+"""What a user is told where there is not a CARLA server, another one, or none any more; and that nothing is lost."""
 
 from __future__ import annotations
 
@@ -84,13 +84,13 @@ def test_where_nobody_listens_the_place_and_the_remedy_are_named() -> None:
 
 @pytest.mark.parametrize("answer", [b"HTTP/1.1 400 Bad Request\r\n\r\n", b"", b"\x94\x01\x01\xc0\x91\x92\x00\xa10"])
 def test_a_port_that_somebody_else_has_is_no_carla_server(answer: bytes) -> None:
-    with listening(answer) as port, pytest.raises(ServerError, match=f"127.0.0.1:{port} is no CARLA server"):
+    with listening(answer) as port, pytest.raises(ServerError, match=f"127.0.0.1:{port} is not a CARLA server"):
         load(f"carla:127.0.0.1:{port}")
 
 
 def test_whoever_listens_and_says_nothing_is_no_carla_server(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(connection, "PATIENCE", 0.2)
-    with socket.socket() as door, pytest.raises(ServerError, match="is no CARLA server"):
+    with socket.socket() as door, pytest.raises(ServerError, match="is not a CARLA server"):
         door.bind(("127.0.0.1", 0))
         door.listen()
         load(f"carla:127.0.0.1:{door.getsockname()[1]}")
@@ -232,7 +232,7 @@ def test_a_server_that_keeps_its_files_elsewhere_refuses_to_record_and_says_wher
     done = CliRunner().invoke(main, ["replay", str(elsewhere), scene, "--simulator", simulator, "--record"])
     assert done.exit_code == 1
     assert "did not record" in done.output
-    assert f"files of clients are below {through.parent}" in done.output
+    assert f"clients' files are in {through.parent}" in done.output
     assert not list((elsewhere / "recordings").iterdir())
 
 

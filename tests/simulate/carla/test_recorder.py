@@ -101,7 +101,7 @@ def test_only_recordings_are_written_over_or_told_of(client_and_world: tuple[Any
     other = folder / "mine.log"
     other.write_text("dear diary")
     for name, why in (
-        (str(other), "is there and is no recording"),
+        (str(other), "exists and is not a recording"),
         (str(folder / "profile"), r"ends in \.log"),
         (str(folder / "no" / "such.log"), "No such file or directory"),
     ):
@@ -112,7 +112,7 @@ def test_only_recordings_are_written_over_or_told_of(client_and_world: tuple[Any
         arguments = {client.show_recorder_file_info: (True,), client.show_recorder_collisions: ("a", "a")}.get(
             ask, (1.0, 1.0)
         )
-        with pytest.raises(RuntimeError, match="is no recording of this stand-in"):
+        with pytest.raises(RuntimeError, match="is not a recording of this stand-in"):
             ask(str(other), *arguments)
     assert client.start_recorder(str(folder / "a.log"))
     assert client.start_recorder(str(folder / "a.log"))
@@ -138,7 +138,7 @@ def test_no_name_leads_out_of_the_folder(client_and_world: tuple[Any, Any], fold
         str(folder / "folder.log"), f"{folder}/{'a' * 5000}.log", f"~{folder}.log", f"/proc/self/cwd{folder}/new.log",
     ):  # fmt: skip
         for ask, arguments in ((client.start_recorder, (name,)), (client.show_recorder_file_info, (name, True))):
-            with pytest.raises(RuntimeError, match=r"below .+ and .+ is not|cannot be opened|is no recording"):
+            with pytest.raises(RuntimeError, match=r"below .+ and .+ is not|cannot be opened|is not a recording"):
                 ask(*arguments)
     assert secret.read_text() == "Version: 1\nMap: secret\n"
     assert [path.name for path in tmp_path.iterdir()] == ["secret.log"]
@@ -153,7 +153,7 @@ def test_a_name_below_the_folder_needs_not_begin_with_it(client_and_world: tuple
 
 def test_without_a_folder_recordings_are_private_and_a_name_elsewhere_says_where(port: int, tmp_path: Path) -> None:
     client, _ = connected(port)
-    with pytest.raises(RuntimeError, match=r"files of clients are below .*chatscene-carla-.*serve-carla --files"):
+    with pytest.raises(RuntimeError, match=r"clients' files are in .*chatscene-carla-.*serve-carla --files"):
         client.start_recorder(str(tmp_path / "a.log"))
     made = Path(client.start_recorder("a.log"))
     client.stop_recorder()

@@ -71,9 +71,9 @@ def test_a_curve_is_said_to_be_no_longer_than_it_is(monkeypatch: pytest.MonkeyPa
         ("import sys; sys.exit('Error: no such type\\nQuitting (on error).')", "status 1\\): no such type; import a"),
         ("import os; os.abort()", r"it crashed \(SIG\w+\); import a smaller area"),
         ("while True: pass", r"it used up its processor time \(1 s\)"),
-        ("print('<OpenDRIVE')", "something that is no XML"),
+        ("print('<OpenDRIVE')", "something that is not XML"),
         ("print('<OpenDRIVE/>')", "of 2 streets: it does not say why; if all"),
-        ("print('Success.')", "something that is no XML"),
+        ("print('Success.')", "something that is not XML"),
     ],
 )
 def test_what_netconvert_fails_at_is_told(code: str, said: str, monkeypatch: pytest.MonkeyPatch) -> None:

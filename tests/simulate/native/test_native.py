@@ -430,7 +430,7 @@ def test_what_is_no_plan_takes_the_embedded_path_and_says_so(native: NativeSimul
     program = _program("while True:\n        take DriveAction(0.5, 0, 0)")
     episode = simulate(native, program, _scene(), load_ego("rule-based"))
     assert isinstance(episode, Episode)
-    assert episode.stepped == Stepped(by="embedded", instead="a behavior that is no plan")
+    assert episode.stepped == Stepped(by="embedded", instead="a behavior that is not a plan")
 
 
 def test_without_an_engine_everything_runs_and_each_drive_says_so(

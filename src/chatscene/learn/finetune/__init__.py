@@ -282,13 +282,15 @@ def _start(name: str) -> NetworkEgo:
     """
     ego = load_ego(name)
     if not isinstance(ego, NetworkEgo):
-        raise EgoError(f"{name} is no network that could be trained on; give `sac` or the file of an SAC policy")
+        raise EgoError(f"{name} is not a network that could be trained on; give `sac` or the file of an SAC policy")
     if ego.network.output == "ways":
         raise EgoError(f"{name} chooses among ways, and soft actor-critic learns actions; teach a pupil by another ego")
     if ego.every != 1:
         raise EgoError(f"{name} holds each action for several steps, as SafeBench's do, and a fine-tuning acts at each")
     if (name in EGOS.built_in and name != "sac") or (ego.network.hidden, ego.network.output) != ("relu", "tanh"):
-        raise EgoError(f"{name} is no SAC, and nothing else can be fine-tuned; train one with: chatscene train")
+        raise EgoError(
+            f"{name} is not an SAC policy, and nothing else can be fine-tuned; train one with: chatscene train"
+        )
     return ego
 
 

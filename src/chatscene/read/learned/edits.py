@@ -113,7 +113,7 @@ def likely_changes(situation: Situation, edit: str) -> tuple[Change, ...]:
     begins = len(telling.text) + len(CHANGE)
     alone, both = (ways_of(written_of(read, PACKAGED)) for read in (telling, whole))
     if min(sum(way.probability for way in ways) for ways in (alone, both)) < EVEN:
-        raise EditRefused("this situation is more than words can change; change its file, or a fact with --set")
+        raise EditRefused("this situation is too large to edit in words; change its file, or a fact with --set")
     was = _shares([(_facts(way, _names(way.situation, situation)), way.probability) for way in alone])
     shifted = _with_steps(both, situation, whole.text, begins)
     now = _shares([(facts, way.probability) for way, facts in shifted.items()])
@@ -190,7 +190,7 @@ def shifted(was: object, by: Amount, *, more: bool) -> object:
     opens = not old.than_ego and old.low <= 0.0  # at most so much
     low, high = old.low if opens else old.low + step, old.high + step
     if not old.than_ego and (high <= 0.0 or (low <= 0.0 and not opens)):
-        raise EditRefused(f"nothing is left of {was} if {by} are taken away")
+        raise EditRefused(f"{was} is too small to subtract {by}")
     made = replace(old, low=low, high=high)
     for unit, scale in (
         type(by).UNITS.items() if made.exact and not made.than_ego else ()
@@ -239,7 +239,7 @@ def _check_amounts(read: Read, ways: tuple[Way, ...], begins: int) -> None:
         copied = (way for way in ways if any(_meet(one, found) for _, found in way.written.found))
         if sum(way.probability for way in copied) < EVEN * total:
             said = read.text[one.low : one.high]
-            raise EditRefused(f"no fact changes by {said!r}; say what it is of, or --set a fact")
+            raise EditRefused(f"no fact changes by {said!r}; say what changes by it, or --set a fact")
 
 
 def _meet(one: Found, other: Found) -> bool:

@@ -56,7 +56,7 @@ def with_plain_names(situation: Situation) -> Situation:
         ValueError: There are more others, or deeds that are waited for, than names.
     """
     if len(situation.others) > len(NAMES):
-        raise ValueError(f"{len(situation.others)} others are more than are written: {len(NAMES)}")
+        raise ValueError(f"{len(situation.others)} others are too many to edit in words: at most {len(NAMES)}")
     names = {EGO: EGO} | {one.id: name for one, name in zip(situation.others, NAMES, strict=False)}
 
     def reference(said: str | None) -> str | None:
@@ -64,7 +64,7 @@ def with_plain_names(situation: Situation) -> Situation:
             return None
         number = situation.number_of(said)
         if number >= DEEDS:
-            raise ValueError(f"{said}: deeds after number {DEEDS - 1} are not waited for")
+            raise ValueError(f"{said}: only deeds up to number {DEEDS - 1} can be waited for")
         return f"{names[said.partition('.')[0]]}.{number}"
 
     def name(said: str | None) -> str | None:

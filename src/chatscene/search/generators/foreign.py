@@ -145,7 +145,7 @@ def read_foreign(
     except OSError as error:
         raise ForeignCodeRefused(f"{path} cannot be read: {error.strerror}") from error
     except UnicodeDecodeError as error:
-        raise ForeignCodeRefused(f"{path} is no text in UTF-8: {error.reason} at byte {error.start}") from error
+        raise ForeignCodeRefused(f"{path} is not UTF-8 text: {error.reason} at byte {error.start}") from error
     rewritten = as_scenic_3(text.replace("\r\n", "\n"), trusted=trusted)
     text = stated(rewritten.source, given or {})
     program, renamed, asked = _made(path.stem, text, trusted, as_written, own=str(path), searched_with=searched_with)

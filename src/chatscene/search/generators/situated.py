@@ -65,8 +65,9 @@ class Situated(Exploring):
             NotBuilt: A fact of it cannot be built.
         """
         built = _built(scenario.text, scenario.id)
-        lost = tuple(f"left out, since nothing builds it yet: {one}" for one in built.left_out)
-        told = (*built.unseen, *not_in_words(read_text(scenario.text)), *built.assumed, *lost)
+        lost = tuple(f"left out, since it cannot be built yet: {one}" for one in built.left_out)
+        assumed = tuple(f"assumed: {one}" for one in built.assumed)
+        told = (*built.unseen, *not_in_words(read_text(scenario.text)), *assumed, *lost)
         return Written(program=built.program, retrieval=None, left_out=told)
 
     def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:  # noqa: ARG002

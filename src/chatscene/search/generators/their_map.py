@@ -21,7 +21,7 @@ def their_map(asked: Path | None, chosen: str | None) -> tuple[str | None, tuple
     """
     if asked is None:
         return chosen, ()
-    found, gone = file_or_town(asked), f"the program's map {asked.name} is not there"
+    found, gone = file_or_town(asked), f"the program's map {asked.name} does not exist"
     if found == str(asked):
         return found, ()
     if chosen is None and found is not None:

@@ -286,7 +286,5 @@ def _version_at(host: str, port: int) -> str:
             ) from error
         found = None
     if found is None:
-        raise ServerError(
-            f"what listens at {host}:{port} is no CARLA server: it does not answer when it is asked for its version"
-        )
+        raise ServerError(f"what listens at {host}:{port} is not a CARLA server: it does not answer with its version")
     return found[1].decode()

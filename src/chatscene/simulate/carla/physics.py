@@ -226,7 +226,7 @@ class CarlaPhysics:
                 if (state := snapshot.find(actor.handle.id)) is None:
                     raise ServerError(
                         f"{one_of_class(actor.kind)} is gone from the CARLA server at {self._connection.place}: "
-                        "somebody else uses its world"
+                        "another client uses its world"
                     )
                 actor.take(state)
         self._feel()
@@ -313,8 +313,7 @@ class CarlaPhysics:
         snapshot = self._connection.tick(self._world)
         if self._frame and snapshot.frame != self._frame + 1:
             raise ServerError(
-                f"somebody else ticks the CARLA server at {self._connection.place}: it has one world, which one client "
-                "can use at a time"
+                f"another client ticks the CARLA server at {self._connection.place}; only one client can use its world"
             )
         self._frame = snapshot.frame
         self._ticked = time.monotonic()

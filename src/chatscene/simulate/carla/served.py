@@ -31,12 +31,12 @@ def as_served(text: str, name: str) -> str:
         name: What messages call the map.
 
     Raises:
-        MapError: It is no XML, or has a road of left-hand traffic.
+        MapError: It is not XML, or has a road of left-hand traffic.
     """
     try:
         root = Xml.fromstring(text.encode())
     except (Xml.ParseError, ValueError, LookupError) as error:  # or an encoding that it names is none
-        raise MapError(f"the map is no XML: {error}") from error
+        raise MapError(f"the map is not XML: {error}") from error
     check_right_hand(root, name)
     clashing = _clashing(root)
     header = root.find("header")
@@ -67,7 +67,7 @@ def same_roads(one: str, other: str) -> bool:
     """Whether two maps have the same lanes in the same places, to a millimetre, whatever else they say.
 
     Raises:
-        MapError: One is no XML.
+        MapError: One is not XML.
     """
     return _roads(one) == _roads(other)
 
@@ -77,7 +77,7 @@ def _roads(text: str) -> dict[str, list[object]]:
     try:
         root = Xml.fromstring(text.encode())
     except (Xml.ParseError, ValueError, LookupError) as error:  # or an encoding that it names is none
-        raise MapError(f"the map is no XML: {error}") from error
+        raise MapError(f"the map is not XML: {error}") from error
     return {road.get("id", ""): [_rounded(element) for element in _shape(road)] for road in root.iter("road")}
 
 

@@ -113,7 +113,9 @@ def convert(path: Path, extract: Extract, limits: Limits = LIMITS) -> Conversion
     try:
         root = Xml.fromstring(text + closing)
     except Xml.ParseError as error:
-        raise MapError(f"netconvert made no map of {path}, but something that is no XML: {error}; {SMALLER}") from error
+        raise MapError(
+            f"netconvert made no map of {path}, but something that is not XML: {error}; {SMALLER}"
+        ) from error
     if root.find("road") is None:
         raise MapError(
             f"netconvert found no road in {path}, of {extract.streets} streets: "

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import shapely
@@ -275,12 +276,12 @@ class _Binder:
         if name in self._plans and not given and not behavior._kwargs:
             plan = self._plans[name]
             if isinstance(plan, str):
-                raise NotCovered("a behavior that is no plan")
+                raise NotCovered("a behavior that is not a plan")
             # The program's own names, with what the scene drew.
             names = type(behavior).makeGenerator.__globals__
             return plan.plan, ChainMap(self._session.simulation.drawn.get(id(names), {}), names)
         if name not in PRIMITIVES or behavior._kwargs:
-            raise NotCovered("a behavior that is no plan")
+            raise NotCovered("a behavior that is not a plan")
         takes = PRIMITIVES[name].takes[: len(given)]
         names = {argument.name: value for argument, value in zip(takes, given, strict=False)}
         return Plan(
@@ -368,9 +369,17 @@ def _until(array: NDArray[np.float64], step: int) -> NDArray[np.float64]:
     return copied
 
 
-@lru_cache(maxsize=64)
 def _areas_of(around: RouteSurroundings) -> tuple[Any, Any, NDArray[np.float64]]:
     """The lanes of a route as polygons, their rings and all corners."""
+    if (known := _areas.get(around)) is None:
+        known = _areas[around] = _areas_in(around)
+    return known
+
+
+_areas: WeakKeyDictionary[RouteSurroundings, tuple[Any, Any, NDArray[np.float64]]] = WeakKeyDictionary()
+
+
+def _areas_in(around: RouteSurroundings) -> tuple[Any, Any, NDArray[np.float64]]:
     areas: list[engine.Area] = []
     rings: list[engine.Ring] = []
     corners: list[Any] = []

@@ -93,7 +93,7 @@ def project_point(world: World, location: Any, direction: Any, distance: Any) ->
 def _light(world: World, actor: Any) -> Any:
     number = wire.whole(actor)
     if number not in world.lights.by_actor or number not in world.actors:
-        raise Refused(f"actor {number} is no traffic light")
+        raise Refused(f"actor {number} is not a traffic light")
     return world.lights.by_actor[number]
 
 

@@ -69,7 +69,7 @@ class Files:
                 number = _opened(path.name, os.O_RDWR, folder)
                 if not _holds(number, begins):
                     os.close(number)
-                    raise Refused(f"{path} is there and is no recording; another name is needed") from None
+                    raise Refused(f"{path} exists and is not a recording; another name is needed") from None
                 os.ftruncate(number, 0)
             return os.fdopen(number, "wb")
 
@@ -87,7 +87,7 @@ class Files:
         path = self.path(name)
         with self._in_its_folder(path) as folder, os.fdopen(_opened(path.name, os.O_RDONLY, folder), "rb") as file:
             if not _holds(file.fileno(), begins):
-                raise Refused(f"{path} is no recording of this stand-in")
+                raise Refused(f"{path} is not a recording of this stand-in")
             content = file.read(most + 1)
         if len(content) > most:
             raise Refused(f"{path} has more than {most // 2**20} MiB; it is text that can be read as it is")

@@ -81,7 +81,7 @@ class Roads:
         try:
             self.map = self._carla.Map(name.rsplit("/", 1)[-1], self.text)
         except RuntimeError as error:
-            raise MapError(f"map {name!r} is no OpenDRIVE that carla reads: {error}") from error
+            raise MapError(f"map {name!r} is not OpenDRIVE that CARLA reads: {error}") from error
         if not self.map.get_topology():
             raise MapError(f"map {name!r} has no lane to drive on")
 
