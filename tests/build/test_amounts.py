@@ -78,7 +78,7 @@ def test_who_cuts_in_goes_on_where_it_was_said_to() -> None:
 def test_a_place_across_the_road_is_said_by_one_number_of_who_can_be_there() -> None:
     with pytest.raises(SituationError, match="say one of"):
         of("car", {"where": "ahead", "lateral": {"side": "left"}})
-    with pytest.raises(SituationError, match="leads nowhere across"):
+    with pytest.raises(SituationError, match="has no lateral position"):
         of("car", {"where": "ahead"}, {"act": "brake", "lateral": {"edge": "0 m"}})
     with pytest.raises(SituationError, match="100 %"):
         of("car", {"where": "ahead", "lateral": {"overlap": "120 %"}})

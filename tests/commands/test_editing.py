@@ -181,13 +181,13 @@ def test_a_run_of_a_program_of_ones_own_cannot_be_edited(tmp_path: Path) -> None
     program = tmp_path / "mine.scenic"
     program.write_text(chatscene.explain(WALKS).program.source)
     run = chatscene.run(program=program, folder=tmp_path / "own", scenes=1, routes=1, ego="rule-based")
-    with pytest.raises(EditRefused, match="only what was said"):
+    with pytest.raises(EditRefused, match="only texts and situations"):
         run.edit("at night")
 
 
 def test_a_run_that_was_made_of_no_other_has_nothing_to_undo(tmp_path: Path) -> None:
     run = chatscene.Run(finished(tmp_path / "by hand", count=1).path)
-    with pytest.raises(RunError, match="no edit of another"):
+    with pytest.raises(RunError, match="not an edit of another"):
         _ = run.edited_from
 
 

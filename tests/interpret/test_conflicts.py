@@ -114,7 +114,7 @@ def test_explain_shows_every_conflict_and_what_was_left_out(tmp_path: Path) -> N
     assert [one["situation"]["about"][:3] for one in told["conflicts"]] == ["The", "A p"]
     assert told["left_out"][-1] == "Signed: P. Miller"
     answer = command("explain", "--report", str(path))
-    assert "log.txt tells 2 conflicts" in answer.stderr
+    assert "log.txt has 2 conflicts" in answer.stderr
     assert "left out: Signed: P. Miller" in answer.stderr
 
 
@@ -140,6 +140,6 @@ def test_python_reads_a_report_of_one_conflict_and_names_what_takes_several(tmp_
     path.write_text("Dear all,\n\nthe car ahead of us brakes hard.\n", encoding="utf-8")
     assert chatscene.explain(report=path).situation.about == "the car ahead of us brakes hard."
     path.write_text(LOG, encoding="utf-8")
-    with pytest.raises(SettingsError, match=r"tells 2 conflicts; run them one by one: \[chatscene.run\(one\) for one"):
+    with pytest.raises(SettingsError, match=r"has 2 conflicts; run them one by one: \[chatscene.run\(one\) for one"):
         chatscene.run(report=path)
     assert len(chatscene.conflicts(path)) == 2

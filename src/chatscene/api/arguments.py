@@ -62,7 +62,7 @@ def path_of(name: Name) -> Path:
         SettingsError: It can be none.
     """
     if "\0" in str(name):
-        raise SettingsError(f"{str(name)!r} is not a path:  it holds a NUL character")
+        raise SettingsError(f"{str(name)!r} is not a path: it holds a NUL character")
     return Path(name)
 
 

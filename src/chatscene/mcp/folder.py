@@ -170,7 +170,7 @@ class Folder:
         try:
             path = Path(os.path.realpath(self.root / name))
         except (OSError, ValueError) as error:
-            raise SettingsError(f"{name[:60]!r} is not a path:  {error}") from error
+            raise SettingsError(f"{name[:60]!r} is not a path: {error}") from error
         if not path.is_relative_to(self.root):
             raise SettingsError(f"{name!r} lies outside the folder; give a path below it, such as 'runs/left'")
         return path.relative_to(self.root)

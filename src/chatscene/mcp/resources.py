@@ -65,7 +65,7 @@ def read(desk: Desk, uri: str) -> Content:
         parts = urlsplit(uri)
         asked = {name: values[-1] for name, values in parse_qs(parts.query, max_num_fields=5).items()}
     except ValueError as error:
-        raise SettingsError(f"{uri[:100]!r} is not an address:  {error}; {_ADDRESSES}") from error
+        raise SettingsError(f"{uri[:100]!r} is not an address: {error}; {_ADDRESSES}") from error
     if parts.scheme != SCHEME or parts.netloc not in KINDS:
         known = no_such("resource", parts.netloc[:60], KINDS) if parts.scheme == SCHEME else _ADDRESSES
         raise SettingsError(f"there is nothing at {uri[:100]!r}: {known}")

@@ -199,7 +199,7 @@ class _Handler(BaseHTTPRequestHandler):
             try:
                 split = urlsplit(self.path)
             except ValueError as error:
-                raise Refused(HTTPStatus.BAD_REQUEST, f"this is not an address:  {error}") from error
+                raise Refused(HTTPStatus.BAD_REQUEST, f"this is not an address: {error}") from error
             secret, _, path = split.path.removeprefix("/").partition("/")
             if _same(secret, self.server.of_reports):
                 self._report(unquote(path))

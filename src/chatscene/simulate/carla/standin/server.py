@@ -146,7 +146,7 @@ class Server:
         except ConnectionError:
             pass
         except (*_UNREADABLE, self._overflow) as error:
-            self._log(f"a client is cut off, for what it sent is not msgpack:  {type(error).__name__}: {error}")
+            self._log(f"a client is cut off, for what it sent is not msgpack: {type(error).__name__}: {error}")
         finally:
             self._clients.remove(client)
             self._streams.end(client.number)
@@ -294,7 +294,7 @@ class Server:
 
 
 def _no_call() -> Any:
-    raise Refused("this is not a call:  [0, number, name, [mode, arguments...]] is needed")
+    raise Refused("this is not a call: [0, number, name, [mode, arguments...]] is needed")
 
 
 def _is_call(message: Any) -> bool:
