@@ -115,9 +115,9 @@ def explain_text(
     settings = settings or Settings()
     if not is_filled(text, settings.retrieval):
         if speed is not None:
-            raise SettingsError("the option sets the ego's speed in a situation, and here snippets are used")
+            raise SettingsError("the speed is for a situation, and here snippets are used")
         if map_name is not None:
-            raise SettingsError("a map is used to build a situation, and here snippets are used")
+            raise SettingsError("the map is for a situation, and here snippets are used")
         reading = replace(settings.retrieval, stated=in_text(facts)) if facts else settings.retrieval
         if edits:
             raise EditRefused(NO_EDITS)
