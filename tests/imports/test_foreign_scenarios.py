@@ -68,6 +68,11 @@ def test_a_parameter_with_one_bound_keeps_its_value_and_that_is_noted(beside: Pa
     assert any("$near keeps the value 20" in note for note in found.notes)
 
 
+def test_a_parameter_that_is_declared_with_its_dollar_is_that_parameter(beside: Path) -> None:
+    plain, dollar = read(beside, scenario()), read(beside, scenario().replace('name="near"', 'name="$near"'))
+    assert str(dollar.board) == str(plain.board)
+
+
 # Catalogs
 
 
@@ -108,6 +113,15 @@ def test_the_catalogs_of_a_file_have_one_bound_together(beside: Path) -> None:
         (beside / "cars" / f"{name}.xosc").write_text(f"<OpenSCENARIO>{'<a/>' * 110_000}</OpenSCENARIO>")
     with pytest.raises(ScenarioError, match=r"could not be read: .*1\.xosc, line 1: it has more than 89999 elements"):
         read(beside, text)
+
+
+def test_a_catalog_is_found_by_its_file_too_and_each_of_a_name_is_looked_into(beside: Path) -> None:
+    text = with_catalog(beside, '<CatalogReference catalogName="all" entryName="v"/>')
+    assert len(read(beside, text).board.actors) == 2  # type: ignore[union-attr]
+    (beside / "cars" / "Other.xosc").write_text(
+        '<OpenSCENARIO><Catalog name="cars"><Other name="o"/></Catalog></OpenSCENARIO>'
+    )
+    assert len(read(beside, text.replace('"all"', '"cars"')).board.actors) == 2  # type: ignore[union-attr]
 
 
 def test_an_entry_that_a_catalog_lacks_is_refused_by_its_line(beside: Path) -> None:

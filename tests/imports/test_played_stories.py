@@ -484,3 +484,17 @@ def test_who_begins_behind_somebody_who_faces_against_its_lane_begins_behind_as_
     ego, other = story(beside, text).members[:2]
     assert other.y - other.ahead * math.sin(other.heading) == pytest.approx(-290.0, abs=0.1)
     assert math.cos(other.heading - ego.heading) == pytest.approx(1.0, abs=1e-3)
+
+
+def test_a_barrier_is_as_long_as_its_file_says(beside: Path) -> None:
+    barrier = THING.replace('length="1.5"', 'length="200"')
+    other = story(beside, scenario(body=barrier, events=event(LONG, TIME.format(1)))).members[1]
+    assert other.length == 200.0
+
+
+@pytest.mark.parametrize(("frame", "holds"), [("world", False), ("road", False), ("lane", True)])
+def test_a_heading_is_asked_on_the_map_to_the_road_or_to_the_lane(frame: str, holds: bool, beside: Path) -> None:
+    angle = f'<ByEntityCondition><TriggeringEntities triggeringEntitiesRule="any"><EntityRef entityRef="lead"/></TriggeringEntities><EntityCondition><AngleCondition angleType="heading" angle="0" angleTolerance="0.1" coordinateSystem="{frame}"/></EntityCondition></ByEntityCondition>'
+    place = '<WorldPosition x="133.25" y="-345" h="-1.570796"/>'  # in the lane that runs against the road
+    text = stopped_by(angle, scenario(place=place, events=event(DISTANCE, TIME.format(90))))
+    assert (str(driven(beside, text, 20).ending) == "scenario-done") is holds

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -95,11 +96,11 @@ class Catalogs:
     def __init__(self, root: Element, path: Path) -> None:
         self._root, self._path = root, path
         self._files: tuple[Path, ...] = ()
-        self._found: Mapping[str, Element] = {}
+        self._found: Mapping[str, Sequence[Element]] = {}
         self._unread: tuple[str, ...] = ()
 
-    def opened(self, given: Given) -> tuple[Mapping[str, Element], tuple[str, ...]]:
-        """All catalogs by name, of which the first of a name counts; and what could not be read.
+    def opened(self, given: Given) -> tuple[Mapping[str, Sequence[Element]], tuple[str, ...]]:
+        """All catalogs by name, and by that of their file, as most players look for them; and what could not be read.
 
         Args:
             given: The parameters of the scenario, of which folders may be made.
@@ -128,9 +129,9 @@ class Catalogs:
         return tuple(files)[:MOST_FILES], tuple(unread)
 
 
-def _read(files: tuple[Path, ...]) -> tuple[Mapping[str, Element], tuple[str, ...]]:
-    """The catalogs in files, by name, and what could not be read."""
-    found: dict[str, Element] = {}
+def _read(files: tuple[Path, ...]) -> tuple[Mapping[str, Sequence[Element]], tuple[str, ...]]:
+    """The catalogs in files, by name, then by that of their file, and what could not be read."""
+    named, filed = defaultdict[str, list[Element]](list), defaultdict[str, list[Element]](list)
     unread: list[str] = []
     count = 0
     for file in files:
@@ -145,14 +146,15 @@ def _read(files: tuple[Path, ...]) -> tuple[Mapping[str, Element], tuple[str, ..
         count += sum(1 for _ in root.walk())
         catalog = root.find("Catalog")
         if catalog is not None:
-            found.setdefault(catalog.attributes.get("name", ""), catalog)
-    return found, tuple(unread)
+            named[catalog.attributes.get("name", "")].append(catalog)
+            filed[file.stem].append(catalog)
+    return {name: [*named[name], *filed[name]] for name in (*named, *filed)}, tuple(unread)
 
 
 class _Writer:
     def __init__(self, root: Element, path: Path, given: Given, catalogs: Catalogs) -> None:
         self._root, self._path, self._given, self._catalogs = root, path, given, catalogs
-        self._known: Mapping[str, Element] | None = None
+        self._known: Mapping[str, Sequence[Element]] | None = None
         self._unread: tuple[str, ...] = ()
         self._count = self._characters = 0
 
@@ -214,7 +216,7 @@ class _Writer:
             told = f"; could not be read: {'; '.join(self._unread)[:300]}" if self._unread else ""
             known = ", ".join(sorted(self._known)) or "none"
             raise Refused(one, f"no folder that the file names has a catalog {catalog[:60]!r}; there is {known}{told}")
-        inside = self._known[catalog].inside
+        inside = (part for known in self._known[catalog] for part in known.inside)
         found = next((part for part in inside if part.attributes.get("name") == entry), None)
         if found is None:
             raise Refused(one, f"the catalog {catalog[:60]!r} has no entry {entry[:60]!r}")

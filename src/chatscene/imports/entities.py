@@ -16,6 +16,7 @@ from chatscene.world.story.pace import UNBOUND
 _ALIKE = {"semitrailer": "Truck", "trailer": "Truck", "train": "Tram", "motorcycle": "Motorcycle"}
 _MOVED = "Load"  # as which a thing is shown that is moved
 _LEAST = 0.1  # [m] that anything is long and wide
+_LONGEST = 500.0  # [m] that a thing is long and wide
 _ONE_OF = frozenset(("animal",))  # categories that say less than which of those here it is
 _TYPES = {
     "vehicle": "Vehicle",
@@ -176,7 +177,8 @@ class Entities:
         if kind == THING and not (length >= _LEAST and width >= _LEAST):
             length, width = max(length, _LEAST), max(width, _LEAST)
             self._given.note(body, f"a thing of no size is shown as one of {length:g} m by {width:g} m")
-        if not (0.1 <= length <= 30 and 0.1 <= width <= 10):
+        most = (_LONGEST, _LONGEST) if kind == THING else (30.0, 10.0)  # as a barrier along a road is
+        if not (_LEAST <= length <= most[0] and _LEAST <= width <= most[1]):
             raise Refused(body, f"a body of {length:g} m by {width:g} m is not made here")
         return kind, length, width, ahead
 

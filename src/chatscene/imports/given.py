@@ -80,7 +80,7 @@ class Given:
     def declare(self, root: Element) -> None:
         """Read the parameters of a file."""
         for one in (below for group in root.all("ParameterDeclarations") for below in group.inside):
-            name, kind = one.attributes.get("name", ""), one.attributes.get("parameterType", "double")
+            name, kind = one.attributes.get("name", "").removeprefix("$"), one.attributes.get("parameterType", "double")
             if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]{0,50}", name):
                 self.refusals.append(str(Refused(one, f"{name[:40]!r} is not a name; use letters, digits and _")))
                 continue

@@ -186,12 +186,11 @@ class StoryConditions:
             case "CollisionCondition":
                 return ("touches", self._touched(one))
             case "AngleCondition":
-                if (
-                    g.text(one, "angleType", "heading") != "heading"
-                    or g.text(one, "coordinateSystem", "world") != "world"
-                ):
-                    raise Refused(one, "only the heading on the map is supported here")
-                return ("turned", cast.side * g.number(one, "angle"), g.number(one, "angleTolerance", "0.05"))
+                frame = g.text(one, "coordinateSystem", "world")
+                if g.text(one, "angleType", "heading") != "heading" or frame not in ("world", "road", "lane"):
+                    raise Refused(one, "only headings are supported here: on the map, to the road or to the lane")
+                angle, near = cast.side * g.number(one, "angle"), g.number(one, "angleTolerance", "0.05")
+                return ("turned", angle, near, *([] if frame == "world" else [frame]))
             case "ReachPositionCondition":
                 return ("reaches", cast.value(one, "tolerance"), self._place(one))
             case "DistanceCondition":

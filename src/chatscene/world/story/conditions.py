@@ -9,7 +9,7 @@ about ('any' or 'all', (who, …)):
 ('speed', quantor, whose, rule, m/s) ('acceleration', …, rule, m/s²) ('travelled', …, m)
 ('stands', quantor, whose, s) ('lost', quantor, whose, s)
 ('faster', quantor, whose, rule, m/s, than whom, 'longitudinal', 'lateral' or nothing)
-('turned', quantor, whose, rad, tolerance)
+('turned', quantor, whose, rad, tolerance, 'road', 'lane' or nothing)
 ('apart', quantor, whose, rule, m, from whom or place, 'longitudinal' or 'lateral' or '', frame, freespace)
 ('headway', …, the same, in s) ('collision-in', …, the same, in s)
 ('reaches', quantor, whose, m, place)
@@ -112,7 +112,10 @@ def _about(kind: str, who: Entity, told: list[Any], world: World) -> Callable[[]
             rule, other, along = RULES[rule], world.entity(than), axis[0] if axis else ""
             return lambda: rule(faster(who, other, along), value)
         case "turned":
-            return lambda: abs(math.remainder(who.pose[2] - told[0], math.tau)) <= told[1]
+            angle, near, *frame = told
+            return lambda: (
+                abs(math.remainder(who.pose[2] - (who.bearing(frame[0]) if frame else 0.0) - angle, math.tau)) <= near
+            )
         case "touches":
             others = [world.entity(name) for name in told[0]]
             return lambda: any(other is not who and who.box().intersects(other.box()) for other in others)

@@ -180,6 +180,13 @@ class Entity:
         found = self._network.laneSectionAt((x, y))
         return found if found is not None else min(self._network.laneSections, key=lambda s: s.distanceTo((x, y)))
 
+    def bearing(self, frame: str) -> float:
+        """The direction [rad] of its lane as it is driven, or with ``road`` that of its road's line."""
+        section = self.section()
+        line = laneLine(section.lane, 0.0, middle_line)
+        heading = line.heading_at(line.project(*self.origin[:2])[0])
+        return heading + math.pi if frame == "road" and int(section.openDriveID) > 0 else heading
+
     def sides(self) -> tuple[int, int]:
         """The number of its lane, and 1 where its left is that of the road's line; -1 where it faces against that."""
         section = self.section()
