@@ -30,7 +30,7 @@ def test_a_place_that_an_ego_takes_otherwise_as_it_backs_is_refused_as_it_was_wr
 
 @pytest.mark.parametrize("where", sorted(PLACED))
 def test_who_is_where_lateral_is_said_to_be_built_is_built_there(where: Where) -> None:
-    side: dict[str, Any] = {"side": "left"} if where.row.sided else {}
+    side: dict[str, Any] = {"side": "right" if where is Where.KERB else "left"} if where.row.sided else {}
     act = "stand" if where is Where.KERB else "go-along"
     middle = build(from_plain(someone(where, act, **side))).program.source
     for lateral in ({"edge": "0.8 m"}, {"overlap": "50 %"}):

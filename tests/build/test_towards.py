@@ -280,7 +280,7 @@ def test_a_door_that_does_not_reach_our_lane_is_refused() -> None:
 
 
 def test_a_bus_nearer_than_any_bay_is_refused() -> None:
-    with pytest.raises(NotBuilt, match="the bay begins"):
+    with pytest.raises(NotBuilt, match="in the bay it is"):
         build(others(car("A", "bus-bay", deed("stand"), deed("pull-out"), kind="bus", distance="5 m")))
 
 

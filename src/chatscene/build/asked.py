@@ -9,6 +9,7 @@ from enum import StrEnum
 from chatscene.build.coming import Coming
 from chatscene.build.numbers import Numbers
 from chatscene.build.place import Found, beside_lane, rides_at_edge
+from chatscene.errors import NotBuilt
 from chatscene.maps.crossings import CrossingPath
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.actors import Manner as Moves
@@ -210,13 +211,46 @@ class Asked:
         """From where to where [m] ahead it may be, if that was not said: farther where the ego comes faster."""
         self.reach(low * self.found.further, low * self.found.further + high - low)
 
+    @property
+    def nose(self) -> float:
+        """How much farther [m] its middle is than what was said of how far it is: that is from nose to tail, or not."""
+        return self.middles if self.one.starts.where in NOSE_TO_TAIL else 0.0
+
     def reach(self, low: float, high: float, meaning: str = "how far ahead of the ego it is") -> None:
         """From where to where [m] it may be, if that was not said."""
         if (said := self.one.starts.distance) is not None:
-            nose = self.middles if self.one.starts.where in NOSE_TO_TAIL else 0.0
-            low, high = (end + nose for end in said.drawn(low - nose, high - nose))
+            low, high = (end + self.nose for end in said.drawn(low - self.nose, high - self.nose))
         path = f"others.{self.one.id}.starts.distance" if said is not None else ""
         self.numbers.measure("Y", low, high, "m", meaning, path)
+
+    def at_event(self, low: float, high: float, there: str, meaning: str, most: float = 0.0) -> str:
+        """Where along the ego's way it is that is where the ego's way, or the road, has something: text of Scenic.
+
+        Args:
+            low: How far [m] beyond where that begins it is at least; below 0 before it.
+            high: How far at most.
+            there: What is told of where it is, as "the crosswalk is".
+            meaning: Of the parameter, if no distance was said.
+            most: How far beyond it may be said to be, if that is more.
+
+        Raises:
+            NotBuilt: It was said to be elsewhere.
+        """
+        if (said := self.one.starts.distance) is None:
+            before = high < 0.0
+            self.reach(*((-high, -low) if before else (low, high)), meaning)
+            return f"egoRoute.eventAt {'-' if before else '+'} $Y"
+        event = self.found.route.eventAt
+        nearest, farthest = event + low - self.nose, event + max(high, most) - self.nose
+        if said.high < nearest or said.low > farthest:
+            at_crosswalk = self.one.starts.where is Where.CROSSING
+            anywhere = f", or say starts.where: {Where.ROADSIDE}, which may be anywhere" if at_crosswalk else ""
+            raise NotBuilt(
+                f"others.{self.one.id}.starts.distance: {said}: {there} {nearest:.0f} to {farthest:.0f} m ahead of the"
+                f" ego there; leave the distance out{anywhere}"
+            )
+        self.reach(event + low, event + high)
+        return "$Y"
 
     @property
     def more(self) -> str:

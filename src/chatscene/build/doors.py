@@ -21,11 +21,14 @@ def opens_in_lane(asked: Asked) -> bool:
 def stands_in_lane(asked: Asked) -> Stand:
     """In a lane: in the ego's own, which it swings out of or stops in, or at the edge of the next one toward it."""
     where = asked.one.starts.where
-    if where is Where.AHEAD and asked.swings_out:
-        asked.reach(-2, 2, "how far beyond where the ego swings out it stands")
+    passed = where is Where.AHEAD and asked.swings_out
+    level = "$Y"
+    if passed:
+        told = "how far beyond where the ego swings out it stands"
+        level = asked.at_event(-2, 2, "the ego swings out round who is", told)
     else:
         asked.ahead(36, 50)
-    level = f"{'egoRoute.eventAt + ' if where is Where.AHEAD and asked.swings_out else ''}$Y{asked.more}"
+    level += asked.more
     edge = 0.5 * (LANE + asked.numbers.row.limits.width) + CLEAR
     way, at = f"ownLane(egoRoute){f'.offset({NEARER:g})' if asked.swings_out else ''}", level
     if where is Where.ONCOMING:
@@ -37,7 +40,7 @@ def stands_in_lane(asked: Asked) -> Stand:
         way=way,
         at=at,
         ego_meets="progressOn(egoRoute, self)[0]",
-        anywhere="eventAt" not in level and where is not Where.ONCOMING,
+        anywhere=not passed and where is not Where.ONCOMING,
     )
 
 

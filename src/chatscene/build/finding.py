@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from chatscene.build.asked import stands_first
 from chatscene.build.coming import further, keeps_limits
 from chatscene.build.fitting import lacking_for, too_short
 from chatscene.build.holding import as_said, lanes_there
@@ -27,7 +28,7 @@ from chatscene.build.screening import from_its_lane, side_hidden
 from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, NothingBuilds
 from chatscene.maps.loading import load_roads
 from chatscene.maps.network import resolve_map
-from chatscene.maps.open_road import BLOCKER_AT, CHANGE_AT, OPEN_ROAD
+from chatscene.maps.open_road import BLOCKER_AT, CHANGE_AT, OPEN_ROAD, PASSING, SWING
 from chatscene.maps.routes import APPROACHES, ELSEWHERE
 from chatscene.maps.sites import APPROACHED, PASSED, PAST
 from chatscene.situations.check import TO_A_SIDE
@@ -131,7 +132,7 @@ def _found(
     for sides in _open_sides(situation):
         for name, query in queries_for(situation, sides):
             if found := _answered(
-                situation, speed, name, load(name), _longer(query, more), sides, lacking, rooms, road
+                situation, speed, name, load(name), _longer(situation, query, more), sides, lacking, rooms, road
             ):
                 return found
     return None
@@ -140,7 +141,7 @@ def _found(
 def _is_somewhere(situation: Situation, more: float, load: _Load) -> bool:
     """Whether any map has any of the roads that are asked for, so many times as long as usual."""
     asked = ((name, query) for sides in _open_sides(situation) for name, query in queries_for(situation, sides))
-    return any(has_route(*load(name), **_longer(query, more)) for name, query in asked)
+    return any(has_route(*load(name), **_longer(situation, query, more)) for name, query in asked)
 
 
 def without_one_fact(situation: Situation, speed: float) -> str:
@@ -211,8 +212,10 @@ def _through(query: Mapping[str, Any]) -> bool:
     return query.get("place") in (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY) or "crossed" in query
 
 
-def _longer(query: dict[str, Any], more: float) -> dict[str, Any]:
-    """The same query, with so many times as much road as usual."""
+def _longer(situation: Situation, query: dict[str, Any], more: float) -> dict[str, Any]:
+    """The same query, with so many times as much road as usual; an ego swings out where somebody was said to stand."""
+    if query["maneuver"] == Maneuver.BYPASS and (at := _stands_at(situation)) > SWING + PASSING:
+        return query | {"approach": round(at, 1)}
     if more == 1.0 or (more < 1.0 and not _through(query)):
         return query
     return query | {"approach": round(more * _usual(query), 1)}
@@ -232,6 +235,17 @@ def _lengths(situation: Situation, speed: float, road: float) -> Iterator[float]
 def _said_distance(one: Other) -> float:
     """How far away [m] somebody was said to be."""
     return one.starts.distance.least if one.starts.distance is not None else 0.0
+
+
+def _stands_at(situation: Situation) -> float:
+    """How far [m] ahead of the ego, middle to middle, the first was said to stand that it passes; 0 of none."""
+
+    def middle(one: Other) -> float:
+        both = situation.ego.body.row.limits.length + one.kind.row.body.row.limits.length
+        return _said_distance(one) + (0.5 * both if one.starts.where is Where.AHEAD else 0.0)  # else it is to there
+
+    passed = (one for one in situation.others if one.starts.where in (Where.AHEAD, Where.KERB) and stands_first(one))
+    return min((middle(one) for one in passed if one.starts.distance is not None), default=0.0)
 
 
 def _far(one: Other) -> float:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Asked, Meets, Stand
 from chatscene.build.deeds import OWN, Steps
+from chatscene.build.over_lanes import side_beside
 from chatscene.build.place import LANE
 from chatscene.terms.actors import Limits
 from chatscene.terms.amount import Amount
@@ -42,6 +43,8 @@ def placed(asked: Asked, stand: Stand) -> tuple[Stand, str]:
         asked.numbers.measure("X", *ends, "m", "how far beside the lanes it starts", f"others.{one.id}.starts.lateral")
     if lateral is None or lateral.beyond is not None or one.starts.where not in PLACED:
         return stand, ""
+    if stand.meets is Meets.KERB and one.starts.side is Side.LEFT:
+        return stand, ""  # at the edge of the lane of those who come the other way
     side, chosen = _side(lateral, one)
     middle = {Side.LEFT: LANE, Side.RIGHT: -LANE}.get(one.starts.side or Side.LEFT, 0.0)
     lane = 0.0 if one.starts.where in PLACED_IN_OURS or asked.rides else middle
@@ -73,7 +76,7 @@ def led_aside(actor: Actor, k: int, steps: Steps) -> Steps:
     if deed.act in INTO_OURS and (line := next((line for line in (OWN, "{ours}") if line in "".join(texts)), "")):
         low, high = in_lane(lateral, side, actor.limits, actor.ego_limits.width, 0.0)
     elif deed.act is Act.OVERTAKE and lateral.clearance is not None and "{beside}" in "".join(texts):
-        line, side = "{beside}", deed.to or Side.LEFT
+        line, (side, _) = "{beside}", side_beside(actor, deed.to)
         low, high = in_lane(lateral, side, actor.limits, actor.ego_limits.width, -LANE if side is Side.LEFT else LANE)
         chosen = ""
     else:

@@ -5,16 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 import shapely
 
-from chatscene.build.place import LANE, NEXT_LANE, lane_beside
+from chatscene.build.place import LANE, NEXT_LANE, between_lanes, filters, lane_beside
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.vocabulary import OVER_A_LINE, Heads, Side, Where, acts_of
 from chatscene.world.ego_route import EgoRoute as Route
-from chatscene.world.places import ownLane
+from chatscene.world.places import lanes_beside, ownLane
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
 
 _SIGN = {Side.LEFT: 1, Side.RIGHT: -1}
 _ENDS_IN_OURS = acts_of(Heads.BEFORE, Heads.MERGES, Heads.IN)
@@ -39,6 +43,29 @@ def lane_after(one: Other, deeds: Sequence[Deed], k: int) -> int:
             else:
                 lane = 1 if lane == 0 else lane - (1 if lane > 0 else -1)
     return lane
+
+
+def side_beside(actor: Actor, said: Side | None) -> tuple[Side, str]:
+    """The side of the ego's lane to which somebody leaves it, and the line of the lane of its direction there.
+
+    Args:
+        actor: Who.
+        said: To which side it was said to; None where that was not said.
+
+    Returns:
+        The side, then the line; empty where no lane of its direction is free.
+    """
+    sides, one = lanes_beside(actor.found.route), actor.one
+    others = (other.starts for other in actor.ledger.situation.others if other.id != one.id)
+    taken = {start.side for start in others if start.where in NEXT_LANE}
+    for side in (said,) if said is not None else (Side.LEFT, Side.RIGHT):
+        if sides.get(side) is not False:
+            continue
+        if side in taken and filters(one):
+            return side, f"{lane_beside(side)}.offset({between_lanes(side):g})"
+        if side not in taken or said is not None or len(sides) == 1:
+            return side, lane_beside(side)
+    return said or Side.LEFT, ""
 
 
 def lanes_needed(situation: Situation, sides: dict[str, Side]) -> tuple[int, int]:

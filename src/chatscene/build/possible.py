@@ -12,6 +12,8 @@ from itertools import pairwise
 from chatscene.build.place import NEXT_LANE
 from chatscene.situations.check import on_another_side
 from chatscene.situations.faults import Fault
+from chatscene.terms.act_amounts import AMOUNTS
+from chatscene.terms.amount import Amount
 from chatscene.terms.situation import EGO, Deed, Other, Situation
 from chatscene.terms.vocabulary import (
     ASIDE,
@@ -88,12 +90,15 @@ _OFF = (
 _FALLS_BACK = SLOWS | _STILL | acts_of(Tempo.BACKS)
 OVERTAKEN = NEXT_LANE | {Where.AHEAD, Where.KERB, Where.BUS_BAY, Where.ROADSIDE}
 """Where somebody can be whom the ego overtakes."""
+_KEEPS_ROOM = acts_of(Heads.BEHIND, Heads.CLOSE, Heads.BEFORE, Heads.BY)
+"""By what the distance, or the time, is the room between two."""
 _WHERE_IT_STANDS = frozenset(LETS_GO)
 """What is done standing, too."""
 
 
 def impossible(situation: Situation) -> Iterator[Fault]:
-    """Each deed that cannot be done from where somebody is, or after what was done before; sides that no place has."""
+    """Each deed that cannot be done from where somebody is, or after what was before; sides and numbers of nothing."""
+    yield from _of_nothing(situation)
     yield from _of_ego(situation)
     for one in situation.others:
         yield from on_another_side(one, ("others", one.id))
@@ -119,6 +124,27 @@ def impossible(situation: Situation) -> Iterator[Fault]:
         for k, (before, after) in enumerate(pairwise(one.does), 1):
             if before.act in _TURNED and after.act not in _GOES:
                 yield Fault((f"{at}.{k}.act",), f"after {before.act} it is no longer there to {after.act}")
+
+
+def _of_nothing(situation: Situation) -> Iterator[Fault]:
+    """Each number that is 0 of what there is only where it is more; between two there may be no room."""
+    for path, said in (("ego.speed", situation.ego.speed), ("road.speed_limit", situation.road.speed_limit)):
+        if _is_nothing(said):
+            yield Fault((path,), f"{said}: nobody drives at that; of an ego that waits say ego.does: {Act.STAND}")
+    for who, does in situation.everybody():
+        at = f"{'' if who == EGO else 'others.'}{who}.does"
+        for k, deed in enumerate(does):
+            rooms = ("distance", "time") if deed.act in _KEEPS_ROOM else ()
+            for name in AMOUNTS:
+                if name not in rooms and _is_nothing(said := getattr(deed, name)):
+                    told = f"nobody goes at that; say {Act.STOP} or {Act.STAND}" if name == "speed" else "that is none"
+                    yield Fault((f"{at}.{k}.{name}",), f"{said}: {told}")
+            if deed.when is not None and _is_nothing(deed.when.ego_within):
+                yield Fault((f"{at}.{k}.when.ego_within",), f"{deed.when.ego_within}: then it is too late")
+
+
+def _is_nothing(said: Amount | None) -> bool:
+    return said is not None and not said.than_ego and said.high <= 0.0
 
 
 def _of_ego(situation: Situation) -> Iterator[Fault]:

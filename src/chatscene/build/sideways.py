@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import stands_first
 from chatscene.build.deeds import OWN, Steps
+from chatscene.build.over_lanes import lane_after, side_beside
 from chatscene.build.place import LANE
 from chatscene.errors import NotBuilt
 from chatscene.terms.vocabulary import COMES_OVER, OVER_A_LINE, Manner, Side
-from chatscene.world.places import lanes_beside
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -123,9 +123,6 @@ def _share(along: float) -> float:
 
 def _goes_right(actor: Actor, k: int, line: str) -> bool:
     """Whether somebody is to the left of the line that it goes over to."""
-    start, deed = actor.one.starts, actor.deeds[k]
     if line == OWN:
-        return start.side is Side.LEFT
-    beside = lanes_beside(actor.found.route)
-    there = (side for side in (Side.LEFT, Side.RIGHT) if beside.get(side) is False)
-    return (deed.to or next(there, Side.LEFT)) is Side.RIGHT
+        return lane_after(actor.one, actor.deeds, k - 1) > 0
+    return side_beside(actor, actor.deeds[k].to)[0] is Side.RIGHT

@@ -35,7 +35,7 @@ from chatscene.build.relations import falls_behind, goes_with, slows_on_its_way,
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt, NothingBuilds
-from chatscene.terms.amount import Length
+from chatscene.maps.equipment import bus_bay
 from chatscene.terms.backing import backs
 from chatscene.terms.conclusions import LANE_CHANGES
 from chatscene.terms.nouns import with_article
@@ -69,6 +69,7 @@ LEADS_UP = 80.0  # [m] of road at least that lead to where the ego begins
 ABOUT = 1.5  # [m] sooner or later on its way somebody is who goes along to where the ego leaves the road
 OFF_LANE = 5.0  # [m] on its way off the road, at which the ego goes over that of who is beside it
 ENDS_BESIDE = (Beside.DRIVEWAY, Beside.KERB)
+SWINGS_OUT = "the ego swings out round who is"
 SHORT_OF = 3.0  # [m] of a junction
 IN_QUEUE = 1.5, 4.0  # [m], nose to tail, between two who stand, from and to
 PASSED_WITHIN = 10.0  # [m] of where it has changed lanes, that the ego passes who stood in its own
@@ -109,12 +110,14 @@ def _ahead(asked: Asked) -> Stand:
 
 def _ahead_on_foot(asked: Asked) -> Stand:
     passed = asked.swings_out and asked.stands
-    asked.reach(-2, 2, "how far beyond where the ego swings out it is") if passed else asked.ahead(30, 50)
+    level = asked.at_event(-2, 2, SWINGS_OUT, "how far beyond where the ego swings out it is") if passed else "$Y"
+    if not passed:
+        asked.ahead(30, 50)
     return Stand(
         meets=Meets.ACROSS,
         point=f"pointOn({'ownLane(egoRoute)' if passed else 'egoRoute'}, level{{i}})",
         facing=faces(asked, "level{i}", Facing.ALONG, Side.RIGHT),
-        lines=(f"level{{i}} = {'egoRoute.eventAt + ' if passed else ''}$Y{asked.more}",),
+        lines=(f"level{{i}} = {level}{asked.more}",),
         ego_meets="progressOn(egoRoute, self)[0]",
         faces=True,
         anywhere=not passed,
@@ -125,10 +128,11 @@ def _stands_ahead(asked: Asked, aside: float) -> Stand:
     """Who stands before an ego that stands, swings out round it, or changes to the lane beside it."""
     way = _within("ownLane(egoRoute)", aside)
     if asked.swings_out:
-        asked.reach(-2, 2, "how far beyond where the ego swings out it stands")
         queue = sum(one.kind.row.body.row.limits.length + ROOM for one in asked.situation.others if stops_ahead(one))
-        more = asked.more + (f" + {queue:g}" if queue else "")  # of whom it swings out round first
-        return Stand(meets=Meets.ALONG, way=way, at=f"egoRoute.eventAt + $Y{more}")
+        level = asked.at_event(-2, 2, SWINGS_OUT, "how far beyond where the ego swings out it stands", 2 + queue)
+        free = asked.one.starts.distance is None
+        more = asked.more + (f" + {queue:g}" if queue and free else "")  # of whom it swings out round first
+        return Stand(meets=Meets.ALONG, way=way, at=f"{level}{more}")
     if asked.ego.stands:
         asked.reach(asked.middles + IN_QUEUE[0], asked.middles + IN_QUEUE[1])
         return Stand(meets=Meets.ALONG, way=_within(asked.lane, aside), at=f"$Y{asked.more}")
@@ -368,43 +372,16 @@ def _level_of(asked: Asked) -> str:
         anywhere = AT_JUNCTION if has_crosswalks(asked.found) else (2, 6)
         asked.reach(*(POINTED if pointed else anywhere), "how far behind the junction it is")
         return "egoRoute.exitAt + $Y"
-    rails = asked.found.query.get("site") == Site.RAIL_CROSSING
-    if where is Where.CROSSING and asked.one.starts.distance is not None and not rails:
-        return _at_crosswalk_as_said(asked, asked.one.starts.distance)
     if where is Where.CROSSING and at_junction(asked.situation):
-        asked.reach(*(AT_JUNCTION if has_crosswalks(asked.found) else (1, 4)), "how far before the junction it is")
-        return "egoRoute.eventAt - $Y"
-    if rails and not asked.walks:
-        asked.reach(*ON_RAILS, "how far beyond the first rail it is")
-        return "egoRoute.eventAt + $Y"
+        near, far = AT_JUNCTION if has_crosswalks(asked.found) else (1, 4)
+        return asked.at_event(-far, -near, "the crosswalk is", "how far before the junction it is")
+    if asked.found.query.get("site") == Site.RAIL_CROSSING and not asked.walks:
+        return asked.at_event(*ON_RAILS, "the rails are", "how far beyond the first rail it is")
     if where is Where.CROSSING or _walks_at_crosswalk(asked):
-        asked.reach(*(ON_CROSSWALK if is_marked(asked.found) else (-2, 2)), "how far beyond the crosswalk's edge it is")
-        return "egoRoute.eventAt + $Y"
+        ends = ON_CROSSWALK if is_marked(asked.found) else (-2, 2)
+        return asked.at_event(*ends, "the crosswalk is", "how far beyond the crosswalk's edge it is")
     asked.reach(*_level_beside(asked))
     return "shortOfJunction(egoRoute, $Y)"
-
-
-def _at_crosswalk_as_said(asked: Asked, said: Length) -> str:
-    """Where along the ego's way a crosswalk is of which the distance from the ego was said.
-
-    Raises:
-        NotBuilt: The road has its crosswalk elsewhere.
-    """
-    event = asked.found.route.eventAt
-    if at_junction(asked.situation):
-        near, far = AT_JUNCTION if has_crosswalks(asked.found) else (1.0, 4.0)
-        low, high = event - far, event - near
-    else:
-        near, far = ON_CROSSWALK if is_marked(asked.found) else (-2.0, 2.0)
-        low, high = event + near, event + far
-    if said.high < low or said.low > high:
-        raise NotBuilt(
-            f"others.{asked.one.id}.starts.distance: {said}: the crosswalk is {low:.0f} to {high:.0f} m ahead of the"
-            f" ego there; leave the distance out, or say starts.where: {Where.ROADSIDE}, which may be anywhere"
-        )
-    low, high = max(low, said.low), min(high, said.high)
-    asked.reach(low, high)
-    return "$Y"
 
 
 def _beside_road(asked: Asked) -> Stand:
@@ -446,8 +423,9 @@ def _beside_road(asked: Asked) -> Stand:
 def _kerb(asked: Asked) -> Stand:
     if asked.walks or asked.rides:
         return _beside_road(asked)
-    asked.reach(-2, 2) if asked.swings_out else asked.ahead(30, 44)
-    level = f"{'egoRoute.eventAt + ' if asked.swings_out else ''}$Y{asked.more}"
+    level = asked.at_event(-2, 2, SWINGS_OUT, "how far ahead of the ego it is") if asked.swings_out else "$Y"
+    if not asked.swings_out:
+        asked.ahead(30, 44)
     if asked.side == Side.RIGHT:
         opens = any(deed.act is Act.OPEN_DOOR for deed in asked.one.does)  # into the lane, at whose edge it is then
         door = 0.5 * asked.numbers.row.limits.width - into_lane(asked.situation)
@@ -458,7 +436,7 @@ def _kerb(asked: Asked) -> Stand:
     return Stand(
         meets=Meets.KERB,
         way=_through_point(edge),
-        at=level,
+        at=f"{level}{asked.more}",
         ego_meets="progressOn(egoRoute, self)[0]",
         anywhere=not asked.swings_out,
     )
@@ -466,18 +444,13 @@ def _kerb(asked: Asked) -> Stand:
 
 def _bus_bay(asked: Asked) -> Stand:
     """In a bay beside the lane, some way into it."""
-    if (said := asked.one.starts.distance) is not None:
-        begins = asked.found.route.eventAt
-        if said.high < begins:
-            raise NotBuilt(f"others.{asked.one.id}.starts.distance: {said}: the bay begins {begins:.0f} m ahead")
-        asked.reach(begins, begins + 14)
-    else:
-        asked.reach(6, 14, "how far into the bay it is")
+    ends = bus_bay(asked.found.route.network, asked.found.route.route) - 0.5 * asked.numbers.row.limits.length
+    level = asked.at_event(6, 14, "in the bay it is", "how far into the bay it is", ends)
     edge = 'besideRoad(egoRoute, egoRoute.eventAt + 10, "right", 1.6)'
     return Stand(
         meets=Meets.KERB,
         way=_through_point(edge),
-        at=f"{'egoRoute.eventAt + ' if said is None else ''}$Y{asked.more}",
+        at=f"{level}{asked.more}",
         ego_meets="progressOn(egoRoute, self)[0]",
     )
 
@@ -498,7 +471,8 @@ def _on_ramp(asked: Asked) -> Stand:
     ego = asked.ego.speed
     said = asked.numbers.range_of("SPEED")[1] if asked.numbers.is_said("SPEED") else ego
     goes = min(said, Body(asked.numbers.row.limits, asked.walks).fastest)
-    lead = max(0.0, 1.0 - goes / ego)  # who is slower than the ego has so much of a start that both are level then
+    free = asked.one.starts.distance is None
+    lead = max(0.0, 1.0 - goes / ego) if free else 0.0  # who is slower has so much of a start that both are level then
     return Stand(
         meets=Meets.ALONG,
         way=lane_beside(Side.RIGHT),

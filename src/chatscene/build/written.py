@@ -11,20 +11,15 @@ from chatscene.build.asked import Meets, between, is_still
 from chatscene.build.deeds import OWN
 from chatscene.build.hiding import place_hiding
 from chatscene.build.naming import name_of
-from chatscene.build.over_lanes import is_lane, lane_line
+from chatscene.build.over_lanes import is_lane, lane_line, side_beside
 from chatscene.build.parts import parts_of
-from chatscene.build.place import (
-    LANE,
-    NEXT_LANE,
-    between_lanes,
-    filters,
-    lane_beside,
-)
+from chatscene.build.place import LANE
 from chatscene.build.screening import Screen, from_its_lane, screen_of, stands_at
 from chatscene.errors import NotBuilt, NothingBuilds
-from chatscene.terms.vocabulary import Role, Side, UserKind, Where
+from chatscene.terms.vocabulary import Facing, Role, Side, UserKind, Where
 from chatscene.world.places import lanes_beside
 
+ON_FOOT, BESIDE = 1.3, 0.7  # [m] between the middles of two on foot side by side; between the sides of two
 _KEEPS_PLACE = re.compile(r"(PaceOnPath\([^,]+, ego, )([^,]+)")
 
 
@@ -129,11 +124,18 @@ class Written:
         return (self.actor.limits.length or 1.5) + 2.5
 
     @property
+    def _abreast(self) -> float:
+        """How far [m] the middles of two are apart along the road who are beside it: by how wide they are, seen so."""
+        limits, along = self.actor.limits, (Facing.ALONG, Facing.AGAINST)
+        return max(ON_FOOT, BESIDE + (limits.length if self.actor.one.starts.facing in along else limits.width))
+
+    @property
     def _away(self) -> str:
         """The sign of who is farther from the ego along its way; behind it, of who is beside it and behind others."""
         if self.actor.one.starts.where is Where.BESIDE and self._is_behind_others:
             return "-"
-        return "+" if self.actor.stand.meets is Meets.ALONG and not self.actor.stand.behind else "-"
+        along = (Meets.ALONG, Meets.KERB) if self.actor.one.starts.where is not Where.ONCOMING else (Meets.ALONG,)
+        return "+" if self.actor.stand.meets in along and not self.actor.stand.behind else "-"
 
     @property
     def _is_behind_others(self) -> bool:
@@ -145,16 +147,10 @@ class Written:
     def _beside(self) -> str:
         """The line beside the ego's lane: that of a lane of its direction if there is one; else where others come."""
         said = self.actor.named.get("side")
-        sides = lanes_beside(self.actor.found.route)
-        others = [one.starts for one in self.actor.ledger.situation.others if one.id != self.actor.one.id]
-        taken = {str(start.side) for start in others if start.where in NEXT_LANE}
-        for side in (said,) if said else (str(Side.LEFT), str(Side.RIGHT)):
-            if sides.get(side) is False and side in taken and filters(self.actor.one):
-                return f"{lane_beside(side)}.offset({between_lanes(side):g})"
-            if sides.get(side) is False and (side not in taken or said or len(sides) == 1):
-                return lane_beside(side)
-        side = said or str(Side.LEFT)
-        if side not in sides:
+        side, line = side_beside(self.actor, Side(said) if said else None)
+        if line:
+            return line
+        if side not in lanes_beside(self.actor.found.route):
             raise NotBuilt(f"no map has such a place: {self.actor.path} needs a lane to the {side} of ours")
         return f"extended({OWN}, 60).offset({'' if side == Side.LEFT else '-'}{LANE})"
 
@@ -174,7 +170,7 @@ class Written:
         """Where the n-th of it stands, and which way it faces."""
         stand, one = self.actor.stand, name_of(self.actor.one.id)
         if stand.point:
-            aside = f" + {1.3 * ((n + 1) // 2) * (-1 if n % 2 else 1):g}" if n else ""
+            aside = f" + {self._abreast * ((n + 1) // 2) * (-1 if n % 2 else 1):g}" if n else ""
             point, facing = (text.replace("level{i}", f"level{{i}}{aside}") for text in (stand.point, stand.facing))
             return self.actor.filled(point), self.actor.filled(facing)
         at = self.actor.filled(stand.at) + (f" {self._away} {n * self._apart:g}" if n else "")

@@ -8,7 +8,7 @@ from typing import Any
 import shapely
 
 from chatscene.maps.car_parks import car_parks
-from chatscene.maps.furniture import furniture_of
+from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.kept import kept
 from chatscene.terms.route import Equipment, Route
 
@@ -66,6 +66,13 @@ def _tram_track(network: Any, route: Route) -> bool:
 
 def _bays(network: Any, route: Route) -> bool:
     return _road(network, route) in car_parks(network)
+
+
+def bus_bay(network: Any, route: Route) -> float:
+    """How long [m] the bay for buses is that a route leads past, the longest of its road; 0 where there is none."""
+    road, standing = _road(network, route), furniture_of(network).standing
+    there = (one.end - one.start for one in standing if one.use is Stand.BUS and one.road == road)
+    return max(there, default=0.0)
 
 
 _HAS: Mapping[Equipment, Callable[[Any, Route], bool]] = {

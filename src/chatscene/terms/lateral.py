@@ -17,7 +17,8 @@ def _named(places: frozenset[Where]) -> str:
 
 
 LATERAL_OF_STARTS = (
-    f"starts.lateral is built by offset, edge, overlap or clearance where starts.where is {_named(PLACED)}; "
+    f"starts.lateral is built by offset, edge, overlap or clearance where starts.where is {_named(PLACED)}, "
+    f"of the {Where.KERB} the right one; "
     f"by beyond where it is {_named(PLACED_BEYOND)}"
 )
 """Where it is built what is said of a start across the road, in words."""
