@@ -498,3 +498,20 @@ def test_a_heading_is_asked_on_the_map_to_the_road_or_to_the_lane(frame: str, ho
     place = '<WorldPosition x="133.25" y="-345" h="-1.570796"/>'  # in the lane that runs against the road
     text = stopped_by(angle, scenario(place=place, events=event(DISTANCE, TIME.format(90))))
     assert (str(driven(beside, text, 20).ending) == "scenario-done") is holds
+
+
+TRIGGERED = '<ByEntityCondition><TriggeringEntities triggeringEntitiesRule="{}">{}</TriggeringEntities><EntityCondition><TraveledDistanceCondition value="5"/></EntityCondition></ByEntityCondition>'
+LEAD, EGO = '<EntityRef entityRef="lead"/>', '<EntityRef entityRef="ego"/>'
+
+
+def selecting(rule: str, who: str) -> str:
+    """A scenario in which those who trigger it keep a distance."""
+    text = scenario(events=event(DISTANCE, TRIGGERED.format(rule, who)))
+    return text.replace(f'selectTriggeringEntities="false">{LEAD}', 'selectTriggeringEntities="true">')
+
+
+def test_those_act_who_trigger_it_where_the_file_selects_them(beside: Path) -> None:
+    acts: Any = story(beside, selecting("any", LEAD)).acts
+    assert acts[0][3][0][2] == ("lead",)
+    with pytest.raises(ScenarioError, match="those of several who trigger it"):
+        read(beside, selecting("any", LEAD + EGO))

@@ -365,8 +365,8 @@ class _Story:
     def _group(self, group: Element) -> Told:
         actors = group.find("Actors")
         names = self._cast.several(actors.all("EntityRef") if actors is not None else [])
-        if actors is not None and self._given.flag(actors, "selectTriggeringEntities") and not names:
-            raise Refused(actors, "its actors are those that trigger it; name them")
+        if actors is not None and self._given.flag(actors, "selectTriggeringEntities"):
+            names = tuple(dict.fromkeys((*names, *self._triggering(group))))
         maneuvers = [(one, self._cast.part(one, told=len(group.all("Maneuver")) > 1)) for one in group.all("Maneuver")]
         events = [
             found
@@ -380,6 +380,20 @@ class _Story:
             tuple(self._cast.names[name] for name in names),
             tuple(events),
         )
+
+    def _triggering(self, group: Element) -> tuple[str, ...]:
+        """Who triggers the events of a group, in the file, whenever they are triggered.
+
+        Raises:
+            Refused: It may be one or another.
+        """
+        found: list[str] = []
+        for asked in (one for one in group.walk() if one.tag == "TriggeringEntities"):
+            names = self._cast.several(asked.all("EntityRef"))
+            if len(names) > 1 and self._given.text(asked, "triggeringEntitiesRule", "any") == "any":
+                raise Refused(asked, "its actors are those of several who trigger it; name them in the group")
+            found += names
+        return tuple(found)
 
     def _event(self, event: Element, maneuver: str, names: tuple[str, ...]) -> Told | None:
         start = self._conditions.trigger(event.find("StartTrigger"))
