@@ -193,3 +193,8 @@ def test_what_a_person_calls_a_situation_is_held_against_its_quotes_only_if_it_h
         stated = chatscene.explain(from_plain({**said, "evidence": {"quoted": quoted}}))
         assert isinstance(stated, Stated)
         assert not any("not read" in line for line in stated.told_first)
+
+
+def test_a_refusal_names_who_is_read_as_somebody_else() -> None:
+    with pytest.raises(NothingFits, match="'a helicopter' is read as an emergency vehicle"):
+        chatscene.explain("a helicopter lands in front of us")

@@ -27,6 +27,10 @@ MIRRORED = "mirrored: the text is of left-hand traffic, and here traffic keeps r
 _FUNCTION_WORDS = frozenset(_FUNCTION.split())
 _PREPOSITIONS = re.compile(r"(?i)\bin front of\b|\bbecause of\b|\bnext to\b|\bin spite of\b|\binstead of\b|\bdue to\b")
 """Those of several words, of which one is not of a closed class by itself."""
+# The closed class of English modal verbs that say a duty. "There must be no contact" is told of the scene, not a duty.
+_DUTY = re.compile(r"(?i)(?<!\bthere )\b(?:shall|must|should|ought to)\b(?! have\b)")
+_CLAUSE_ENDS = re.compile(r"(?i)[.,;:!?\n]|\b(?:and|or|but|so)\b")
+_JOINS = re.compile(r"(?i),?\s*\b(?:and|or)\s+$")  # what follows is done by the same
 _DENIES = re.compile(r"(?i)^(?:['\u2019]t|not|never|no)$")
 _WORD = re.compile(r"[^\W_]+(?:[-.,:/][^\W_]+)*|['\u2019][^\W\d_]+")
 _APOSTROPHES = "['\u2019\u2018]"
@@ -86,9 +90,9 @@ def words_of(situation: Situation, text: str) -> tuple[Word, ...]:
     """What became of each word of a text: the path of the fact that it gave, or why it is without effect."""
     facts: dict[int, str] = {}
     prepositions = _prepositions(text)
-    for path, words in situation.evidence.quoted.items():
-        for start, end in spans_of(words, text):
-            facts |= {at: path for at in range(start, end) if at not in facts or within(path, (facts[at],))}
+    quotes = [(span, path) for path, words in situation.evidence.quoted.items() for span in spans_of(words, text)]
+    for (start, end), path in sorted(quotes, key=lambda one: one[0][0] - one[0][1]):  # the longest first
+        facts |= {at: path for at in range(start, end) if at not in facts or within(path, (facts[at],))}
     told: list[Word] = []
     for word in _WORD.finditer(text):
         start, end = word.span()
@@ -127,19 +131,35 @@ def not_in_words(situation: Situation) -> tuple[str, ...]:
     return (
         *([MIRRORED] if situation.evidence.mirrored else []),
         *([f"not read: {over}"] if over else []),
-        *_otherwise_named(situation),
+        *otherwise_named(situation),
         *([f"no words of the text say {facts}"] if facts else []),
     )
 
 
-def _otherwise_named(situation: Situation) -> Iterator[str]:
-    """Whose words name no kind that they are."""
+def is_a_duty(words: str, text: str) -> bool:
+    """Whether words of a text are said of what somebody shall do: behind a modal verb of duty in the same clause."""
+    spans = spans_of(words, text)
+    clauses = [_CLAUSE_ENDS.split(_JOINS.sub(" ", text[:start]))[-1] + text[start:end] for start, end in spans]
+    return any(_DUTY.search(clause) for clause in clauses)
+
+
+def otherwise_named(situation: Situation) -> Iterator[str]:
+    """Whose words name no kind that they are, and which name no light, weather or state of the road that is."""
     quoted = situation.evidence.quoted
     for one in situation.others:
         path = f"others.{one.id}"
         words = quoted.get(f"{path}.kind", quoted.get(path, ""))
         if words and not is_named(one.kind, words):
             yield f"{words!r} is read as {KINDS[one.kind].one}"
+    around, text = situation.around, situation.about
+    for name in ("light", "weather", "surface"):
+        one, words = getattr(around, name), quoted.get(f"around.{name}", "")
+        if one is None:
+            continue
+        named = [found.span() for found in re.finditer(one.row.words, text, re.IGNORECASE)] + _stands(one.value, text)
+        spans = spans_of(words, text)
+        if spans and not any(low < end and start < high for low, high in named for start, end in spans):
+            yield f"{words!r} is read as {one.row.said}"
 
 
 def spans_of(words: str, text: str) -> list[tuple[int, int]]:

@@ -12,7 +12,7 @@ from chatscene.files.caches import cache_folder
 from chatscene.interpret.known import SURE, WithFacts, offered, taken
 from chatscene.interpret.readers import is_model, reader_of
 from chatscene.interpret.stated import FACTS, facts_stated, in_text, with_named
-from chatscene.read.quotes import words_of
+from chatscene.read.quotes import otherwise_named, words_of
 from chatscene.report.stated import Editor, Stated, built_of, stated, with_edits
 from chatscene.report.understood import NO_EDITS, Understood, understand
 from chatscene.settings import OFFLINE, PAPER_READER, RetrievalSettings, Settings
@@ -208,8 +208,9 @@ def _unsure(
 ) -> NothingFits:
     """Why a text is refused of which it is not sure enough what it says."""
     sure = ranked[0].probability
-    said = f"the reading is too uncertain (confidence {sure:.0%})"
-    reasons = (f"no fact was read in {', '.join(map(repr, read.unread))}",) if read.unread else ()
+    said = f"the reading is too uncertain (confidence {sure:.0%}; {settings.refuse_below:.0%} is needed)"
+    unread = (f"no fact was read in {', '.join(map(repr, read.unread))}",) if read.unread else ()
+    reasons = (*unread, *otherwise_named(ranked[0].situation))
     told_so = NothingFits("; ".join((said, *reasons)), reasons=reasons or (said,), confidence=sure)
     return _with_what_was_read(told_so, read, ranked[0], offered(ranked, settings, cannot_build))
 

@@ -71,3 +71,42 @@ def test_the_words_of_an_amount_that_is_copied_say_nothing_else() -> None:
     told = quoted_of(read, Written(steps, 0.0, ((at, read.amounts[0]),), marks))
     assert "8 km/h" in told["others.A.does.0.speed"]
     assert "km/h" not in told["others.A.does.0.act"]
+
+
+def test_a_word_that_two_facts_share_is_quoted_for_the_likelier_one_alone() -> None:
+    read, steps = prepared(TEXT), steps_of(Verdict.SITUATION, VAN)
+    marks = [np.full(len(read.pieces), -3.0, np.float32) for _ in steps[:-1]]
+    for at, row in enumerate(marks):
+        for i, (begin, end) in enumerate(read.where, 1):
+            word, path = TEXT[begin:end].strip(" ,."), path_of(steps, at)
+            if path.endswith(".where") and word in ("van", "ahead"):
+                row[i] = 1.0
+            if path.endswith(".kind") and word == "van":
+                row[i] = 4.0
+    told = quoted_of(read, Written(steps, 0.0, (), tuple(marks)))
+    assert told["others.A.kind"] == "van"
+    assert told["others.A.starts.where"] == "ahead"
+
+
+def test_a_fact_for_which_only_an_amount_is_marked_has_no_words() -> None:
+    text = "A van ahead brakes with 5 ft."
+    said = from_plain(
+        {
+            "others": [
+                {
+                    "id": "A",
+                    "kind": "van",
+                    "starts": {"where": "ahead"},
+                    "does": [{"act": "brake", "manner": "sudden"}],
+                }
+            ]
+        }
+    )
+    read, steps = prepared(text), steps_of(Verdict.SITUATION, said)
+    marks = tuple(
+        np.array(
+            [0.0, *(2.0 if text[low:high].strip(" .") in own else -3.0 for low, high in read.where), 0.0], np.float32
+        )
+        for own in ("5 ft" if path_of(steps, at).endswith("manner") else "van" for at in range(len(steps) - 1))
+    )
+    assert "others.A.does.0.manner" not in quoted_of(read, Written(steps, 0.0, (), marks))

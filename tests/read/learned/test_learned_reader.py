@@ -15,6 +15,7 @@ from chatscene.read.learned.reader import LearnedReader, ranked_of
 from chatscene.read.learned.sequence import steps_of
 from chatscene.read.learned.text import prepared
 from chatscene.read.learned.weights import PACKAGED, load, save
+from chatscene.read.quotes import not_in_words
 from chatscene.read.reader import Reader
 from chatscene.report.filled import filled, is_filled
 from chatscene.settings import OFFLINE, RetrievalSettings
@@ -132,3 +133,35 @@ def test_what_leaves_a_fact_open_is_not_the_sum_of_all_that_say_it() -> None:
     left, right = ranked_of(read, [written(0.1), written(0.5, side="left"), written(0.3, side="right")])
     assert (left.situation["A"].starts.side, right.situation["A"].starts.side) == (Side.LEFT, Side.RIGHT)
     assert (left.probability, right.probability) == (pytest.approx(0.6), pytest.approx(0.3))
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("Ego shall avoid contact with a pedestrian crossing from the left.", "Ego shall avoid contact"),
+        ("A cyclist crosses from the right, and a collision must be avoided.", "collision must be avoided"),
+    ],
+)
+def test_what_somebody_shall_avoid_is_no_contact_that_is_denied_and_is_told_as_not_read(text: str, words: str) -> None:
+    read = LearnedReader().read(text)
+    assert read.ranked[0].situation.contact is None
+    assert words in read.unread
+
+
+def test_a_contact_that_a_text_denies_of_the_scene_is_read() -> None:
+    for text in (
+        "There should be no contact with the pedestrian who crosses from the left.",
+        "A cyclist crosses from the right and we just miss him, no contact.",
+    ):
+        contact = LearnedReader().read(text).ranked[0].situation.contact
+        assert contact is not None
+        assert contact.happens is False
+
+
+def test_a_weather_whose_word_names_another_is_told_as_what_it_is_read_as() -> None:
+    told = not_in_words(LearnedReader().read("A hailstorm starts and the car ahead brakes.").ranked[0].situation)
+    assert "'hailstorm' is read as rain" in told
+    told = not_in_words(
+        LearnedReader().read("In heavy rain at night the car ahead brakes on the wet road.").ranked[0].situation
+    )
+    assert not told

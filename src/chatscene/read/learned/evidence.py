@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from functools import cache, lru_cache
+from itertools import count
 
 import numpy as np
 
@@ -12,7 +13,8 @@ from chatscene.read.learned.grammar import Token, grammar
 from chatscene.read.learned.numbers import Found
 from chatscene.read.learned.sequence import path_of
 from chatscene.read.learned.text import Read
-from chatscene.situations.facts import GAP
+from chatscene.read.quotes import says_nothing
+from chatscene.situations.facts import GAP, within
 
 _ENDS = " \t\n\r.,;:!?()[]{}\"'\u2018\u2019\u201c\u201d"
 
@@ -21,31 +23,73 @@ def quoted_of(read: Read, written: Written) -> Mapping[str, str]:
     """The words of each fact, by its path; among an amount's are those that it was copied from.
 
     A word counts if it is more likely than not one of the fact's; of a fact without such a word the likeliest one does.
-    A number says no fact but a number, and the words of an amount that is copied say no other fact; what names another
-    word of the same field, as "rain" of ``weather: fog``, does not say this one.
+    A number says no fact but a number, and neither do the units behind it; what names another word of the same field,
+    as "rain" of ``weather: fog``, does not say this one. A fact that only such words are marked for has none.
+    Of several facts a word belongs to the one that it is likeliest of, unless another has no word besides.
     """
     copied = {path_of(written.steps, at): found for at, found in written.found}
-    amounts = [(found.low, found.high) for found in copied.values()]
+    figures = [one for one in read.amounts if any(c.isdigit() for c in read.text[one.low : one.high])]
     spans, begins = _spans(read)
-    quoted: dict[str, str] = {}
+    taken_up = _within(spans, copied.values())
+    of_amounts = taken_up | _within(spans, figures)
+    marked: dict[str, dict[int, float]] = {}
     for at, marks in enumerate(written.marks):
         if not written.steps[at].place or at == 0:
             continue
         path = path_of(written.steps, at)
-        if path in quoted:
+        if path in marked:
             continue
         likely = np.maximum.reduceat(marks[1 : len(read.where) + 1], begins) if spans else marks[:0]
         token = written.steps[at].token
-        mine = [
-            i
-            for i, word in enumerate(spans)
-            if not _says_another(token, word[2])
-            and (token is None or not any(low <= word[0] and word[1] <= high for low, high in amounts))
-        ]
-        words = _words(read.text, [(spans[i], float(likely[i])) for i in mine], copied.get(path))
-        if words:
-            quoted[path] = words
-    return quoted
+        other = {i for i, word in enumerate(spans) if _says_another(token, word[2])}
+        other |= of_amounts if token is not None else set()
+        mine = {i: float(likely[i]) for i in range(len(spans)) if i not in other}
+        likeliest = max((float(likely[i]) for i in range(len(spans)) if i not in taken_up), default=0.0)
+        marked[path] = _marked(mine, likeliest, path in copied)
+    idle = frozenset(i for i, word in enumerate(spans) if says_nothing(word[2]))
+    taken = {path: [spans[i][:2] for i in _own(path, marked, idle)] for path in marked}
+    quoted = {path: _words(read.text, words, copied.get(path)) for path, words in taken.items()}
+    return {path: words for path, words in quoted.items() if words}
+
+
+def _within(spans: Sequence[_Word], amounts: Iterable[Found]) -> set[int]:
+    """The numbers of the words that lie in amounts."""
+    places = [(one.low, one.high) for one in amounts]
+    return {i for i, (start, end, _) in enumerate(spans) if any(low <= start and end <= high for low, high in places)}
+
+
+def _marked(mine: Mapping[int, float], likeliest: float, copied: bool) -> dict[int, float]:
+    """The words that say a fact, by their numbers, with their log-odds.
+
+    Args:
+        mine: The log-odds of the words that can say it.
+        likeliest: Those of the likeliest of all words but those of amounts that are copied.
+        copied: Whether it is an amount, which has words besides.
+    """
+    words = {i: odds for i, odds in mine.items() if odds > 0}
+    if words or copied or likeliest > 0 or not mine:
+        return words
+    best = max(mine, key=lambda i: mine[i])
+    return {best: mine[best]}
+
+
+def _own(path: str, marked: Mapping[str, Mapping[int, float]], idle: Container[int]) -> list[int]:
+    """The words that a fact keeps of those that are marked for it; one that would have none but idle ones keeps all.
+
+    A fact and a part of it share theirs. An idle word, such as an article, goes with the word that it stands before.
+    """
+    words = marked[path]
+    rivals = [other for name, other in marked.items() if not within(name, (path,)) and not within(path, (name,))]
+    kept = [i for i, odds in words.items() if all(odds >= other.get(i, odds) for other in rivals)]
+    if not any(i not in idle for i in kept):
+        return list(words)
+
+    def with_next(i: int) -> bool:
+        after = next(k for k in count(i + 1) if k not in idle)
+        others = [other for other in rivals if i in other and after in other]
+        return not others or after in kept
+
+    return [i for i in words if (with_next(i) if i in idle else i in kept)]
 
 
 _Word = tuple[int, int, str]
@@ -75,14 +119,11 @@ def _words_of(field: str) -> frozenset[str]:
     return frozenset(word for each, word in grammar().tokens if each == field)
 
 
-def _words(text: str, marked: Sequence[tuple[_Word, float]], copied: Found | None) -> str:
-    """The marked words of a text as they stand, what lies between them left out; empty if all say something else."""
-    taken = [word[:2] for word, mark in marked if mark > 0]
+def _words(text: str, taken: Sequence[tuple[int, int]], copied: Found | None) -> str:
+    """Words of a text as they stand, what lies between them left out, with those of an amount; empty without any."""
     if copied is not None:
         apart = (where for where in taken if where[1] <= copied.low or where[0] >= copied.high)
         taken = sorted((*apart, (copied.low, copied.high)))
-    elif marked and not taken:
-        taken = [max(marked, key=lambda one: one[1])[0][:2]]
     return GAP.join(filter(None, (text[low:high].strip(_ENDS) for low, high in _runs(text, taken))))
 
 

@@ -14,9 +14,10 @@ from chatscene.read.learned.evidence import quoted_of
 from chatscene.read.learned.sequence import situation_of, verdict_of
 from chatscene.read.learned.text import Read, prepared
 from chatscene.read.learned.weights import PACKAGED, load
-from chatscene.read.quotes import unread, without_words
+from chatscene.read.quotes import is_a_duty, unread, without_words
 from chatscene.read.reader import check_text
 from chatscene.settings import OFFLINE
+from chatscene.situations.facts import is_said
 from chatscene.situations.faults import Malformed
 from chatscene.situations.main_facts import same_in_the_main
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
@@ -124,15 +125,25 @@ def ranked_of(read: Read, written: Sequence[Written]) -> tuple[Ranked, ...]:
     is the likeliest.
     """
     told: dict[Way, float] = {}
-    for one in ways_of(written):
+    for one in (_without_duty(way, read) for way in ways_of(written)):
         same = next((way for way in told if same_in_the_main(one.situation, way.situation)), one)
         told[same] = told.get(same, 0.0) + one.probability  # each counts for one of them
     ranked = (Ranked(situation=_evident(one.situation, read, one.written), probability=p) for one, p in told.items())
     return tuple(sorted(ranked, key=lambda one: -one.probability))
 
 
+def _without_duty(way: Way, read: Read) -> Way:
+    """A way without a contact that is denied only since somebody has to avoid it: what a driver does is not told."""
+    contact = way.situation.contact
+    if contact is None or contact.happens is not False:
+        return way
+    words = quoted_of(read, way.written).get("contact.happens", "")
+    return replace(way, situation=replace(way.situation, contact=None)) if is_a_duty(words, read.text) else way
+
+
 def _evident(situation: Situation, read: Read, written: Written) -> Situation:
-    made = replace(situation, about=read.text, evidence=Evidence(quoted=quoted_of(read, written)))
+    quoted = {path: words for path, words in quoted_of(read, written).items() if is_said(situation, path)}
+    made = replace(situation, about=read.text, evidence=Evidence(quoted=quoted))
     return replace(made, evidence=replace(made.evidence, assumed=without_words(made)))
 
 
