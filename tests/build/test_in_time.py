@@ -73,6 +73,20 @@ ON_FOOT = ("hesitate", "slow-down", "accelerate", "stop", "turn-back", "go-along
 NEXT = {"stop": ("set-off",), "brake": ("set-off",), "turn-back": ("go-along", "slow-down")}
 
 
+def test_who_turns_across_our_way_and_then_stops_stands_in_it() -> None:
+    van = somebody("van", "oncoming", deed("turn-left"), deed("stop"), ego={"speed": "80 km/h", "route": "straight"})
+    made = build(van)
+    episode = drive(made, seed=1)
+    assert isinstance(episode, Episode), episode
+    track = episode.tracks[1]
+    still = track.speed < 0.1
+    way = simulator(made.map, "native").route(made.program, 0).line
+    assert (
+        abs(way.project(float(track.x[still][-1]), float(track.y[still][-1]))[1])
+        < 0.5 * UserKind.VAN.row.body.row.limits.length
+    )
+
+
 def by_chance(seed: int) -> Situation:
     """A walker with two deeds, or three where it must set off again."""
     rng = random.Random(seed)

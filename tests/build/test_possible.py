@@ -44,6 +44,16 @@ def refusal(where: str, *acts: str, kind: str = "car") -> str:
             "others.A.does.1.act: after slow-down it is already moving, so it cannot set-off",
         ),
         ("beside", ("turn-left", "cut-in"), "others.A.does.1.act: after turn-left it is no longer there to cut-in"),
+        (
+            "beside",
+            ("lane-change", "overtake"),
+            "others.A.does.1.act: after lane-change it is ahead of ego and must fall back before it can overtake",
+        ),
+        (
+            "oncoming",
+            ("overtake", "cut-in"),
+            "others.A.does.1.act: after overtake it is already in our lane or past it, so it cannot cut-in",
+        ),
     ],
 )
 def test_a_deed_that_cannot_be_is_refused_by_its_path(where: str, acts: tuple[str, ...], told: str) -> None:

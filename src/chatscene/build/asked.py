@@ -305,7 +305,7 @@ def goes_slowly(one: Other) -> bool:
 
 _OVER = {
     Meets.ACROSS: (acts_of(Heads.ACROSS, Heads.IN), ENDS),
-    Meets.THROUGH: (acts_of(Heads.THROUGH, Heads.ACROSS), ENDS),
+    Meets.THROUGH: (acts_of(Heads.THROUGH, Heads.ACROSS, Heads.TURNS), ENDS),
 }
 """What leads somebody over the ego's way, and what ends that in it."""
 

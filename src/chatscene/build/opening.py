@@ -13,6 +13,7 @@ from chatscene.build.asked import Meets, stands_first, stops_ahead
 from chatscene.build.chain import in_terms_of
 from chatscene.build.contact import touches
 from chatscene.build.deeds import GO, MOVE
+from chatscene.build.gaps import seconds_to_get_ahead
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, at_junction, room_against
@@ -123,7 +124,9 @@ class Opening(UnderWay):
 
     def _is_before_ramp(self, far: float) -> str:
         """When it is so far [m] before the nose of a ramp that it sets out for that once all before is done."""
-        return f"progressOn(egoRoute, self)[0] > egoRoute.eventAt - {far + self.ahead.metres:.3g}"
+        actor = self.phases.actor
+        gains = sum(seconds_to_get_ahead(actor, k) for k in range(len(actor.deeds))) * actor.ego_speed
+        return f"progressOn(egoRoute, self)[0] > egoRoute.eventAt - {far + self.ahead.metres + gains:.3g}"
 
     def _stands_before(self) -> Other | None:
         """Who stands before it in the ego's lane, if it stops and so stops behind that."""

@@ -170,22 +170,33 @@ def _passes_twice(one: Other, at: str) -> Iterator[Fault]:
     for k, deed in enumerate(one.does):
         whom = deed.whom or EGO
         if deed.act is Act.OVERTAKE and whom in passed:
+            before = next(other.act for other in one.does[k - 1 :: -1] if (other.whom or EGO) == whom)
+            again = " again" if before is Act.OVERTAKE else ""
             yield Fault(
                 (f"{at}.{k}.act",),
-                f"after overtake it is ahead of {whom} and must fall back before it can overtake again",
+                f"after {before} it is ahead of {whom} and must fall back before it can overtake{again}",
             )
-        if deed.act is Act.OVERTAKE:
+        if deed.act is Act.OVERTAKE or (whom == EGO and _comes_before(one, deed)):
             passed.add(whom)
         elif deed.act in _FALLS_BACK:
             passed.clear()
 
 
+def _comes_before(one: Other, deed: Deed) -> bool:
+    """Whether somebody comes into the ego's lane by a deed from beside it, and so is ahead of it."""
+    aside = deed.act in acts_of(Heads.OVER) and deed.to is not None and deed.to is one.starts.side
+    return one.starts.where in NEXT_LANE and deed.act in acts_of(Heads.BEFORE, Heads.MERGES, Heads.OVER) and not aside
+
+
 def _comes_in_twice(one: Other, at: str) -> Iterator[Fault]:
     """Who came into the ego's lane from beside it must be outside again before it can come in again."""
     came: Act | None = None
+    against = one.starts.where in _AGAINST
+    comes_in = COMES_IN | acts_of(Heads.BEFORE) if against else COMES_IN
     for k, deed in enumerate(one.does):
         over = deed.act is Act.GO_STRAIGHT and one.starts.where in OFF_ROAD
-        if deed.act in COMES_IN or over:
+        past = deed.act is Act.OVERTAKE and deed.whom in (None, EGO) and against
+        if deed.act in comes_in or over or past:
             if came is not None:
                 yield Fault(
                     (f"{at}.{k}.act",), f"after {came} it is already in our lane or past it, so it cannot {deed.act}"

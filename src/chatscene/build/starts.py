@@ -430,6 +430,8 @@ def _kerb(asked: Asked) -> Stand:
         opens = any(deed.act is Act.OPEN_DOOR for deed in asked.one.does)  # into the lane, at whose edge it is then
         door = 0.5 * asked.numbers.row.limits.width - into_lane(asked.situation)
         edge = f'besideRoad(egoRoute, 20, "right", {door if opens else 1.3:.3g})'
+    elif asked.side in {side for side, against in lanes_beside(asked.found.route).items() if not against}:
+        edge = f'besideRoad(egoRoute, 20, "{asked.side}", 1.3)'  # beyond the lanes that go the ego's way
     else:
         beside = 'neighbourPath(egoRoute, "left")'
         edge = f"pointOn({beside}, levelOn({beside}, egoRoute, 20), -2.1)"
