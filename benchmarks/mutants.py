@@ -97,7 +97,7 @@ BRINGS = {
     Act.TURN_BACK: _HALTS | _STARTS | {Act.CROSS, Act.ENTER},  # who goes back had come
     Act.U_TURN: _HALTS | _STARTS | {Act.TURN_BACK},  # who goes the other way goes back
     Act.HESITATE: _HALTS | _STARTS | {Act.CROSS},  # and goes on, from the roadside over the road
-    Act.REVERSE: _HALTS | _STARTS | {Act.TURN_BACK, Act.ENTER, Act.PULL_OUT},  # out of a driveway
+    Act.REVERSE: _HALTS | _STARTS | {Act.TURN_BACK, Act.ENTER, Act.PULL_OUT, Act.PARK},  # from or to the edge
     **dict.fromkeys((Act.FOLLOW, Act.TAILGATE, Act.KEEP_LEVEL), _HALTS | _STARTS),  # who is as fast as another
     Act.STAND: _STARTS,  # who then goes
     Act.GO_STRAIGHT: frozenset((Act.CROSS, Act.ENTER)),  # through a junction, from the side, or where the ego turns
