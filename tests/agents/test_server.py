@@ -364,7 +364,7 @@ def test_what_the_kernel_does_not_keep_to_is_said(tmp_path: Path, monkeypatch: p
 def test_the_command_needs_a_folder_and_a_long_token(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     none = CliRunner().invoke(main, ["mcp", str(tmp_path / "none")])
     assert none.exit_code == 1
-    assert "there is no folder" in none.output
+    assert "no folder" in none.output
     monkeypatch.setenv("CHATSCENE_MCP_TOKEN", "short")
     short = CliRunner().invoke(main, ["mcp", str(tmp_path), "--http"])
     assert short.exit_code == 1

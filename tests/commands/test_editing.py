@@ -161,7 +161,7 @@ def test_a_conversation_goes_line_by_line(tmp_path: Path) -> None:
         "others.A.kind: car → truck",
         "undone: make it a truck",
         "nothing to undo",
-        "no fact changes by that",
+        "'make it a dragon' was not understood, so no fact changes",
     ):
         assert told in done.stdout
     record = runs.read_record(runs.open_run(tmp_path / "night"))

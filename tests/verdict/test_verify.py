@@ -156,7 +156,7 @@ def test_a_report_and_the_file_of_a_situation_are_taken_as_a_sentence_is(drive: 
 @pytest.mark.parametrize(
     ("words", "status", "told"),
     [
-        (["nowhere.scenic", CROSSES], 2, "there is no nowhere.scenic"),
+        (["nowhere.scenic", CROSSES], 2, "no file or run folder 'nowhere.scenic'"),
         (["a" * 5000, CROSSES], 2, "there is no aaa"),
         (["drive.csv"], 2, "say what drive.csv is to show"),
         (["drive.csv", "nowhere.yaml"], 2, "nowhere.yaml"),

@@ -32,6 +32,7 @@ from chatscene.commands.options import (
     SIMULATOR_OPTION,
     SPEED,
     TRUST,
+    OneText,
     param_option,
     sampler_option,
 )
@@ -48,7 +49,7 @@ if TYPE_CHECKING:
     from chatscene.terms.situation import Situation
 
 
-@click.command()
+@click.command(cls=OneText)
 @click.argument("text", required=False)
 @click.option(
     "--program",
@@ -146,7 +147,7 @@ def run(
         sys.exit(min(gone))
 
 
-@click.command()
+@click.command(cls=OneText)
 @click.argument("text", required=False)
 @REPORT
 @click.option("--program", "show_program", is_flag=True, help="Print the Scenic program as well.")

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import math
+import shlex
 from collections.abc import Callable
 from functools import reduce
 from importlib import import_module
+from itertools import takewhile
 from pathlib import Path
 from typing import Any, TypedDict
 
@@ -25,14 +27,50 @@ class Finite(click.FloatRange):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """The number."""
+        if not _is_a(float, value):
+            self.fail(f"{value!r} is not a number; write it without a unit, such as {_such_as(self)}", param, ctx)
         number = super().convert(value, param, ctx)
         if not math.isfinite(number):
             self.fail(f"{value!r} is not a finite number.", param, ctx)
         return number
 
 
-MANY = click.IntRange(1, 1_000_000)
-SEEDS = click.IntRange(0, 2**63 - 1)
+class Whole(click.IntRange):
+    """A whole number in a range."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The number."""
+        if not _is_a(int, value):
+            self.fail(f"{value!r} is not a whole number; write it in digits, such as {_such_as(self)}", param, ctx)
+        return super().convert(value, param, ctx)
+
+
+def _is_a(kind: type[int] | type[float], value: Any) -> bool:
+    try:
+        kind(value)
+    except (TypeError, ValueError):
+        return False
+    return True
+
+
+def _such_as(limits: click.IntRange | click.FloatRange) -> int:
+    """A number of a range: fifty, if that is one."""
+    return int(min(max(50, math.ceil(limits.min or 0)), limits.max if limits.max is not None else 50))
+
+
+class OneText(click.Command):
+    """A command of one text, which a shell parts into words unless it is in quotes."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Say how a text is given that is not in quotes."""
+        words = list(takewhile(lambda one: not one.startswith("-"), args))
+        if len(words) > 1:
+            raise click.UsageError(f"put the text in quotes: {ctx.command_path} {shlex.quote(' '.join(words))}", ctx)
+        return super().parse_args(ctx, args)
+
+
+MANY = Whole(1, 1_000_000)
+SEEDS = Whole(0, 2**63 - 1)
 KMH = Finite(1.0, 300.0)
 
 

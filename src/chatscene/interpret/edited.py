@@ -7,11 +7,13 @@ put into the situation. So whatever can be said in a situation can be edited, wh
 from __future__ import annotations
 
 from chatscene.errors import EditRefused, SituationError
+from chatscene.read.kinds import is_named
 from chatscene.read.learned.edits import Step, likely_changes
 from chatscene.read.reader import LONGEST
 from chatscene.situations.check import faults_of
 from chatscene.situations.edited import Edited
 from chatscene.situations.facts import with_facts
+from chatscene.situations.phrases import KINDS
 from chatscene.terms.situation import Situation
 
 SHOWN, SHOWN_FROM = 3, 0.1
@@ -34,7 +36,9 @@ def edited(situation: Situation, text: str) -> Edited:
     meant = {one.path: one.now for one in found if one.is_meant}
     if not meant:
         unsure = "; ".join(str(one) for one in found[:SHOWN] if one.after - one.before >= SHOWN_FROM)
-        why = f"it is not sure enough what that changes: {unsure}" if unsure else "no fact changes by that"
+        if so := [KINDS[one.kind].one for one in situation.others if is_named(one.kind, text)]:
+            raise EditRefused(f"no fact changes by {text!r}: it is already {so[0]}")
+        why = f"not sure what that changes: {unsure}" if unsure else f"{text!r} was not understood, so no fact changes"
         raise EditRefused(f"{why}; say what is to be another, such as 'make it a truck', or --set a fact")
     for path, now in meant.items():
         if isinstance(now, Step):

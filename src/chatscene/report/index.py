@@ -70,7 +70,7 @@ def index(folder: Path) -> Index:
         RunError: There is no such folder, or neither run nor evaluation in it.
     """
     if not folder.is_dir():
-        raise RunError(f"there is no folder {folder}; give one with the folders that `chatscene run` named")
+        raise RunError(f"no folder '{folder}' here; start where your runs are, or name their folder")
     read: list[Mapping[str, Table]] = []
     evaluations: dict[Path, runs.EvaluationRecord | runs.ComparisonRecord] = {}
     left_out: list[LeftOut] = []

@@ -238,7 +238,7 @@ class Desk:
         keep(scenario, written)
 
         if scenario.slots.site is not None:
-            progress(f"driving on the map {self._map.stem!r}, for the {scenario.slots.site}", 0, 0)
+            progress(f"using the map {self._map.stem!r}, which has: {scenario.slots.site}", 0, 0)
         checking = "checking that drives show what was read"
         progress(checking, 0, 0)
         with telling(Slowly(lambda driven: progress(checking, driven, -(-driven // PROBED) * PROBED))):

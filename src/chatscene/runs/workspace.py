@@ -98,8 +98,8 @@ def take_up(folder: Path, asked: Record) -> Workspace:
     _require(run, before, type(asked))
     name, then, now = other
     raise RunError(
-        f"{folder} holds {before.kind.in_words()} with other settings: {name} was {then!r} and is now {now!r}; go on "
-        f"with what it holds by: chatscene resume {folder}, or choose another folder with --out"
+        f"{folder} holds {before.kind.in_words()} with other settings: {name} was {then!r} and is now {now!r}. To "
+        f"continue that run: chatscene resume {folder}. For a new one, choose another folder with --out"
     )
 
 

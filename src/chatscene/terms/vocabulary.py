@@ -297,7 +297,7 @@ class Where(RowWord):
     ONCOMING_IN_OUR_LANE = ("oncoming-in-our-lane", "comes the other way in the ego's own lane", WhereRow())
     ARM = ("arm", "on an arm to the side of the junction", WhereRow(sided=True, junction=True))
     ROADSIDE = ("roadside", "beside the road in front, on foot, on two wheels or an animal", WhereRow(sided=True))
-    KERB = ("kerb", "a vehicle that stands at the edge of the road, in front", WhereRow(sided=True))
+    KERB = ("kerb", "a vehicle that stands at the edge of the road (kerb, curb), in front", WhereRow(sided=True))
     DRIVEWAY = ("driveway", "a vehicle in a driveway or at a gate, in front", WhereRow(sided=True))
     CROSSING = ("crossing", "at a crosswalk over the ego's own road, in front", WhereRow(sided=True))
     EXIT = ("exit", "in the lane that the ego turns into, behind the junction", WhereRow(junction=True))

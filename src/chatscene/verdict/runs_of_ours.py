@@ -13,6 +13,8 @@ from chatscene.runs.trust import Repeated, follow
 from chatscene.settings import VerifySettings
 from chatscene.verdict.watched import Watched, Watching
 
+SHOWN = 5  # of the scenes of a run where another was named
+
 
 def watch_run(folder: Path, settings: VerifySettings, repeated: Repeated | None = None) -> Watching:
     """Scenes of a run: the one that is named, or those that it keeps; where it keeps none, the first that were driven.
@@ -27,7 +29,8 @@ def watch_run(folder: Path, settings: VerifySettings, repeated: Repeated | None 
     chosen = [settings.scene_id] if settings.scene_id else [name for name, row in driven.items() if row["selected"]]
     chosen = (chosen or list(driven))[: settings.draws]
     if not chosen or chosen[0] not in driven:
-        raise RunError(f"{folder} has no scene {settings.scene_id!r} that was driven; scenes.parquet lists them")
+        some = ", ".join([*list(driven)[:SHOWN], *(["…"] if len(driven) > SHOWN else [])])
+        raise RunError(f"{folder} has no scene {settings.scene_id!r} that was driven, but {some or 'none at all'}")
     follow(repeated or Repeated(), simulators_of=[run], joining_of=[run])  # its ego drove already, and is not loaded
     made = remade(run)
     drives = tuple(

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from chatscene.errors import SettingsError, no_such
+from chatscene.errors import SettingsError
 from chatscene.files.bounded import is_there
 from chatscene.imports.osi_trace import read_trace
 from chatscene.imports.recording import Poses, recording
@@ -42,7 +42,8 @@ def watching(what: Path, settings: VerifySettings, repeated: Repeated | None = N
             raise SettingsError(f"{what} is a run, which was driven already: leave out --ego and --map")
         return watch_run(what, settings, repeated)
     if (watch := KINDS.get(kind)) is None:
-        raise SettingsError(no_such("kind of file", what.suffix or what.name, KINDS))
+        ends = f"the file '{what}' ends in {what.suffix!r}" if what.suffix else f"the file '{what}' has no ending"
+        raise SettingsError(f"{ends}, which is no kind that is read: {', '.join(KINDS)}")
     return watch(what, settings)
 
 
@@ -53,7 +54,9 @@ def check_there(what: Path) -> None:
         SettingsError: There is nothing.
     """
     if not (is_there(what) or os.path.isdir(what)):  # noqa: PTH112 - Path.is_dir() raises for what is too long
-        raise SettingsError(f"there is no {what}; give a run, or a file that ends in {', '.join(KINDS)}")
+        raise SettingsError(
+            f"no file or run folder '{what}'; give a run folder, or a file that ends in {', '.join(KINDS)}"
+        )
 
 
 def watch_table(path: Path, settings: VerifySettings) -> Watching:

