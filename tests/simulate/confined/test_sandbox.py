@@ -43,6 +43,7 @@ from chatscene.program.check import check, probe_scenes
 from chatscene.search.generators.foreign import foreign_program
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.confined.allow_list import check_foreign
+from chatscene.simulate.confined.child import _warmed_up  # type: ignore[reportPrivateUsage]
 from chatscene.simulate.confined.confinement import AUDIT, LIMITS, SECCOMP, Limits
 from chatscene.simulate.confined.landlock import landlock_version
 from chatscene.simulate.confined.nursery import Confined, Nursery, shared_nursery
@@ -58,6 +59,7 @@ from chatscene.simulate.confined.wire import (
     words,
 )
 from chatscene.simulate.confined.words import KINDS, PYTHON_NAMES, SCENIC_NAMES, dialect_of, world_words
+from chatscene.simulate.native.lines import engine
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
@@ -742,3 +744,13 @@ def test_a_program_may_say_light_weather_and_surface(said: str) -> None:
 def test_a_program_may_say_no_light_weather_or_surface_that_there_is_not(said: str) -> None:
     program = f"param {said}\nmodel chatscene.world.model\nego = new Car at (0, 0)\n"
     assert [one for one in check_foreign(program) if "it is one of" in str(one)]
+
+
+def test_the_engine_is_loaded_before_the_walls_are_up_on_any_map(monkeypatch: pytest.MonkeyPatch) -> None:
+    def no_place(*_: object, **__: object) -> object:
+        raise MapError("the map has no such road")
+
+    monkeypatch.setattr("chatscene.simulate.stepped.SteppedSimulator.open", no_place)
+    engine.cache_clear()
+    _warmed_up(resolve_map("town"), SimulationSettings())
+    assert engine.cache_info().currsize == 1

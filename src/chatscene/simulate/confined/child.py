@@ -39,6 +39,7 @@ from chatscene.simulate.confined.wire import (
     route_to_json,
     scene_from_json,
 )
+from chatscene.simulate.native.lines import engine
 from chatscene.simulate.simulator import Session, Simulator, load_simulator
 from chatscene.terms.pointing import place_in
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -115,7 +116,8 @@ def _warm_up(map_path: Path, settings: SimulationSettings, cache: str) -> Simula
 
 
 def _warmed_up(map_path: Path, settings: SimulationSettings) -> Simulator:
-    whole()  # no module can be loaded once the walls are up
+    whole()  # no module can be loaded once the walls are up, nor the engine, which finds who crosses a stop line
+    engine()
     load_network(map_path)
     load_roads(map_path)
     simulator = load_simulator(map_path, settings)
