@@ -2,10 +2,10 @@
 
     python benchmarks/gallery.py --out runs/gallery
 
-runs each sentence (ten scenes on one route, seed 0, with the surrogate ego of the paper, `sac`) and writes
-`docs/gallery.md` and the pictures in `docs/gallery/`: the first scene of each report, at the moment of contact, or
-where ego and adversary are nearest. `docs/gallery/openscenario.zip` has the same scenes for players of
-others, and the maps. Runs that are there already are resumed.
+runs each sentence with each ego of `EGOS` (ten scenes on one route, seed 0), takes the more dramatic of the first
+scenes, and writes `docs/gallery.md` and the pictures in `docs/gallery/`: the moment of contact, or the one at which ego
+and adversary are nearest. `docs/gallery/openscenario.zip` has the same scenes for other players, with the maps. Runs
+that are there already are resumed.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ import chatscene
 from chatscene.report.animation import still
 from chatscene.runs import open_run, read_drawing
 
+EGOS = ("planner", "idm")
 PAGES = Path(__file__).parents[1] / "docs"
 SITUATIONS = {
     "On foot": (
@@ -77,10 +78,10 @@ SITUATIONS = {
 }
 HEAD = """# Gallery
 
-**What can I say, and what does it look like?** Each sentence was run once with the ego `sac`: ten scenes on one route.
-`sac` sees only vehicles ahead in its lane, so it crashes often; `planner`, the default ego of `run`, avoids many of
-these crashes. Each picture is the first scene of the report: the ego blue, adversaries orange, occluders and blockers
-brown, a star at the contact.
+**What can I say, and what does it look like?** Each sentence was run with two egos, `planner` and `idm`: ten scenes on
+one route, at the speed of the road. Both see everybody and can brake fully. Each picture is the more dramatic of the
+first scenes of the two reports, and the most dramatic stand first: the ego blue, adversaries orange, occluders and
+blockers brown, a star at the contact.
 `python benchmarks/gallery.py --out runs/gallery` made this page (seed 0).
 
 [All of these scenes as OpenSCENARIO](gallery/openscenario.zip), with the maps, for esmini or another
@@ -97,34 +98,47 @@ def main() -> None:
     out = parser.parse_args().out
     page = [HEAD]
     with zipfile.ZipFile(PAGES / "gallery" / "openscenario.zip", "w") as files:
+        sections = []
         for heading, sentences in SITUATIONS.items():
             figures = sorted((figure(sentence, out, files) for sentence in sentences), reverse=True)
-            page += [f"## {heading}", '<div class="gallery">', *(shown for _, shown in figures), "</div>"]
+            shown = [f"## {heading}", '<div class="gallery">', *(picture for _, picture in figures), "</div>"]
+            sections.append((figures[0][0], shown))
+        for _, shown in sorted(sections, reverse=True):
+            page += shown
     (PAGES / "gallery.md").write_text("\n\n".join(page) + "\n")
 
 
 def figure(sentence: str, out: Path, files: zipfile.ZipFile) -> tuple[float, str]:
-    """Run a sentence, draw its first scene, and put that among the files.
+    """Run a sentence, draw its most dramatic first scene, and put that among the files.
 
     Returns:
-        The speed of the impact [m/s], 0 without a contact, and the picture with the sentence and what happened.
+        How dramatic it is (`drama`), and the picture with the sentence and what happened.
     """
     name = "-".join("".join(c for c in sentence.lower() if c.isalnum() or c == " ").split())
-    folder = out / name
-    run = chatscene.resume(folder) if (folder / "run.json").exists() else None
-    if not isinstance(run, chatscene.Run):
-        run = chatscene.run(sentence, folder, scenes=10, routes=1, seed=0, ego="sac")
-    episode = run.best.episode
+    runs = {ego: driven(sentence, out / ego / name, ego) for ego in EGOS}
+    ego, run = max(runs.items(), key=lambda one: drama(one[1].best))
     picture = PAGES / "gallery" / f"{name}.webp"
     picture.parent.mkdir(exist_ok=True)
-    drawing = read_drawing(open_run(folder))
-    picture.write_bytes(still(episode, drawing))
-    pack(files, name, folder, run.best.id)
-    crash = episode.collision
-    what = f"crash at {crash.impact_speed:.1f} m/s" if crash else "no contact"
-    print(f"{sentence}  {what}", flush=True)
-    shown = FIGURE.format(sentence=sentence, picture=picture.name, what=what)
-    return crash.impact_speed if crash else 0.0, shown
+    picture.write_bytes(still(run.best.episode, read_drawing(open_run(run.folder))))
+    pack(files, name, run.folder, run.best.id)
+    row = run.best.row
+    what = f"crashes at {3.6 * row['impact_speed']:.0f} km/h" if row["collision"] else "avoids the crash"
+    print(f"{sentence}  {ego} {what}", flush=True)
+    return drama(run.best), FIGURE.format(sentence=sentence, picture=picture.name, what=f"{ego} {what}")
+
+
+def driven(sentence: str, folder: Path, ego: str) -> chatscene.Run:
+    """The run of a sentence with an ego, finished if it was begun before."""
+    run = chatscene.resume(folder) if (folder / "run.json").exists() else None
+    if not isinstance(run, chatscene.Run):
+        run = chatscene.run(sentence, folder, scenes=10, routes=1, seed=0, ego=ego)
+    return run
+
+
+def drama(scene: chatscene.DrivenScene) -> float:
+    """The speed of the impact [m/s]; without a crash the negative gap [m] at the nearest moment."""
+    row = scene.row
+    return row["impact_speed"] if row["collision"] else -(row["distance"] if row["distance"] is not None else 1e3)
 
 
 def pack(files: zipfile.ZipFile, name: str, run: Path, scene: str) -> None:
