@@ -117,7 +117,7 @@ def decisions() -> str:
 
 def commands() -> str:
     """What each command says of itself."""
-    parts = ["# Command line", "Each command says this of itself with `--help`."]
+    parts = ["# Command line", "What each command prints with `--help`."]
     for name, command, depth in walk(main, "chatscene", 2):
         context = click.Context(command, info_name=name, max_content_width=100, terminal_width=100)
         parts += [f"{'#' * depth} {name}", f"```text\n{command.get_help(context)}\n```"]

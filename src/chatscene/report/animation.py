@@ -22,6 +22,7 @@ from chatscene.terms.episode import Episode
 
 FRAMES = 75  # at most; what happened
 BEFORE = 40  # steps that a still leads up to
+WIDE = 64.0  # [m] that a still shows at most, so that bodies can be made out
 LAST = 1500  # [ms] that the last frame stands
 
 T = TypeVar("T")
@@ -82,7 +83,7 @@ def still(episode: Episode, drawing: Mapping[str, Any], step: int | None = None,
         form: ``WEBP``, or ``PNG``, which every reader of pictures knows.
     """
     step = span(episode).moment if step is None else step
-    camera = Camera.on(episode, range(max(0, step - BEFORE), step + 1), WIDEST)
+    camera = Camera.on(episode, range(max(0, step - BEFORE), step + 1), WIDE)
     frame = draw_frame(camera, draw_ground(camera, drawing), episode, step)
     sink = io.BytesIO()
     small = frame.resize((WIDTH * 2 // 3, HEIGHT * 2 // 3), Image.Resampling.LANCZOS)
