@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ast
+import gc
 import re
+import weakref
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -13,7 +15,7 @@ from scenic.simulators.carla import blueprints
 from chatscene.interpret.situation_rows import KINDS
 from chatscene.read.kinds import is_named
 from chatscene.simulate.confined.words import world_words
-from chatscene.terms.actors import AIR_DRAG, BY_CLASS, AdversaryKind
+from chatscene.terms.actors import AIR_DRAG, BY_CLASS, AdversaryKind, kind_of
 from chatscene.terms.actors import named as called
 from places import ROOT
 
@@ -120,3 +122,14 @@ def test_lorries_and_buses_hold_the_speed_of_their_limiters(kind: AdversaryKind,
         force = body.throttle * (1.0 - speed / body.top_speed) - body.drag - AIR_DRAG * speed * speed
         speed += 0.1 * force
     assert speed * 3.6 == pytest.approx(held, abs=0.1)
+
+
+def test_a_class_whose_kind_was_asked_for_is_let_go() -> None:
+    class Car:
+        """As each compiled program brings one of its own."""
+
+    kept = weakref.ref(Car)
+    assert kind_of(Car()) == "Car"
+    del Car
+    gc.collect()
+    assert kept() is None

@@ -18,7 +18,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import lru_cache
+from weakref import WeakKeyDictionary
 
 from chatscene.terms.nouns import with_article
 
@@ -743,10 +743,12 @@ def has_lamps(kind: str) -> bool:
 
 def kind_of(thing: object) -> str:
     """The kind of road user that a thing is: the nearest of its classes in `LIMITS`; else its own class."""
-    return _kind_of(type(thing))
+    kind = type(thing)
+    if (known := _kinds.get(kind)) is None:
+        names = [cls.__name__ for cls in kind.__mro__]
+        known = _kinds[kind] = next((name for name in names if name in LIMITS), names[0])
+    return known
 
 
-@lru_cache(maxsize=256)
-def _kind_of(kind: type) -> str:
-    names = [cls.__name__ for cls in kind.__mro__]
-    return next((name for name in names if name in LIMITS), names[0])
+_kinds: WeakKeyDictionary[type, str] = WeakKeyDictionary()
+"""Of classes that are still there: each program brings its own, and a class holds all of the program."""
