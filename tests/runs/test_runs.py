@@ -302,7 +302,7 @@ def test_a_new_run_never_writes_into_a_folder_that_holds_something(tmp_path: Pat
     run = started(tmp_path / "run")
     with pytest.raises(RunError, match="not empty"):
         started(run.path)
-    with pytest.raises(RunError, match=r"holds a run with other settings.*by: chatscene resume"):
+    with pytest.raises(RunError, match=r"holds a run with other settings.*To continue that run: chatscene resume"):
         take_up(run.path, asked(text="another"))
 
 

@@ -158,7 +158,7 @@ def test_a_report_and_the_file_of_a_situation_are_taken_as_a_sentence_is(drive: 
     [
         (["nowhere.scenic", CROSSES], 2, "no file or run folder 'nowhere.scenic'"),
         (["a" * 5000, CROSSES], 2, "no file or run folder 'aaa"),
-        (["drive.csv"], 2, "say what drive.csv is to show"),
+        (["drive.csv"], 2, "say what drive.csv should show"),
         (["drive.csv", "nowhere.yaml"], 2, "nowhere.yaml"),
         (["drive.csv", "bad.json"], 2, "bad.json"),
         (["drive.csv", NONE], 3, "tells no dangerous traffic situation"),
@@ -167,7 +167,7 @@ def test_a_report_and_the_file_of_a_situation_are_taken_as_a_sentence_is(drive: 
         ([".", CROSSES], 2, "no run.json"),
         (["empty.scenic", CROSSES], 2, "is empty"),
         (["import.scenic", CROSSES], 2, "import"),
-        (["binary.csv", CROSSES], 2, "no text in UTF-8"),
+        (["binary.csv", CROSSES], 2, "is not UTF-8 text"),
         (["bomb.xosc", CROSSES], 2, "bomb.xosc"),
         (["drive.csv", CROSSES, "--page", "."], 2, "cannot write"),
     ],
