@@ -127,7 +127,7 @@ def test_what_cannot_be_exported_is_told_and_leaves_nothing_behind(tmp_path: Pat
 
 
 def test_a_run_that_is_not_done_keeps_no_scenes_yet(tmp_path: Path) -> None:
-    with pytest.raises(RunError, match="stopped, not done; finish it"):
+    with pytest.raises(RunError, match="was interrupted; continue with"):
         export(started(tmp_path / "run").path, to="csv", out=tmp_path / "out")
 
 

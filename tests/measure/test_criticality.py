@@ -12,6 +12,7 @@ from shapely.affinity import rotate, translate
 
 from chatscene.measure.criticality import criticality, fault
 from chatscene.report.measures import InWords
+from chatscene.simulate.contact import side_touched
 from chatscene.terms.criticality import CRITICALITY, Criticality, Fault, Severity
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 from places import ROOT
@@ -278,6 +279,29 @@ def staged(case: int) -> Episode:
 @pytest.mark.parametrize("case", range(len(FAULTS)), ids=[name for name, *_ in FAULTS])
 def test_who_struck_whom(case: int) -> None:
     assert fault(staged(case)) is FAULTS[case][3]
+
+
+BESIDE = [
+    ("the ego moves over into who keeps its lane",
+     track("ego", speed=20.0, turning=0.02, rows=60), track(y=2.6, speed=20.0, rows=60), Fault.EGO_INTO_ADVERSARY),
+    ("who moves over into an ego that keeps its lane",
+     track("ego", speed=20.0, rows=60), track(y=2.6, speed=20.0, turning=-0.02, rows=60), Fault.ADVERSARY_INTO_EGO),
+    ("who comes over from the oncoming lane",
+     track("ego", speed=12.0, rows=60), track(x=60.0, y=2.6, heading=WEST, speed=11.0, turning=0.02, rows=60),
+     Fault.ADVERSARY_INTO_EGO),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("case", BESIDE, ids=[name for name, *_ in BESIDE])
+def test_of_two_who_touch_side_by_side_who_turned_toward_the_other_struck(
+    case: tuple[str, Track, Track, Fault],
+) -> None:
+    _, ego, other, expected = case
+    scene = crash(ego, other)
+    hit = scene.events[0]
+    side = side_touched(scene.tracks[0], scene.tracks[1], hit.step)
+    assert side == "left"
+    assert fault(replace(scene, events=(replace(hit, side=side),))) is expected
 
 
 def test_without_a_collision_nobody_struck_anybody() -> None:

@@ -33,6 +33,7 @@ from chatscene.runs.crash import Contact
 from chatscene.runs.why import MIDDLE, back_of
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
+from chatscene.simulate.striking import Strike
 from chatscene.terms.criticality import Fault
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Scene, ScenicProgram
@@ -291,6 +292,7 @@ def test_whom_the_ego_struck_is_told_in_words(other: str, kind: str, said: str) 
         other=other,
         kind=kind,
         fault=Fault.EGO_INTO_STATIC,
+        strike=Strike(by_ego=True, static=True, foremost=(True, False), moving=False),
         ego_part="front",
         other_part="",
         ego_speed=6.0,

@@ -60,20 +60,21 @@ def test_speeds_that_differ_are_told_with_their_range_and_kinds_with_their_count
 def test_the_hardest_crash_has_its_speed_and_what_a_curve_says_of_it() -> None:
     rows = [row(), crashed("Pedestrian", 20, other_death_risk=0.006), crashed("Pedestrian", 34, other_death_risk=0.021)]
     assert how_fast(rows).endswith(
-        "The hardest crash closed at 34 km/h: 2 in 100 pedestrians die when struck at 34 km/h (Rosén and Sander 2009)."
+        "The hardest crash had an impact speed of 34 km/h: "
+        "2 in 100 pedestrians die when struck at 34 km/h (Rosén and Sander 2009)."
     )
 
 
 def test_a_crash_of_which_no_curve_is_says_so() -> None:
     assert how_fast([crashed("Dog", 30)]).endswith(
-        "The crash closed at 30 km/h: no published injury-risk curve is of such a crash."
+        "The crash had an impact speed of 30 km/h: no published injury-risk curve is of such a crash."
     )
     assert harm_in_words(row()) == ""
 
 
 def test_a_crash_of_two_cars_that_is_milder_than_a_curve_goes_says_that() -> None:
     assert how_fast([crashed("Car", 10)]).endswith(
-        "The crash closed at 10 km/h: milder than those of which there are injury-risk curves."
+        "The crash had an impact speed of 10 km/h: milder than those of which there are injury-risk curves."
     )
 
 
@@ -109,3 +110,14 @@ def test_of_folders_of_before_and_of_nothing_it_says_nothing(rows: list[dict[str
 def test_an_ego_alone_has_its_own_speed() -> None:
     alone = row(other_kind=None, other_speed_most=None, time_to_collision=None, distance=None)
     assert how_fast([alone]) == "The ego drove at 50 km/h."
+
+
+def test_a_graze_has_its_impact_speed_and_how_fast_the_two_closed() -> None:
+    told = how_fast([crashed("Car", 82) | {"closing_speed": 8 * KMH}])
+    assert (
+        "The crash had an impact speed of 82 km/h and a closing speed, straight against each other, of 8 km/h" in told
+    )
+
+
+def test_who_came_near_and_did_not_touch_was_not_at_no_distance() -> None:
+    assert "they came within less than 0.1 m" in how_fast([row(distance=0.02)])

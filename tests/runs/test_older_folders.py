@@ -235,8 +235,8 @@ def test_a_run_that_was_kept_is_replayed_reported_and_measured_anew(kept: Path, 
 def test_a_run_that_was_killed_is_told_at_once_and_one_at_work_is_not(tmp_path: Path) -> None:
     run = started(tmp_path / "run")
     (killed,) = index(tmp_path).left_out
-    assert "is stopped, not done; finish it with" in killed.why
-    assert "unless another machine is at work on it" in killed.why
+    assert "was interrupted; continue with" in killed.why
+    assert "not while another machine works on it" in killed.why
     with runs.alone(run.path):
         (working,) = index(tmp_path).left_out
     assert "is running, not done; finish it with" in working.why

@@ -224,7 +224,7 @@ def test_what_cannot_be_evaluated_is_said(searched: Path, tmp_path: Path) -> Non
     with pytest.raises(EgoError, match="no ego 'idn'; did you mean 'idm'"):
         evaluate([searched], tmp_path / "e", egos=["idn"], progress=silent)
     unfinished = runs.create(tmp_path / "u", runs.asked_run(TEXTS[0], settings=SETTINGS, ego="idm"))
-    with pytest.raises(RunError, match="is stopped, not done; finish it with: chatscene resume"):
+    with pytest.raises(RunError, match="was interrupted; continue with: chatscene resume"):
         evaluate([unfinished.path], tmp_path / "e", egos=["idm"], progress=silent)
     runs.update(unfinished, status=runs.Status.REFUSED, reason="the scene has no dragon")
     with pytest.raises(RunError, match="was refused and has no scenes: the scene has no dragon; say it in other words"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -11,9 +12,12 @@ from click.testing import CliRunner
 
 import chatscene
 from chatscene.commands.main import main
-from chatscene.errors import SettingsError
+from chatscene.errors import RunError, SettingsError
+from fake_run import finished, started
 
 PNG = b"\x89PNG\r\n\x1a\n"
+State = tuple[float, float, float, float]
+"""x [m], y [m], heading [rad], speed [m/s]."""
 
 
 @pytest.fixture
@@ -90,7 +94,7 @@ def test_a_collision_is_told_with_who_ran_into_whom(tmp_path: Path) -> None:
     told = chatscene.story(tmp_path / "crash.csv")
     assert told.ending == "collision"
     assert "the ego runs into the other (car)" in told.told[-1].what
-    assert "closing at 36 km/h" in told.told[-1].what
+    assert "impact speed 36 km/h" in told.told[-1].what
 
 
 RAGGED = """time,id,kind,x,y,heading,speed,ego
@@ -112,8 +116,8 @@ def test_who_comes_later_and_is_hit_is_told_and_so_is_who_goes_and_who_is_left_o
     lines = [str(one) for one in told.told]
     assert any("2.1 s  the first (car) is not there any more" in line for line in lines)
     assert any("2.5 s  the late (car) is there from now on, 20 m ahead of the ego" in line for line in lines)
-    assert "the ego runs into the late (car) (the ego's front, the other's rear)" in lines[-1]
-    assert "the other at 0 km/h, closing at 36 km/h" in lines[-1]
+    assert "the ego runs into the late (car), front to rear" in lines[-1]
+    assert "the other at 0 km/h, impact speed 36 km/h" in lines[-1]
     assert [note for note in told.notes if "after" in note] == ["not told of: after, who is there for a moment at most"]
     for moment in (None, 0.0, 2.5, 4.1):
         assert told.picture(moment).startswith(PNG)
@@ -140,7 +144,7 @@ def test_who_is_there_from_inside_the_ego_is_no_collision(tmp_path: Path) -> Non
     path.write_text(RAGGED.format(late=25, after=1))
     told = chatscene.story(path)
     assert told.ending == "timeout"
-    assert any("nearest: 0.0 m between the ego and the late" in one.what for one in told.told)
+    assert any("nearest: less than 0.1 m between the ego and the late" in one.what for one in told.told)
 
 
 def test_of_many_the_nearest_are_told_of_and_how_many_are_not_is_said(tmp_path: Path) -> None:
@@ -152,3 +156,100 @@ def test_of_many_the_nearest_are_told_of_and_how_many_are_not_is_said(tmp_path: 
     told = chatscene.story(tmp_path / "many.csv")
     assert "2 more who are farther from the ego are not told of" in told.notes
     assert not any("other7" in one.who for one in told.told)
+
+
+def told_by(path: Path, ego: Callable[[float], State], **others: Callable[[float], State]) -> list[str]:
+    """The lines of the story of 8 s in which each is at x, y with a heading and a speed, by the time."""
+    rows = ["time,id,kind,x,y,heading,speed,ego"]
+    for step in range(81):
+        now = step / 10
+        rows.append(f"{now},ego,car,{','.join(map(str, ego(now)))},1")
+        rows += [f"{now},{name},car,{','.join(map(str, who(now)))},0" for name, who in others.items()]
+    path.write_text("\n".join(rows))
+    return [str(one) for one in chatscene.story(path).told]
+
+
+def along(x: float, y: float, speed: float = 15.0) -> Callable[[float], State]:
+    return lambda now: (x + speed * now, y, 0.0, speed)
+
+
+def over(x: float, y: float, to: float, speed: float = 15.0) -> Callable[[float], State]:
+    """Along the road, from one line to another from 2 s to 5 s."""
+
+    def state(now: float) -> State:
+        share = min(max((now - 2.0) / 3.0, 0.0), 1.0)
+        slant = math.atan2((to - y) / 3.0, speed) if 0.0 < share < 1.0 else 0.0
+        return x + speed * now, y + (to - y) * share, slant, speed
+
+    return state
+
+
+def test_who_keeps_its_lane_while_the_ego_moves_over_does_not_cut_in(tmp_path: Path) -> None:
+    lines = told_by(tmp_path / "over.csv", over(0.0, 0.0, 3.5), A=along(1.0, 3.5))
+    assert not [
+        line for line in lines if any(f"({act})" in line for act in ("cut-in", "cross", "enter", "lane-change"))
+    ]
+    assert "the ego's left side meets the car's right side" in lines[-1]
+
+
+def test_who_was_never_in_the_lane_of_the_ego_changes_lanes_and_does_not_leave_that(tmp_path: Path) -> None:
+    lines = told_by(tmp_path / "out.csv", along(0.0, 0.0), A=over(40.0, 3.5, 7.0), B=over(80.0, 0.0, 3.5))
+    assert [line for line in lines if "car A changes lanes to its left (lane-change)" in line]
+    assert [line for line in lines if "car B leaves the ego's lane to the left (cut-out)" in line]
+    assert sum("(cut-out)" in line for line in lines) == 1
+
+
+def test_two_who_meet_head_on_run_into_each_other(tmp_path: Path) -> None:
+    lines = told_by(tmp_path / "on.csv", along(0.0, 0.0), A=lambda now: (100.0 - 15.0 * now, 0.0, math.pi, 15.0))
+    assert "the ego and the car run into each other, front to front" in lines[-1]
+
+
+def brakes(now: float) -> State:
+    """20 m/s, from 1 s on 1 m/s² less, from 4 s on 6 m/s²."""
+    gentle, hard = min(max(now - 1.0, 0.0), 3.0), max(now - 4.0, 0.0)
+    stops = min(hard, 17.0 / 6.0)
+    x = 100.0 + 20.0 * min(now, 1.0) + 20.0 * gentle - gentle**2 / 2 + 17.0 * stops - 3.0 * stops**2
+    return x, 3.5, 0.0, 20.0 - gentle - 6.0 * stops
+
+
+def test_to_slow_down_gently_and_then_to_brake_are_two(tmp_path: Path) -> None:
+    lines = told_by(tmp_path / "two.csv", along(0.0, 0.0), A=brakes)
+    (gentle,) = [line for line in lines if "the car loses speed gently (slow-down)" in line]
+    (hard,) = [line for line in lines if "the car loses speed hard (brake)" in line]
+    assert "from 72 km/h to 61 km/h, with up to 1.0 m/s²" in gentle
+    assert "from 61 km/h to 0 km/h and stands, with up to 6.0 m/s²" in hard
+    assert float(hard.split()[0]) == pytest.approx(4.0, abs=0.11)
+
+
+def test_who_gains_speed_unevenly_does_not_lose_it(tmp_path: Path) -> None:
+    def gains(now: float) -> State:
+        speed = 8.0 + 0.5 * now - 0.3 * (int(10 * now) % 5 == 0)
+        return 30.0 + 8.0 * now + 0.25 * now**2, 3.5, 0.0, speed
+
+    lines = [line for line in told_by(tmp_path / "up.csv", along(0.0, 0.0, 5.0), A=gains) if "m/s²" in line]
+    assert lines and all("gains speed (accelerate)" in line for line in lines)
+
+
+def test_who_turns_back_is_told_to_do_so_once_and_not_to_have_crossed(tmp_path: Path) -> None:
+    rows = ["time,id,kind,x,y,heading,speed,ego"]
+    for step in range(81):
+        now = step / 10
+        came, back = 1.5 * min(now, 4.0), 1.5 * min(max(now - 4.0, 0.0), 3.0)
+        rows.append(f"{now},car1,car,{5 * now},0,0,5,1")
+        rows.append(f"{now},walker,pedestrian,70,{-6.0 + came - back},{math.pi / 2 * (1 if now < 4 else -1)},1.5,0")
+    (tmp_path / "back.csv").write_text("\n".join(rows))
+    lines = [str(one) for one in chatscene.story(tmp_path / "back.csv").told]
+    assert sum("(turn-back)" in line for line in lines) == 1
+    assert len(set(lines)) == len(lines)
+    assert [line for line in lines if "(cross), unfinished at the end" in line]
+
+
+def test_a_run_that_was_interrupted_says_so_and_names_no_scene(tmp_path: Path) -> None:
+    with pytest.raises(RunError, match="was interrupted; continue with: chatscene resume"):
+        chatscene.story(started(tmp_path / "run").path)
+
+
+def test_a_scene_that_a_run_does_not_have_is_told_with_those_that_it_has(tmp_path: Path) -> None:
+    run = finished(tmp_path / "run", count=2)
+    with pytest.raises(RunError, match=r"has no scene 'nobody' that was driven, but .*scene-000, .*scene-001"):
+        chatscene.story(run.path, scene="nobody")

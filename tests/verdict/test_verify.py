@@ -122,6 +122,8 @@ def test_a_contact_that_was_said_and_is_none_is_not_shown_by_a_recording(tmp_pat
     )
     verdict = chatscene.verify(table(tmp_path / "late.csv", sets_off=8.0), said)
     assert "contact.happens" in {one.path for one in verdict.failing}
+    (striker,) = [one for one in verdict.facts if one.path == "contact.striker"]
+    assert striker.answer == "not reached", "how two touch is not come to where they do not"
 
 
 def test_who_has_another_name_is_found_by_what_is_shown(tmp_path: Path) -> None:

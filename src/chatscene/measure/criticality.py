@@ -8,18 +8,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from functools import lru_cache
 
 import numpy as np
 
-from chatscene.simulate.boxes import CRAWL, KEPT, NOTHING, Boxes, Pair, between, post_encroachment
+from chatscene.simulate.boxes import CRAWL, between, post_encroachment
 from chatscene.simulate.contact import side_touched
+from chatscene.simulate.striking import strike
 from chatscene.terms.actors import BY_CLASS, LIMITS
-from chatscene.terms.arrays import Array, fixed
+from chatscene.terms.arrays import Array
 from chatscene.terms.criticality import Criticality, Fault, Severity
 from chatscene.terms.episode import Episode, Event, Role, Track
 
-STILL = 0.05  # [m], who moved less than this until contact never moved
 # Above which impact speed [m/s] S1, S2 and S3 begin; decision 0012 has the sources.
 SEVERITY_VULNERABLE = (0.0, 29 / 3.6, 10.8)
 SEVERITY_OCCUPANT = (7 / 3.6, 35 / 3.6, 52.5 / 3.6)
@@ -46,20 +45,15 @@ def criticality(episode: Episode) -> Criticality:
 def fault(episode: Episode) -> Fault | None:
     """Who struck whom in the first collision of a drive; None without one.
 
-    The line of contact is the normal of the side at which the boxes met in the step that ended in contact. Whoever
-    moved farther along it toward the other in that step ran into the other; if both did alike, the ego did. A thing,
-    or whoever had not moved until then, was run into.
+    `chatscene.simulate.striking` has the rule.
     """
-    crash = episode.collision
-    if crash is None:
+    crash, struck = episode.collision, strike(episode)
+    if crash is None or struck is None:
         return None
-    ego, other = episode.ego_track, _struck(episode, crash)
-    until = slice(0, crash.step + 1)
-    moved = np.hypot(other.x[until] - other.x[0], other.y[until] - other.y[0]).max()
-    if other.role is Role.OCCLUDER or moved < STILL:
+    if struck.static:
         return Fault.EGO_INTO_STATIC
-    adversary = other.role is Role.ADVERSARY
-    if _ego_strikes(ego, other, crash.step):
+    adversary = _struck(episode, crash).role is Role.ADVERSARY
+    if struck.by_ego:
         return Fault.EGO_INTO_ADVERSARY if adversary else Fault.EGO_INTO_BACKGROUND
     return Fault.ADVERSARY_INTO_EGO if adversary else Fault.BACKGROUND_INTO_EGO
 
@@ -69,29 +63,6 @@ def part_struck(track: Track, by: Track, crash: Event) -> str:
     if track.kind not in LIMITS or not LIMITS[track.kind].wheelbase:
         return ""
     return side_touched(track, by, crash.step, crash.earlier)
-
-
-@lru_cache(maxsize=KEPT)
-def line_of_contact(ego: Track, other: Track, step: int) -> Array:
-    """(2,) The normal, from the ego to the other, of the side at which they met in the step before `step`."""
-    mine, theirs = _moved(ego, step), _moved(other, step)
-    before = max(step - 1, 0)
-    pair = Pair.of(Boxes.of(ego).at(before), Boxes.of(other).at(before))
-    # The boxes met on the axis on which they were apart for longest.
-    enter, _ = pair.overlap(*(theirs - mine))
-    axis = int(np.argmax(enter))
-    return fixed(np.array((pair.axis_x[axis], pair.axis_y[axis])) * math.copysign(1.0, pair.offset[axis]))
-
-
-def _ego_strikes(ego: Track, other: Track, step: int) -> bool:
-    """Whether the ego moved at least as far toward the other as the other toward it, in the step before `step`."""
-    normal = line_of_contact(ego, other, step)
-    return bool(_moved(ego, step) @ normal >= -_moved(other, step) @ normal - NOTHING)
-
-
-def _moved(track: Track, step: int) -> Array:
-    before = max(step - 1, 0)
-    return np.array((track.x[step] - track.x[before], track.y[step] - track.y[before]))
 
 
 def _struck(episode: Episode, crash: Event) -> Track:

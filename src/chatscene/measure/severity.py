@@ -34,7 +34,7 @@ class Outcome(StrEnum):
 class By(StrEnum):
     """What speed a curve takes, as it is said."""
 
-    CLOSING = "at a closing speed of"  # the relative speed of the two just before
+    IMPACT = "at an impact speed of"  # the relative speed of the two just before
     STRIKER = "when struck at"  # the speed of the car that strikes
     DELTA_V = "at a change of velocity of"
 
@@ -82,6 +82,12 @@ def in_kmh(speed: float) -> str:
     return f"{KMH * speed:.0f} km/h"
 
 
+def near_in_words(gap: float) -> str:
+    """How near [m] two came, of whom nobody is to think that they touched."""
+    return f"{gap:.1f} m" if gap >= LEAST else f"less than {LEAST:g} m"
+
+
+LEAST = 0.1  # [m] below which a gap is as good as none, and is none all the same
 LIGHT = 3500.0  # [kg]: categories M1 and N1 (Regulation (EU) 2018/858)
 VEHICLES = frozenset(kind for kind in AdversaryKind if kind.row.motorised and kind.row.manner is Manner.DRIVES)
 _CARS = frozenset(kind for kind in VEHICLES if kind.row.mass <= LIGHT)
@@ -105,7 +111,7 @@ CURVES = (
         who="pedestrians",
         kinds=_ON_FOOT,
         outcome=Outcome.INJURY,
-        by=By.CLOSING,
+        by=By.IMPACT,
         intercept=-6.190 + 0.038 * 46,
         slope=0.078 * KMH,
         source=_LUBBE,
@@ -114,7 +120,7 @@ CURVES = (
         who="cyclists",
         kinds=frozenset({AdversaryKind.BICYCLE}),
         outcome=Outcome.INJURY,
-        by=By.CLOSING,
+        by=By.IMPACT,
         intercept=-7.467 + 0.047 * 39,
         slope=0.079 * KMH,
         source=_LUBBE,
@@ -123,7 +129,7 @@ CURVES = (
         who="motorcyclists",
         kinds=frozenset({AdversaryKind.MOTORCYCLE}),
         outcome=Outcome.INJURY,
-        by=By.CLOSING,
+        by=By.IMPACT,
         intercept=-4.555 + 0.011 * 40,
         slope=0.040 * KMH,
         source=_LUBBE,
@@ -207,7 +213,7 @@ def curves_for(one: Hurt, other: Hurt, *, impact_speed: float, closing_speed: fl
             fits, speed = one.part in curve.parts and other.kind in VEHICLES, one.delta_v or 0.0
         else:
             fits = other.part == "front" and other.kind is AdversaryKind.CAR and closing_speed >= impact_speed / 2
-            speed = impact_speed if curve.by is By.CLOSING else other.speed
+            speed = impact_speed if curve.by is By.IMPACT else other.speed
         if fits and (risk := curve.at(speed)) is not None:
             yield Found(curve=curve, risk=risk, speed=speed)
 

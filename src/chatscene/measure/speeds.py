@@ -8,10 +8,11 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.measure.criticality import line_of_contact, part_struck
+from chatscene.measure.criticality import part_struck
 from chatscene.measure.severity import Found, Hurt, curves_for
 from chatscene.simulate.boxes import between, least_gap
 from chatscene.simulate.native.lines import engine
+from chatscene.simulate.striking import line_of_contact
 from chatscene.terms.actors import BY_CLASS, LOOSE
 from chatscene.terms.arrays import Array, changes, changes_at
 from chatscene.terms.episode import Episode, Event, Track

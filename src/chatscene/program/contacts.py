@@ -8,81 +8,16 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from chatscene.program.deeds import MOVING
 from chatscene.program.finding import Finding
 from chatscene.simulate.contact import side_touched, sides_touched
-from chatscene.terms.episode import Episode, Track, contact_point
+from chatscene.simulate.striking import strike
+from chatscene.terms.episode import Episode, Track
 from chatscene.terms.situation import Contact, Situation
-from chatscene.terms.vocabulary import LETS_GO, NOSE, SIDES_OF, Act, Striker
+from chatscene.terms.vocabulary import LETS_GO, SIDES_OF, Act, Striker
 
 AT_SLACK = 0.15  # of the ego's width
-TURNED_IN = 30  # steps before they touch, in which somebody is seen to turn toward the other …
-TURNED = 0.01  # [rad] … by so much at least
-SAME_WAY = math.cos(math.radians(25.0))  # of the angle between two who go the same way
-
-
-def striker_of(episode: Episode, other: Track) -> Striker:
-    """Who runs into whom: whose nose touches a flank or a tail, else who comes nearer by the own motion."""
-    collision, ego = episode.collision, episode.ego_track
-    assert collision is not None
-    before = max(collision.step - 2, 0)
-    if any(_is_door_of(other.actor, track.actor) for track in episode.tracks):
-        return Striker.EGO if _at_front(episode) else Striker.OTHER
-    noses = collision.side == "front", _touches_with_nose(episode, other)
-    if noses == (True, False) and ego.speed[before] > MOVING:
-        return Striker.EGO
-    if noses == (False, True) and abs(other.speed[before]) > MOVING:
-        return Striker.OTHER
-    if not any(noses) and (over := _who_came_over(ego, other, collision.step)) is not None:
-        return over
-    dx, dy = float(other.x[before] - ego.x[before]), float(other.y[before] - ego.y[before])
-    far = math.hypot(dx, dy) or 1.0
-
-    def toward(track: Track, sign: float) -> float:
-        heading, speed = float(track.heading[before]), float(track.speed[before])
-        return sign * speed * (math.cos(heading) * dx + math.sin(heading) * dy) / far
-
-    return Striker.EGO if toward(ego, 1.0) >= toward(other, -1.0) else Striker.OTHER
-
-
-def _head_on(episode: Episode, other: Track) -> bool:
-    """Whether two touch nose to nose, both under way: each runs into the other."""
-    collision = episode.collision
-    assert collision is not None
-    before, noses = max(collision.step - 2, 0), collision.side == "front" and _touches_with_nose(episode, other)
-    return noses and min(float(track.speed[before]) for track in (episode.ego_track, other)) > MOVING
-
-
-def _who_came_over(ego: Track, other: Track, step: int) -> Striker | None:
-    """Who turned toward the other of two who went the same way side by side; None of others."""
-    since = max(step - TURNED_IN, 0)
-    turned = [float(track.heading[step] - track.heading[since]) for track in (ego, other)]
-    along = math.cos(float(ego.heading[step] - other.heading[step]))
-    if along < SAME_WAY or max(map(abs, turned)) < TURNED:
-        return None
-    dx, dy = float(other.x[step] - ego.x[step]), float(other.y[step] - ego.y[step])
-    heading = float(ego.heading[step])
-    left = 1.0 if dy * math.cos(heading) - dx * math.sin(heading) > 0.0 else -1.0
-    return Striker.EGO if left * turned[0] > -left * turned[1] else Striker.OTHER
-
-
-def _at_front(episode: Episode) -> bool:
-    """Whether the ego is touched in the front half: it drives into a door that is open, and else one opens into it."""
-    collision, ego = episode.collision, episode.ego_track
-    assert collision is not None
-    x, y = contact_point(episode, collision)
-    own_x, own_y, heading = ego.pose(collision.step, collision.earlier)
-    return (x - own_x) * math.cos(heading) + (y - own_y) * math.sin(heading) > 0.0
-
-
-def _touches_with_nose(episode: Episode, other: Track) -> bool:
-    """Whether the nose of the other is where it touches the ego."""
-    collision = episode.collision
-    assert collision is not None
-    x, y = contact_point(episode, collision)
-    other_x, other_y, heading = other.pose(collision.step, collision.earlier)
-    ahead = (x - other_x) * math.cos(heading) + (y - other_y) * math.sin(heading)
-    return ahead > other.length / 2 - NOSE
+HOW = ("whom", "ego", "other", "striker", "at", "behind_nose")
+"""What is said of how two touch, to which a drive without a contact does not come."""
 
 
 def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
@@ -93,6 +28,8 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
     if collision is None:
         told = "said a contact, there is none" if said.happens else "there is none"
         yield Finding(path="contact.happens", shown=None if said.happens else True, told=told)
+        how = (name for name in HOW if getattr(said, name) is not None)
+        yield from (Finding(path=f"contact.{name}", shown=None, told=told) for name in how if said.happens)
         return
     if not said.happens:
         another = said.whom is not None and not is_with(collision.other, said.whom)
@@ -118,8 +55,10 @@ def of_contact(situation: Situation, episode: Episode) -> Iterator[Finding]:
         right = not sides.isdisjoint(SIDES_OF[said.other])
         yield Finding(path="contact.other", shown=right, told=f"said {said.other}, it is the {side}")
     if said.striker is not None:
-        striker = striker_of(episode, other)
-        right = striker is said.striker or _head_on(episode, other)
+        struck = strike(episode)
+        assert struck is not None
+        striker = Striker.EGO if struck.by_ego else Striker.OTHER
+        right = striker is said.striker or struck.each
         yield Finding(path="contact.striker", shown=right, told=f"said {said.striker}, it is {striker}")
 
 

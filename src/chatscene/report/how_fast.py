@@ -8,7 +8,7 @@ from itertools import chain
 from statistics import median
 from typing import Any
 
-from chatscene.measure.severity import CURVES, KMH, By, Found, Outcome, in_kmh, none_told, told
+from chatscene.measure.severity import CURVES, KMH, By, Found, Outcome, in_kmh, near_in_words, none_told, told
 from chatscene.terms.actors import BY_CLASS, noun_of
 from chatscene.terms.criticality import LONGEST
 
@@ -93,14 +93,17 @@ def _within(row: Row) -> str:
     """How near two came that did not touch."""
     left = row["time_to_collision"]
     near = left is not None and left <= LONGEST
-    return f"{row['distance']:.1f} m" + (f", and to {left:.1f} s before a collision" if near else "")
+    return near_in_words(row["distance"]) + (f", and to {left:.1f} s before a collision" if near else "")
 
 
 def _hardest(row: Row, count: int) -> str:
-    closing = f"{'The crash' if count == 1 else 'The hardest crash'} closed at {in_kmh(hardness(row))}"
+    hard = f"an impact speed of {in_kmh(row['impact_speed'] or 0.0)}"
+    if in_kmh(hardness(row)) != in_kmh(row["impact_speed"] or 0.0):
+        hard += f" and a closing speed, straight against each other, of {in_kmh(hardness(row))}"
+    crash = f"{'The crash' if count == 1 else 'The hardest crash'} had {hard}"
     worst = max(chain(*harm(row)), key=lambda one: (one.curve.outcome is Outcome.DEATH, one.risk), default=None)
     said = harm_in_words(row) if worst is None else worst.in_words()
-    return f"{closing}: {said}" if said else closing
+    return f"{crash}: {said}" if said else crash
 
 
 def hardness(row: Row) -> float:
@@ -115,5 +118,5 @@ def _found(row: Row, who: str, whom: str, outcome: Outcome) -> Found | None:
     curve = next((one for one in CURVES if kind in one.kinds and one.outcome is outcome), None)
     if risk is None or curve is None:
         return None
-    takes = {By.STRIKER: f"{whom}_speed_at_impact", By.CLOSING: "impact_speed", By.DELTA_V: f"{who}_delta_v"}
+    takes = {By.STRIKER: f"{whom}_speed_at_impact", By.IMPACT: "impact_speed", By.DELTA_V: f"{who}_delta_v"}
     return Found(curve=curve, risk=risk, speed=row[takes[curve.by]] or 0.0)

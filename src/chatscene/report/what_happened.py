@@ -37,7 +37,7 @@ def outcome_in_words(row: Mapping[str, Any]) -> str:
 
 
 def kept_in_words(rows: Sequence[Mapping[str, Any]]) -> str:
-    """What the kept scenes are, such as ``1 collision at 19 km/h, 1 with a nearest gap of 1.1 s``.
+    """What the kept scenes are, such as ``1 collision with an impact speed of 19 km/h, 1 with a nearest gap of 1.1 s``.
 
     Args:
         rows: Scenes of a run (`chatscene.runs.read_scenes`); empty where none is kept, or its folder does not tell.
@@ -49,7 +49,10 @@ def kept_in_words(rows: Sequence[Mapping[str, Any]]) -> str:
     crashes, soon, near = by[Happening.COLLISION], by[Happening.NEAR_IN_TIME], by[Happening.NEAR]
     told: list[str] = []
     if crashes:
-        told.append(f"{len(crashes)} collision{'s' * (len(crashes) > 1)} at {_span(crashes, 'impact_speed', 'km/h')}")
+        many = (
+            "1 collision with an impact speed" if len(crashes) == 1 else f"{len(crashes)} collisions with impact speeds"
+        )
+        told.append(f"{many} of {_span(crashes, 'impact_speed', 'km/h')}")
     told += [
         f"{len(some)} with {'nearest gaps' if len(some) > 1 else 'a nearest gap'} of {_span(some, column, unit)}"
         for some, column, unit in ((soon, "gap_in_time", "s"), (near, "distance", "m"))

@@ -11,12 +11,12 @@ from chatscene.measure.counterfactual import Braking, Trial
 from chatscene.measure.criticality import fault, part_struck
 from chatscene.measure.severity import in_kmh, none_told, told
 from chatscene.measure.speeds import risks, speeds
+from chatscene.measure.struck import struck_in_words
+from chatscene.simulate.striking import Strike, strike
 from chatscene.terms.actors import named, noun_of
 from chatscene.terms.arrays import Array
 from chatscene.terms.criticality import Fault
 from chatscene.terms.speeds import Speeds
-
-_PARTS = {"front": "front", "rear": "rear", "left": "left side", "right": "right side", "": ""}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,17 +28,19 @@ class Contact:
         other: Whom the ego collided with.
         kind: What that is.
         fault: Who struck whom.
+        strike: How they touch.
         ego_part: Where on the ego: ``front``, ``rear``, ``left`` or ``right``.
         other_part: Where on the other; empty of a walker or a thing.
         ego_speed: Before the step that ended in contact [m/s].
         other_speed: The same [m/s].
-        impact_speed: Speed of approach [m/s].
+        impact_speed: Their relative speed then [m/s].
     """
 
     time: float
     other: str
     kind: str
     fault: Fault
+    strike: Strike
     ego_part: str
     other_part: str
     ego_speed: float
@@ -48,13 +50,15 @@ class Contact:
     @classmethod
     def of(cls, trial: Trial) -> Contact:
         """How a scene crashed."""
-        episode, crash, struck, who = trial.episode, trial.crash, trial.struck, fault(trial.episode)
-        assert who is not None
+        episode, crash, struck = trial.episode, trial.crash, trial.struck
+        who, how = fault(episode), strike(episode)
+        assert who is not None and how is not None
         return cls(
             time=round(crash.step * episode.dt, 6),
             other=struck.actor,
             kind=struck.kind,
             fault=who,
+            strike=how,
             ego_part=crash.side,
             other_part=part_struck(struck, episode.ego_track, crash),
             ego_speed=float(episode.ego_track.speed[max(crash.step - 1, 0)]),
@@ -69,12 +73,10 @@ class Contact:
             kinds: The class of everybody else in the scene, by name.
         """
         called = named(self.other, self.kind, kinds)
-        mine, theirs = ("the ego", _PARTS[self.ego_part]), (called, _PARTS[self.other_part])
-        (striker, with_its), (struck, on_its) = (mine, theirs) if self.fault.by_ego else (theirs, mine)
-        where = f", {with_its} to {on_its}" if with_its and on_its else f" with its {with_its}" if with_its else ""
+        met = struck_in_words(self.strike, ("the ego", self.ego_part), (called, self.other_part), past=True)
         return (
-            f"at {self.time:.1f} s {striker} ran into {struck}{where}: ego at {in_kmh(self.ego_speed)}, "
-            f"{noun_of(self.kind)} at {in_kmh(self.other_speed)}, closing at {in_kmh(self.impact_speed)}"
+            f"at {self.time:.1f} s {met}: ego at {in_kmh(self.ego_speed)}, "
+            f"{noun_of(self.kind)} at {in_kmh(self.other_speed)}, impact speed {in_kmh(self.impact_speed)}"
         )
 
 

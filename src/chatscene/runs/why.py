@@ -108,7 +108,8 @@ class Why:
         """For a script."""
         return {
             "scene_id": self.scene_id,
-            "contact": {**asdict(self.contact), "fault": self.contact.fault.value},
+            "contact": {name: value for name, value in asdict(self.contact).items() if name != "strike"}
+            | {"fault": self.contact.fault.value},
             "speeds": asdict(self.pace.speeds),
             "harm": list(self.pace.harm),
             "moments": {name: self.pace.moment(time) for name, time in self._moments().items()},

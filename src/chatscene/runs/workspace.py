@@ -238,8 +238,12 @@ def require_done(run: Workspace, record: Record) -> None:
         )
     if record.status is not Status.DONE:
         stands = standing(run, record)
-        unless = ", unless another machine is at work on it: none of this one is" * (stands == STOPPED)
-        raise RunError(f"{run.path} is {stands}, not done; finish it with: chatscene resume {run.path}{unless}")
+        if stands == STOPPED:
+            raise RunError(
+                f"{run.path} was interrupted; continue with: chatscene resume {run.path} (not while another machine "
+                "works on it)"
+            )
+        raise RunError(f"{run.path} is {stands}, not done; finish it with: chatscene resume {run.path}")
 
 
 def standing(run: Workspace, record: Record) -> str:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.errors import RunError
-from chatscene.runs import RunRecord, open_run, read_drawing, read_episodes, read_record, read_scenes
+from chatscene.runs import RunRecord, open_run, read_drawing, read_episodes, read_record, read_scenes, require_done
 from chatscene.runs.rebuild import remade
 from chatscene.runs.tables import scene_of
 from chatscene.runs.trust import Repeated, follow
@@ -29,6 +29,7 @@ def watch_run(folder: Path, settings: VerifySettings, repeated: Repeated | None 
     chosen = [settings.scene_id] if settings.scene_id else [name for name, row in driven.items() if row["selected"]]
     chosen = (chosen or list(driven))[: settings.draws]
     if not chosen or chosen[0] not in driven:
+        require_done(run, record)
         some = ", ".join([*list(driven)[:SHOWN], *(["…"] if len(driven) > SHOWN else [])])
         raise RunError(f"{folder} has no scene {settings.scene_id!r} that was driven, but {some or 'none at all'}")
     follow(repeated or Repeated(), simulators_of=[run], joining_of=[run])  # its ego drove already, and is not loaded

@@ -7,59 +7,37 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from chatscene.errors import SettingsError
-from chatscene.measure.criticality import fault, part_struck
+from chatscene.measure.criticality import part_struck
 from chatscene.measure.happening import happened
-from chatscene.measure.severity import in_kmh
-from chatscene.program.deeds import STANDING, Act, runs
-from chatscene.program.doing import ACTS
+from chatscene.measure.severity import in_kmh, near_in_words
+from chatscene.measure.struck import struck_in_words
+from chatscene.program.deeds import STANDING, runs
 from chatscene.program.watching import Seen, watch
 from chatscene.runs.trust import Repeated
 from chatscene.settings import VerifySettings
 from chatscene.simulate.boxes import gaps
+from chatscene.simulate.striking import strike
 from chatscene.terms.actors import named
-from chatscene.terms.arrays import Array
 from chatscene.terms.episode import Episode, Event, EventKind, Role, Track
 from chatscene.terms.mirroring import mirrored_drive, mirrored_route, mirrored_words
 from chatscene.terms.route import Route
+from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.vocabulary import Act as Said
 from chatscene.terms.vocabulary import UserKind
+from chatscene.verdict.moves import moves
+from chatscene.verdict.paces import paces
 from chatscene.verdict.page import picture
 from chatscene.verdict.sources import watching
+from chatscene.verdict.told import Told
 from chatscene.verdict.watched import Drawing
 from chatscene.verdict.who import between
 
-MOVEMENTS = (
-    Said.TURN_LEFT,
-    Said.TURN_RIGHT,
-    Said.U_TURN,
-    Said.PULL_OUT,
-    Said.OVERTAKE,
-    Said.CUT_IN,
-    Said.CUT_OUT,
-    Said.CROSS,
-    Said.ENTER,
-    Said.LANE_CHANGE,
-    Said.WEAVE,
-    Said.SWERVE,
-    Said.DRIFT,
-)
-"""Ways across the road; one movement may look like several, of which the first that is seen is told.
-
-Who comes from the next lane also crosses into the ego's, and its lane change looks like a swing.
-"""
-BESIDE = (Said.REVERSE, Said.TURN_BACK, Said.TAILGATE)
-"""What is told beside a movement."""
-PACES = (Said.BRAKE, Said.SET_OFF, Said.ACCELERATE, Said.SLOW_DOWN)
-"""What a change of speed may be; the first that is seen in it is told."""
-LEVEL = 0.2  # [m/s] from where a speed was or comes to, within which it does not change yet, or any more
-CHANGED = 1.0  # [m/s] by which a speed rises or falls at least, to be told
 LEFT = 1.0  # [m] from its way, from which the ego is told to have left it
 NEAREST = 6  # road users that are told of: those to whom the ego comes nearest
 _ENDINGS = {
@@ -67,7 +45,15 @@ _ENDINGS = {
     "arrived": "the ego arrives",
     "timeout": "its time is over",
     "scenario-done": "the program ends it",
-    "over": "nothing is to come any more",
+    "over": "no encounter can happen any more",
+}
+_WAYS = {
+    Maneuver.STRAIGHT: "goes straight on",
+    Maneuver.LEFT_TURN: "is to turn left",
+    Maneuver.RIGHT_TURN: "is to turn right",
+    Maneuver.LANE_CHANGE_LEFT: "is to change lanes to the left",
+    Maneuver.LANE_CHANGE_RIGHT: "is to change lanes to the right",
+    Maneuver.BYPASS: "is to go around who blocks its lane",
 }
 _EVENTS = {
     EventKind.RED_LIGHT: "runs a red light",
@@ -75,32 +61,6 @@ _EVENTS = {
     EventKind.OFF_ROAD: "leaves the road",
     EventKind.LANE_INVASION: "leaves its lane",
 }
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Told:
-    """One thing that happened.
-
-    Attributes:
-        at: When it began [s].
-        until: When it was done [s]; None of what has no length.
-        who: Who did it; empty of what befell several.
-        what: What, in words.
-    """
-
-    at: float
-    who: str
-    what: str
-    until: float | None = None
-
-    def as_dict(self) -> dict[str, Any]:
-        """For a script."""
-        return {"at": self.at, "until": self.until, "who": self.who, "what": self.what}
-
-    def __str__(self) -> str:
-        """A line for a person."""
-        span = "" if self.until is None or self.until <= self.at else f", until {self.until:.1f} s"
-        return f"{self.at:5.1f} s  {self.who}{' ' * bool(self.who)}{self.what}{span}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -235,36 +195,36 @@ def told_of(episode: Episode, route: Route, there: Sequence[Met]) -> tuple[Told,
         return tuple(replace(one, what=mirrored_words(one.what)) for one in lines)
     contact = episode.collision.step if episode.collision is not None else None
     ego, others = episode.ego_track, _nearest(there)
-    way = f"{_pace(ego)}; its way is {route.maneuver.value}"
+    way = f"{_pace(ego)}; it {_way(route)}"
     lines = [Told(at=0.0, who="the ego", what=way)]
     own = watch(episode, route, ego, contact)
-    lines += [*_paces("the ego", own), *_leaves(own)]
+    lines += [*paces("the ego", own), *_leaves(own)]
     for one in others:
         begin = one.first * episode.dt
         lines += [
             replace(line, at=line.at + begin, until=None if line.until is None else line.until + begin)
-            for line in _of(one, route, contact, begin > 0.0)
+            for line in _of(one, route, contact, episode.kinds, begin > 0.0)
         ]
         lines += _goes(one, episode)
     lines += [_event(event, episode, there) for event in episode.events]
     if contact is None and others:
-        lines.append(_nearest_gap(others, there))
+        lines.append(_nearest_gap(others, there, episode.kinds))
     lines.sort(key=lambda one: one.at)
     return tuple(
         replace(one, at=round(one.at, 3), until=None if one.until is None else round(one.until, 3)) for one in lines
     )
 
 
-def _of(one: Met, route: Route, contact: int | None, comes: bool) -> Iterator[Told]:
+def _of(one: Met, route: Route, contact: int | None, kinds: Mapping[str, str], comes: bool) -> Iterator[Told]:
     """What is told of somebody else, until the first contact of the drive; times are from when it is there."""
     until = None if contact is None else contact - one.first
     if until is not None and until < 1:
         return
-    seen, who = watch(one.part, route, one.track, until), _name(one.track, one.part.kinds)
+    seen, who = watch(one.part, route, one.track, until), _name(one.track, kinds)
     yield _first(seen, who, comes)
     if one.track.role is not Role.OCCLUDER:
-        yield from _deeds(who, _may(one.track), seen)
-        yield from _paces(who, seen)
+        yield from moves(who, _may(one.track), seen, route)
+        yield from paces(who, seen)
 
 
 def _goes(one: Met, episode: Episode) -> Iterator[Told]:
@@ -325,6 +285,13 @@ def _pace(track: Track) -> str:
     return f"goes backwards at {in_kmh(-speed)}" if speed < 0.0 else f"goes at {in_kmh(speed)}"
 
 
+def _way(route: Route) -> str:
+    """Where the ego is bound for."""
+    if route.site is Site.ROUNDABOUT:
+        return "goes through a roundabout"
+    return _WAYS[route.maneuver]
+
+
 def _first(seen: Seen, who: str, comes: bool) -> Told:
     """Where somebody is at first, as the ego sees it, and how fast."""
     along, across = float(seen.along[0]), float(seen.across[0])
@@ -333,64 +300,6 @@ def _first(seen: Seen, who: str, comes: bool) -> Told:
         where += f" and {abs(across):.1f} m to its {'left' if across > 0.0 else 'right'}"
     begins = "is there from now on," if comes else "is"
     return Told(at=0.0, who=who, what=f"{begins} {where}, and {_pace(seen.track)}")
-
-
-def _deeds(who: str, may: frozenset[Said], seen: Seen) -> Iterator[Told]:
-    """What somebody else does beside changing speed: each movement across the road once, and what goes with it."""
-    dt, told = seen.dt, list[Act]()
-    for act in (*MOVEMENTS, *BESIDE):
-        for once in ACTS[act](seen) if act in may else ():
-            under_way = once.done is None and act in _ONCE_DONE
-            if under_way or (act in MOVEMENTS and any(_overlap(once, other) for other in told)):
-                continue
-            if act in MOVEMENTS:
-                told.append(once)
-            undone = ", and has not done so yet at the end" if once.done is None else ""
-            fast = in_kmh(abs(float(seen.track.speed[once.began])))
-            until = None if once.done is None else once.done * dt
-            yield Told(at=once.began * dt, until=until, who=who, what=f"{act.meaning} ({act}){undone}, at {fast} first")
-
-
-_ONCE_DONE = frozenset((Said.WEAVE, Said.SWERVE, Said.DRIFT, *BESIDE))
-"""What is told once it is done: until then it may be anything."""
-
-
-def _overlap(one: Act, other: Act) -> bool:
-    late = 10**9
-    return one.began <= (late if other.done is None else other.done) and other.began <= (
-        late if one.done is None else one.done
-    )
-
-
-def _paces(who: str, seen: Seen) -> Iterator[Told]:
-    """How somebody's speed rises and falls."""
-    speed, dt = np.abs(seen.track.speed), seen.dt
-    for first, last in _legs(speed):
-        seen_in = (act for act in PACES if any(first <= once.began <= last for once in ACTS[act](seen)))
-        act = next(seen_in, Said.ACCELERATE if speed[last] > speed[first] else Said.SLOW_DOWN)
-        hardest = float(np.abs(np.diff(speed[first : last + 1])).max()) / dt
-        ends = " and stands" if speed[last] < STANDING else ""
-        fast = f"from {in_kmh(float(speed[first]))} to {in_kmh(float(speed[last]))}{ends}"
-        what = f"{act.meaning} ({act}), {fast}, with up to {hardest:.1f} m/s²"
-        yield Told(at=first * dt, until=last * dt, who=who, what=what)
-
-
-def _legs(speed: Array) -> Iterator[tuple[int, int]]:
-    """The first and the last step of each rise and fall of a speed; shivers are none."""
-    turns, way, least, most = [0], 0, 0, 0
-    for step in range(1, len(speed)):
-        least = step if speed[step] < speed[least] else least
-        most = step if speed[step] > speed[most] else most
-        rises = way <= 0 and speed[step] - speed[least] >= CHANGED
-        falls = way >= 0 and speed[most] - speed[step] >= CHANGED
-        if rises or falls:
-            turns.append(least if rises else most)
-            way, least, most = 1 if rises else -1, step, step
-    turns.append(most if way > 0 else least)
-    for before, after in pairwise(turns):
-        level = np.abs(speed[before : after + 1] - np.array([[speed[before]], [speed[after]]])) < LEVEL
-        if after > before and abs(speed[after] - speed[before]) >= CHANGED:
-            yield before + int(np.argmin(level[0])) - 1, before + int(np.argmax(level[1]))
 
 
 def _leaves(seen: Seen) -> Iterator[Told]:
@@ -407,29 +316,27 @@ def _event(event: Event, episode: Episode, there: Sequence[Met]) -> Told:
     at = event.step * episode.dt
     if event.kind is not EventKind.COLLISION:
         return Told(at=at, who="the ego", what=_EVENTS[event.kind])
-    ego, closing = episode.ego_track, f"closing at {in_kmh(event.impact_speed)}"
+    ego, hard = episode.ego_track, f"impact speed {in_kmh(event.impact_speed)}"
     mine = f"the ego at {in_kmh(abs(float(ego.speed[max(event.step - 1, 0)])))}"
     one = next((one for one in there if one.track.actor == event.other), None)
     if one is None:
-        return Told(at=at, who="", what=f"COLLISION: the ego and {event.other}, who has no track; {mine}, {closing}")
+        return Told(at=at, who="", what=f"COLLISION: the ego and {event.other}, who has no track; {mine}, {hard}")
     their = replace(event, step=event.step - one.first)
     other, before = one.track, max(their.step - 1, 0)
-    ours, theirs = "the ego", _name(other, episode.kinds)
-    who = fault(one.part) if event is episode.collision else None
-    striker, struck = (theirs, ours) if who is not None and not who.by_ego else (ours, theirs)
-    fast = f"{mine}, the other at {in_kmh(abs(float(other.speed[before])))}, {closing}"
-    parts = [f"the ego's {event.side}"] if event.side else []
-    parts += [f"the other's {part}"] if (part := part_struck(other, one.part.ego_track, their)) else []
-    where = f" ({', '.join(parts)})" if parts else ""
-    return Told(at=at, who="", what=f"COLLISION: {striker} runs into {struck}{where}; {fast}")
+    theirs = _name(other, episode.kinds)
+    fast = f"{mine}, the other at {in_kmh(abs(float(other.speed[before])))}, {hard}"
+    how = strike(one.part) if event is episode.collision else None
+    parts = ("the ego", event.side), (theirs, part_struck(other, one.part.ego_track, their))
+    met = f"the ego and {theirs} touch" if how is None else struck_in_words(how, *parts)
+    return Told(at=at, who="", what=f"COLLISION: {met}; {fast}")
 
 
-def _nearest_gap(others: Sequence[Met], there: Sequence[Met]) -> Told:
+def _nearest_gap(others: Sequence[Met], there: Sequence[Met], kinds: Mapping[str, str]) -> Told:
     """When the ego is nearest to whom, where nobody touches it."""
     one, step, apart = _nearest_of(others)
     every = (found for found in (happened(each.part).seconds for each in there) if found is not None)
     soon = min(every, default=None)
     seconds = "" if soon is None else f"; the least gap in time to an adversary is {soon:.1f} s"
     fast = f"the ego at {in_kmh(abs(float(one.part.ego_track.speed[step])))}"
-    what = f"nearest: {apart:.1f} m between the ego and {_name(one.track, one.part.kinds)}, {fast}{seconds}"
+    what = f"nearest: {near_in_words(apart)} between the ego and {_name(one.track, kinds)}, {fast}{seconds}"
     return Told(at=(one.first + step) * one.part.dt, who="", what=what)

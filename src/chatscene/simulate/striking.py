@@ -1,0 +1,113 @@
+"""Who struck whom: the one rule for it, by which verdicts, stories, reports and tables tell the same of a collision."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from chatscene.simulate.boxes import KEPT, NOTHING, Boxes, Pair
+from chatscene.simulate.contact import side_touched
+from chatscene.terms.arrays import Array, fixed
+from chatscene.terms.episode import Episode, Role, Track
+
+STILL = 0.05  # [m], who moved less than this until contact never moved
+MOVES = 0.6  # [m/s] from which somebody is under way
+TURNED_IN = 3.0  # [s] before they touch, in which somebody is seen to turn toward the other …
+TURNED = 0.01  # [rad] … by so much at least
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Strike:
+    """Who struck whom.
+
+    Attributes:
+        by_ego: Whether the ego struck; else the other did.
+        static: Whether the other is a thing, or had not moved.
+        foremost: Whether the ego, and whether the other, touches with the end that leads as it moves.
+        moving: Whether both move.
+    """
+
+    by_ego: bool
+    static: bool
+    foremost: tuple[bool, bool]
+    moving: bool
+
+    @property
+    def each(self) -> bool:
+        """Whether each runs into the other, as head-on."""
+        return self.moving and all(self.foremost)
+
+    @property
+    def runs_in(self) -> bool:
+        """Whether one plainly runs into the other: with the end that leads, or into who stands."""
+        return not self.moving or self.foremost == (self.by_ego, not self.by_ego)
+
+
+def strike(episode: Episode) -> Strike | None:
+    """Who struck whom in the first collision of a drive; None without one.
+
+    A thing, or who had not moved, is struck. Where two who move touch with neither's leading end, who turned toward the
+    other by more in the last seconds struck. Else it is who moved farther toward the other along the line of contact in
+    the step that ended in it; if both did alike, it is the ego.
+    """
+    crash = episode.collision
+    if crash is None:
+        return None
+    ego, other = episode.ego_track, next(track for track in episode.tracks if track.actor == crash.other)
+    before = max(crash.step - 1, 0)
+    until = slice(0, crash.step + 1)
+    moved = np.hypot(other.x[until] - other.x[0], other.y[until] - other.y[0]).max()
+    static = other.role is Role.OCCLUDER or bool(moved < STILL)
+    speeds = float(ego.speed[before]), float(other.speed[before])
+    sides = crash.side, side_touched(other, ego, crash.step, crash.earlier)
+    mine, theirs = (side == _leading(speed) for side, speed in zip(sides, speeds, strict=True))
+    moving = all(abs(speed) > MOVES for speed in speeds)
+    turned = None if mine or theirs or not moving else _ego_came_over(ego, other, crash.step, episode.dt)
+    by_ego = static or (_ego_closed_more(ego, other, crash.step) if turned is None else turned)
+    return Strike(by_ego=by_ego, static=static, foremost=(mine, theirs), moving=moving)
+
+
+def _leading(speed: float) -> str:
+    """The side that leads at a speed; none of who stands."""
+    return "" if abs(speed) <= MOVES else "front" if speed > 0.0 else "rear"
+
+
+def _ego_came_over(ego: Track, other: Track, step: int, dt: float) -> bool | None:
+    """Whether the ego turned toward the other by more than the other toward it; None if neither turned toward one."""
+    since = max(step - round(TURNED_IN / dt), 0)
+    mine, theirs = _turned_toward(ego, other, since, step), _turned_toward(other, ego, since, step)
+    return mine > theirs if max(mine, theirs) >= TURNED else None
+
+
+def _turned_toward(track: Track, other: Track, since: int, step: int) -> float:
+    """How far [rad] somebody turned to the side on which another is."""
+    heading = float(track.heading[step])
+    dx, dy = float(other.x[step] - track.x[step]), float(other.y[step] - track.y[step])
+    left = dy * math.cos(heading) - dx * math.sin(heading)
+    return math.copysign(1.0, left) * (heading - float(track.heading[since]))
+
+
+@lru_cache(maxsize=KEPT)
+def line_of_contact(ego: Track, other: Track, step: int) -> Array:
+    """(2,) The normal, from the ego to the other, of the side at which they met in the step before `step`."""
+    mine, theirs = _moved(ego, step), _moved(other, step)
+    before = max(step - 1, 0)
+    pair = Pair.of(Boxes.of(ego).at(before), Boxes.of(other).at(before))
+    # The boxes met on the axis on which they were apart for longest.
+    enter, _ = pair.overlap(*(theirs - mine))
+    axis = int(np.argmax(enter))
+    return fixed(np.array((pair.axis_x[axis], pair.axis_y[axis])) * math.copysign(1.0, pair.offset[axis]))
+
+
+def _ego_closed_more(ego: Track, other: Track, step: int) -> bool:
+    """Whether the ego moved at least as far toward the other as the other toward it, in the step before `step`."""
+    normal = line_of_contact(ego, other, step)
+    return bool(_moved(ego, step) @ normal >= -_moved(other, step) @ normal - NOTHING)
+
+
+def _moved(track: Track, step: int) -> Array:
+    before = max(step - 1, 0)
+    return np.array((track.x[step] - track.x[before], track.y[step] - track.y[before]))
