@@ -12,6 +12,7 @@ import pytest
 
 import chatscene.build
 from chatscene.build.build import Built, build
+from chatscene.build.timing import Body
 from chatscene.ego.policy import fitted, in_words, load_ego, senses_of
 from chatscene.errors import NotBuilt, SituationError
 from chatscene.maps.network import resolve_map
@@ -25,7 +26,7 @@ from chatscene.situations.facts import with_fact
 from chatscene.situations.form import from_plain
 from chatscene.situations.phrases import Voice
 from chatscene.situations.words import facts_told, told
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import LIMITS, AdversaryKind
 from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.scene import Scene
 from chatscene.terms.situation import Situation
@@ -209,3 +210,20 @@ def test_how_hard_an_ego_brakes_is_told_of_what_it_drives() -> None:
     record = SituationRecord(name="", text=written)
     (senses,) = asked_run(situation=record, generator="situation").senses.values()
     assert senses["body"] == "Bus"
+
+
+def test_the_page_of_the_world_says_what_engines_hold_and_what_a_car_may_begin_with() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "world.md").read_text(encoding="utf-8")
+    (told,) = re.findall(r"hold: car (\d+) km/h .*?, van (\d+), ambulance (\d+), bus (\d+), truck (\d+)\.", page)
+    kinds = (
+        AdversaryKind.CAR,
+        AdversaryKind.VAN,
+        AdversaryKind.EMERGENCY_VEHICLE,
+        AdversaryKind.BUS,
+        AdversaryKind.TRUCK,
+    )
+    holds = [3.6 * Body(kind.row.limits, walks=False).fastest for kind in kinds]
+    assert all(abs(float(one) - own) <= 1.5 for one, own in zip(told, holds, strict=True))
+    (most,) = re.findall(r"up to (\d+) km/h of a car", page)
+    with pytest.raises(NotBuilt, match=rf"more than a car can do: at most {most} km/h"):
+        build(stops_ahead(speed="180 km/h"))
