@@ -11,8 +11,9 @@ import numpy as np
 from chatscene.simulate.boxes import KEPT, NOTHING, Boxes, Pair
 from chatscene.simulate.contact import side_touched
 from chatscene.terms.arrays import Array, fixed
-from chatscene.terms.episode import Episode, Role, Track
+from chatscene.terms.episode import Episode, Event, Role, Track, contact_point
 
+DOOR = "Door"  # the class of what is opened into somebody's way
 STILL = 0.05  # [m], who moved less than this until contact never moved
 MOVES = 0.6  # [m/s] from which somebody is under way
 TURNED_IN = 3.0  # [s] before they touch, in which somebody is seen to turn toward the other …
@@ -49,7 +50,8 @@ class Strike:
 def strike(episode: Episode) -> Strike | None:
     """Who struck whom in the first collision of a drive; None without one.
 
-    A thing, or who had not moved, is struck. Where two who move touch with neither's leading end, who turned toward the
+    A thing, or who had not moved, is struck. Who is touched in its front half by a door drives into that; else the door
+    opens into it. Where two who move touch with neither's leading end, who turned toward the
     other by more in the last seconds struck. Else it is who moved farther toward the other along the line of contact in
     the step that ended in it; if both did alike, it is the ego.
     """
@@ -66,8 +68,17 @@ def strike(episode: Episode) -> Strike | None:
     mine, theirs = (side == _leading(speed) for side, speed in zip(sides, speeds, strict=True))
     moving = all(abs(speed) > MOVES for speed in speeds)
     turned = None if mine or theirs or not moving else _ego_came_over(ego, other, crash.step, episode.dt)
+    if other.kind == DOOR:
+        turned = _at_front(episode, crash)
     by_ego = static or (_ego_closed_more(ego, other, crash.step) if turned is None else turned)
     return Strike(by_ego=by_ego, static=static, foremost=(mine, theirs), moving=moving)
+
+
+def _at_front(episode: Episode, crash: Event) -> bool:
+    """Whether the ego is touched in its front half."""
+    x, y = contact_point(episode, crash)
+    own_x, own_y, heading = episode.ego_track.pose(crash.step, crash.earlier)
+    return (x - own_x) * math.cos(heading) + (y - own_y) * math.sin(heading) > 0.0
 
 
 def _leading(speed: float) -> str:
