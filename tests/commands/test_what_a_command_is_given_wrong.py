@@ -23,7 +23,10 @@ WRONG = {
         "'four' is not a whole number; write it in digits, such as 50",
     ),
     "no such file": (["verify", "nowhere", "a car brakes"], "no file or run folder 'nowhere'"),
-    "another kind of file": (["story", "hostname"], "the file 'hostname' has no ending, which is no kind that is read"),
+    "another kind of file": (
+        ["story", "hostname"],
+        "the file 'hostname' has no ending, which is not a kind that can be read",
+    ),
     "no folder of runs": (["sql", "select 1"], "no folder 'runs' here; start where your runs are"),
     "a town that there is not": (
         ["explain", "a car ahead brakes", "--map", "Town99"],

@@ -165,7 +165,7 @@ def test_a_report_and_the_file_of_a_situation_are_taken_as_a_sentence_is(drive: 
         (["drive.csv", "bad.json"], 2, "bad.json"),
         (["drive.csv", NONE], 3, "tells no dangerous traffic situation"),
         (["drive.csv", CROSSES, "--ego-id", "nobody"], 2, "there are: car1, walker"),
-        (["page.html", CROSSES], 2, "ends in '.html', which is no kind that is read"),
+        (["page.html", CROSSES], 2, "ends in '.html', which is not a kind that can be read"),
         ([".", CROSSES], 2, "no run.json"),
         (["empty.scenic", CROSSES], 2, "is empty"),
         (["import.scenic", CROSSES], 2, "import"),

@@ -373,7 +373,8 @@ def resume(
     )
     kind = runs.read_record(runs.Workspace(where), runs.Record).kind
     go_on: Callable[..., Any] = import_module(_RESUMES[kind]).resume
-    done = go_on(where, workers=Workers(jobs, executor), progress=progress, repeated=repeated)
+    shared = {} if kind in _ONE_PROCESS else {"workers": Workers(jobs, executor)}
+    done = go_on(where, progress=progress, repeated=repeated, **shared)
     if kind is runs.Kind.RUN:
         from chatscene.api.results import Run
 
@@ -392,6 +393,7 @@ _RESUMES = {
     "training": "chatscene.learn.train",
 }
 """Whose `resume` goes on with each kind of folder (`chatscene.runs.Kind`); loaded when it does."""
+_ONE_PROCESS = frozenset((runs.Kind.FINETUNING, runs.Kind.TRAINING))
 
 
 def _reads(library: Name | None, embedder: str | None, language_model: str | None, reader: str | None) -> str:

@@ -26,7 +26,6 @@ from chatscene.maps.network import resolve_map
 from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary
 from chatscene.runs.atomic import write_bytes
 from chatscene.runs.digests import digest_of
-from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import going_on
@@ -184,18 +183,11 @@ def train(folder: Path, settings: TrainSettings, *, progress: Progress) -> Train
     )
 
 
-def resume(
-    folder: Path,
-    *,
-    workers: Workers = ONE,  # noqa: ARG001
-    progress: Progress = silent,
-    repeated: Repeated | None = None,
-) -> Trained:
+def resume(folder: Path, *, progress: Progress = silent, repeated: Repeated | None = None) -> Trained:
     """Go on with a training that was killed or failed.
 
     Args:
         folder: Which.
-        workers: Nobody else: it is one process, whoever there may be.
         progress: Told what is done.
         repeated: What the record names and the user as well.
 

@@ -142,12 +142,12 @@ def _plain(said: dict[str, Any]) -> dict[str, Any]:
 
 
 _NO = {
-    "string": "is no text",
+    "string": "is not text",
     "int": "is not a whole number",
-    "float": "is no number",
-    "finite": "is no number",
+    "float": "is not a number",
+    "finite": "is not a number",
     "bool": "is neither true nor false",
-    "list": "is no list",
+    "list": "is not a list",
     "dict": "is no mapping",
 }
 """What is wrong with a value, by the first word of what pydantic calls the fault."""

@@ -43,7 +43,7 @@ def watching(what: Path, settings: VerifySettings, repeated: Repeated | None = N
         return watch_run(what, settings, repeated)
     if (watch := KINDS.get(kind)) is None:
         ends = f"the file '{what}' ends in {what.suffix!r}" if what.suffix else f"the file '{what}' has no ending"
-        raise SettingsError(f"{ends}, which is no kind that is read: {', '.join(KINDS)}")
+        raise SettingsError(f"{ends}, which is not a kind that can be read: {', '.join(KINDS)}")
     return watch(what, settings)
 
 

@@ -189,7 +189,7 @@ def test_what_is_no_text_file_is_refused(tmp_path: Path) -> None:
     for name, message in (
         ("none.scenic", "there is no file"),
         ("pipe.scenic", "there is no file"),
-        ("latin.scenic", "no text in UTF-8"),
+        ("latin.scenic", "not UTF-8 text"),
     ):
         with pytest.raises(ForeignCodeRefused, match=message):
             read_foreign(tmp_path / name)

@@ -26,7 +26,6 @@ from chatscene.maps.network import resolve_map
 from chatscene.measure.ordinary import drive_ordinary
 from chatscene.program.ordinary import ordinary_courses
 from chatscene.runs.atomic import write_bytes
-from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import going_on
@@ -142,18 +141,11 @@ def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, 
     )
 
 
-def resume(
-    folder: Path,
-    *,
-    workers: Workers = ONE,  # noqa: ARG001
-    progress: Progress = silent,
-    repeated: Repeated | None = None,
-) -> Finetuned:
+def resume(folder: Path, *, progress: Progress = silent, repeated: Repeated | None = None) -> Finetuned:
     """Go on with a fine-tuning that was killed or failed.
 
     Args:
         folder: Which.
-        workers: Nobody else: it is one process, whoever there may be.
         progress: Told what is done.
         repeated: What the record names and the user as well.
 
