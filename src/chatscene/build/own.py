@@ -18,7 +18,7 @@ from chatscene.build.relations import AGAINST, falls_behind, speed_of
 from chatscene.terms.amount import Length
 from chatscene.terms.order import Order
 from chatscene.terms.situation import EGO, Deed, Other, Situation, When
-from chatscene.terms.vocabulary import COMES_IN, Act, Heads, Role, Side, Where, acts_of
+from chatscene.terms.vocabulary import COMES_IN, Act, Heads, Manner, Role, Side, Where, acts_of
 
 ASIDE = {Act.SWERVE: 2.6, Act.DRIFT: 1.7, Act.LANE_CHANGE: LANE, Act.PARK: 2.6}
 """How far [m] the ego leaves its line by a deed, if that was not said."""
@@ -85,9 +85,10 @@ def own_orders(
     begins = _begins(ledger, deeds, first, speed)
     for k, deed in enumerate(deeds, start=first):
         at = f"ego.does.{k}"
-        ledger.take(f"{at}.act", f"{at}.to", f"{at}.manner")
-        if deed.when is not None and k > first:
-            ledger.take(*(f"{at}.when.{name}" for name in ("after", "during") if getattr(deed.when, name) is not None))
+        ledger.take(f"{at}.act", f"{at}.to", *((f"{at}.manner",) if deed.manner is Manner.SUDDEN else ()))
+        if deed.when is not None and k > first:  # its own deeds come one after the other
+            waits = {name: getattr(deed.when, name) or "" for name in ("after", "during")}
+            ledger.take(*(f"{at}.when.{name}" for name, said in waits.items() if said.startswith(f"{EGO}.")))
         lasts = _lasts(ledger, deed, at, speed)
         does = deed
         if begins.by > 0.0 and deed.act is Act.SWERVE and deed.time is None and deed.distance is None:

@@ -6,17 +6,30 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import stands_first
+from chatscene.build.asked import goes_slowly, stands_first
 from chatscene.build.deeds import OWN
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, RANGES, Numbers
+from chatscene.build.over_lanes import lane_after
 from chatscene.build.own import ASIDE
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.possible import OFF_ROAD
-from chatscene.build.relations import AGAINST
+from chatscene.build.relations import AGAINST, Relation, relation_of, said_speed
 from chatscene.errors import NothingBuilds
-from chatscene.terms.situation import EGO, Deed, Other, When
-from chatscene.terms.vocabulary import CHANGES, HALTS, NOSE_TO_TAIL, Act, Heads, Tempo, Where, acts_of, by_act
+from chatscene.terms.situation import EGO, Deed, Other, Situation, When
+from chatscene.terms.vocabulary import (
+    CHANGES,
+    HALTS,
+    LOSES,
+    NOSE_TO_TAIL,
+    Act,
+    EgoRoute,
+    Heads,
+    Tempo,
+    Where,
+    acts_of,
+    by_act,
+)
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -24,7 +37,7 @@ if TYPE_CHECKING:
 
 LONGEST_DELAY = 5.0  # [s], where it was only said how long at least
 TURNS_OUT = 1.2  # [s] in which somebody at speed is clear of what stands in the lane that it leaves
-UNDER_WAY = 0.3  # [m/s]
+UNDER_WAY, STILL = 0.3, 0.1  # [m/s]
 SEEN_BEFORE = 1.5  # [s] for which somebody is seen before the ego is as near as was said
 CLOSES_IN = 0.9  # of the ego's speed: on who is slower the ego closes in
 
@@ -44,10 +57,15 @@ class Sign:
     begun: str
     done: str = ""
 
+    def text(self, *, done: bool) -> str:
+        """What is seen once it was done, or once it is under way."""
+        return self.done or self.begun if done else self.begun
+
 
 _IN = Sign("abs(offsetFrom(egoRoute, {who})) < 2.4", "abs(offsetFrom(egoRoute, {who})) < 1.3")
 _ASIDE = Sign("abs(offsetFrom(way{who}, {who})) > 0.6", "abs(offsetFrom(way{who}, {who})) > 0.9")
 _OVER = Sign("abs(offsetFrom(egoRoute, {who})) > 0.8", "abs(offsetFrom(egoRoute, {who})) > 2.2")
+_OVER_ITS_OWN = Sign("abs(offsetFrom(way{who}, {who})) > 0.8", "abs(offsetFrom(way{who}, {who})) > 2.2")
 _NEAR = "(ego.length + {who}.length) / 2"
 _STANDS = Sign("{who}.pose[3] < 0.1")
 _OF: dict[Tempo | Heads | Act, Sign] = {
@@ -71,6 +89,13 @@ _OF: dict[Tempo | Heads | Act, Sign] = {
 }
 SIGNS = by_act(_OF)
 """Deeds of somebody else, or of the ego, that a plan can wait for."""
+_STILL = acts_of(Tempo.HALTS, Tempo.STANDS, Tempo.WAITS, Tempo.PAUSES, Tempo.LIES)
+_LOSES_SOME, _GAINS = acts_of(Tempo.BRAKES, Tempo.SLOWS), acts_of(Tempo.GAINS)
+_SETS_OFF = acts_of(Tempo.SETS_OFF, Heads.ALONG, Heads.THROUGH, Heads.BEHIND)
+_GOES_ON = acts_of(Tempo.STANDS, Heads.ALONG)
+"""What ends when the next deed begins, and by nothing else that is seen."""
+_UNDER_WAY_FIRST = NEXT_LANE | AGAINST | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP}
+"""Where somebody who does not stand goes from the first."""
 
 
 def when_of(actor: Actor, k: int, when: When, meanwhile: str) -> Iterator[str]:
@@ -89,10 +114,10 @@ def when_of(actor: Actor, k: int, when: When, meanwhile: str) -> Iterator[str]:
     for name, reference in (("after", when.after), ("during", when.during)):
         if reference is None:
             continue
-        if condition := _seen(actor, k, name, reference):
-            yield f"{meanwhile} until {condition}"
+        yield from (f"{meanwhile} until {condition}" for condition in _seen(actor, k, name, reference))
         actor.ledger.take(f"{at}.{name}")
     if when.delay is not None:
+        _check_delay(actor, k, when)
         low, high = when.delay.drawn(0.0, LONGEST_DELAY)
         actor.numbers.measure(f"DELAY_{k}", low, high, "s", "how long after that it begins", f"{at}.delay")
         yield f"{meanwhile} for $DELAY_{k} seconds"
@@ -176,63 +201,137 @@ def _is_slower(actor: Actor, whom: Other) -> bool:
     return said is not None and said.least < CLOSES_IN * actor.ego_speed
 
 
-def _seen(actor: Actor, k: int, name: str, reference: str) -> str:
-    """What shows that a deed of somebody is done, or goes on; empty for a deed of its own before this one."""
+def _check_delay(actor: Actor, k: int, when: When) -> None:
+    """Hold that a delay after a deed of its own counts from the end of the one before, which alone is timed.
+
+    Raises:
+        NotBuilt: It counts from another moment.
+    """
+    for name, reference in (("after", when.after), ("during", when.during)):
+        if reference is None or reference.partition(".")[0] != actor.one.id:
+            continue
+        if name == "during" or actor.ledger.situation.number_of(reference) != k - 1:
+            raise NothingBuilds(
+                f"cannot be built yet: {actor.path}.does.{k}.when.delay: {when.delay}, {name} {reference}; "
+                f"say it after {actor.one.id}.{k - 1}, the deed before"
+            )
+
+
+def _seen(actor: Actor, k: int, name: str, reference: str) -> tuple[str, ...]:
+    """What shows, one after the other, that a deed of somebody is done, or goes on; nothing of its own, before this."""
     who, _, _ = reference.partition(".")
     situation = actor.ledger.situation
     deed = situation.deed(reference)
     at = f"{actor.path}.does.{k}.when.{name}"
     if who == actor.one.id:
         if any(deed is earlier for earlier in actor.deeds[:k]):
-            return ""  # its own deeds come one after the other, each while the one before is under way
+            return ()  # its own deeds come one after the other, each while the one before is under way
         raise NothingBuilds(f"cannot be built yet: {at}: {reference}, its own deed")
     does = situation.does(who)
     if name == "during" and deed.act.row.lasting and deed is does[0] and deed.act is not Act.TAILGATE:
-        return ""  # what it does from the beginning
-    sign = _sign_of(actor, who, deed)
-    if sign is None:
+        return ()  # what it does from the beginning
+    number, done = situation.number_of(reference), name == "after"
+    signs = _of_ego(actor, deed, done=done) if who == EGO else _in_turn(actor, who, number, done=done)
+    if signs is None:
         raise NothingBuilds(
             f"cannot be built yet: {at}: {reference}: it cannot be seen when {deed.act} happens; "
             "wait for another deed, or say ego_within"
         )
-    called, whom = (one if one == EGO else name_of(one) for one in (who, deed.whom or EGO))
     waits = who != EGO and (situation[who].starts.where in OFF_ROAD or stands_first(situation[who]))
     first = deed is next((one for one in does if one.act is not Act.STAND), None)
     delayed = (own := actor.deeds[k].when) is not None and own.delay is not None
     if name == "during" and delayed and waits and first:
-        return f"{name_of(who)}.pose[3] > {UNDER_WAY:g}"  # from when it begins, not from when it is seen to
-    text = (sign.begun if name == "during" else sign.done or sign.begun).format(
-        who=called, whom=whom, usual=f"{_usual(actor, who):.3g}", k=situation.number_of(reference)
-    )
-    return f"{text} and progressOn(egoRoute, ego)[0] > 1" if who == EGO and deed.act in HALTS else text
+        return (f"{name_of(who)}.pose[3] > {UNDER_WAY:g}",)  # from when it begins, not from when it is seen to
+    return signs
 
 
-def _sign_of(actor: Actor, who: str, deed: Deed) -> Sign | None:
-    """What is seen of a deed; None where it cannot be told from what goes before."""
-    if who == EGO:
-        if deed.act in ASIDE:  # of its way, or of its lane if its way leads to another
-            changes = deed.act is Act.LANE_CHANGE and actor.ledger.situation.ego.route in CHANGES
-            line, over = (OWN, 2) if changes else ("egoRoute", 1)
-            return Sign(f"abs(offsetFrom({line}, ego)) > 0.5", f"abs(offsetFrom({line}, ego)) > {over}")
-        return SIGNS[deed.act] if "offset" not in SIGNS.get(deed.act, _IN).begun else None
-    where = actor.ledger.situation[who].starts.where
-    if deed.act is Act.STOP and stands_first(actor.ledger.situation[who]):
-        return _STANDS  # before that it is slow as well
-    if deed.act in acts_of(Heads.BY, Heads.OVER):
-        if where in AGAINST or (deed.act is Act.LANE_CHANGE and where in NEXT_LANE):
-            return _IN
-        return _OVER if deed.act is Act.LANE_CHANGE else SIGNS[deed.act]
-    return SIGNS.get(deed.act)
+def _of_ego(actor: Actor, deed: Deed, *, done: bool) -> tuple[str, ...] | None:
+    """What shows that a deed of the ego is done, or goes on; None where nothing does."""
+    sign = SIGNS.get(deed.act)
+    if deed.act in ASIDE:  # of its way, or of its lane if its way leads to another
+        changes = deed.act is Act.LANE_CHANGE and actor.ledger.situation.ego.route in CHANGES
+        line, over = (OWN, 2) if changes else ("egoRoute", 1)
+        sign = Sign(f"abs(offsetFrom({line}, ego)) > 0.5", f"abs(offsetFrom({line}, ego)) > {over}")
+    elif sign is None or "offset" in sign.begun:
+        return None
+    text = sign.text(done=done).format(who=EGO, whom=name_of(deed.whom or EGO), usual=f"{actor.ego_speed:.3g}", k=0)
+    return (f"{text} and progressOn(egoRoute, ego)[0] > 1" if deed.act in HALTS else text,)
 
 
-def _usual(actor: Actor, who: str) -> float:
-    """About how fast [m/s] somebody is before its first deed."""
-    if who == EGO:
-        return actor.ego_speed
-    one = actor.ledger.situation[who]
-    if (said := one.starts.speed) is not None and not said.than_ego and said.low > 0.0:
-        return said.low
+def _in_turn(actor: Actor, who: str, n: int, *, done: bool) -> tuple[str, ...] | None:
+    """What shows, one after the other, that the n-th deed of somebody is done, or goes on.
+
+    None where nothing tells it from what goes before: who stands or is slow then is so already.
+    """
+    situation, one = actor.ledger.situation, actor.ledger.situation[who]
+    does, act = one.does, one.does[n].act
+    if done and act in _GOES_ON and n + 1 < len(does):
+        return _in_turn(actor, who, n + 1, done=False)
+    began = -1 if stands_first(one) or one.starts.where in OFF_ROAD else None
+    stood = max((k for k in range(n) if does[k].act in _STILL), default=began)
+    goes = stood is not None and any(deed.act not in _STILL for deed in does[stood + 1 : n])
+    first = stood is None or (began is not None and all(deed.act in _STILL for deed in does[: stood + 1]))
+    before = () if stood is None or first else _in_turn(actor, who, stood, done=does[stood].act not in _GOES_ON)
+    drives = stood is None and one.starts.where in _UNDER_WAY_FIRST
+    if before is None:
+        return None
+    if act in _SETS_OFF and (goes or drives):
+        return _in_turn(actor, who, n - 1, done=True) if n and does[n - 1].act not in _GOES_ON else None
+    if act in _STILL | _LOSES_SOME | _GAINS and (stood is not None or any(deed.act in LOSES for deed in does[:n])):
+        return _of_speed(one, n, before, stood=stood is not None, goes=goes)
+    sign = _sign_of(situation, one, n)
+    if sign is None:
+        return None
+    told = {"who": name_of(who), "whom": name_of(whom) if (whom := does[n].whom or EGO) != EGO else EGO}
+    text = sign.text(done=done).format(**told, usual=f"{_usual(actor, one):.3g}", k=n)
+    return (*before, text) if act in _SETS_OFF else (text,)
+
+
+def _of_speed(one: Other, n: int, before: tuple[str, ...], *, stood: bool, goes: bool) -> tuple[str, ...] | None:
+    """What shows that somebody stands, or gains speed, that was slow or stood before; None of who gets slower.
+
+    Args:
+        one: Who.
+        n: The number of its deed.
+        before: What shows that it stood.
+        stood: Whether it did.
+        goes: Whether it went on after that.
+    """
+    act, speed = one.does[n].act, f"{name_of(one.id)}.pose[3]"
+    moves, stands = f"{speed} > {UNDER_WAY:g}", f"{speed} < {STILL:g}"
+    if act in _GAINS and stood and not goes:
+        return (*before, moves)
+    if act not in _STILL:
+        return None
+    return (*before, moves, stands) if stood and goes else before or (stands,)
+
+
+def _sign_of(situation: Situation, one: Other, n: int) -> Sign | None:
+    """What is seen of the n-th deed of somebody; None where nothing is, or it is seen of an earlier one as well."""
+    where, act = one.starts.where, one.does[n].act
+    sign = SIGNS.get(act)
+    if act in acts_of(Heads.TURNS) and where in (Where.AHEAD, Where.BEHIND):
+        sign = _OVER if situation.ego.route in (None, EgoRoute.STRAIGHT) else None  # else both turn
+    elif act is Act.LANE_CHANGE and where not in AGAINST:
+        ours = lane_after(one, one.does, n) == 0
+        sign = _IN if ours else _OVER if lane_after(one, one.does, n - 1) == 0 else _OVER_ITS_OWN
+    elif act in acts_of(Heads.BY, Heads.OVER) and where in AGAINST:
+        sign = _IN
+    if sign is None or any(SIGNS.get(deed.act) is sign for deed in one.does[:n] if "offset" in sign.begun):
+        return None
+    return sign
+
+
+def _usual(actor: Actor, one: Other) -> float:
+    """About how fast [m/s] somebody is before it gains or loses speed."""
     body = one.kind.row.body.row
+    numbers = Numbers(one.id, body)
+    if (said := said_speed(one, actor.ego_speed)) is not None and said > 0.0:
+        return said
+    if goes_slowly(one):
+        return numbers.middle("SLOW")
     if not body.motorised:
-        return Numbers(who, body).middle("SPEED")
-    return min(actor.ego_speed, MOST * body.limits.top_speed)
+        return numbers.middle("SPEED")
+    passed = relation_of(actor.ledger.situation, one) is Relation.PASSED
+    share = 0.5 * sum(Relation.PASSED.value) if passed else 1.0
+    return min(share * actor.ego_speed, MOST * body.limits.top_speed)
