@@ -96,7 +96,7 @@ def test_a_long_answer_comes_in_parts_and_is_made_once(
     assert "brake: loses speed hard" in text_of(second)
     for arguments, says in (
         ({"about": "Act", "part": 3}, "has 2 parts"),
-        ({"about": "Act", "part": "x"}, "no whole number"),
+        ({"about": "Act", "part": "x"}, "not a whole number"),
         ({"about": "Where", "part": 2}, "no answer to this call"),
     ):
         wrong = portal.call(client.call_tool, "vocabulary", arguments)

@@ -74,7 +74,7 @@ def test_workers_have_the_environment_of_when_they_began_and_not_of_the_first_po
 def test_an_executor_that_is_not_there_is_told_of() -> None:
     with pytest.raises(SettingsError, match="executor"):
         load_executor("process", 1, print)
-    with pytest.raises(SettingsError, match="no work with 0 jobs"):
+    with pytest.raises(SettingsError, match="jobs is 0; use at least one"):
         Workers(0)
 
 

@@ -370,6 +370,8 @@ def command(record: RunRecord) -> str:
         return f"# a scenario of: chatscene benchmark --generator {shlex.quote(record.generator)}"
     words += ["--map", record.map_name, "--ego", record.ego]
     for place, value in _changed(record).items():
+        if place[0] == "retrieval" and record.situation is not None:
+            continue  # a situation is not read again
         if place == ("retrieval", "stated"):
             words += [word for fact in str(value).split() for word in (OPTIONS[place], fact)]
         elif place in OPTIONS:
