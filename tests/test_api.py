@@ -246,7 +246,7 @@ def test_a_printed_run_says_which_words_were_not_read(simulated: chatscene.Run, 
 
 def test_a_folder_that_is_no_finished_run_is_refused(tmp_path: Path) -> None:
     started(tmp_path / "cut")
-    with pytest.raises(RunError, match="finish it with: chatscene resume"):
+    with pytest.raises(RunError, match="was interrupted; continue with: chatscene resume"):
         chatscene.Run(tmp_path / "cut")
     with pytest.raises(RunError, match="not a run folder"):
         chatscene.Run(tmp_path)

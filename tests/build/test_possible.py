@@ -57,7 +57,7 @@ def refusal(where: str, *acts: str, kind: str = "car") -> str:
     ],
 )
 def test_a_deed_that_cannot_be_is_refused_by_its_path(where: str, acts: tuple[str, ...], told: str) -> None:
-    assert refusal(where, *acts).startswith(f"impossible:{told}")
+    assert refusal(where, *acts).startswith(f"impossible: {told}")
 
 
 def test_an_act_can_be_begun_from_somewhere() -> None:

@@ -140,11 +140,11 @@ def test_most_drives_show_what_was_said(name: str) -> None:
         ),
         (
             "{ego: {route: overtake}, others: [{id: A, kind: car, starts: {where: oncoming}}]}",
-            "impossible:ego.route: there is nobody to overtake",
+            "impossible: ego.route: there is nobody to overtake",
         ),
         (
             "{others: [{id: A, kind: car, starts: {where: oncoming}, does: [{act: overtake}, {act: overtake}]}]}",
-            "impossible:others.A.does.1.act: after overtake it is ahead of ego",
+            "impossible: others.A.does.1.act: after overtake it is ahead of ego",
         ),
         (
             "{road: {kind: four-way}, others: [{id: A, kind: car, starts: {where: ahead}, does: [{act: exit}]}]}",

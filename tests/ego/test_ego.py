@@ -141,7 +141,7 @@ def test_an_ego_of_the_user_is_a_factory_in_a_module(monkeypatch: pytest.MonkeyP
     module.wrong = dict  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "my_stack", module)
     assert isinstance(load_ego("my_stack:make"), Still)
-    with pytest.raises(EgoError, match="no method act"):
+    with pytest.raises(EgoError, match="without the method act"):
         load_ego("my_stack:wrong")
     with pytest.raises(EgoError, match="has no 'nothing'"):
         load_ego("my_stack:nothing")

@@ -183,9 +183,13 @@ def test_an_exposure_is_a_file_with_sources(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("said", "told"),
     [
-        ('[OPT_ADV_SPEED]\nshape = "normal"\nmean = 4\ndeviation = 2\n', "no density"),
-        ('[OPT_ADV_SPEED]\nshape = "normal"\nmean = 4\ndeviation = -2\nsource = "x"\n', "no density"),
-        ("shape = ", "no TOML"),
+        (
+            '[OPT_ADV_SPEED]\nshape = "normal"\nmean = 4\ndeviation = 2\n',
+            "'OPT_ADV_SPEED' that is not a density .source: ",
+        ),
+        ('[OPT_ADV_SPEED]\nshape = "normal"\nmean = 4\ndeviation = -2\nsource = "x"\n', "not a density .deviation: "),
+        ('[OPT_ADV_SPEED]\nshape = "flat"\nsource = "x"\n', "not a density .*'flat'.*'uniform', 'normal', 'lognormal'"),
+        ("shape = ", "is not TOML"),
         (None, "cannot be read"),
     ],
 )
@@ -198,7 +202,7 @@ def test_an_exposure_that_is_none_is_refused(said: str | None, told: str, tmp_pa
 
 
 def test_an_exposure_of_something_else_is_refused() -> None:
-    with pytest.raises(SettingsError, match="does not have"):
+    with pytest.raises(SettingsError, match="has OPT_ADV_SPEED, and the program does not"):
         exposure_of((GAP,), (NORMAL,))
     far = Density(parameter="OPT_ADV_SPEED", shape=Shape.LOGNORMAL, middle=400.0, spread=0.1, source="a study in km/h")
     with pytest.raises(SettingsError, match="units"):

@@ -117,7 +117,7 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
     if not situation.adversaries:
         raise NotBuilt(NOBODY)
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
-        raise NotBuilt("impossible:" + "; ".join(cannot))
+        raise NotBuilt("impossible: " + "; ".join(cannot))
     situation = replace(situation, others=tuple(along_the_road(wrong_way(one)) for one in situation.others))
     said, situation = situation, at_a_corner(in_queue(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation))))))
     check_met(situation)

@@ -151,7 +151,7 @@ def check_hidden(actors: Sequence[Actor]) -> None:
     for actor, by in behind_leaders(actors):
         if actor.nearest <= by.farthest:
             raise NotBuilt(
-                f"impossible:{actor.path}.hidden_by: {by.one.id} is not nearer than {actor.one.id}, which would have to"
-                f" be {by.farthest + ROOM:.0f} m ahead at least"
+                f"impossible: {actor.path}.hidden_by: {by.one.id} is not nearer than {actor.one.id}, which would have"
+                f" to be {by.farthest + ROOM:.0f} m ahead at least"
             )
         actor.ledger.take(f"{actor.path}.hidden_by")

@@ -99,7 +99,7 @@ class Opening(UnderWay):
         if least > (near / actor.ego_speed if metres else near) and actor.one.role is Role.ADVERSARY:
             say = f"{math.ceil(least * actor.ego_speed)} m" if metres else f"{least:.1f} s"
             raise NotBuilt(
-                f"impossible:{actor.path}.does.{self.first}.when.ego_within: {when.ego_within}: {actor.one.id} needs"
+                f"impossible: {actor.path}.does.{self.first}.when.ego_within: {when.ego_within}: {actor.one.id} needs"
                 f" {takes:.1f} s from its start into our way, and by then we have passed;"
                 f" say {say} at least"
             )

@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,13 +24,13 @@ LEAST_INSIDE = 0.01  # of a density, in the declared range: with less, the scena
 
 class _Uniform(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True)
-    shape: str = Field(pattern="^uniform$")
+    shape: Literal["uniform"]
     source: str = Field(min_length=1)
 
 
 class _Normal(BaseModel):
     model_config = ConfigDict(extra="forbid")
-    shape: str = Field(pattern="^normal$")
+    shape: Literal["normal"]
     mean: float = Field(allow_inf_nan=False)
     deviation: float = Field(gt=0, allow_inf_nan=False)
     source: str = Field(min_length=1)
@@ -38,13 +38,14 @@ class _Normal(BaseModel):
 
 class _Lognormal(BaseModel):
     model_config = ConfigDict(extra="forbid")
-    shape: str = Field(pattern="^lognormal$")
+    shape: Literal["lognormal"]
     median: float = Field(gt=0, allow_inf_nan=False)
     log_deviation: float = Field(gt=0, allow_inf_nan=False)
     source: str = Field(min_length=1)
 
 
-_FILE: TypeAdapter[dict[str, _Uniform | _Normal | _Lognormal]] = TypeAdapter(dict[str, _Uniform | _Normal | _Lognormal])
+_Table = Annotated[_Uniform | _Normal | _Lognormal, Field(discriminator="shape")]
+_FILE: TypeAdapter[dict[str, _Table]] = TypeAdapter(dict[str, _Table])
 
 
 def read_exposure(path: Path) -> tuple[Density, ...]:
@@ -61,8 +62,9 @@ def read_exposure(path: Path) -> tuple[Density, ...]:
         raise SettingsError(f"the exposure {path} is not TOML: {error}") from error
     except ValidationError as error:
         first = error.errors()[0]
+        told = "".join(f"{field}: " for field in first["loc"][2:]) + first["msg"]
         raise SettingsError(
-            f"the exposure {path} has a table {first['loc'][0]!r} that is not a density ({first['msg']}); one is "
+            f"the exposure {path} has a table {first['loc'][0]!r} that is not a density ({told}); one is "
             'shape = "normal" with mean and deviation, "lognormal" with median and log_deviation, or "uniform", '
             "and says its source"
         ) from error

@@ -21,6 +21,7 @@ from chatscene.program.watching import ALONG, Seen, in_frame
 from chatscene.terms.arrays import Array
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Site
+from chatscene.terms.vocabulary import ASIDE, SWINGS, Heads, acts_of
 from chatscene.terms.vocabulary import Act as Said
 from chatscene.verdict.told import Told
 
@@ -144,8 +145,10 @@ MOVEMENTS: dict[Said, Callable[[_Move], bool]] = {
 """Ways across the road, and what must hold of each; one movement may look like several, of which the first is told."""
 ALSO = (Said.REVERSE, Said.TURN_BACK, Said.TAILGATE)
 """What is told beside a movement."""
-_ONCE_DONE = frozenset((Said.WEAVE, Said.SWERVE, Said.DRIFT, *ALSO))
+_ONCE_DONE = ASIDE | SWINGS | frozenset(ALSO)
 """What is told once it is done: until then it may be anything."""
+_FROM_BESIDE = acts_of(Heads.ACROSS, Heads.IN)
+"""What is begun from beside the road, perhaps from afar."""
 
 
 def moves(who: str, may: frozenset[Said], seen: Seen, route: Route) -> Iterator[Told]:
@@ -173,7 +176,7 @@ def _told(who: str, act: Said, move: _Move) -> Told:
     seen, once = move.seen, move.once
     if act is Said.CROSS:
         once = _to_the_other_side(seen, once)
-    if act in (Said.CROSS, Said.ENTER):  # who comes from afar is on its way until then
+    if act in _FROM_BESIDE:  # who comes from afar is on its way until then
         far = np.flatnonzero(np.abs(seen.offset[: move.end + 1]) > BESIDE)
         once = replace(once, began=max(once.began, int(far[-1]) if far.size else 0))
     what = _WORDS[act](move) if act in _WORDS else act.meaning

@@ -232,7 +232,7 @@ def test_a_server_that_keeps_its_files_elsewhere_refuses_to_record_and_says_wher
     done = CliRunner().invoke(main, ["replay", str(elsewhere), scene, "--simulator", simulator, "--record"])
     assert done.exit_code == 1
     assert "did not record" in done.output
-    assert f"clients' files are in {through.parent}" in done.output
+    assert f"files of clients are below {through.parent}," in done.output
     assert not list((elsewhere / "recordings").iterdir())
 
 

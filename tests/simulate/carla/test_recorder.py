@@ -153,7 +153,7 @@ def test_a_name_below_the_folder_needs_not_begin_with_it(client_and_world: tuple
 
 def test_without_a_folder_recordings_are_private_and_a_name_elsewhere_says_where(port: int, tmp_path: Path) -> None:
     client, _ = connected(port)
-    with pytest.raises(RuntimeError, match=r"clients' files are in .*chatscene-carla-.*serve-carla --files"):
+    with pytest.raises(RuntimeError, match=r"files of clients are below .*chatscene-carla-.*serve-carla --files"):
         client.start_recorder(str(tmp_path / "a.log"))
     made = Path(client.start_recorder("a.log"))
     client.stop_recorder()
