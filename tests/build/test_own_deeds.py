@@ -68,6 +68,12 @@ def test_an_ego_that_parks_stands_at_the_edge() -> None:
     assert aside(said)[episode.ego_track.speed < 0.05].max() < -1.5
 
 
+@pytest.mark.parametrize("speed", ["at most 20 km/h", "20 km/h"])
+def test_an_ego_that_parks_keeps_the_speed_that_was_said_of_it(speed: str) -> None:
+    parks = ego({"act": "park", "speed": speed}, speed="50 km/h")
+    assert "at_least=5.556" in build(from_plain(someone("behind", "go-along") | {"ego": parks})).program.source
+
+
 def test_an_ego_that_gains_speed_had_less_before() -> None:
     said = someone("roadside", "cross", kind="child", side="right") | {
         "ego": ego({"act": "accelerate"}, speed="40 km/h")

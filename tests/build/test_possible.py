@@ -60,6 +60,42 @@ def test_a_deed_that_cannot_be_is_refused_by_its_path(where: str, acts: tuple[st
     assert refusal(where, *acts).startswith(f"impossible: {told}")
 
 
+@pytest.mark.parametrize(
+    ("where", "acts"),
+    [
+        ("behind-beside", ("lane-change", "overtake")),
+        ("behind-beside", ("lane-change", "follow", "overtake")),
+        ("beside", ("lane-change", "tailgate", "overtake")),
+    ],
+)
+def test_who_is_behind_the_ego_after_a_deed_can_overtake_it(where: str, acts: tuple[str, ...]) -> None:
+    starts = {"where": where, "side": "left"}
+    one: dict[str, Any] = {"id": "A", "kind": "car", "starts": starts, "does": [{"act": act} for act in acts]}
+    assert build(from_plain({"others": [one]}))
+
+
+@pytest.mark.parametrize(
+    ("deed", "more", "told"),
+    [
+        ({"act": "stop", "distance": "0 to 1 m"}, {}, "others.A.does.0.distance: 0 to 1 m needs"),
+        ({"act": "accelerate", "time": "0 to 0.1 s"}, {}, "others.A.does.0.time: 0 to 0.1 s is more than a car can do"),
+        ({"act": "brake"}, {"ego": {"speed": "at least 0 km/h"}}, "impossible:ego.speed: at least 0 km/h"),
+        (
+            {"act": "brake"},
+            {"road": {"speed_limit": "at least 0 km/h"}},
+            "impossible:road.speed_limit: at least 0 km/h",
+        ),
+    ],
+)
+def test_a_range_or_a_bound_that_begins_at_0_is_refused_by_its_path(
+    deed: dict[str, str], more: dict[str, Any], told: str
+) -> None:
+    one: dict[str, Any] = {"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": [deed]}
+    with pytest.raises(NotBuilt) as refused:
+        build(from_plain({"others": [one], **more}))
+    assert str(refused.value).startswith(told)
+
+
 def test_an_act_can_be_begun_from_somewhere() -> None:
     assert all(FROM[act] for act in FROM)
     assert set(FROM) <= set(Act)

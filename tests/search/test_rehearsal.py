@@ -80,8 +80,28 @@ def test_a_slower_ego_that_cannot_be_driven_takes_nobody_s_place(monkeypatch: py
         return Rejected(scene=scene, reason="nobody finds a place")
 
     monkeypatch.setattr("chatscene.search.rehearsal.simulate", fails)
-    assert rehearsed(built, situation) is built
+    told = rehearsed(built, situation)
+    assert told.program is built.program
+    assert told.unseen == ("none of 16 drives begins: nobody finds a place",)
     assert slower
+
+
+FACT = "others.A.does.0.act: said brake, but it never does"
+
+
+@pytest.mark.parametrize(
+    ("missing", "told"),
+    [
+        (((FACT,), ("the scene cannot be placed",), (FACT,)), f"none of 2 drives shows {FACT}"),
+        (
+            (("unasked.contact: the ego and B touch, which the text does not say",),) * 3,
+            "all 3 drives show something that was not said: the ego and B touch, which the text does not say",
+        ),
+    ],
+)
+def test_what_all_drives_have_in_common_is_told_as_it_is(missing: rehearsal.Missing, told: str) -> None:
+    tried = rehearsal._Tried(program=build(DOOR).program, missing=missing, values=())  # pyright: ignore[reportPrivateUsage]
+    assert [*tried.unseen()] == [told]
 
 
 def test_only_the_part_of_a_range_goes_in_which_somebody_comes_too_late() -> None:

@@ -117,7 +117,7 @@ def _aside(
     if deed.speed is not None:
         ledger.take(f"{at}.speed")
     if deed.speed is not None and aside is None:
-        keeps = deed.speed.near(keeps)
+        keeps = deed.speed.near(keeps) or deed.speed.most
     stays = deed.act in acts_of(Heads.EDGE, Heads.OVER)
     yield begins.order(aside=left, over=over, since=since, till=math.inf if stays else round(since + lasts, 2))
     if keeps:

@@ -131,6 +131,8 @@ def _of_nothing(situation: Situation) -> Iterator[Fault]:
     for path, said in (("ego.speed", situation.ego.speed), ("road.speed_limit", situation.road.speed_limit)):
         if _is_nothing(said):
             yield Fault((path,), f"{said}: nobody drives at that; of an ego that waits say ego.does: {Act.STAND}")
+        elif said is not None and not said.than_ego and said.most <= 0.0:
+            yield Fault((path,), f"{said}: that is true of any speed; leave it out or say one above 0")
     for who, does in situation.everybody():
         at = f"{'' if who == EGO else 'others.'}{who}.does"
         for k, deed in enumerate(does):
@@ -180,12 +182,18 @@ def _passes_twice(one: Other, at: str) -> Iterator[Fault]:
             passed.add(whom)
         elif deed.act in _FALLS_BACK:
             passed.clear()
+        elif deed.act in acts_of(Heads.BEHIND, Heads.CLOSE):  # behind whom it then is
+            passed.discard(whom)
 
 
 def _comes_before(one: Other, deed: Deed) -> bool:
-    """Whether somebody comes into the ego's lane by a deed from beside it, and so is ahead of it."""
+    """Whether somebody comes into the ego's lane by a deed from beside it, and so is ahead of it.
+
+    Who begins behind and beside it may come in behind it, unless the deed itself is to come in before somebody.
+    """
     aside = deed.act in acts_of(Heads.OVER) and deed.to is not None and deed.to is one.starts.side
-    return one.starts.where in NEXT_LANE and deed.act in acts_of(Heads.BEFORE, Heads.MERGES, Heads.OVER) and not aside
+    begins = NEXT_LANE if deed.act in acts_of(Heads.BEFORE) else NEXT_LANE - {Where.BEHIND_BESIDE}
+    return one.starts.where in begins and deed.act in acts_of(Heads.BEFORE, Heads.MERGES, Heads.OVER) and not aside
 
 
 def _comes_in_twice(one: Other, at: str) -> Iterator[Fault]:

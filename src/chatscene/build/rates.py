@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -163,7 +164,7 @@ def _rates(said: Duration | Length, change: float, usual: Sequence[float]) -> tu
         usual: The least and the most acceleration that is usual.
     """
     low, high = said.drawn(change / usual[1], change / usual[0])
-    return change / high, change / low
+    return change / high, change / low if low > 0.0 else math.inf
 
 
 def _bind(actor: Actor, k: int, name: str, rates: tuple[float, float], path: str) -> None:

@@ -164,12 +164,23 @@ class _Tried:
         return len(self.missing) - self.missed
 
     def unseen(self) -> Iterator[str]:
-        """Each fact that no drive shows, with what the first shows in its place."""
-        first, *others = self.missing
+        """Each fact that no drive shows, and what nobody said that all show, with what is seen in the first.
+
+        A drive that does not begin shows nothing, and hides nothing that others do not show.
+        """
+        begun = [missing for missing in self.missing if not any(map(_is_reason, missing))]
+        if not begun:
+            yield f"none of {len(self.missing)} drives begins: {self.missing[0][0]}"
+            return
+        first, *others = begun
         for told in first:
             fact, _, instead = told.partition(": ")
-            if all(any(one.startswith(f"{fact}: ") for one in missing) for missing in others):
-                yield f"none of {len(self.missing)} drives shows {fact}: {instead}" if instead else told
+            if not all(any(one.startswith(f"{fact}: ") for one in missing) for missing in others):
+                continue
+            if fact.startswith("unasked."):
+                yield f"all {len(begun)} drives show something that was not said: {instead}"
+            else:
+                yield f"none of {len(begun)} drives shows {fact}: {instead}"
 
     @property
     def is_enough(self) -> bool:
@@ -237,6 +248,12 @@ class _Stage:
         if isinstance(episode, Rejected):
             return (episode.reason,)
         return failures(judge(self.situation, episode, self.route))
+
+
+def _is_reason(missed: str) -> bool:
+    """Whether it is why a drive does not begin, and no fact, which begins with its path."""
+    path, colon, _ = missed.partition(": ")
+    return not colon or " " in path
 
 
 @lru_cache(maxsize=4)
