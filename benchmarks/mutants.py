@@ -23,14 +23,12 @@ is 1. Of contacts only those count whose truth shows one in most drives, of timi
 
 from __future__ import annotations
 
-import math
 import random
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from statistics import median
 
 import click
 import numpy as np
@@ -46,7 +44,6 @@ from chatscene.program.deeds import BRAKES, BRAKING, STANDING, runs
 from chatscene.report.filled import read_in
 from chatscene.search.rehearsal import rehearsed
 from chatscene.settings import RetrievalSettings, VerifySettings
-from chatscene.simulate.boxes import least_gap
 from chatscene.situations.check import faults_of
 from chatscene.situations.file import to_yaml
 from chatscene.situations.words import told
@@ -66,7 +63,6 @@ from chatscene.terms.vocabulary import (
     Side,
     Striker,
     UserKind,
-    Where,
 )
 from chatscene.verdict.said import Asked
 from chatscene.verdict.verdict import Verdict
@@ -91,28 +87,25 @@ _STARTS = frozenset((Act.SET_OFF, Act.ACCELERATE))
 BRINGS = {
     **dict.fromkeys((Act.LANE_CHANGE, Act.SWERVE, Act.DRIFT), frozenset((Act.ENTER,))),
     Act.PULL_OUT: frozenset((Act.ENTER, Act.MERGE, Act.LANE_CHANGE, Act.DRIFT)),
-    Act.MERGE: frozenset((Act.ENTER, Act.ACCELERATE)),  # a ramp is there to gain speed on
-    **dict.fromkeys((Act.TURN_LEFT, Act.TURN_RIGHT), frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.ACCELERATE))),
+    Act.MERGE: frozenset((Act.ENTER,)),
+    **dict.fromkeys((Act.TURN_LEFT, Act.TURN_RIGHT), frozenset((Act.SLOW_DOWN, Act.BRAKE))),
     Act.YIELD: _HALTS | _STARTS,
-    Act.TURN_BACK: _HALTS | _STARTS | {Act.CROSS, Act.ENTER},  # who goes back had come
+    Act.TURN_BACK: _HALTS | _STARTS | {Act.ENTER},  # who goes back had come
     Act.U_TURN: _HALTS | _STARTS | {Act.TURN_BACK},  # who goes the other way goes back
     Act.HESITATE: _HALTS | _STARTS | {Act.CROSS},  # and goes on, from the roadside over the road
     Act.REVERSE: _HALTS | _STARTS | {Act.TURN_BACK, Act.ENTER, Act.PULL_OUT, Act.PARK},  # from or to the edge
-    **dict.fromkeys((Act.FOLLOW, Act.TAILGATE, Act.KEEP_LEVEL), _HALTS | _STARTS),  # who is as fast as another
     Act.STAND: _STARTS,  # who then goes
-    Act.GO_STRAIGHT: frozenset((Act.CROSS, Act.ENTER)),  # through a junction, from the side, or where the ego turns
+    Act.GO_STRAIGHT: frozenset((Act.CROSS,)),  # through a junction, from the side
     Act.ENTER: _HALTS,  # of who stays there
     Act.CUT_IN: frozenset((Act.OVERTAKE, Act.ENTER)),  # of who comes from behind
     Act.OVERTAKE: frozenset((Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.ACCELERATE, Act.ENTER)),
     Act.STOP: frozenset((Act.SLOW_DOWN, Act.BRAKE)),
-    Act.BRAKE: frozenset((Act.SLOW_DOWN, Act.STOP)),  # it may come to a stand by that
-    Act.EXIT: frozenset((Act.LANE_CHANGE, Act.CUT_IN, Act.CUT_OUT)),  # from another lane than the ramp's
+    Act.BRAKE: frozenset((Act.SLOW_DOWN,)),
+    Act.EXIT: frozenset((Act.LANE_CHANGE, Act.CUT_OUT)),  # out of a lane
 }
 """What belongs to a deed, or cannot but be done with it: to say that it is done, or not to say it, is not false."""
-ROUND = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.ACCELERATE, Act.EXIT))
-"""The same of everybody who drives through a roundabout: slower in it than before and after, and out of it."""
-NEAR = {Where.BEHIND: frozenset((Act.TAILGATE,)), Where.BESIDE: frozenset((Act.KEEP_LEVEL,))}
-"""What somebody may do by where it begins, if it then only goes along the road."""
+ROUND = frozenset((Act.EXIT,))
+"""The same of everybody who drives through a roundabout: in the end it leaves that."""
 BY_SPEED = frozenset((Act.SLOW_DOWN, Act.BRAKE, Act.ACCELERATE))
 """What is done by speed alone: of whoever loses or gains that anyway, it is not false."""
 UNSEEN = frozenset((Act.FALL,))
@@ -315,8 +308,7 @@ def orders(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
     for one in truth.situation.others:
         for k, (first, second) in enumerate(zip(one.does, one.does[1:], strict=False)):
             lasts = any(deed.act.row.lasting for deed in (first, second))
-            belongs = second.act in BRINGS.get(first.act, ()) or first.act in BRINGS.get(second.act, ())
-            if lasts or belongs or first.act is second.act or first.when or second.when:
+            if lasts or first.act is second.act or first.when or second.when:
                 continue
             made = replace(one, does=(*one.does[:k], second, first, *one.does[k + 2 :]))
             what = f"{one.id} {second.act}, then {first.act}"
@@ -340,13 +332,7 @@ def left_out(truth: Truth, rng: random.Random) -> Iterator[Mutant]:
 def brought_by(one: Other, situation: Situation) -> frozenset[Act]:
     """All that somebody does, and what belongs to that, or to where it does so."""
     brought = frozenset(act for deed in one.does for act in (deed.act, *BRINGS.get(deed.act, ())))
-    return brought | near_at_once(one) | round_about(situation)
-
-
-def near_at_once(one: Other) -> frozenset[Act]:
-    """What may be true of who goes along the road from where it begins, as nobody says how near it keeps."""
-    goes = any(deed.act is Act.GO_ALONG for deed in one.does)
-    return NEAR.get(one.starts.where, frozenset()) if goes else frozenset()
+    return brought | round_about(situation)
 
 
 def round_about(situation: Situation) -> frozenset[Act]:
@@ -502,32 +488,18 @@ def verdict(found: Watching, situation: Situation, least: float) -> Verdict:
     return weighed(found, "it", Asked(situation=situation), VerifySettings(least=least))
 
 
-def counts(mutant: Mutant, right: Verdict, found: Watching) -> bool:
+def counts(mutant: Mutant, right: Verdict) -> bool:
     """Whether a mutant is false of the drives that it is judged by.
 
-    Of a contact most must have one. Of a timing some must have an encounter, and the late ones come less near to the
-    ego: on a ramp, or level with it, who comes later may meet it as well. Of a deed by speed alone, whoever is said to
-    do it must not do so anyway in most drives, as its speed shows: "it slows down" is true of who cuts in and slows.
+    Of a contact most must have one, of a timing some an encounter. Of a deed by speed alone, whoever is said to do it
+    must not do so anyway in most drives, as its speed shows: "it slows down" is true of who cuts in and slows.
     """
     if mutant.act in BY_SPEED:
         done = [does_anyway(mutant, one) for one in right.played]
         return sum(done) <= 0.5 * len(done)
     if mutant.kind == "contact":
         return len(right.crashes) > 0.5 * len(right.draws)
-    if mutant.kind != "timing":
-        return True
-    late = how_near(mutant.situation, [one.episode for one in found.drives])
-    return bool(right.encounters) and late > how_near(mutant.situation, right.played)
-
-
-def how_near(situation: Situation, episodes: Sequence[Episode]) -> float:
-    """How near [m] an adversary comes to the ego in the middle of some drives; inf if there are none."""
-    names = [one.id for one in situation.adversaries]
-    gaps = [
-        [least_gap(one.ego_track, track) for track in one.tracks[1:] if any(is_of(track.actor, name) for name in names)]
-        for one in episodes
-    ]
-    return median(min(several) for several in gaps if several) if any(gaps) else math.inf
+    return mutant.kind != "timing" or bool(right.encounters)
 
 
 def does_anyway(mutant: Mutant, episode: Episode) -> bool:
@@ -657,8 +629,8 @@ def main(count: int, seed: int, least: float, each: bool, truths_only: bool, kee
         if truths_only or right.status == 1:  # what is changed of a claim that is false already proves nothing
             continue
         for mutant in mutants(truth, rng):
-            drives = found if mutant.built is truth.built else driven(mutant.built, truth.ego)
-            if counts(mutant, right, drives):
+            if counts(mutant, right):
+                drives = found if mutant.built is truth.built else driven(mutant.built, truth.ego)
                 tally.add_mutant(mutant, truth, drives, least)
     click.echo("\n".join(tally.lines()))
 

@@ -179,7 +179,9 @@ PAUSES_AT_THE_EDGE = moving(
 """Comes up to the road, stands there for two seconds, and goes over it."""
 
 
-def in_order(track: Track, where: Where, *acts: Act, side: Side, kind: UserKind = UserKind.CAR) -> list[bool]:
+def in_order(
+    track: Track, where: Where, *acts: Act, side: Side | None = None, kind: UserKind = UserKind.CAR
+) -> list[bool]:
     """Which of some deeds are shown, said in this order."""
     said = one(other(where, *(Deed(act=act) for act in acts), kind=kind, side=side))
     return [shown(f"others.adversary.does.{k}.act", said, episode(track)) is True for k in range(len(acts))]
@@ -319,3 +321,63 @@ def test_a_contact_that_was_said_is_told_and_so_is_that_there_is_none() -> None:
     none = replace(CROSSES, contact=Contact(happens=False))
     assert shown("contact.happens", none, episode(near)) is True
     assert shown("contact.happens", none, episode(near, contact=57)) is False
+
+
+SWINGS_OUT = ((6, 12.0, 15.0), (12, 14.0, 15.0), (6, 14.0, 0.0))
+COMES_IN = ((6, 8.0, -15.0), (12, 8.0, -15.0), (6, 8.0, 0.0))
+GOES_OUT = ((6, 8.0, 15.0), (12, 8.0, 15.0), (6, 8.0, 0.0))
+WAITS = ((30, 8.0, 0.0),)
+IN_AND_OUT = moving(20.0, 3.5, *WAITS, *COMES_IN, *WAITS, *GOES_OUT, *WAITS, speed=8.0)
+
+
+@pytest.mark.parametrize(
+    ("track", "where", "acts"),
+    [
+        (IN_AND_OUT, "beside", (Act.CUT_IN, Act.CUT_OUT)),
+        (IN_AND_OUT, "beside", (Act.CUT_IN, Act.LANE_CHANGE)),
+        (
+            moving(20.0, 0.0, *WAITS, (5, 8.0, 5.0), (12, 8.0, 5.0), (5, 8.0, 0.0), *WAITS, *GOES_OUT, *WAITS, speed=8.0),
+            "ahead",
+            (Act.DRIFT, Act.LANE_CHANGE),
+        ),
+        (
+            moving(-25.0, 0.0, (4, 10.0, -15.0), (4, 10.0, 0.0), (4, 10.0, 15.0), (14, 10.0, 0.0), *SWINGS_OUT,
+                   (70, 14.0, 0.0), speed=10.0),
+            "behind",
+            (Act.SWERVE, Act.OVERTAKE),
+        ),
+        (
+            moving(20.0, 0.0, (10, 8.0, 0.0), (4, 8.0, 15.0), (3, 8.0, 15.0), (8, 8.0, -15.0), (3, 8.0, -15.0),
+                   (4, 8.0, 0.0), (60, 8.0, 0.0), speed=8.0),
+            "ahead",
+            (Act.SWERVE, Act.SWERVE),
+        ),
+        (
+            moving(20.0, 3.5, (20, 12.0, 0.0), (12, 8.5, 0.0), (5, 8.5, 0.0), (3, 8.5, -10.0), (20, 8.5, -10.0),
+                   (3, 8.5, 0.0), (20, 8.5, 0.0), (28, 0.0, 0.0), (30, 0.0, 0.0), speed=12.0),
+            "beside",
+            (Act.BRAKE, Act.CUT_IN, Act.STOP),
+        ),
+    ],
+)  # fmt: skip
+def test_a_second_movement_is_seen_from_where_the_first_one_ended(
+    track: Track, where: str, acts: tuple[Act, ...]
+) -> None:
+    start = {"beside": Where.AHEAD_BESIDE, "ahead": Where.AHEAD, "behind": Where.BEHIND}[where]
+    side = Side.LEFT if start is Where.AHEAD_BESIDE else None
+    assert in_order(track, start, *acts, side=side) == [True] * len(acts)
+
+
+def test_who_halts_in_the_middle_of_the_road_crosses_and_then_hesitates() -> None:
+    walks = moving(
+        60.0, 6.0, (24, 1.4, -90.0), (4, 0.0, -90.0), (20, 0.0, -90.0), (5, 1.3, -90.0), (80, 1.3, -90.0),
+        facing=-90.0, speed=1.4, kind="Pedestrian",
+    )  # fmt: skip
+    found = in_order(walks, Where.ROADSIDE, Act.CROSS, Act.HESITATE, side=Side.LEFT, kind=UserKind.PEDESTRIAN)
+    assert found == [True, True]
+
+
+@pytest.mark.parametrize("degrees", [20.0, 25.0])
+def test_who_goes_slantingly_over_the_lane_until_the_contact_crosses_it(degrees: float) -> None:
+    walks = moving(50.0, -3.0, (90, 1.4, degrees), facing=degrees, speed=1.4, kind="Pedestrian")
+    assert does(Act.CROSS, walks)

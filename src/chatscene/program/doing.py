@@ -116,7 +116,9 @@ def enters(s: Seen) -> Iterable[Act]:
 
 def _crosses(s: Seen) -> Iterator[Act]:
     """It comes in over the ego's way, and does not end up in its lane, going along that."""
+    lately = s.offset[-round(1.0 / s.dt) - 1 :]
     along = abs(math.sin(float(_from_way(s)[-1]))) < math.sin(ALONG) and abs(s.offset[-1]) < OUTSIDE
+    along = along and float(np.ptp(lately)) < ON_LINE  # and not over it, however slantingly
     beside = 0.0 < s.at[-1] < s.line.length
     yield from () if along and beside else ACTIONS[Action.CROSS](s)
 

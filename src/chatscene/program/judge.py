@@ -264,8 +264,9 @@ class _Judge:
         for k, deed in enumerate(one.does):
             path, act = f"{at}.does.{k}", deed.act
             yield from (not_judged(f"{path}.{name}") for name in untold(deed))
-            found = [o for o in self._seen(one, k, seen, sequence.since(act)) if sequence.may_be(act, o)]
-            after = sequence.after(act, found)
+            times = (*self._seen(one, k, seen, sequence.since(act)), *self._anew(one, deed, seen, sequence.free(act)))
+            found = [once for once in times if sequence.may_be(act, once)]
+            after = sequence.after(act, found, during=deed.when is not None and deed.when.during is not None)
             if not after:
                 never = "never does" if self.contact is None else "had not begun to when the ego crashed"
                 told = f"said {act}, but it {never}"
@@ -347,6 +348,16 @@ class _Judge:
             for once in sees(body):
                 if self._counts(once, body):
                     yield since(once, latest, body, stands=stands) if stands or act in COMES_IN else once
+
+    def _anew(self, one: Other, deed: Deed, seen: Seen, free: float) -> Iterator[Act]:
+        """The times that a movement is seen of somebody who has done with another: from the line that it is on then."""
+        first = math.ceil(free)
+        if not 0 < first < len(seen.track.x) - 1 or deed.act in LETS_GO or deed.whom not in (None, EGO):
+            return
+        later = seen.since(first)
+        for once in self._watcher(one, deed)(later):
+            if self._counts(once, later):
+                yield Act(once.began + first, None if once.done is None else once.done + first)
 
     def _watcher(self, one: Other, deed: Deed) -> Callable[[Seen], Iterable[Act]]:
         """What sees a deed, as it was said and on such a road."""

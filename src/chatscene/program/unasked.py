@@ -23,7 +23,7 @@ from chatscene.terms.episode import Episode, EventKind, Track
 from chatscene.terms.nouns import with_article
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Place, includes
-from chatscene.terms.situation import Other, Situation
+from chatscene.terms.situation import EGO, Other, Situation
 from chatscene.terms.vocabulary import (
     LETS_GO,
     SIDEWAYS,
@@ -142,7 +142,8 @@ def of_somebody(
     if acts and GOES_BACK.isdisjoint(acts) and (back := _back(seen)) is not None:
         told = f"{one.id} moves backwards, which the text does not say"
         yield Finding(path=f"unasked.{one.id}.back", shown=False, told=told, at=back * seen.dt)
-    if not STAYS_BEHIND.isdisjoint(acts) and ALONG.issuperset(acts) and GETS_AHEAD.isdisjoint(acts):
+    stays = any(deed.act in STAYS_BEHIND and deed.whom in (None, EGO) for deed in one.does)
+    if stays and ALONG.issuperset(acts) and GETS_AHEAD.isdisjoint(acts):
         yield from _gets_past(one, seen, route)
     if acts and ALONG.issuperset(acts) and not one.starts.where.row.junction and route.junction is None:
         yield from _along_the_road(one, seen, others, after if np.ptp(headings(route.line)) < STRAIGHT else None)

@@ -39,7 +39,7 @@ class Seen:
             past the route's event.
         at: (T,) [m], how far along the route it is; before its start the route is taken to come straight.
         line: The route's.
-        drift: (T,) [m], to the left of the line on which the adversary itself began.
+        drift: (T,) [m], to the left of the line on which the adversary itself began; NaN where no such line is known.
         acceleration: (T,) [m/s²].
         bearing: (T,) [rad], heading against the ego's start heading, in (-pi, pi].
         facing: (T,) [rad], heading against the route where it is; on open road, which may bend, else as `bearing`.
@@ -65,10 +65,27 @@ class Seen:
     signals: tuple[SignalTrack, ...]
     grip: float
 
+    def since(self, first: int) -> Seen:
+        """What is seen from a step on, as if it began there."""
+        rows = ("along", "across", "offset", "aside", "beyond", "at", "acceleration", "bearing", "facing")
+        return replace(
+            self,
+            track=_from(self.track, first),
+            ego=_from(self.ego, first),
+            drift=fixed(self.drift[first:] - self.drift[first]),
+            signals=tuple(replace(one, state=one.state[first:]) for one in self.signals),
+            **{name: getattr(self, name)[first:] for name in rows},
+        )
+
     @cached_property
     def lead(self) -> Array:
         """(T,) [m], how far along the route it is ahead of the ego."""
         return fixed(self.at - follow(self.line, self.ego.x, self.ego.y)[0])
+
+
+def _from(track: Track, first: int) -> Track:
+    x, y, heading, speed = (row[first:] for row in (track.x, track.y, track.heading, track.speed))
+    return replace(track, x=x, y=y, heading=heading, speed=speed)
 
 
 def watch(episode: Episode, route: Route, track: Track, until: int | None = None, *, of: Track | None = None) -> Seen:
@@ -116,15 +133,15 @@ def _drift(track: Track, route: Route, at: Array, offset: Array, aside: Array, f
 
     Who begins along the ego's road, or against it, keeps to that road or goes straight on, whichever moves it less: at
     a junction its road may leave the ego's. On a ramp the way itself leads over. In a roundabout nobody goes straight
-    on, and of who comes by another way than the ego no line is known; nor is it before or beyond the ego's way.
+    on, and of who comes by another way than the ego no line is known (NaN); nor is it before or beyond the ego's way.
     """
     _, straight = in_frame(track, track.x[0], track.y[0], track.heading[0])
     if abs(math.sin(facing)) >= math.sin(ALONG):
-        return np.zeros_like(straight) if route.site is Site.ROUNDABOUT else straight
+        return np.full_like(straight, math.nan) if route.site is Site.ROUNDABOUT else straight
     way = math.copysign(1.0, math.cos(facing))
     beside = (aside - aside[0]) * way
     if route.site is Site.ROUNDABOUT:
-        return beside if way > 0.0 else np.zeros_like(straight)
+        return beside if way > 0.0 else np.full_like(straight, math.nan)
     lines = [beside] if includes(Place.CURVE, route.place) else [beside, straight]
     if route.site in LEADS_OVER:
         lines.append((offset - offset[0]) * way)
