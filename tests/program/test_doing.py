@@ -336,7 +336,8 @@ IN_AND_OUT = moving(20.0, 3.5, *WAITS, *COMES_IN, *WAITS, *GOES_OUT, *WAITS, spe
         (IN_AND_OUT, "beside", (Act.CUT_IN, Act.CUT_OUT)),
         (IN_AND_OUT, "beside", (Act.CUT_IN, Act.LANE_CHANGE)),
         (
-            moving(20.0, 0.0, *WAITS, (5, 8.0, 5.0), (12, 8.0, 5.0), (5, 8.0, 0.0), *WAITS, *GOES_OUT, *WAITS, speed=8.0),
+            moving(20.0, 0.0, *WAITS, (5, 8.0, 5.0), (12, 8.0, 5.0), (5, 8.0, 0.0), *WAITS, *GOES_OUT, *WAITS,
+                   speed=8.0),
             "ahead",
             (Act.DRIFT, Act.LANE_CHANGE),
         ),
