@@ -208,6 +208,12 @@ def test_a_finished_run_goes_on_to_what_it_is(simulated: chatscene.Run) -> None:
     assert again.scenes == simulated.scenes
 
 
+def test_a_run_that_was_gone_on_with_knows_what_was_named_again(simulated: chatscene.Run) -> None:
+    again = chatscene.resume(simulated.folder, embedder="minilm")
+    assert isinstance(again, chatscene.Run)
+    assert again.repeated.embedder == ("minilm",)
+
+
 def test_egos_are_measured_on_the_kept_scenes(simulated: chatscene.Run, tmp_path: Path) -> None:
     evaluated = chatscene.evaluate(simulated, tmp_path / "e", ego="idm")
     assert "avoidability" in evaluated.tables

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable
+from concurrent.futures import BrokenExecutor
 from pathlib import Path
 
 import pytest
@@ -16,6 +17,7 @@ from chatscene.maps.carried import CarriedMap
 from chatscene.maps.network import PACKAGED
 from chatscene.runs.executor import ONE, Workers, load_executor
 from chatscene.runs.parallel import LOST, spread
+from chatscene.runs.processes import _interrupted_after  # pyright: ignore[reportPrivateUsage]
 
 
 def _halving(_: None) -> Callable[[int], int]:
@@ -93,3 +95,25 @@ def test_a_map_that_travelled_is_the_same_file_under_the_same_name(
     assert copy.read_bytes() == carried.content
     mine.unlink()
     assert carried.file() == copy
+
+
+def test_an_interrupt_that_waits_is_heard_by_who_handles_it(request: pytest.FixtureRequest) -> None:
+    heard: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
+    request.addfinalizer(lambda: signal.signal(signal.SIGINT, before))
+    with _interrupted_after():
+        signal.raise_signal(signal.SIGINT)
+        assert not heard
+    assert heard == [signal.SIGINT]
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    with _interrupted_after():
+        signal.raise_signal(signal.SIGINT)
+    assert len(heard) == 1
+
+
+def test_an_interrupt_is_heard_though_what_it_waits_for_fails(request: pytest.FixtureRequest) -> None:
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    request.addfinalizer(lambda: signal.signal(signal.SIGINT, before))
+    with pytest.raises(KeyboardInterrupt), _interrupted_after():
+        signal.raise_signal(signal.SIGINT)
+        raise BrokenExecutor

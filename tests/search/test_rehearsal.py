@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from chatscene.build.build import Built, build
+from chatscene.build.coming import speeds_to_try
 from chatscene.ego.policy import EgoPolicy, name_of
 from chatscene.errors import ProgramError
 from chatscene.report.stated import explain_stated
@@ -102,6 +103,22 @@ FACT = "others.A.does.0.act: said brake, but it never does"
 def test_what_all_drives_have_in_common_is_told_as_it_is(missing: rehearsal.Missing, told: str) -> None:
     tried = rehearsal._Tried(program=build(DOOR).program, missing=missing, values=())  # pyright: ignore[reportPrivateUsage]
     assert [*tried.unseen()] == [told]
+
+
+def test_an_ego_is_said_to_be_slower_for_what_drives_show_and_not_since_more_cannot_be_built() -> None:
+    situation = from_plain(
+        {
+            "road": {"kind": "motorway"},
+            "others": [{"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": [{"act": "brake"}]}],
+        }
+    )
+    first, *_, slowest = speeds_to_try(situation)
+    assert not any("since" in one for one in build(situation).assumed)
+    assert (
+        f"the ego drives at {3.6 * slowest:.0f} km/h, since drives show what was said only then"
+        in build(situation, at_most=slowest).assumed
+    )
+    assert first > slowest
 
 
 def test_only_the_part_of_a_range_goes_in_which_somebody_comes_too_late() -> None:

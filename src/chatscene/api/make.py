@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import asdict, replace
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
@@ -378,7 +378,7 @@ def resume(
     if kind is runs.Kind.RUN:
         from chatscene.api.results import Run
 
-        return Run(where, ego=ego, generator=generator, simulator=simulator, library=library)
+        return Run(where, **asdict(repeated))
     return done
 
 

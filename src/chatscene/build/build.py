@@ -80,7 +80,7 @@ def build(situation: Situation, *, name: str = "situation", at_most: float = mat
     Args:
         situation: What is to happen.
         name: What the scenario is called.
-        at_most: What an ego wants at most [m/s] of which no speed was said.
+        at_most: What an ego wants at most [m/s] of which no speed was said, so that drives show what was said.
 
     Raises:
         NotBuilt: A fact of it cannot be built, or no map has such a place; the message names the fact.
@@ -125,7 +125,7 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
     speeds = tuple(speed for speed in every if speed <= at_most) or every[-1:]
     for speed in speeds:
         try:
-            made = _built(situation, said, speed, name)
+            made = _built(Ledger(situation, told=said, slow=at_most < every[0]), speed, name)
         except NotBuilt as error:  # at a speed that was not said; a slower ego may do
             refused.append(error)
             if isinstance(error, NothingBuilds | NoSuchRoad):
@@ -137,20 +137,20 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
     raise refused[0]
 
 
-def _built(situation: Situation, said: Situation, usual: float, name: str) -> Built:
+def _built(said: Ledger, usual: float, name: str) -> Built:
     """The program of a situation, with an ego that wants a speed [m/s] at most if none was said.
 
     Raises:
         NotBuilt: A fact of it cannot be built, or no map has such a place.
     """
-    situation = as_kept(situation, min(usual, wanted_by(situation)))
-    read = Ledger(situation, told=said)
+    situation = as_kept(said.situation, min(usual, wanted_by(said.situation)))
+    read = replace(said, situation=situation, built=set[str](), assumed=list[str]())
     take_kept(read)
     found = find(read, usual)
     ledger, ego, everybody, body = _cast(read, found, usual)
     road = max(one.takes for one, _ in everybody)
     if road > found.route.line.length and not backs(situation):  # what is done goes on for longer
-        read = Ledger(situation, told=said)
+        read = replace(said, situation=situation, built=set[str](), assumed=list[str]())
         take_kept(read)
         found = find(read, usual, road)
         ledger, ego, everybody, body = _cast(read, found, usual)

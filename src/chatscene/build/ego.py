@@ -102,7 +102,9 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
         speed, keeps = min(speed, *held), False  # which is as fast as it ever is
     elif ego.speed is None:  # others are timed by it, so that it is wanted of every ego
         ledger.take("road.speed_limit")
-        ledger.assume(_drives_at(speed, wanted_by(situation), found.route if keeps else None))
+        usual = wanted_by(situation)
+        why = "drives show what was said only then" if ledger.slow else f"{3.6 * usual:.0f} km/h cannot be built here"
+        ledger.assume(_drives_at(speed, usual, why, found.route if keeps else None))
     wanted = f", with wantedSpeed {speed:.4g}" + (", with keepsLimits True" if keeps else "")
     longer = 0.5 * (body.length - LIMITS[CAR].length)  # its nose is so much nearer than a car's
     stands = bool(ego.does) and ego.does[0].act in FROM_A_STAND
@@ -129,15 +131,16 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     return BuiltEgo(params=tuple(params), query=query, coming=comes, properties=moving + wanted, orders=orders)
 
 
-def _drives_at(speed: float, usual: float, kept: Route | None) -> str:
+def _drives_at(speed: float, usual: float, slower: str, kept: Route | None) -> str:
     """What a speed that was chosen for the ego comes to, in words.
 
     Args:
         speed: What the ego wants [m/s].
         usual: What an ego usually wants on such a road [m/s].
+        slower: Why it wants less, if it does.
         kept: Its route, if it keeps the limits there.
     """
-    drives, why = speed, f", since {3.6 * usual:.0f} km/h cannot be built here" if speed < usual - 0.01 else ""
+    drives, why = speed, f", since {slower}" if speed < usual - 0.01 else ""
     if kept is not None:
         way = kept.allowed(keeps_limits=True)[: kept.line.segment_at(kept.eventAt) + 1]
         if (most := float(way.max())) < speed - 0.01:

@@ -38,12 +38,14 @@ class Ledger:
         told: The same as it was said, where that is told otherwise.
         built: The paths of facts that the program has.
         assumed: What was not said and had to be something, in words.
+        slow: Whether a slower ego is asked for than could be built.
     """
 
     situation: Situation
     built: set[str] = field(default_factory=set[str])
     assumed: list[str] = field(default_factory=list[str])
     told: Situation | None = None
+    slow: bool = False
 
     def take(self, *paths: str) -> None:
         """Facts that the program has: of each path, all in it."""

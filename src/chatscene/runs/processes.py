@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from functools import cache
 from multiprocessing import connection, forkserver, get_context, parent_process, resource_tracker
 from multiprocessing.shared_memory import ShareableList
+from types import FrameType
 from typing import Any
 
 _SAFE_PATH, _PATHS = "PYTHONSAFEPATH", "PYTHONPATH"
@@ -79,18 +80,19 @@ def _context() -> tuple[Any, Mapping[str, str]]:
 
 @contextmanager
 def _interrupted_after() -> Generator[None]:
-    """Have a keyboard interrupt wait until what is done inside is done."""
-    heard: list[int] = []
-    if threading.current_thread() is not threading.main_thread() or signal.getsignal(signal.SIGINT) is None:
+    """Have a keyboard interrupt wait until what is done inside is done, or has failed; then who handles it hears it."""
+    heard: list[FrameType | None] = []
+    before = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(before):  # it is ignored, or ends us
         yield
         return
-    before = signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
+    signal.signal(signal.SIGINT, lambda _, frame: heard.append(frame))
     try:
         yield
     finally:
         signal.signal(signal.SIGINT, before)
-    if heard:
-        raise KeyboardInterrupt
+        if heard:
+            before(signal.SIGINT, heard[0])
 
 
 @contextmanager
