@@ -129,6 +129,13 @@ def test_only_the_part_of_a_range_goes_in_which_somebody_comes_too_late() -> Non
     assert after["OPT_A_OFFSET"].high == before["OPT_A_OFFSET"].high
 
 
+def test_what_a_program_is_called_does_not_change_its_ranges() -> None:
+    crosses = said("deer", "roadside", "cross", side="right")
+    named, stated = (rehearsed(build(crosses, name=name), crosses) for name in ("a-deer-1f2e3d", "situation"))
+    assert named.program.scenario_id == "a-deer-1f2e3d"
+    assert named.program.parameters == stated.program.parameters
+
+
 def test_no_more_is_driven_than_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     driven: list[str] = []
 

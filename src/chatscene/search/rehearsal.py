@@ -16,6 +16,7 @@ from chatscene.build.build import Built, build
 from chatscene.build.coming import speeds_to_try
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import ChatSceneError, NotBuilt
+from chatscene.interpret.scenario_names import STATED
 from chatscene.maps.network import MapContent, resolve_map
 from chatscene.program.judge import failures, judge
 from chatscene.program.sample import drawn_scene, scene_at
@@ -238,8 +239,9 @@ class _Stage:
         return _Tried(program=program, missing=missing, values=tuple(scene.values for scene, _ in drives))
 
     def _drives(self, program: ScenicProgram) -> list[tuple[Scene, EgoPolicy]]:
-        drawn = (drawn_scene(program, number, seed=SEED) for number in range(DRAWN))
-        scenes = (scene_at(program, 0, 0.5, name="middle"), *drawn)
+        called = replace(program, scenario_id=STATED)  # values are drawn by the name, which is not to count
+        drawn = (drawn_scene(called, number, seed=SEED) for number in range(DRAWN))
+        scenes = (scene_at(called, 0, 0.5, name="middle"), *drawn)
         return [(scene, load_ego(ego)) for scene in scenes for ego in EGOS]
 
     def _missing(self, program: ScenicProgram, scene: Scene, ego: EgoPolicy) -> tuple[str, ...]:
