@@ -79,11 +79,11 @@ def test_who_is_behind_the_ego_after_a_deed_can_overtake_it(where: str, acts: tu
     [
         ({"act": "stop", "distance": "0 to 1 m"}, {}, "others.A.does.0.distance: 0 to 1 m needs"),
         ({"act": "accelerate", "time": "0 to 0.1 s"}, {}, "others.A.does.0.time: 0 to 0.1 s is more than a car can do"),
-        ({"act": "brake"}, {"ego": {"speed": "at least 0 km/h"}}, "impossible:ego.speed: at least 0 km/h"),
+        ({"act": "brake"}, {"ego": {"speed": "at least 0 km/h"}}, "impossible: ego.speed: at least 0 km/h"),
         (
             {"act": "brake"},
             {"road": {"speed_limit": "at least 0 km/h"}},
-            "impossible:road.speed_limit: at least 0 km/h",
+            "impossible: road.speed_limit: at least 0 km/h",
         ),
     ],
 )

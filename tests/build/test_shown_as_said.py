@@ -144,7 +144,7 @@ def test_most_drives_show_what_was_said(name: str) -> None:
         ),
         (
             "{others: [{id: A, kind: car, starts: {where: oncoming}, does: [{act: overtake}, {act: overtake}]}]}",
-            "impossible: others.A.does.1.act: after overtake it is ahead of ego",
+            "impossible: others.A.does.1.act: after overtake it is already in our lane or past it",
         ),
         (
             "{road: {kind: four-way}, others: [{id: A, kind: car, starts: {where: ahead}, does: [{act: exit}]}]}",

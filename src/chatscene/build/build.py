@@ -116,8 +116,11 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
     """The program of a situation, as `build`, whose refusals name places as they are built."""
     if not situation.adversaries:
         raise NotBuilt(NOBODY)
-    if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
-        raise NotBuilt("impossible: " + "; ".join(cannot))
+    cannot: dict[str, str] = {}
+    for one in impossible(situation):
+        cannot.setdefault(dotted(one.path), one.said)  # the first reason of each fact
+    if cannot:
+        raise NotBuilt("impossible: " + "; ".join(f"{path}: {why}" for path, why in cannot.items()))
     situation = replace(situation, others=tuple(along_the_road(wrong_way(one)) for one in situation.others))
     said, situation = situation, at_a_corner(in_queue(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation))))))
     check_met(situation)
