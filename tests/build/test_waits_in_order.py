@@ -9,6 +9,7 @@ import pytest
 
 from chatscene.build.build import build
 from chatscene.errors import NotBuilt
+from chatscene.situations.file import read_text
 from chatscene.situations.form import from_plain
 
 
@@ -82,3 +83,36 @@ def test_a_later_deed_of_the_egos_wheel_that_waits_for_somebody_is_refused() -> 
     ahead = {"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": deeds("stop")}
     with pytest.raises(NotBuilt, match=r"ego\.does\.1\.when\.after"):
         build(from_plain({"ego": {"speed": "50 km/h", "does": swerves}, "others": [ahead]}))
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "phases"),
+    [
+        ("cut-in", "cut-out", ("< 1.3", "> 2.2")),
+        ("lane-change, to: left", "lane-change, to: right", ("> 2.2", "< 1.3")),
+    ],
+)
+def test_who_waits_for_a_second_movement_waits_for_the_first_one_before(
+    first: str, second: str, phases: tuple[str, str]
+) -> None:
+    where = "ahead" if "left" in first else "ahead-beside, side: left"
+    source = build(
+        read_text(
+            f"others:\n- {{id: A, kind: car, starts: {{where: {where}}}, does: [{{act: {first}}}, {{act: {second}}}]}}\n"
+            "- {id: B, kind: car, role: supporting, starts: {where: behind},"
+            " does: [{act: go-along}, {act: brake, when: {after: A.1}}]}"
+        )
+    ).program.source
+    assert tuple(re.findall(r"offsetFrom\(egoRoute, A\)\) (.*)", source)) == phases
+
+
+def test_who_waits_until_somebody_has_slowed_waits_for_the_speed_that_was_said() -> None:
+    source = build(
+        read_text(
+            "ego: {speed: 50 km/h}\nothers:\n"
+            "- {id: A, kind: car, starts: {where: ahead}, does: [{act: slow-down, speed: 40 km/h}]}\n"
+            "- {id: B, kind: car, role: supporting, starts: {where: ahead-beside, side: left},"
+            " does: [{act: go-along}, {act: brake, when: {after: A.0}}]}"
+        )
+    ).program.source
+    assert "until A.pose[3] < 11.4" in source  # on the way from 13.9 to 11.1 m/s

@@ -57,6 +57,11 @@ class Sign:
     begun: str
     done: str = ""
 
+    @property
+    def aside(self) -> bool:
+        """Whether it is seen by where somebody is to the side."""
+        return "offset" in self.begun
+
     def text(self, *, done: bool) -> str:
         """What is seen once it was done, or once it is under way."""
         return self.done or self.begun if done else self.begun
@@ -94,6 +99,7 @@ _LOSES_SOME, _GAINS = acts_of(Tempo.BRAKES, Tempo.SLOWS), acts_of(Tempo.GAINS)
 _SETS_OFF = acts_of(Tempo.SETS_OFF, Heads.ALONG, Heads.THROUGH, Heads.BEHIND)
 _GOES_ON = acts_of(Tempo.STANDS, Heads.ALONG)
 """What ends when the next deed begins, and by nothing else that is seen."""
+MOST_OF, HALF = 0.9, 0.5  # of a number that was said: a deed is done by then, or seen to be under way
 _UNDER_WAY_FIRST = NEXT_LANE | AGAINST | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP}
 """Where somebody who does not stand goes from the first."""
 
@@ -252,9 +258,12 @@ def _of_ego(actor: Actor, deed: Deed, *, done: bool) -> tuple[str, ...] | None:
         changes = deed.act is Act.LANE_CHANGE and actor.ledger.situation.ego.route in CHANGES
         line, over = (OWN, 2) if changes else ("egoRoute", 1)
         sign = Sign(f"abs(offsetFrom({line}, ego)) > 0.5", f"abs(offsetFrom({line}, ego)) > {over}")
-    elif sign is None or "offset" in sign.begun:
+    elif sign is None or sign.aside:
         return None
-    text = sign.text(done=done).format(who=EGO, whom=name_of(deed.whom or EGO), usual=f"{actor.ego_speed:.3g}", k=0)
+    wants = actor.ego_speed
+    text = _as_said(sign, deed, wants, done=done).format(
+        who=EGO, whom=name_of(deed.whom or EGO), usual=f"{wants:.3g}", k=0
+    )
     return (f"{text} and progressOn(egoRoute, ego)[0] > 1" if deed.act in HALTS else text,)
 
 
@@ -267,7 +276,7 @@ def _in_turn(actor: Actor, who: str, n: int, *, done: bool) -> tuple[str, ...] |
     does, act = one.does, one.does[n].act
     if done and act in _GOES_ON and n + 1 < len(does):
         return _in_turn(actor, who, n + 1, done=False)
-    began = -1 if stands_first(one) or one.starts.where in OFF_ROAD else None
+    began = -1 if stands_first(one) or one.starts.where not in _UNDER_WAY_FIRST else None
     stood = max((k for k in range(n) if does[k].act in _STILL), default=began)
     goes = stood is not None and any(deed.act not in _STILL for deed in does[stood + 1 : n])
     first = stood is None or (began is not None and all(deed.act in _STILL for deed in does[: stood + 1]))
@@ -282,9 +291,26 @@ def _in_turn(actor: Actor, who: str, n: int, *, done: bool) -> tuple[str, ...] |
     sign = _sign_of(situation, one, n)
     if sign is None:
         return None
+    usual = _usual(actor, one)
     told = {"who": name_of(who), "whom": name_of(whom) if (whom := does[n].whom or EGO) != EGO else EGO}
-    text = sign.text(done=done).format(**told, usual=f"{_usual(actor, one):.3g}", k=n)
-    return (*before, text) if act in _SETS_OFF else (text,)
+    text = _as_said(sign, does[n], usual, done=done).format(**told, usual=f"{usual:.3g}", k=n)
+    moved = [k for k in range(n) if (other := _sign_of(situation, one, k)) is not None and other.aside]
+    if sign.aside and moved:  # where it is then it may have been before
+        before = _in_turn(actor, who, moved[-1], done=True)
+    elif act not in _SETS_OFF:
+        before = ()
+    return None if before is None else (*before, text)
+
+
+def _as_said(sign: Sign, deed: Deed, usual: float, *, done: bool) -> str:
+    """What is seen of a deed that may be said with a number: of a speed that is lost to it, or a way to the side."""
+    share = MOST_OF if done else HALF
+    if deed.act in _LOSES_SOME and deed.speed is not None and not deed.speed.than_ego:
+        lost = usual - deed.speed.near(usual)
+        return f"{{who}}.pose[3] < {usual - share * lost:.3g}" if lost > 0.0 else sign.text(done=done)
+    if sign is _ASIDE and deed.distance is not None:
+        return f"abs(offsetFrom(way{{who}}, {{who}})) > {share * deed.distance.near(1.0):.3g}"
+    return sign.text(done=done)
 
 
 def _of_speed(one: Other, n: int, before: tuple[str, ...], *, stood: bool, goes: bool) -> tuple[str, ...] | None:
@@ -317,7 +343,7 @@ def _sign_of(situation: Situation, one: Other, n: int) -> Sign | None:
         sign = _IN if ours else _OVER if lane_after(one, one.does, n - 1) == 0 else _OVER_ITS_OWN
     elif act in acts_of(Heads.BY, Heads.OVER) and where in AGAINST:
         sign = _IN
-    if sign is None or any(SIGNS.get(deed.act) is sign for deed in one.does[:n] if "offset" in sign.begun):
+    if sign is None or (sign.aside and any(_sign_of(situation, one, k) is sign for k in range(n))):
         return None
     return sign
 
