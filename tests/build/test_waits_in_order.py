@@ -98,7 +98,8 @@ def test_who_waits_for_a_second_movement_waits_for_the_first_one_before(
     where = "ahead" if "left" in first else "ahead-beside, side: left"
     source = build(
         read_text(
-            f"others:\n- {{id: A, kind: car, starts: {{where: {where}}}, does: [{{act: {first}}}, {{act: {second}}}]}}\n"
+            f"others:\n- {{id: A, kind: car, starts: {{where: {where}}},"
+            f" does: [{{act: {first}}}, {{act: {second}}}]}}\n"
             "- {id: B, kind: car, role: supporting, starts: {where: behind},"
             " does: [{act: go-along}, {act: brake, when: {after: A.1}}]}"
         )
