@@ -7,8 +7,10 @@ from chatscene.report.accounting import told_first
 from chatscene.report.sections import heading
 from chatscene.report.understood import Understood, understand
 from chatscene.runs import asked_run
+from chatscene.runs.record import SituationRecord
 from chatscene.terms.acts import Action
 from chatscene.terms.snippet import Tried
+from fake_run import asked
 
 UNREAD = "a van ahead of us brakes hard because of a xylophone"
 
@@ -55,3 +57,10 @@ def test_what_somebody_beside_the_adversary_is_said_to_do_and_does_is_not_told_a
 def test_the_head_of_the_page_tells_it_before_what_was_read() -> None:
     page = heading(asked_run(UNREAD), understand(UNREAD).as_dict(), "")
     assert page.index("possibly missing from the scenes") < page.index("is shown as a car") < page.index("Read as")
+
+
+def test_a_contact_that_was_said_and_never_comes_is_told() -> None:
+    hit = "contact: {}\nothers: [{id: A, kind: car, starts: {where: ahead}, does: [{act: brake}]}]"
+    for text, collided, right in ((hit, 0, True), (hit, 1, False), (hit.removeprefix("contact: {}\n"), 0, False)):
+        record = asked(situation=SituationRecord(name="it", text=text), counts={"ran": 4, "collided": collided})
+        assert bool(told_first({}, record)) is right

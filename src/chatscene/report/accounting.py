@@ -94,4 +94,13 @@ def told_first(explanation: Mapping[str, Any], record: RunRecord | None = None) 
     if record is None:
         return told
     ran = record.counts.get("ran", 0)
+    if ran and not record.counts.get("collided") and _says_a_contact(record):
+        told.append(f"in none of {ran} scenes: the contact that was said; another ego may not avoid it (--ego)")
     return told + [f"in {len(scenes)} of {ran} scenes: {what}" for what, scenes in record.unplayed.items()]
+
+
+def _says_a_contact(record: RunRecord) -> bool:
+    from chatscene.situations.file import read_text
+
+    said = None if record.situation is None else read_text(record.situation.text).contact
+    return said is not None and said.happens
