@@ -115,6 +115,13 @@ def test_an_id_of_a_situation_is_told_as_what_it_is() -> None:
     assert called("bus-stop", "BusStop", {}) == "the bus-stop"
 
 
+def test_parts_and_numbered_things_are_told_as_nouns() -> None:
+    assert called("A-door", "Door", {"A-door": "Door"}) == "the door"
+    assert called("B-door", "Door", {"A-door": "Door", "B-door": "Door"}) == "the door of B"
+    assert called("bus-stop-0", "BusStop", {"bus-stop-0": "BusStop"}) == "the bus stop"
+    assert called("parked-1", "Car", {"parked-0": "Car", "parked-1": "Car"}) == "parked car 2"
+
+
 @pytest.mark.parametrize(("kind", "held"), [(AdversaryKind.TRUCK, 90.0), (AdversaryKind.BUS, 100.0)])
 def test_lorries_and_buses_hold_the_speed_of_their_limiters(kind: AdversaryKind, held: float) -> None:
     body, speed = kind.row.limits, 0.0

@@ -18,7 +18,7 @@ _OF_ONE = {
 _OTHERWISE = {
     Happening.BRAKING: "with hard braking",
     Happening.STEERING: "with evasive steering",
-    Happening.NOTHING: "in which nothing happened",
+    Happening.NOTHING: "without a near miss",
 }
 
 

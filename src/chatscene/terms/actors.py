@@ -721,8 +721,13 @@ _ID = re.compile(r"[A-Za-z]\d*(?:-\d+)?")
 """What somebody of a situation is called, which says nothing in a sentence; other names are roles."""
 
 
+_PART = re.compile(rf"({_ID.pattern})-[a-z]+")
+"""What somebody of a situation lets go of: a door, a load."""
+_NUMBERED = re.compile(r"(.+?)-(\d+)")
+
+
 def named(actor: str, kind: str, kinds: Mapping[str, str]) -> str:
-    """What an actor is called in a sentence, such as *the car*, *car B* of several, *the leader (van)*.
+    """What an actor is called in a sentence: *the car*, *car B* of several, *the leader (van)*, *parked car 2*.
 
     Args:
         actor: Its name in the episode.
@@ -730,9 +735,15 @@ def named(actor: str, kind: str, kinds: Mapping[str, str]) -> str:
         kinds: The class of everybody in the episode but the ego, by name.
     """
     noun = noun_of(kind)
+    alone = sum(noun_of(its) == noun for its in kinds.values()) < 2
     if _ID.fullmatch(actor):
-        alike = [other for other, its in kinds.items() if noun_of(its) == noun]
-        return f"{noun} {actor}" if len(alike) > 1 else f"the {noun}"
+        return f"the {noun}" if alone else f"{noun} {actor}"
+    if part := _PART.fullmatch(actor):
+        return f"the {noun}" if alone else f"the {noun} of {part[1]}"
+    if numbered := _NUMBERED.fullmatch(actor):
+        role = numbered[1].replace("-", " ")
+        role = role if noun in role.lower() else f"{role} {noun}"
+        return f"the {role}" if alone else f"{role} {int(numbered[2]) + 1}"
     return f"the {actor}" if noun in actor.lower().replace("-", " ") else f"the {actor} ({noun})"
 
 
