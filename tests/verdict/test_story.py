@@ -253,3 +253,13 @@ def test_a_scene_that_a_run_does_not_have_is_told_with_those_that_it_has(tmp_pat
     run = finished(tmp_path / "run", count=2)
     with pytest.raises(RunError, match=r"has no scene 'nobody' that was driven, but .*scene-000, .*scene-001"):
         chatscene.story(run.path, scene="nobody")
+
+
+def test_who_brakes_hard_for_a_moment_alone_is_said_to_do_so_for_a_moment(tmp_path: Path) -> None:
+    def dabs(now: float) -> State:
+        lost = 1.5 * min(max(now - 2.0, 0.0), 2.0) + (0.6 if now >= 3.0 else 0.0)
+        return 100.0 + 18.0 * now, 3.5, 0.0, 20.0 - lost
+
+    lines = told_by(tmp_path / "dab.csv", along(0.0, 0.0), A=dabs)
+    (gentle,) = [line for line in lines if "the car loses speed gently (slow-down)" in line]
+    assert "m/s² for a moment" in gentle

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.measure.severity import in_kmh
-from chatscene.program.deeds import BRAKES, STANDING, braking, runs
+from chatscene.program.deeds import BRAKES, BRAKING, STANDING, braking, runs
 from chatscene.program.watching import Seen
 from chatscene.terms.arrays import Array
 from chatscene.terms.vocabulary import Act
@@ -40,7 +40,8 @@ def _pace(who: str, act: Act, seen: Seen, speed: Array, steps: Steps) -> Told:
     ends = " and stands" if speed[last] < STANDING else ""
     fast = f"from {in_kmh(float(speed[first]))} to {in_kmh(float(speed[last]))}{ends}"
     begins, done = _without_level(speed, steps)
-    what = f"{act.meaning} ({act}), {fast}, with up to {hardest:.1f} m/s²"
+    dab = " for a moment" if act is Act.SLOW_DOWN and hardest > BRAKING else ""  # too short for a hard braking
+    what = f"{act.meaning} ({act}), {fast}, with up to {hardest:.1f} m/s²{dab}"
     return Told(at=begins * seen.dt, until=done * seen.dt, who=who, what=what)
 
 
