@@ -11,7 +11,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from chatscene.simulate.native.lines import engine
 from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
 
@@ -67,13 +66,6 @@ def draw(ranges: Sequence[ParameterRange], *, seed: int) -> dict[str, float]:
     values: dict[str, float] = {}
     for p in ranges:
         stream = int.from_bytes(hashlib.blake2b(p.name.encode(), digest_size=4).digest(), "big")
-        values[p.name] = p.clip(round(p.low + _share(seed, stream) * (p.high - p.low), DECIMALS))
+        share = float(np.random.default_rng((seed, stream)).random())
+        values[p.name] = p.clip(round(p.low + share * (p.high - p.low), DECIMALS))
     return values
-
-
-def _share(seed: int, stream: int) -> float:
-    """A number below 1, numpy's first of both; by the engine, where there is one."""
-    native = engine()
-    if native is None or not 0 <= seed < 2**32:
-        return float(np.random.default_rng((seed, stream)).random())
-    return native.first_drawn(seed, stream)

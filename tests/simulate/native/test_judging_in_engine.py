@@ -162,15 +162,3 @@ def test_squares_of_a_map_tell_lanes_as_the_map_does(name: str, monkeypatch: pyt
             without.setattr(cells, "engine", lambda: None)
             again = known.lanes(x, y)
         assert all(map(np.array_equal, found, again))
-
-
-def test_numbers_are_drawn_as_numpy_draws_them(engine: Engine) -> None:
-    pairs = np.random.default_rng(7).integers(0, 2**32, (2000, 2)).tolist()
-    for seed, stream in [*pairs, [0, 0], [0, 2**32 - 1], [2**32 - 1, 0], [2**32 - 1, 2**32 - 1]]:
-        assert engine.first_drawn(seed, stream) == np.random.default_rng((seed, stream)).random()
-
-
-@pytest.mark.parametrize("seed", [-1, 2**32])
-def test_a_seed_of_more_than_four_bytes_is_refused(engine: Engine, seed: int) -> None:
-    with pytest.raises(ValueError, match="four bytes"):
-        engine.first_drawn(seed, 0)

@@ -2025,36 +2025,3 @@ int64_t crosses(int64_t steps, const double *x, const double *y, double x0, doub
     }
     return -1;
 }
-
-/* `np.random.default_rng((seed, stream)).random()`: the first number below 1 of numpy's PCG64, seeded by its
- * SeedSequence (numpy.org, NEP 19; pcg-random.org). */
-static uint32_t hashed(uint32_t value, uint32_t *constant, uint32_t factor) {
-    value ^= *constant;
-    *constant *= factor;
-    value *= *constant;
-    return value ^ value >> 16;
-}
-
-double first_drawn(uint32_t seed, uint32_t stream) {
-    uint32_t pool[4], given[4] = {seed, stream, 0, 0}, constant = 0x43b0d7e5u, words[8];
-    for (int i = 0; i < 4; i++) pool[i] = hashed(given[i], &constant, 0x931e8875u);
-    for (int from = 0; from < 4; from++) {
-        for (int to = 0; to < 4; to++) {
-            if (from == to) continue;
-            uint32_t mixed = 0xca01f9ddu * pool[to] - 0x4973f715u * hashed(pool[from], &constant, 0x931e8875u);
-            pool[to] = mixed ^ mixed >> 16;
-        }
-    }
-    constant = 0x8b51f9ddu;
-    for (int i = 0; i < 8; i++) words[i] = hashed(pool[i % 4], &constant, 0x58f38dedu);
-    unsigned __int128 parts[4];
-    for (int i = 0; i < 4; i++) parts[i] = (uint64_t)words[2 * i + 1] << 32 | words[2 * i];
-    unsigned __int128 start = parts[0] << 64 | parts[1], step = (parts[2] << 64 | parts[3]) << 1 | 1;
-    unsigned __int128 factor = (unsigned __int128)2549297995355413924u << 64 | 4865540595714422341u;
-    unsigned __int128 state = (step + start) * factor + step;
-    state = state * factor + step;
-    uint64_t folded = (uint64_t)(state >> 64) ^ (uint64_t)state;
-    int turned = (int)(state >> 122);
-    folded = folded >> turned | folded << (-turned & 63);
-    return (double)(folded >> 11) * (1.0 / 9007199254740992.0);
-}

@@ -16,7 +16,7 @@ import stat
 import tempfile
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from ctypes import POINTER, Structure, c_double, c_float, c_int32, c_int64, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, Structure, c_double, c_float, c_int32, c_int64, c_uint64, c_void_p
 from functools import lru_cache
 from itertools import repeat
 from pathlib import Path
@@ -361,8 +361,6 @@ class Engine:
         )
         library.crosses.restype = c_int64
         library.crosses.argtypes = (c_int64, c_void_p, c_void_p, *[c_double] * 4)
-        library.first_drawn.restype = c_double
-        library.first_drawn.argtypes = (c_uint32, c_uint32)
         self._library = library
         structures = (Line, Body, Instruction, Phase, Agent, World, Layer, Policy, Foot, Boxes, Course)
         for i, structure in enumerate(structures):
@@ -522,13 +520,6 @@ class Engine:
         one, two = np.ascontiguousarray(x, np.float64), np.ascontiguousarray(y, np.float64)
         step: int = self._library.crosses(len(one), one.ctypes.data, two.ctypes.data, *line)
         return None if step < 0 else step
-
-    def first_drawn(self, seed: int, stream: int) -> float:
-        """The number below 1 that `np.random.default_rng((seed, stream))` draws first; both are below 2**32."""
-        if not (0 <= seed < 2**32 and 0 <= stream < 2**32):
-            raise ValueError(f"{seed} and {stream} are not of four bytes each")
-        drawn: float = self._library.first_drawn(seed, stream)
-        return drawn
 
     def near_any(self, x: Array, y: Array, other_x: Array, other_y: Array, within: float) -> NDArray[np.bool_]:
         """(N,) Whether each point is nearer [m] than that to any of the others."""
