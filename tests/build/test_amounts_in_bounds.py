@@ -92,7 +92,7 @@ def test_who_begins_so_much_slower_than_the_ego_drives() -> None:
 @pytest.mark.parametrize("kind", ["car", "bicycle"])
 def test_a_speed_that_is_none_beside_the_ego_is_refused_by_its_path(said: str, kind: str) -> None:
     with pytest.raises(
-        NotBuilt, match=r"others\.A\.does\.0\.speed: .* less than the ego, which at 50 km/h is no speed"
+        NotBuilt, match=r"others\.A\.does\.0\.speed: .* less than the ego, but the ego drives at 50 km/h"
     ):
         built(does("go-along", speed=said) | {"kind": kind})
 

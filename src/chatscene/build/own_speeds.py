@@ -8,18 +8,18 @@ from chatscene.errors import NotBuilt
 from chatscene.terms.amount import Speed
 from chatscene.terms.situation import Other, Situation
 
-LEAST = 0.1  # [m/s]: who is slower by what was said does not go
+LEAST = 0.1  # [m/s] below which a road user counts as standing
 
 
 def at_own_speeds(situation: Situation, ego: float) -> Situation:
-    """The same; whoever was said to be so much faster or slower than the ego has a speed of its own.
+    """The same situation, with every speed that was said against the ego's as an absolute one.
 
     Args:
         situation: What was said.
         ego: What the ego drives at [m/s].
 
     Raises:
-        NotBuilt: Nobody is so slow; the message names the fact.
+        NotBuilt: The difference leaves no speed; the message names the fact.
     """
     return replace(situation, others=tuple(_own(one, ego) for one in situation.others))
 
@@ -37,6 +37,6 @@ def _beside(said: Speed | None, ego: float, at: str) -> Speed | None:
         return said
     if (own := said.beside(ego)).high < LEAST:
         raise NotBuilt(
-            f"{at}.speed: {said}, which at {3.6 * ego:.0f} km/h is no speed; say less, or speed: 0 of who stands"
+            f"{at}.speed: {said}, but the ego drives at {3.6 * ego:.0f} km/h; give a smaller difference, or act: stand"
         )
     return own

@@ -253,7 +253,7 @@ def _moments(dt: float) -> Array:
 
 
 def _wanders(track: Track) -> float:
-    """How much room beside it somebody takes up who wanders in its lane [m]."""
+    """The room [m] to either side that a road user needs to wander in its lane; an occluder needs none."""
     return WANDERING if track.role is not Role.OCCLUDER else 0.0
 
 

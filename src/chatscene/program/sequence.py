@@ -31,7 +31,7 @@ ONCE_DONE = {
 }
 """What follows a deed only once that is done: who slows for a turn does not slow after it."""
 FOR_A_TURN = LOSES | acts_of(Tempo.WAITS, Tempo.LIES)
-"""What nobody sees to have begun of who still turns, and is slower for that."""
+"""Deeds that cannot be told from slowing for a turn while somebody still turns."""
 
 
 @dataclass(slots=True)

@@ -213,9 +213,9 @@ def _turns_off(seen: Seen) -> int | None:
 
 
 def _brakes_for_nobody(seen: Seen, others: Sequence[Track], after: int, least: float) -> int | None:
-    """Since when somebody loses much speed, hard, with nobody ahead for whom it had to; None of who does not.
+    """The step from which somebody brakes hard although nobody is ahead; None if it never does.
 
-    Of whom speeds were said, it is slower then than the least of them [m/s].
+    If speeds were said, it must then be slower than the least of them [m/s].
     """
     speed = np.abs(seen.track.speed)
     for first, end in runs(braking(seen)):

@@ -82,7 +82,7 @@ def _at_front(episode: Episode, crash: Event) -> bool:
 
 
 def _leading(speed: float) -> str:
-    """The side that leads at a speed; none of who stands."""
+    """The side that leads at a speed; empty for somebody who stands."""
     return "" if abs(speed) <= MOVES else "front" if speed > 0.0 else "rear"
 
 

@@ -1,7 +1,7 @@
 """What somebody's way across the road is called: only what its track shows of it, against the ego's lane and road.
 
 What the judge sees may be one movement in several ways, or the ego's own. Here each movement has one name, of which all
-must hold: who keeps its line moves in no way, and who was never in the ego's lane does not leave it.
+must hold: a road user that keeps its line makes no movement; one that was never in the ego's lane does not leave it.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class _Move:
 
     @cached_property
     def moved(self) -> float:
-        """How far [m] it moves aside: against the ego's first lane and, of who goes along, against its own line.
+        """How far [m] it moves aside: against the ego's first lane and, if it goes along, against its own line.
 
         An ego that changes lanes comes nearer to who keeps its own; a road that bends turns who keeps to it.
         """
@@ -80,12 +80,12 @@ class _Move:
         return math.copysign(min(abs(over), self.moved), over)
 
     def least(self, done: float, begun: float = BEGUN) -> float:
-        """What is asked of who is done, or has begun."""
+        """The least [m] that counts: for a movement that is done, or for one that has only begun."""
         return begun if self.once.done is None else done
 
     @property
     def on_road(self) -> bool:
-        """Whether it goes along the ego's road, or against it, all the time: elsewhere nobody knows of lanes."""
+        """Whether it goes along the ego's road, or against it, all the time; elsewhere no lanes are known."""
         before_end = self._there(self.seen.at) < self.seen.line.length
         near = np.abs(self._there(self.seen.aside)) <= BESIDE
         return bool((before_end & near & (np.abs(self.with_ego) >= GOES_WITH)).all())
