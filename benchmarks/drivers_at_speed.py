@@ -3,7 +3,7 @@
     python benchmarks/drivers_at_speed.py [--ego idm ...] [--physics kinematic]
     python benchmarks/drivers_at_speed.py --texts 50 --texts 80 [--draws 5] [--half 1]
 
-On `chatscene.testing.proving_ground`, a straight or bent lane of 3.5 m. Prints tables in Markdown: what is left of the
+On `benchmarks/proving_ground.py`, a straight or bent lane of 3.5 m. Prints tables in Markdown: what is left of the
 speed at a collision [km/h], or `-` where there is none. Nothing is drawn, so that there is no seed.
 
 With `--texts`, the forty plain sentences of `encounters.py`, each built for an ego that wants so many km/h and driven
@@ -27,6 +27,17 @@ import click
 import numpy as np
 from building import simulator
 from encounters import sentences
+from proving_ground import (
+    CAR,
+    Driven,
+    Told,
+    ahead,
+    cuts_in,
+    drive,
+    line_of,
+    pedestrian,
+    towards,
+)
 
 from chatscene.build.build import build
 from chatscene.ego.policy import fitted, load_ego, wanting
@@ -43,17 +54,6 @@ from chatscene.simulate.simulator import routes_of, simulate
 from chatscene.situations.facts import with_fact
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import Rejected, Scene
-from chatscene.testing.proving_ground import (
-    CAR,
-    Driven,
-    Told,
-    ahead,
-    cuts_in,
-    drive,
-    line_of,
-    pedestrian,
-    towards,
-)
 
 KMH = 1.0 / 3.6
 PHYSICS: dict[str, PhysicsOf] = {

@@ -13,12 +13,12 @@ from collections import Counter
 from itertools import combinations
 
 import click
+from careful_drivers import REFERENCE_DRIVERS
 
 from chatscene import pipeline
 from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
 from chatscene.measure.crash_type import crash_type
-from chatscene.measure.reference_drivers import REFERENCE_DRIVERS
 from chatscene.program.sample import draw, scene_seed
 from chatscene.search.generator import load_generator
 from chatscene.settings import SimulationSettings

@@ -7,15 +7,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from chatscene.ego.at_speed import bearing_at, bends
-from chatscene.ego.observation import ALLOWED, RouteView, scale_of
-from chatscene.ego.policy import EgoPolicy, load_ego, name_of, observation_of, pedals_of, wanting
-from chatscene.simulate.embedded.dynamics import make_body
-from chatscene.simulate.embedded.lagged import LaggedVehicle
-from chatscene.simulate.embedded.physics import EmbeddedPhysics
-from chatscene.simulate.physics import PhysicsOf
-from chatscene.testing import check_ego
-from chatscene.testing.proving_ground import (
+from benchmarks.proving_ground import (
     Driven,
     Told,
     ahead,
@@ -25,6 +17,14 @@ from chatscene.testing.proving_ground import (
     pedestrian,
     towards,
 )
+from chatscene.ego.at_speed import bearing_at, bends
+from chatscene.ego.observation import ALLOWED, RouteView, scale_of
+from chatscene.ego.policy import EgoPolicy, load_ego, name_of, observation_of, pedals_of, wanting
+from chatscene.simulate.embedded.dynamics import make_body
+from chatscene.simulate.embedded.lagged import LaggedVehicle
+from chatscene.simulate.embedded.physics import EmbeddedPhysics
+from chatscene.simulate.physics import PhysicsOf
+from chatscene.testing import check_ego
 
 KMH = 1.0 / 3.6
 PHYSICS: dict[str, PhysicsOf] = {

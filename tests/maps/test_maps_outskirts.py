@@ -10,11 +10,11 @@ import pytest
 
 from chatscene.maps.lane_runs import lane_runs
 from chatscene.maps.network import load_network, resolve_map
-from chatscene.maps.opendrive import write_opendrive
-from chatscene.maps.outskirts import plan
-from chatscene.maps.streets import Node, Street
 from chatscene.maps.survey import check_map
 from chatscene.terms.scenario import Control
+from making.maps.opendrive import write_opendrive
+from making.maps.outskirts import plan
+from making.maps.streets import Node, Street
 
 OUTSKIRTS = resolve_map("outskirts")
 NETWORK: Any = load_network(OUTSKIRTS)

@@ -16,17 +16,17 @@ from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.lane_runs import lane_runs
 from chatscene.maps.layout import JunctionKind, junction_kinds, motorway_groups, ramp_ways, roundabouts
 from chatscene.maps.network import load_network, resolve_map
-from chatscene.maps.opendrive import write_opendrive
-from chatscene.maps.region import plan
 from chatscene.maps.ring_ways import line_beside, ring_ways
 from chatscene.maps.routes import find_routes, place_of
 from chatscene.maps.settings import lies_in
 from chatscene.maps.sites import APPROACHED
-from chatscene.maps.streets import Node
 from chatscene.maps.survey import check_map
 from chatscene.terms.route import Equipment, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.vocabulary import Setting
+from making.maps.opendrive import write_opendrive
+from making.maps.region import plan
+from making.maps.streets import Node
 
 REGION = resolve_map("region")
 NETWORK: Any = load_network(REGION)

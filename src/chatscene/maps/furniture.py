@@ -15,9 +15,10 @@ from xml.etree import ElementTree as Xml
 import numpy as np
 import shapely
 
-from chatscene.maps.opendrive_objects import RAIL
 from chatscene.terms.polyline import Polyline
 
+RAIL = "rail"
+"""The subtype of an object that is a track: two rails in the road, or across it."""
 TRAFFIC_LIGHT = "1000001"
 _PEDESTRIANS_LIGHT = "1000002"
 _LIGHTS = "10000"  # what OpenDRIVE's own types of signals begin with; all are lights

@@ -9,7 +9,6 @@ from typing import Any
 import pytest
 
 from chatscene.errors import EditRefused
-from chatscene.grow.reader_texts import example
 from chatscene.interpret.edited import edited
 from chatscene.read.learned import edits
 from chatscene.read.learned.decoder import Written
@@ -21,6 +20,7 @@ from chatscene.situations.form import from_plain, to_plain
 from chatscene.terms.amount import Speed
 from chatscene.terms.reading import Verdict
 from chatscene.terms.situation import Situation
+from making.reader.texts import example
 
 CAR = {"kind": "car", "starts": {"where": "ahead", "speed": "50 km/h"}, "does": [{"act": "brake"}]}
 VAN = {"kind": "van", "role": "supporting", "starts": {"where": "behind"}, "does": [{"act": "follow"}]}

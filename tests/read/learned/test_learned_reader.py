@@ -93,8 +93,8 @@ def test_a_damaged_file_is_refused(tmp_path: Path) -> None:
         load(tmp_path / "old.npz")
 
 
-def test_a_missing_file_is_told_with_how_to_make_it(tmp_path: Path) -> None:
-    with pytest.raises(SnippetError, match="fit_reader"):
+def test_a_missing_file_is_told_with_how_to_get_it(tmp_path: Path) -> None:
+    with pytest.raises(SnippetError, match="install chatscene again"):
         load(tmp_path / "none.npz")
 
 

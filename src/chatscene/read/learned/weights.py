@@ -87,10 +87,7 @@ def load(path: Path = PACKAGED) -> Weights:
             offset=float(arrays["trust"][1]),
         )
     except (OSError, ValueError, KeyError, TypeError, MemoryError, zipfile.BadZipFile, zlib.error) as error:
-        raise SnippetError(
-            f"the learned reader {path} cannot be read ({error}); "
-            "train it again with: python -m chatscene.grow.fit_reader"
-        ) from error
+        raise SnippetError(f"the learned reader {path} cannot be read ({error}); install chatscene again") from error
 
 
 def _unpacked(content: bytes) -> dict[str, Any]:

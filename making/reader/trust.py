@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
 
-from chatscene.grow.reader_texts import told_in
 from chatscene.read.learned.reader import LearnedReader
 from chatscene.read.learned.weights import load, save
 from chatscene.situations.main_facts import same_in_the_main
+from making.reader.texts import told_in
 
 _RIDGE = 1e-2
 _LEAST = 1e-6  # of a probability

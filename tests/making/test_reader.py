@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from chatscene.grow.reader_texts import example, in_our_words, of_edits, of_told, situations_in
-from chatscene.grow.reader_trust import trust_of
 from chatscene.read.learned.grammar import COPIED, grammar
 from chatscene.situations.form import from_plain
 from chatscene.terms.reading import Verdict
+from making.reader.texts import example, in_our_words, of_edits, of_told, situations_in
+from making.reader.trust import trust_of
 
 VAN = {"others": [{"id": "A", "kind": "van", "starts": {"where": "ahead"},
                    "does": [{"act": "brake", "acceleration": "6 m/s²"}]}]}  # fmt: skip
@@ -76,7 +76,7 @@ def test_trust_is_as_often_right_as_it_says() -> None:
 def test_training_is_the_same_after_a_stop(tmp_path: Path) -> None:
     torch = pytest.importorskip("torch")
     pytest.importorskip("onnx")
-    from chatscene.grow.fit_reader import Learning, fit
+    from making.reader.fit import Learning, fit
 
     some = [example(f"van brakes, {i} m/s²", Verdict.SITUATION, from_plain(VAN)) for i in (6, 5)]
     for name in ("one", "two"):
@@ -112,7 +112,7 @@ def test_what_a_model_filled_is_joined_with_its_text(tmp_path: Path) -> None:
 
 def test_dropout_leaves_the_mean_and_nothing_out_of_training() -> None:
     torch = pytest.importorskip("torch")
-    from chatscene.grow.dropout import Dropout
+    from making.reader.dropout import Dropout
 
     drop, x = Dropout(0.1), torch.ones(100, 1000)
     kept = drop(x)

@@ -1,6 +1,6 @@
 """Train the learned reader.
 
-    python -m chatscene.grow.fit_reader --told benchmarks/texts/filled.jsonl --told benchmarks/texts/told-first.jsonl \
+    python -m making.reader.fit --told benchmarks/texts/filled.jsonl --told benchmarks/texts/told-first.jsonl \
         --drawn drawn.jsonl --epochs 8 --seed 0 --out FOLDER
 
 Writes `reader.npz`, which the reader loads, and `reader.pt`, from which the next call goes on if it was stopped, in
@@ -21,12 +21,12 @@ import torch
 from torch import Tensor
 from torch.nn.attention import SDPBackend, sdpa_kernel
 
-from chatscene.grow.reader_export import exported
-from chatscene.grow.reader_network import Network
-from chatscene.grow.reader_texts import Example, in_our_words, of_edits, of_told, situations_in, told_in
-from chatscene.grow.reader_trust import calibrate
 from chatscene.read.learned.grammar import BEGUN, Grammar, Token, grammar
 from chatscene.read.learned.weights import NAME, Weights, save
+from making.reader.export import exported
+from making.reader.network import Network
+from making.reader.texts import Example, in_our_words, of_edits, of_told, situations_in, told_in
+from making.reader.trust import calibrate
 
 BATCH, ALIKE = 32, 16  # texts of a step; steps whose texts are sorted by length together
 RATE, DECODER_RATE = 1e-4, 8e-4  # of AdamW

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from chatscene.maps.opendrive_objects import Bay, Use
 from chatscene.maps.reference_lines import Corner
-from chatscene.maps.streets import Node, Street, Surroundings
+from making.maps.opendrive_objects import Bay, Use
+from making.maps.streets import Node, Street, Surroundings
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

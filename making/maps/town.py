@@ -3,21 +3,19 @@
 Four by four blocks without corners: four four-way junctions in the middle, eight three-way ones around, rounded
 streets at the four corners. One avenue each way has two lanes per direction, everything else one.
 
-``python -m chatscene.maps.town`` writes the packaged file anew.
+``python -m making.maps.town`` writes the packaged file anew.
 """
 
 from __future__ import annotations
 
-from pathlib import Path
-
-from chatscene.maps.opendrive import write_opendrive
-from chatscene.maps.streets import Node, Street
+from chatscene.maps.network import PACKAGED
 from chatscene.terms.scenario import Control
+from making.maps.opendrive import write_opendrive
+from making.maps.streets import Node, Street
 
 BLOCK = 270.0  # [m] between junctions: straights of 230 m between the setbacks
 AVENUE = 1  # the row and the column with two lanes per direction
 CORNER_RADIUS = 60.0  # [m]
-FILE = Path(__file__).with_name("town.xodr")
 
 _CONTROL = {
     (1, 1): Control.SIGNAL,
@@ -74,4 +72,4 @@ def _on_avenue(a: tuple[int, int], b: tuple[int, int]) -> bool:
 
 
 if __name__ == "__main__":
-    FILE.write_text(write_opendrive("town", plan()), encoding="utf-8")
+    PACKAGED["town"].write_text(write_opendrive("town", plan()), encoding="utf-8")

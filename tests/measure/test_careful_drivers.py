@@ -9,10 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from blind import STRAIGHT, Blind, car_ahead
-from chatscene.maps.network import resolve_map
-from chatscene.measure.avoidability import FULL_BRAKE
-from chatscene.measure.reference_drivers import (
+from benchmarks.careful_drivers import (
     JERK,
     REFERENCE_DRIVERS,
     Ahead,
@@ -21,6 +18,9 @@ from chatscene.measure.reference_drivers import (
     Rule,
     meet,
 )
+from blind import STRAIGHT, Blind, car_ahead
+from chatscene.maps.network import resolve_map
+from chatscene.measure.avoidability import FULL_BRAKE
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.episode import Episode, Role, Track

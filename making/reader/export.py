@@ -12,8 +12,8 @@ import torch
 from onnx import helper, numpy_helper
 from torch import Tensor, nn
 
-from chatscene.grow.reader_network import DEPTH, HEADS, LAYERS, Network
-from chatscene.grow.tuned_encoder import WIDTH
+from making.reader.network import DEPTH, HEADS, LAYERS, Network
+from making.reader.tuned_encoder import WIDTH
 
 OPSET = 17
 _LEAST = 1024  # numbers of a matrix that is kept in int8

@@ -9,9 +9,9 @@ import torch
 from torch import Tensor, nn
 from torch.nn import functional
 
-from chatscene.grow.dropout import Dropout
-from chatscene.grow.tuned_encoder import WIDTH, Tuned, padded
 from chatscene.read.learned.numbers import Form
+from making.reader.dropout import Dropout
+from making.reader.tuned_encoder import WIDTH, Tuned, padded
 
 DEPTH, HEADS, INNER, LAYERS = 256, 8, 1024, 2  # of the decoder
 MOST_STEPS = 96

@@ -6,22 +6,20 @@ one by one before a roundabout with four arms; in the east it ends at a signalis
 with bends; north of it a street with sidewalks, a crosswalk between junctions, bus bays and parking places. All of it
 is level: the world is flat, and a bridge would lay lanes of one road on those of another.
 
-``python -m chatscene.maps.outskirts`` writes the packaged file anew.
+``python -m making.maps.outskirts`` writes the packaged file anew.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import replace
-from pathlib import Path
 
-from chatscene.maps.designs import RampDesign, RingDesign
-from chatscene.maps.opendrive import write_opendrive
-from chatscene.maps.opendrive_objects import Bay, Crosswalk, Use
-from chatscene.maps.streets import LANE, Node, Street, Surroundings
+from chatscene.maps.network import PACKAGED
 from chatscene.terms.scenario import Control
-
-FILE = Path(__file__).with_name("outskirts.xodr")
+from making.maps.designs import RampDesign, RingDesign
+from making.maps.opendrive import write_opendrive
+from making.maps.opendrive_objects import Bay, Crosswalk, Use
+from making.maps.streets import LANE, Node, Street, Surroundings
 
 ISLAND = 20.0  # [m], radius of the roundabout's central island
 RING = RingDesign(island=ISLAND, lane=4.5, lanes=1, flare=16.0)
@@ -219,4 +217,4 @@ def _rural_road() -> list[Street]:
 
 
 if __name__ == "__main__":
-    FILE.write_text(write_opendrive("outskirts", plan(), located=True), encoding="utf-8")
+    PACKAGED["outskirts"].write_text(write_opendrive("outskirts", plan(), located=True), encoding="utf-8")

@@ -12,14 +12,13 @@ from enum import Enum
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree as Xml
 
-if TYPE_CHECKING:
-    from chatscene.maps.streets import Street
+from chatscene.maps.furniture import RAIL, TRAFFIC_LIGHT
 
-TRAFFIC_LIGHT = "1000001"  # signal types of the German catalogue, which Scenic and CARLA know
-STOP_SIGN = "206"
+if TYPE_CHECKING:
+    from making.maps.streets import Street
+
+STOP_SIGN = "206"  # signal types of the German catalogue, which Scenic and CARLA know
 BUS_STOP = "224"
-RAIL = "rail"
-"""The subtype of an object that is a track: two rails in the road, or across it."""
 LEADS_ON = 15.0  # [m] on either side of a road to which rails across it are seen
 GAUGE = 1.435  # [m], the standard one
 MARKED = 4.0  # [m] from a junction to the middle of a crosswalk at it

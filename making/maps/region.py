@@ -7,19 +7,20 @@ grass in the east, streets, a zone of 30 km/h, a compact roundabout, crosswalks 
 rails along a street and across one, a car park. South of it rural roads with long straights and bends of 150, 250 and
 400 m, and rails across one. All of it is level, as in the outskirts.
 
-``python -m chatscene.maps.region`` writes the packaged file anew.
+``python -m making.maps.region`` writes the packaged file anew.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import replace
-from pathlib import Path
 
-from chatscene.maps.designs import CarParkDesign, RingDesign
-from chatscene.maps.opendrive import write_opendrive
-from chatscene.maps.opendrive_objects import Bay, Crosswalk, Use
-from chatscene.maps.region_motorway import (
+from chatscene.maps.network import PACKAGED
+from chatscene.terms.scenario import Control
+from making.maps.designs import CarParkDesign, RingDesign
+from making.maps.opendrive import write_opendrive
+from making.maps.opendrive_objects import Bay, Crosswalk, Use
+from making.maps.region_motorway import (
     DIVERGE_EAST,
     DIVERGE_WEST,
     EDGE,
@@ -31,10 +32,7 @@ from chatscene.maps.region_motorway import (
     ON_WEST,
     carriageways,
 )
-from chatscene.maps.streets import Node, Street, Surroundings
-from chatscene.terms.scenario import Control
-
-FILE = Path(__file__).with_name("region.xodr")
+from making.maps.streets import Node, Street, Surroundings
 
 # Roundabouts
 LARGE, LARGE_ARM = RingDesign(island=32.0, lane=4.5, lanes=2, flare=22.0), 52.0
@@ -346,4 +344,4 @@ def _rural_roads() -> list[Street]:
 
 
 if __name__ == "__main__":
-    FILE.write_text(write_opendrive("region", plan(), located=True), encoding="utf-8")
+    PACKAGED["region"].write_text(write_opendrive("region", plan(), located=True), encoding="utf-8")
