@@ -261,11 +261,11 @@ def test_a_full_disk_is_one_clear_message_and_loses_only_the_block_in_progress(
     run, done = started(tmp_path / "run"), blocks(2)
     write_block(run, done[0])
 
-    def full(_: int) -> None:
+    def full(*_: object) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 
     with monkeypatch.context() as patch:
-        patch.setattr(os, "fsync", full)
+        patch.setattr(Path, "replace", full)
         with pytest.raises(RunError, match=r"the disk is full; free some space and continue with: chatscene resume"):
             write_block(run, done[1])
     assert len(resume(run)[SCENARIO, 0]) == 1
@@ -419,3 +419,24 @@ def test_a_file_that_holds_no_object_is_one_message(content: str, tmp_path: Path
     (tmp_path / "run.json").write_text(content)
     with pytest.raises(RunError, match="holds no JSON object"):
         open_run(tmp_path)
+
+
+def test_a_finished_run_has_waited_for_the_disk_of_every_table_and_the_blocks_before_for_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run, done = started(tmp_path / "run"), blocks(2)
+    waited: list[int] = []
+
+    def sync(handle: int) -> None:
+        waited.append(os.fstat(handle).st_ino)
+
+    monkeypatch.setattr(os, "fsync", sync)
+    for block in done:
+        write_block(run, block)
+    assert not waited
+    finish(run, selected={}, expected=[(SCENARIO, 0, 0), (SCENARIO, 0, 1)])
+    tables = [path.stat().st_ino for path in run.path.rglob("*.parquet")]
+    folders = [folder.stat().st_ino for folder in (run.path, run.path / "episodes")]
+    assert len(tables) == 6
+    assert {*tables, *folders} <= set(waited)
+    assert max(map(waited.index, tables)) < waited.index(run.file("run.json").stat().st_ino)

@@ -35,10 +35,13 @@ def only_mine(folder: Path) -> Path | None:
     return folder if state.st_uid == os.getuid() and not state.st_mode & 0o022 else None
 
 
-def keep(path: Path, content: bytes) -> None:
-    """Write a whole file of a cache for this user alone, or none: a read-only or full disk must not stop a run."""
+def keep(path: Path, content: bytes, *, lasting: bool = True) -> None:
+    """Write a whole file of a cache for this user alone, or none: a read-only or full disk must not stop a run.
+
+    Nobody need wait for the disk (`lasting`) where the content is `sealed`: what a power cut damages is made anew.
+    """
     with suppress(OSError):
-        write_whole(path, content, mode=0o600)
+        write_whole(path, content, mode=0o600, lasting=lasting)
 
 
 def sealed(content: bytes) -> bytes:

@@ -40,14 +40,14 @@ def writing(path: Path) -> Generator[None]:
         raise RunError(f"cannot write {path}: {remedy}") from error
 
 
-def write_bytes(path: Path, content: bytes) -> None:
+def write_bytes(path: Path, content: bytes, *, lasting: bool = True) -> None:
     """Write a whole file of a run or nothing, with `write_whole`.
 
     Raises:
         RunError: The file system refuses.
     """
     with writing(path):
-        write_whole(path, content)
+        write_whole(path, content, lasting=lasting)
 
 
 def write_json(path: Path, content: object) -> None:

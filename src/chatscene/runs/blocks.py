@@ -1,7 +1,9 @@
 """Blocks are written as the run goes; the tables are folded from them at the end.
 
 A block is two files: its tracks, and then its part, which says that the block is done. Each appears whole or
-not at all, so that a kill at any moment loses at most the block in progress.
+not at all, so that a kill at any moment loses at most the block in progress. Nobody waits for the disk before the
+folder is finished: a power cut may damage the blocks of the last seconds, which their digests tell, and they are run
+again.
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from chatscene.errors import RunError
+from chatscene.files.atomic import make_lasting
 from chatscene.runs.atomic import json_of, read_bytes, sweep, writing
 from chatscene.runs.digests import CHANGED, DRAWN, KEPT, MISSING, digest_of, digests, is_sealed, write_sealed
 from chatscene.runs.record import MapRecord, Record, Status, first_problem
@@ -80,7 +83,8 @@ def write_block(run: Workspace, block: Block) -> None:
     """
     where = (block.scenario_id, block.route, block.number)
     tracks = write_table(run.episodes(*where), episodes_table([ran.episode for ran in block.ran]))
-    write_sealed(run.part(*where), _part(block, tracks).model_dump(exclude={"digest"}), for_a_person=False)
+    part = _part(block, tracks).model_dump(exclude={"digest"})
+    write_sealed(run.part(*where), part, for_a_person=False, lasting=False)
 
 
 def _part(block: Block, tracks: str) -> Part:
@@ -288,6 +292,8 @@ def finish(
         scenes = scenes_table(parts, selected)
         write_table(run.file("scenes.parquet"), scenes)
         files = digests(run.path, (*KEPT, *DRAWN))
+        with writing(run.path):
+            make_lasting(run.file(name) for name in files if name.endswith(".parquet"))
         stepped, instead = _stepped(parts)
         record = update(
             run,

@@ -58,13 +58,14 @@ def is_drawn(name: str) -> bool:
     return any(Path(name).match(pattern) for pattern in DRAWN)
 
 
-def write_sealed(path: Path, content: Mapping[str, Any], *, for_a_person: bool = True) -> None:
+def write_sealed(path: Path, content: Mapping[str, Any], *, for_a_person: bool = True, lasting: bool = True) -> None:
     """Write a JSON object that ends with a digest of itself.
 
     Args:
         path: Where.
         content: The object.
         for_a_person: Whether somebody may read it, a member a line, which takes ten times as long to write.
+        lasting: Whether to wait for the disk (`chatscene.files.atomic.write_whole`).
 
     Raises:
         RunError: It holds what is no text, or the file system refuses.
@@ -76,7 +77,7 @@ def write_sealed(path: Path, content: Mapping[str, Any], *, for_a_person: bool =
         wrong = error.object[max(0, error.start - 20) : error.end]
         raise RunError(f"cannot write {path}: {wrong!r} ends in what is not a character; write it in UTF-8") from error
     before, _, after = blank.rpartition(_BLANK.format(""))
-    write_bytes(path, f"{before}{_BLANK.format(digest)}{after}".encode())
+    write_bytes(path, f"{before}{_BLANK.format(digest)}{after}".encode(), lasting=lasting)
 
 
 def is_sealed(content: bytes, digest: object) -> bool:

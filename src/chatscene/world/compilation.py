@@ -89,7 +89,7 @@ def _kept(source: str, filename: str, kind: Literal["code", "programs"] = "code"
         return code, [], digest
     code, requirements, digest = _translate(source, filename)
     if isinstance(code, CodeType) and not requirements:  # these are trees, which `marshal` does not know
-        keep(path, sealed(marshal.dumps((code, digest))))
+        keep(path, sealed(marshal.dumps((code, digest))), lasting=False)
         if kind == "programs":
             keep_latest(folder, PROGRAMS)
     return code, requirements, digest
