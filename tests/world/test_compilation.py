@@ -146,3 +146,45 @@ def test_nothing_is_imported_from_the_working_folder_while_a_program_is_compiled
     compilation.compile_program(program, map_path=resolve_map("town"), route=0)
     assert paths
     assert not [path for one in paths for path in one if path in ("", ".", str(tmp_path))]
+
+
+CROSSES = """param weather = '{weather}'
+model chatscene.world.model
+param OPT_{name} = Range(2, 3)
+egoRoute = selectRoute(maneuver="straight")
+ego = new Car at startOf(egoRoute), with route egoRoute
+AdvAgent = new {kind} at pointOn(egoRoute, 10 + globalParameters.OPT_{name}), facing directionOn(egoRoute, 10)
+"""
+
+
+def _placed(text: str, **named: Any) -> tuple[Any, Any]:
+    scenario = compilation.compile_program(text, map_path=resolve_map("town"), **named)
+    scenario.conditionOn(params={name: 2.5 for name in scenario.params if name.startswith("OPT_")})
+    return scenario, scenario.generate(maxIterations=1)[0]
+
+
+@pytest.mark.parametrize(("weather", "kind", "route"), [("clear", "Pedestrian", 1), ("rain", "Truck", 0)])
+def test_a_program_after_another_has_its_world_model_and_is_as_one_that_has_its_own(
+    weather: str, kind: str, route: int
+) -> None:
+    _placed(CROSSES.format(weather="clear", name="BEFORE", kind="Bus"), route=0)
+    text = CROSSES.format(weather=weather, name="AFTER", kind=kind)
+    _, first = _placed(text, route=route)
+    scenario, shared = _placed(text, route=route)
+    alone, own = _placed(text, route=route, own=True)
+    assert type(first.egoObject) is type(shared.egoObject) is not type(own.egoObject)
+    assert scenario.params.keys() == alone.params.keys()
+    assert shared.params == own.params
+    assert [(one.position, one.heading, one.length, type(one).__name__) for one in shared.objects] == [
+        (one.position, one.heading, one.length, type(one).__name__) for one in own.objects
+    ]
+    assert scenario.behaviorNamespaces.keys() == alone.behaviorNamespaces.keys()
+    assert "chatscene.world.model" not in sys.modules
+
+
+def test_a_program_of_another_map_or_that_says_other_things_before_its_model_has_another_one() -> None:
+    text = CROSSES.format(weather="clear", name="X", kind="Car")
+    kinds = {type(_placed(one, route=0)[1].egoObject) for one in (text, text, text.replace("clear", "fog"))}
+    assert len(kinds) == 2
+    elsewhere = compilation.compile_program(text, map_path=resolve_map("outskirts"), route=0)
+    assert type(elsewhere.egoObject) not in kinds

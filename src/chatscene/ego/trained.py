@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+from functools import cache
 from importlib.resources import as_file, files
+from typing import Any
 
-from chatscene.ego.network import NetworkEgo, ego_of, load_network
+from chatscene.ego.network import Network, NetworkEgo, ego_of, load_network
+
+
+@cache
+def _network(name: str) -> tuple[Network, dict[str, Any]]:
+    """A network, read once for all egos of it: an evaluation makes one for each task."""
+    with as_file(files("chatscene.ego").joinpath("weights", f"{name}.npz")) as path:
+        return load_network(path)
 
 
 def _load(name: str) -> NetworkEgo:
-    with as_file(files("chatscene.ego").joinpath("weights", f"{name}.npz")) as path:
-        network, about = load_network(path)
-    return ego_of(network, about, name)
+    return ego_of(*_network(name), name)
 
 
 def sac() -> NetworkEgo:

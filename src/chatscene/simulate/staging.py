@@ -132,6 +132,7 @@ class Stage:
                     filename=program.filename,
                     called=program.called if program.own else "",
                     model=program.model,
+                    own=program.own,
                 )
             scenario.setSampleChecker(_InOrder(program.drawn))
             scenario.behaviorNamespaces = {  # of a module that is imported Scenic keeps the text in it

@@ -12,8 +12,10 @@ import gc
 import hashlib
 import marshal
 import sys
+from collections import OrderedDict
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
+from contextvars import ContextVar
 from functools import cache, lru_cache
 from importlib.metadata import version
 from importlib.util import MAGIC_NUMBER
@@ -29,7 +31,7 @@ from scenic.syntax import translator, veneer
 
 from chatscene.errors import ChatSceneError, DoesNotCompile
 from chatscene.files.caches import cache_folder, keep, keep_latest, kept, only_mine, sealed
-from chatscene.maps.network import install_network_memo
+from chatscene.maps.network import install_network_memo, map_digest
 from chatscene.parsing import quicken
 from chatscene.terms.pointing import fault, place_in, pointed
 from chatscene.terms.scene import OWN_MODEL
@@ -192,8 +194,70 @@ def _namespace(path: str | None = None) -> Generator[dict[str, Any]]:
     yield {"__name__": "__main__"} | ({"__file__": path} if path is not None else {})
 
 
+class _LoadedModel:
+    """A world model as it was executed for one program, to be used by the next that would come to the same.
+
+    Scenic executes it anew for each program, since it may depend on parameters: forty classes, each of fifty
+    properties, which is most of what a compilation makes and of what is thrown away with a program.
+
+    Args:
+        given: The parameters that were there before it was loaded.
+    """
+
+    def __init__(self, given: Mapping[str, Any]) -> None:
+        self._modules = {name: one for name, one in sys.modules.items() if isinstance(one, translator.ScenicModule)}
+        self._stated = {name: value for name, value in _parameters().items() if name not in given}
+        self._simulator = veneer.simulatorFactory
+        for module in self._modules.values():  # else they hold on to all that the program states from here on
+            module._scenario._bindGlobals(dict(_parameters()))
+
+    def take_up(self, name: str) -> None:
+        """Have it loaded in the program that is being compiled, as if it had been executed; Scenic unloads it."""
+        for full, module in self._modules.items():
+            package, _, own = full.rpartition(".")
+            setattr(sys.modules[package], own, module)
+            sys.modules[full] = module
+        stated: dict[str, Any] = {one: value for one, value in self._stated.items() if one not in _parameters()}
+        _parameters().update(stated)
+        _veneer.simulatorFactory = self._simulator
+        _veneer.currentScenario._inherit(self._modules[name]._scenario)
+
+
+MODELS = 4  # that are kept loaded per process: one for each map and each set of parameters that stand before it
+_models: OrderedDict[tuple[object, ...], _LoadedModel] = OrderedDict()
+_shared: ContextVar[tuple[object, ...]] = ContextVar("shared", default=())
+"""What programs have in common that may use one world model; empty for a program that has its own."""
+
+
+def _parameters() -> dict[str, Any]:
+    """The parameters of the program that is being compiled, as Scenic has them."""
+    return _veneer._globalParameters
+
+
+def _load_model(namespace: dict[str, Any], name: str) -> None:
+    """`scenic.syntax.veneer.model`, which takes up a world model that was loaded for such a program before."""
+    given, shared = dict(_parameters()), _shared.get()
+    told = sorted((one, repr(value)) for one, value in given.items() if one != "route")
+    key = (*shared, name, *told)
+    if not shared or veneer.activity != 1:
+        _model(namespace, name)
+    elif (loaded := _models.get(key)) is not None:
+        loaded.take_up(name)
+        _model(namespace, name)
+    else:
+        _model(namespace, name)
+        _models[key] = _LoadedModel(given)
+        while len(_models) > MODELS:
+            _models.popitem(last=False)
+
+
+_veneer: Any = veneer
+_model: Any = veneer.model
+
+
 def _extend_scenic() -> None:
     translator.compileStream = _compile_stream
+    veneer.model = _load_model
     translator.topLevelNamespace = _namespace
     install_network_memo()
     if _default.resolveFor is _resolve_once:
@@ -219,6 +283,15 @@ def _without_collecting() -> Generator[None]:
             gc.enable()
 
 
+@contextmanager
+def _sharing(what: tuple[object, ...]) -> Generator[None]:
+    token = _shared.set(what)
+    try:
+        yield
+    finally:
+        _shared.reset(token)
+
+
 def compile_program(
     source: str,
     *,
@@ -227,6 +300,7 @@ def compile_program(
     filename: str = "<program>",
     called: str = "",
     model: str = OWN_MODEL,
+    own: bool = False,
 ) -> Any:
     """Compile a program for one route of one map. A session that is open in this process is ended.
 
@@ -237,6 +311,8 @@ def compile_program(
         filename: What Scenic calls the text.
         called: What error messages call it; empty for the same.
         model: The world model that it is written for; ours that stands in for it is loaded.
+        own: Whether it is of a user's own, whose code may do anything to the world model that it has; another one has
+            that of the program before, if that comes to the same.
 
     Returns:
         Scenic's scenario.
@@ -248,8 +324,9 @@ def compile_program(
     free_process()  # else Scenic stops half-way, and counts a compilation ever after that none can go beside
     _extend_scenic()
     parameters: Mapping[str, Any] = {"map": str(map_path), "route": route}
+    shared = () if own or model != OWN_MODEL else (map_digest(map_path),)
     try:
-        with _without_collecting():
+        with _without_collecting(), _sharing(shared):
             return translator.scenarioFromString(
                 source, filename=filename, params=parameters, model=STANDS_IN[model], mode2D=True
             )
