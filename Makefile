@@ -47,7 +47,7 @@ docs: .venv/docs
 	NO_MKDOCS_2_WARNING=1 $(PY) -m mkdocs build  # with --quiet, broken links would not count
 
 wheel: .venv/bin/python
-	$(PY) -m pip wheel --quiet --no-deps --disable-pip-version-check --wheel-dir dist .
+	$(PY) -m pip wheel --quiet --no-deps --disable-pip-version-check --wheel-dir dist . ./packages/carla-stand-in
 
 .venv/bin/python:
 	$(PYTHON) -c "import sys; v = sys.version_info[:2]; sys.exit(0 if (3, 11) <= v < (3, 14) else f'chatscene needs Python 3.11, 3.12 or 3.13, this is {v[0]}.{v[1]}; call make PYTHON=python3.11')"

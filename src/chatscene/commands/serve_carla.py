@@ -10,11 +10,16 @@ import click
 
 from chatscene.commands.options import SIMULATORS, Named
 from chatscene.commands.output import say
+from chatscene.errors import ChatSceneError
 from chatscene.settings import PHYSICS, SimulationSettings
 
 if TYPE_CHECKING:
-    from chatscene.simulate.carla.standin.world import World
+    from carla_stand_in.world import World
 
+NOT_HERE = (
+    "the stand-in for CARLA is a package of its own, which is not installed; install it from a checkout of chatscene: "
+    "pip install ./packages/carla-stand-in"
+)
 LOOPBACK = "127.0.0.1"
 PORTS = click.IntRange(1, 65534)  # streams are on the next
 
@@ -56,13 +61,19 @@ def serve_carla(maps: tuple[str, ...], port: int, host: str, files: Path | None,
     """Serve CARLA 0.9.16's protocol with our own simulator, for clients without a CARLA server.
 
     It is a stand-in, not CARLA: no tyres, no engine, drawings as camera images. docs/carla.md lists what it supports.
-    This command and its clients need the wheel carla 0.9.16 (the extra 'carla').
+    This command and its clients need the wheel carla 0.9.16 (the extra 'carla'). The server is a package of its own,
+    packages/carla-stand-in; whoever installs a checkout with -e has it.
 
     \b
     chatscene serve-carla --port 2000 --files runs
     chatscene serve-carla --map Town01.xodr --map Town04.xodr --physics lagged
     """
-    from chatscene.simulate.carla.standin.serving import serve
+    try:
+        from carla_stand_in.serving import serve
+    except ModuleNotFoundError as error:
+        if error.name != "carla_stand_in":
+            raise
+        raise ChatSceneError(NOT_HERE) from None
 
     def ready(world: World) -> None:
         say(

@@ -8,6 +8,15 @@ from typing import Any
 import pytest
 from standing_in import connected, serving
 
+from places import ROOT
+
+
+@pytest.fixture(scope="session", autouse=True)
+def processes_find_the_package() -> Generator[None]:
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv("PYTHONPATH", str(ROOT / "packages" / "carla-stand-in" / "src"))
+        yield
+
 
 @pytest.fixture(scope="session")
 def port() -> Generator[int]:

@@ -18,7 +18,7 @@ from chatscene.maps.network import PACKAGED
 
 carla: Any = pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
 msgpack: Any = pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")
-standin = "chatscene.simulate.carla.standin"
+standin = "carla_stand_in"
 log, reading, server, worlds = (
     pytest.importorskip(f"{standin}.{name}") for name in ("log", "reading", "server", "world")
 )

@@ -13,8 +13,8 @@ from typing import Any
 import pytest
 from standing_in import connected, serving, ticked_until
 
-from chatscene.simulate.carla.standin.calls import CALLS
-from chatscene.simulate.carla.standin.calls_actors import ACTOR_CALLS
+from carla_stand_in.calls import CALLS
+from carla_stand_in.calls_actors import ACTOR_CALLS
 
 carla: Any = pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
 msgpack: Any = pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")

@@ -13,7 +13,7 @@ from chatscene.simulate.contact import depth
 from chatscene.simulate.simulator import load_simulator
 
 pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
-world_of: Any = pytest.importorskip("chatscene.simulate.carla.standin.world")
+world_of: Any = pytest.importorskip("carla_stand_in.world")
 
 TOWN = resolve_map("town")
 MKZ, BIKE, WALKER, BOX = (

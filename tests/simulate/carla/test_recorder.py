@@ -15,8 +15,8 @@ from standing_in import WALKER, connected, serving, spawned, ticked_until
 
 carla: Any = pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
 pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")
-recorder: Any = pytest.importorskip("chatscene.simulate.carla.standin.recorder")
-files: Any = pytest.importorskip("chatscene.simulate.carla.standin.files")
+recorder: Any = pytest.importorskip("carla_stand_in.recorder")
+files: Any = pytest.importorskip("carla_stand_in.files")
 
 
 @pytest.fixture(scope="module")

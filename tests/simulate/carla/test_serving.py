@@ -69,7 +69,7 @@ def test_another_version_of_the_wheel_is_named(monkeypatch: pytest.MonkeyPatch) 
     def version(_: str) -> str:
         return "0.9.15"
 
-    monkeypatch.setattr("chatscene.simulate.carla.standin.roads.version", version)
+    monkeypatch.setattr("carla_stand_in.roads.version", version)
     done = CliRunner().invoke(main, ["serve-carla"])
     assert done.exit_code == 1
     assert "needs the wheel carla 0.9.16, not 0.9.15" in done.output
@@ -80,6 +80,15 @@ def test_without_the_wheel_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -
     done = CliRunner().invoke(main, ["serve-carla"])
     assert done.exit_code == 1
     assert re.search(r'pip install .*\[carla\]"', done.output)
+
+
+def test_without_the_package_of_the_stand_in_its_place_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in [name for name in sys.modules if name.partition(".")[0] == "carla_stand_in"]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setattr(sys, "path", [entry for entry in sys.path if "carla-stand-in" not in entry])
+    done = CliRunner().invoke(main, ["serve-carla"])
+    assert done.exit_code == 1
+    assert "pip install ./packages/carla-stand-in" in done.output
 
 
 def test_a_web_page_that_posts_a_call_is_closed_and_not_obeyed(tmp_path: Path) -> None:

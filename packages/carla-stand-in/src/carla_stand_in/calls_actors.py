@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from chatscene.simulate.carla.standin import wire
-from chatscene.simulate.carla.standin.actors import Actor, BodyActor
-from chatscene.simulate.carla.standin.calls import Call
-from chatscene.simulate.carla.standin.wire import Refused
-from chatscene.simulate.carla.standin.world import World
+from carla_stand_in import wire
+from carla_stand_in.actors import Actor, BodyActor
+from carla_stand_in.calls import Call
+from carla_stand_in.wire import Refused
+from carla_stand_in.world import World
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.nouns import with_article
 

@@ -13,8 +13,8 @@ import sys
 import time
 from dataclasses import asdict
 
+from carla_stand_in.roads import Found, Roads, Signal
 from chatscene.errors import ChatSceneError, MapError
-from chatscene.simulate.carla.standin.roads import Found, Roads, Signal
 
 PROCESSOR_TIME = 30  # [s], of a reading
 READING = 3.0  # [s] of the processor, for which others may wait
@@ -37,7 +37,7 @@ async def read(name: str, text: str, *, ours: bool = False) -> Found:
         MapError: It cannot be used, or takes too long.
     """
     # -P: the working folder is no place of modules
-    command = [sys.executable, "-P", "-m", "chatscene.simulate.carla.standin.reading", name, *[_OURS] * ours]
+    command = [sys.executable, "-P", "-m", "carla_stand_in.reading", name, *[_OURS] * ours]
     pipe = asyncio.subprocess.PIPE
     process = await asyncio.create_subprocess_exec(*command, stdin=pipe, stdout=pipe, stderr=asyncio.subprocess.DEVNULL)
     try:

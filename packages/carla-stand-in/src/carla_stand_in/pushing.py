@@ -11,7 +11,7 @@ import math
 from collections.abc import Collection
 from dataclasses import dataclass
 
-from chatscene.simulate.carla.standin.actors import BodyActor
+from carla_stand_in.actors import BodyActor
 from chatscene.simulate.contact import depth
 from chatscene.world.bodies import Body, Walker
 

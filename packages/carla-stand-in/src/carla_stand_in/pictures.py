@@ -12,8 +12,8 @@ from typing import Any
 
 from PIL import Image, ImageDraw
 
-from chatscene.simulate.carla.standin.actors import Actor, BodyActor
-from chatscene.simulate.carla.standin.world import TAGS, World
+from carla_stand_in.actors import Actor, BodyActor
+from carla_stand_in.world import TAGS, World
 
 HEIGHT = 25.0  # [m]
 _LARGEST = 4096  # pixels to a side

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from chatscene.simulate.carla.standin import calls_actors as actors
-from chatscene.simulate.carla.standin import wire
-from chatscene.simulate.carla.standin.calls import Call, set_traffic_light_state
-from chatscene.simulate.carla.standin.wire import Refused
-from chatscene.simulate.carla.standin.world import World
+from carla_stand_in import calls_actors as actors
+from carla_stand_in import wire
+from carla_stand_in.calls import Call, set_traffic_light_state
+from carla_stand_in.wire import Refused
+from carla_stand_in.world import World
 
 _SPAWN, _DESTROY = 0, 1
 _MOST = 10_000

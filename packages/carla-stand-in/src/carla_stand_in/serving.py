@@ -6,13 +6,13 @@ import asyncio
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from carla_stand_in.files import Files
+from carla_stand_in.server import Server
+from carla_stand_in.wire import Refused
+from carla_stand_in.world import World
 from chatscene.errors import MapError, SettingsError
 from chatscene.maps.network import PACKAGED, load_network, resolve_map
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.carla.standin.files import Files
-from chatscene.simulate.carla.standin.server import Server
-from chatscene.simulate.carla.standin.wire import Refused
-from chatscene.simulate.carla.standin.world import World
 from chatscene.simulate.physics import PhysicsOf
 from chatscene.simulate.simulator import load_simulator
 

@@ -11,9 +11,9 @@ from functools import cached_property
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
+from carla_stand_in.wire import VERSION
 from chatscene.errors import MapError, MissingExtra
 from chatscene.simulate.carla.served import as_served
-from chatscene.simulate.carla.standin.wire import VERSION
 
 TRAFFIC_LIGHT = "1000001"
 _APART = 12.0  # [m] between places to begin at

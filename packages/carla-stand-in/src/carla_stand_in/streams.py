@@ -9,10 +9,10 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from chatscene.simulate.carla.standin import wire
-from chatscene.simulate.carla.standin.actors import Actor, BodyActor
-from chatscene.simulate.carla.standin.sensors import Sensors
-from chatscene.simulate.carla.standin.world import SPEED_LIMIT, Contact, World
+from carla_stand_in import wire
+from carla_stand_in.actors import Actor, BodyActor
+from carla_stand_in.sensors import Sensors
+from carla_stand_in.world import SPEED_LIMIT, Contact, World
 
 FIRST_CLIENT = 2**31  # streams of worlds are above, those of sensors, which have an actor's id, below
 _MOST_WAITING = 32 * 2**20  # bytes that a client has not read; it misses frames beyond

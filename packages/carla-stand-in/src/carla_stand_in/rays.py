@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.simulate.carla.standin.actors import Actor, BodyActor
-from chatscene.simulate.carla.standin.world import TAGS, World
+from carla_stand_in.actors import Actor, BodyActor
+from carla_stand_in.world import TAGS, World
 
 _MOST = 200_000  # rays in one step
 _FADING = 0.004  # [1/m]; CARLA's default attenuation

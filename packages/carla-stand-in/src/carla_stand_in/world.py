@@ -7,16 +7,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from carla_stand_in import wire
+from carla_stand_in.actors import Actor, BodyActor, LightActor
+from carla_stand_in.blueprints import Blueprint, catalogue, definitions
+from carla_stand_in.files import Files
+from carla_stand_in.lights import Light, Lights
+from carla_stand_in.pushing import Pair, hold_back
+from carla_stand_in.recorder import Recorder
+from carla_stand_in.roads import Found, Roads
+from carla_stand_in.wire import Refused
 from chatscene.errors import MapError
-from chatscene.simulate.carla.standin import wire
-from chatscene.simulate.carla.standin.actors import Actor, BodyActor, LightActor
-from chatscene.simulate.carla.standin.blueprints import Blueprint, catalogue, definitions
-from chatscene.simulate.carla.standin.files import Files
-from chatscene.simulate.carla.standin.lights import Light, Lights
-from chatscene.simulate.carla.standin.pushing import Pair, hold_back
-from chatscene.simulate.carla.standin.recorder import Recorder
-from chatscene.simulate.carla.standin.roads import Found, Roads
-from chatscene.simulate.carla.standin.wire import Refused
 from chatscene.simulate.contact import touch
 from chatscene.simulate.physics import PhysicsOf
 from chatscene.terms.nouns import with_article

@@ -13,10 +13,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import BinaryIO
 
-from chatscene.simulate.carla.standin.actors import Actor, BodyActor
-from chatscene.simulate.carla.standin.files import Files
-from chatscene.simulate.carla.standin.lights import Light
-from chatscene.simulate.carla.standin.wire import Refused
+from carla_stand_in.actors import Actor, BodyActor
+from carla_stand_in.files import Files
+from carla_stand_in.lights import Light
+from carla_stand_in.wire import Refused
 
 SUFFIX = ".log"
 _HEAD = "Version: 1\n"

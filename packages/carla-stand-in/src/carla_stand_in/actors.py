@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from carla_stand_in.blueprints import Blueprint
+from carla_stand_in.roads import Roads, Signal, wrapped
+from carla_stand_in.wire import Refused
 from chatscene.errors import ChatSceneError
-from chatscene.simulate.carla.standin.blueprints import Blueprint
-from chatscene.simulate.carla.standin.roads import Roads, Signal, wrapped
-from chatscene.simulate.carla.standin.wire import Refused
 from chatscene.simulate.physics import Physics, PhysicsOf
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.nouns import with_article

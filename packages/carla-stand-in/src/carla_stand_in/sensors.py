@@ -12,12 +12,12 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from chatscene.simulate.carla.standin import wire
-from chatscene.simulate.carla.standin.actors import Actor, BodyActor
-from chatscene.simulate.carla.standin.calls_actors import described
-from chatscene.simulate.carla.standin.pictures import drawn, size_of
-from chatscene.simulate.carla.standin.rays import Lidar, Radar
-from chatscene.simulate.carla.standin.world import Contact, World
+from carla_stand_in import wire
+from carla_stand_in.actors import Actor, BodyActor
+from carla_stand_in.calls_actors import described
+from carla_stand_in.pictures import drawn, size_of
+from carla_stand_in.rays import Lidar, Radar
+from carla_stand_in.world import Contact, World
 
 _PARALLEL = 1e-9
 _RAYS: dict[str, Callable[[Actor], Lidar | Radar]] = {

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
-from chatscene.simulate.carla.standin.wire import VERSION
+from carla_stand_in.wire import VERSION
 from chatscene.terms.actors import AdversaryKind, Manner
 
 _BOOL, _INT, _FLOAT, _STRING, _COLOUR = 1, 2, 3, 4, 5

@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from chatscene.simulate.carla.standin.roads import Signal, apart
+from carla_stand_in.roads import Signal, apart
 
 RED, YELLOW, GREEN, OFF = 0, 1, 2, 3
 _GREEN_TIME, _YELLOW_TIME, _RED_TIME = 10.0, 3.0, 2.0  # [s]

@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from chatscene.simulate.carla.standin import recorder, wire
-from chatscene.simulate.carla.standin.blueprints import definitions
-from chatscene.simulate.carla.standin.lights import OFF
-from chatscene.simulate.carla.standin.wire import Refused
-from chatscene.simulate.carla.standin.world import World, checked_settings
+from carla_stand_in import recorder, wire
+from carla_stand_in.blueprints import definitions
+from carla_stand_in.lights import OFF
+from carla_stand_in.wire import Refused
+from carla_stand_in.world import World, checked_settings
 
 Call = Callable[..., Any]
 

@@ -10,18 +10,18 @@ from dataclasses import dataclass, field
 from inspect import isawaitable
 from typing import Any
 
+from carla_stand_in import wire
+from carla_stand_in.actors import Actor
+from carla_stand_in.batch import apply_batch
+from carla_stand_in.calls import CALLS, Call
+from carla_stand_in.calls_actors import ACTOR_CALLS, described
+from carla_stand_in.log import Bounded
+from carla_stand_in.reading import read
+from carla_stand_in.streams import Streams
+from carla_stand_in.traffic import PATIENCE, wake
+from carla_stand_in.wire import Refused
+from carla_stand_in.world import FOLDER, OPENDRIVE, STEP, World
 from chatscene.errors import MapError, MissingExtra
-from chatscene.simulate.carla.standin import wire
-from chatscene.simulate.carla.standin.actors import Actor
-from chatscene.simulate.carla.standin.batch import apply_batch
-from chatscene.simulate.carla.standin.calls import CALLS, Call
-from chatscene.simulate.carla.standin.calls_actors import ACTOR_CALLS, described
-from chatscene.simulate.carla.standin.log import Bounded
-from chatscene.simulate.carla.standin.reading import read
-from chatscene.simulate.carla.standin.streams import Streams
-from chatscene.simulate.carla.standin.traffic import PATIENCE, wake
-from chatscene.simulate.carla.standin.wire import Refused
-from chatscene.simulate.carla.standin.world import FOLDER, OPENDRIVE, STEP, World
 
 _MOST = 64 * 2**20  # bytes of one message; the largest maps have some ten million
 _MOST_UNFINISHED = 256 * 2**20  # bytes of messages of all clients that have not come to their end

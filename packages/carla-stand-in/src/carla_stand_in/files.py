@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path, PurePath
 from typing import BinaryIO
 
-from chatscene.simulate.carla.standin.wire import Refused
+from carla_stand_in.wire import Refused
 
 _LONGEST = 100  # characters of a name that are told
 
