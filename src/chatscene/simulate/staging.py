@@ -32,7 +32,8 @@ from chatscene.world.compilation import compile_program
 from chatscene.world.ego_route import EgoRoute
 
 NO_PLACE = "a place that the program asks for, such as the edge of the road, is not there"
-COMPILED = 16  # programs kept per process; a compiled one holds a few MB
+COMPILED = 512  # programs on a route kept per process that share a world model, some 0.1 MB each; a benchmark has 400
+COMPILED_APART = 16  # of those that have one of their own, a few MB each
 PLACED = 64  # drawn scenes kept per process, since many egos drive the same
 NEVER = 25  # draws, all of which ask for what is not there: then it is the program that is at fault
 DRAWING = 15.0  # [s] of processor time in which a scene is to be drawn
@@ -85,7 +86,14 @@ class _Compiled:
 
 
 _compiled: OrderedDict[_Key, _Compiled] = OrderedDict()
+_compiled_apart: OrderedDict[_Key, _Compiled] = OrderedDict()
 """What this process has compiled: each of its simulators is asked for the same programs."""
+
+
+def _kept_with(program: ScenicProgram) -> tuple[OrderedDict[_Key, _Compiled], int]:
+    """Where a program is kept once it is compiled, and beside how many."""
+    apart = program.own or program.model != OWN_MODEL
+    return (_compiled_apart, COMPILED_APART) if apart else (_compiled, COMPILED)
 
 
 class Stage:
@@ -120,8 +128,8 @@ class Stage:
             MapError: The map has no such route.
             StuckBehavior: It does not come to its end.
         """
-        key = self._key_of(program, route)
-        if key not in _compiled:
+        key, (compiled, most) = self._key_of(program, route), _kept_with(program)
+        if key not in compiled:
             # A large map takes its time, which is not the program's.
             (load_network if program.own or program.model != OWN_MODEL else load_roads)(self._map_path)
             with time_limit(f"{program.called}, being compiled,"):
@@ -132,22 +140,22 @@ class Stage:
                     filename=program.filename,
                     called=program.called if program.own else "",
                     model=program.model,
-                    own=program.own,
+                    own=bool(program.own),
                 )
             scenario.setSampleChecker(_InOrder(program.drawn))
             scenario.behaviorNamespaces = {  # of a module that is imported Scenic keeps the text in it
                 name: names if _SETS_NAMES.search(names.get("_source", program.source)) else _Drawn(names)
                 for name, names in scenario.behaviorNamespaces.items()
             }
-            _compiled[key] = _Compiled(scenario)
-            while len(_compiled) > COMPILED:
-                _compiled.popitem(last=False)
-        _compiled.move_to_end(key)
-        return _compiled[key].scenario
+            compiled[key] = _Compiled(scenario)
+            while len(compiled) > most:
+                compiled.popitem(last=False)
+        compiled.move_to_end(key)
+        return compiled[key].scenario
 
     def learn(self, program: ScenicProgram, route: int, placed: SteppedSimulation) -> None:
         """Take in a scene that was placed, as it began; the next may be placed by `placement`."""
-        there = _compiled.get(self._key_of(program, route))
+        there = _kept_with(program)[0].get(self._key_of(program, route))
         if there is not None and not there.learned:
             there.learned = True
             with suppress(NoFunction):
@@ -155,12 +163,12 @@ class Stage:
 
     def placement(self, program: ScenicProgram, scene: Scene) -> Placement | None:
         """Where things stand, for the values of such a scene; None where `place` has to say it."""
-        key = self._key_of(program, scene.route)
-        found = there.placement if (there := _compiled.get(key)) is not None else None
+        key, (compiled, _) = self._key_of(program, scene.route), _kept_with(program)
+        found = there.placement if (there := compiled.get(key)) is not None else None
         if found is None or program.drawn or program.as_written or found.parameters != set(scene.values):
             return None
         self.draws = 1
-        _compiled.move_to_end(key)
+        compiled.move_to_end(key)
         return found
 
     def place(self, program: ScenicProgram, scene: Scene) -> Any | Rejected:
