@@ -100,7 +100,7 @@ def main() -> None:
     gc.set_threshold(YOUNG)
 
 
-YOUNG = 10_000
+YOUNG = 30_000
 """New objects after which Python looks for garbage. At its own 700, a tenth of the time that a command takes to begin
 goes into looking through what has just been loaded and stays."""
 

@@ -14,7 +14,7 @@ from chatscene.files.atomic import write_whole
 
 _SEAL = 16  # [bytes]
 
-Kind = Literal["code", "engines", "maps", "programs", "replies", "vectors", "weights", "words"]
+Kind = Literal["builds", "code", "engines", "maps", "programs", "replies", "vectors", "weights", "words"]
 
 
 def cache_folder(kind: Kind) -> Path:

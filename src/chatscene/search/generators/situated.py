@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
-from chatscene.build.build import NOBODY, Built, build
-from chatscene.build.place import PACKAGED
 from chatscene.errors import NotBuilt
 from chatscene.interpret.scenario_names import scenario_id
 from chatscene.interpret.slots_of import facts_of, parties_of
-from chatscene.maps.network import map_digest, resolve_map
-from chatscene.read.quotes import not_in_words
+from chatscene.maps.network import PACKAGED, map_digest, resolve_map
 from chatscene.search.generator import Choice, Written
 from chatscene.search.generators.exploring import Exploring
-from chatscene.search.rehearsal import rehearsed
+from chatscene.search.generators.kept_builds import keep_program, kept_program
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.situations.file import read_text
 from chatscene.terms.conclusions import base_of, concluded
@@ -23,6 +21,9 @@ from chatscene.terms.scenario import BaseScenario, Scenario, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Situation
 from chatscene.terms.snippet import Tried
+
+if TYPE_CHECKING:
+    from chatscene.build.build import Built
 
 _PARTS = SubDescriptions(behavior="as stated", geometry="as stated", spawn="as stated")
 
@@ -46,6 +47,8 @@ class Situated(Exploring):
         situation = read_text(text)
         parties = parties_of(situation)
         if parties is None:
+            from chatscene.build.build import NOBODY
+
             raise NotBuilt(NOBODY)
         facts = facts_of(situation, parties)
         return Scenario(
@@ -64,6 +67,8 @@ class Situated(Exploring):
         Raises:
             NotBuilt: A fact of it cannot be built.
         """
+        from chatscene.read.quotes import not_in_words
+
         built = _built(scenario.text, scenario.id)
         lost = tuple(f"left out, since it cannot be built yet: {one}" for one in built.left_out)
         assumed = tuple(f"assumed: {one}" for one in built.assumed)
@@ -71,8 +76,9 @@ class Situated(Exploring):
         return Written(program=built.program, retrieval=None, left_out=told)
 
     def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:  # noqa: ARG002
-        """The program that is built of it."""
-        return _built(scenario.text, scenario.id).program
+        """The program that is built of it, or was by the same code before."""
+        text, name = scenario.text, scenario.id
+        return kept_program(text, name, _ground(text)) or _built(text, name).program
 
     def is_trusted(self, settings: RetrievalSettings) -> bool:  # noqa: ARG002
         """Yes: its program is ours, whoever stated the facts."""
@@ -84,12 +90,22 @@ def on_any_map(situation: Situation) -> Situation:
     return replace(situation, map=None) if situation.map in PACKAGED else situation
 
 
-def _built(text: str, name: str) -> Built:
+def _ground(text: str) -> str:
+    """What tells the map from every other that a situation names; empty where it names none."""
     lies = read_text(text).map
-    return _rehearsed(text, name, map_digest(resolve_map(lies)) if lies is not None else "")
+    return map_digest(resolve_map(lies)) if lies is not None else ""
+
+
+def _built(text: str, name: str) -> Built:
+    return _rehearsed(text, name, _ground(text))
 
 
 @lru_cache(maxsize=8)
-def _rehearsed(text: str, name: str, ground: str) -> Built:  # noqa: ARG001 - a map may change
+def _rehearsed(text: str, name: str, ground: str) -> Built:
+    from chatscene.build.build import build  # who drives again what was built before needs none of it
+    from chatscene.search.rehearsal import rehearsed
+
     situation = read_text(text)
-    return rehearsed(build(situation, name=name), situation)
+    built = rehearsed(build(situation, name=name), situation)
+    keep_program(built.program, text, name, ground)
+    return built
