@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from test_building import drive, simulator
 from test_starting import driven, someone, track
 
 from chatscene.build.build import build
+from chatscene.errors import NotBuilt
 from chatscene.program.judge import failures, judge
 from chatscene.program.watching import watch
 from chatscene.situations.form import from_plain
@@ -81,6 +83,66 @@ def test_an_ego_that_gains_speed_had_less_before() -> None:
     speed = driven(said).ego_track.speed
     assert speed[15] < 8.0
     assert speed.max() > 10.0
+
+
+@pytest.mark.parametrize(
+    ("numbers", "takes"),
+    [
+        ({"time": "5 s"}, 5.0),
+        ({"acceleration": "1 m/s²"}, 20 / 3.6),
+        ({"time": "5 s", "acceleration": "1.1 m/s²"}, 5.0),
+    ],
+)
+def test_an_ego_gains_speed_in_the_time_and_as_fast_as_was_said(numbers: dict[str, str], takes: float) -> None:
+    gains = ego({"act": "accelerate", "speed": "60 km/h", **numbers}, speed="40 km/h")
+    speed = 3.6 * driven(COMES | {"ego": gains}).ego_track.speed
+    began, done = np.argmax(speed > 41.0), np.argmax(speed > 58.0)
+    assert speed[: int(began)].max() < 42.0
+    assert 0.1 * (done - began) == pytest.approx(0.85 * takes, abs=0.5)
+
+
+@pytest.mark.parametrize(
+    "numbers",
+    [
+        {"time": "1 s", "speed": "80 km/h"},
+        {"acceleration": "9 m/s²"},
+        {"time": "20 s", "acceleration": "2 m/s²"},
+        {"time": "9 s", "acceleration": "2 m/s²", "speed": "60 km/h"},
+    ],
+)
+def test_what_a_refused_gain_names_builds_when_it_is_said(numbers: dict[str, str]) -> None:
+    said = {"act": "accelerate", **numbers}
+    with pytest.raises(NotBuilt, match=r"ego\.does\.0\.") as refused:
+        build(from_plain(COMES | {"ego": ego(said, speed="50 km/h")}))
+    name = str(refused.value).partition("ego.does.0.")[2].partition(":")[0]
+    found = re.search(r"([\d.]+ (?:s|m/s²))(?: at (?:least|most))?[;,.]? ?(?:say that.*)?$", str(refused.value))
+    assert found is not None
+    build(from_plain(COMES | {"ego": ego(said | {name: found[1]}, speed="50 km/h")}))
+
+
+def test_an_ego_that_slows_down_and_then_gains_speed_does_so_in_that_order() -> None:
+    deeds = {"act": "slow-down", "speed": "20 km/h"}, {"act": "accelerate"}
+    speed = 3.6 * driven(COMES | {"ego": ego(*deeds, speed="50 km/h")}).ego_track.speed
+    slow = int(speed.argmin())
+    assert speed[0] > 48.0
+    assert speed[slow] < 22.0
+    assert speed[slow:].max() > 45.0
+
+
+def test_an_ego_that_brakes_and_then_swerves_has_lost_speed_when_it_swerves() -> None:
+    said = STANDS | {"ego": ego({"act": "brake"}, {"act": "swerve", "to": "left"}, speed="60 km/h")}
+    speed, left = driven(said).ego_track.speed, aside(said)
+    assert left.max() > 2.0
+    assert speed[int(np.argmax(left > 1.0))] < 9.0
+
+
+@pytest.mark.parametrize("act", ["swerve", "park"])
+def test_an_ego_is_slowed_to_the_speed_that_was_said_of_what_it_does_with_its_wheel(act: str) -> None:
+    one = STANDS if act == "swerve" else someone("behind", "go-along")
+    said = one | {"ego": ego({"act": act, "speed": "30 km/h"}, speed="60 km/h")}
+    speed, left = 3.6 * driven(said).ego_track.speed, np.abs(aside(said))
+    assert speed[0] > 58.0
+    assert speed[int(np.argmax(left > 0.5))] == pytest.approx(30.0, abs=3.0)
 
 
 @pytest.mark.parametrize("rule", ["red-light", "stop-sign"])

@@ -315,6 +315,15 @@ def test_who_waits_for_the_second_of_two_equal_deeds_waits_for_that_one() -> Non
     assert "until P_load_1.pose[3] <" in build(said).program.source
 
 
+def test_each_of_several_loses_a_load_and_nobody_drives_into_that() -> None:
+    several = others(car("A", "ahead", deed("drop-load"), kind="truck") | {"count": 2})
+    episode = driven(several, 0)
+    loads = [one for one in episode.tracks if one.actor.startswith("A-load")]
+    assert [one.actor for one in loads] == ["A-load", "A-load-2"]
+    assert all(one.speed.min() < 0.5 * one.speed[0] for one in loads)
+    assert unseen(several) == ()
+
+
 @pytest.mark.parametrize("seed", [0, 2])
 def test_who_makes_somebody_ahead_brake_crosses_just_before_that_one(seed: int) -> None:
     brakes = car("A", "ahead", deed("brake", manner="hard") | {"when": {"after": "B.0"}})

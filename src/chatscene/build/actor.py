@@ -294,7 +294,8 @@ class Actor:
         ahead = sum(other.starts.where is Where.AHEAD for other in self.ledger.situation.others)
         queues = self.one.starts.where is Where.AHEAD and ahead > 1
         comes_in = ahead > 0 and any(deed.act is Act.CUT_IN for deed in self.deeds)
-        follows = self.one.role is Role.SUPPORTING or queues or comes_in
+        behind_a_load = self.count > 1 and any(deed.act is Act.DROP_LOAD for deed in self.deeds)
+        follows = self.one.role is Role.SUPPORTING or queues or comes_in or behind_a_load
         against = self.stand.meets is Meets.TOWARD and self.one.role is Role.SUPPORTING
         return (against or (self.stand.meets is Meets.ALONG and follows)) and not self.walks
 

@@ -42,7 +42,7 @@ def waiting(order: Order, name: str, reference: str) -> Order:
 
 def met_by(who: str, coming: Coming, orders: Iterable[Order]) -> Coming:
     """How the ego gets on before somebody: it stands before whom it waits for, so that nobody waits for the other."""
-    waits = any(one.ends and one.whom.partition(".")[0] == who for one in orders)
+    waits = any(one.ends and one.at_most <= 0.0 and one.whom.partition(".")[0] == who for one in orders)
     return replace(coming, late=None, stands=True, held=0.0) if waits else coming
 
 

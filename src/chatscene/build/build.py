@@ -16,7 +16,7 @@ from chatscene.build.bays import out_of_bay
 from chatscene.build.coming import speeds_to_try, wanted_by
 from chatscene.build.contact import at_a_corner, parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of, ordered
-from chatscene.build.finding import find, started, without_one_fact
+from chatscene.build.finding import find, nearer, started, without_one_fact
 from chatscene.build.keeping import as_kept, take_kept
 from chatscene.build.lane_order import check_hidden, cross_before_who_brakes, leaves_row, set_in_order
 from chatscene.build.ledger import Ledger, as_written
@@ -136,6 +136,8 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
         else:
             return made
     if isinstance(refused[0], NoSuchPlace) and (helps := without_one_fact(situation, speeds[0])):
+        raise NotBuilt(f"{refused[0]}; {helps}") from refused[0]
+    if isinstance(refused[0], NoSuchPlace) and (helps := nearer(situation, speeds[0])):
         raise NotBuilt(f"{refused[0]}; {helps}") from refused[0]
     raise refused[0]
 

@@ -37,6 +37,7 @@ class Coming:
         held: For how long [s] it is held where it stands at first, before it sets off.
         keeps_limits: Whether the limits of roads hold for it.
         gain: With which it takes up speed [m/s²].
+        gains: Whether it gains more speed than it wants at first.
     """
 
     speed: float
@@ -47,6 +48,7 @@ class Coming:
     held: float = 0.0
     keeps_limits: bool = False
     gain: float = NOMINAL.gain
+    gains: bool = False
 
     def seconds(self, metres: str, at: float | None = None) -> str:
         """When it is so many metres on its way, as a text of Scenic.
@@ -62,15 +64,20 @@ class Coming:
             raise ValueError("it never gets there")
         keeps = "".join((f", {self.keeps_limits}", f", {self.gain:.3g}" if self.gain != NOMINAL.gain else ""))
         late = self.late if at is None else self.late_at(at)
-        return f"timeTo(egoRoute, {metres}, {self.speed:.4g}{keeps})" + (f" + {late:.2f}" if late > _STEP else "")
+        more = f" {'+' if late > 0.0 else '-'} {abs(late):.2f}" if abs(late) > _STEP else ""
+        return f"timeTo(egoRoute, {metres}, {self.speed:.4g}{keeps})" + more
 
     def late_at(self, metres: float) -> float:
-        """How much later [s] it is so many metres on its way than if it drove as it wants from the first."""
+        """How much later [s] it is so many metres on its way than if it drove as it wants from the first.
+
+        It is sooner there, which is less than 0, if it gains more speed than it wants at first.
+        """
         begins, drive = self.drive
         i = bisect_right(drive, (metres - begins, math.inf))
         if i == len(drive):
             return self.late or 0.0
-        return max(0.0, drive[i][1] - self.table.time_to(begins, metres))
+        late = drive[i][1] - self.table.time_to(begins, metres)
+        return late if self.gains else max(0.0, late)
 
     def time_at(self, metres: float) -> float:
         """When it is so many metres on its way [s], if it is not late there."""
@@ -120,6 +127,7 @@ def coming(
     stands: bool,
     keeps_limits: bool = False,
     gain: float = NOMINAL.gain,
+    later: float = 0.0,
 ) -> Coming:
     """How an ego gets on that wants a speed and has orders.
 
@@ -131,29 +139,33 @@ def coming(
         stands: Whether it stands at first.
         keeps_limits: Whether the limits of roads hold for it.
         gain: How it gets under way [m/s²].
+        later: What it wants in the end [m/s], if that is more; its orders hold it before.
     """
-    orders = tuple(replace(one, till=WAITS) if one.ends else one for one in orders if one.ends or one.phase < 0)
+    orders = tuple(replace(one, till=WAITS) if one.ends else one for one in orders if one.ends or not one.whom)
     table = timetable(route, speed, keeps_limits=keeps_limits, gain=gain)
+    gains = later > speed
+    wants = timetable(route, later, keeps_limits=keeps_limits, gain=gain) if gains else table
     begins = route.eventAt - metres
     at, time, now = 0.0, 0.0, 0.0 if stands else speed
     drive, end = [(0.0, 0.0)], route.line.length - begins
     while at < end and time < _LONGEST:
-        allowed = min([table.speed_at(begins + at), *(order.allows(time, at) for order in orders)])
+        allowed = min([wants.speed_at(begins + at), *(order.allows(time, at) for order in orders)])
         now = min(allowed, now + gain * _STEP)
         at, time = at + now * _STEP, time + _STEP
         drive.append((at, time))
     there = next((when for far, when in drive if far >= metres), None)
     first = (order.till for order in orders if order.allows(0.0, 0.0) <= 0.0 and order.till < math.inf)
-    late = None if there is None else max(0.0, there - table.time_to(begins, route.eventAt))
+    late = None if there is None else there - table.time_to(begins, route.eventAt)
     return Coming(
         speed=speed,
         table=table,
-        late=late,
+        late=late if late is None or gains else max(0.0, late),
         drive=(begins, tuple(drive)),
         stands=at <= 0.0,
         held=max(first, default=0.0),
         keeps_limits=keeps_limits,
         gain=gain,
+        gains=gains,
     )
 
 

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Generator, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
+from itertools import takewhile
 
 from chatscene.build.asked import FROM_A_STAND
 from chatscene.build.awaiting import awaited, waiting
 from chatscene.build.coming import Coming, coming, keeps_limits, wanted_by
 from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import FIRM, MOST
-from chatscene.build.own import KEEPS, is_own, own_orders
+from chatscene.build.own import FIRST, KEEPS, Drives, fastest, is_own, own_orders
 from chatscene.build.own_speeds import at_own_speeds
 from chatscene.build.place import GOES_OVER, Found, at_junction
 from chatscene.errors import NotBuilt, NothingBuilds
@@ -47,6 +48,8 @@ LINE = 3.5  # [m] before the junction the centre of a car stands whose nose is a
 STAND = 4.0  # [s] that somebody stands who sets off again
 BESIDE = 3.0  # [s] that the ego stands beside its lane before it comes into it
 SLOW = 3.0  # [m/s]
+EASED = 0.4  # of its speed that an ego keeps that loses some before it does something with its wheel
+SLOWED = 1.0  # [s] that it has lost speed, so that it is seen to, when it does something else
 GOES_THROUGH, THROUGH = 5.0, 14.0  # [m/s], [m] before and beyond where it is to give way, that an ego goes on
 OVER_LANE, INTO_TURN = 3.0, 9.0  # [m] on its way into a lane, or through a turn, that an ego is across a lane
 BACKS = 20.0  # [m] at most that an ego backs, if only a bound was said
@@ -105,7 +108,7 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
         usual = wanted_by(situation)
         why = "drives show what was said only then" if ledger.slow else f"{3.6 * usual:.0f} km/h cannot be built here"
         ledger.assume(_drives_at(speed, usual, why, found.route if keeps else None))
-    wanted = f", with wantedSpeed {speed:.4g}" + (", with keepsLimits True" if keeps else "")
+    wanted = f", with wantedSpeed {fastest(ego.does, speed):.4g}" + (", with keepsLimits True" if keeps else "")
     longer = 0.5 * (body.length - LIMITS[CAR].length)  # its nose is so much nearer than a car's
     stands = bool(ego.does) and ego.does[0].act in FROM_A_STAND
     at_line = stands and junction
@@ -126,7 +129,8 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     at_first = f"speedOn(egoRoute, 0, {speed:.4g})" if keeps else f"{speed:.4g}"
     moving = ", with backwards True" if back else "" if stands else f", with speed {at_first}"
     metres = TO_LINE + longer if at_line else found.route.eventAt
-    comes = coming(speed, orders, found.route, metres, stands=stands, keeps_limits=keeps, gain=gain_in(body))
+    later, gain = fastest(ego.does, speed), gain_in(body)
+    comes = coming(speed, orders, found.route, metres, stands=stands, keeps_limits=keeps, gain=gain, later=later)
     query = {"to_line": round(metres, 2)} if at_line and longer else {}
     return BuiltEgo(params=tuple(params), query=query, coming=comes, properties=moving + wanted, orders=orders)
 
@@ -204,25 +208,18 @@ def _lights(ledger: Ledger, found: Found) -> list[str]:
 def _orders(
     ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float, sides: Mapping[str, Side]
 ) -> Iterator[Order]:
-    begins = 0.0  # [s], when what was said with times has gone by
+    begins, slow, stood = 0.0, speed, 0.0  # [s], when what was said with times has gone by; its speed then; its wait
     stops = [k for k, deed in enumerate(deeds) if deed.act is Act.STOP]
     for k, deed in enumerate(deeds):
         at = f"ego.does.{k}"
-        if (waits := awaited(deed)) is not None and deed.act in acts_of(Tempo.SETS_OFF, Heads.ALONG):
-            name, reference = waits
-            if k == 0 and deed.act is Act.GO_ALONG:
-                ledger.assume(f"the ego already drives along before {reference}")
-            else:
-                drives = any(one.act in _DRIVES for one in deeds[:k])  # and so waits where it then stops
-                yield waiting(Order(at_most=0, ends=True, place=stop if drives else -math.inf), name, reference)
-            ledger.take(f"{at}.when.{name}")
+        yield from _waits_first(ledger, deeds, k, stop)
         if deed.act is Act.LANE_CHANGE and ledger.situation.ego.route in CHANGES:  # which is its way
             ledger.take(f"{at}.act", f"{at}.manner", *_to_its_side(ledger, deed, at))
             continue
-        if is_own(deed):  # with all that follow it
-            if k == 0 or not is_own(deeds[k - 1]):
-                count = next((n for n, one in enumerate(deeds[k:]) if not is_own(one)), len(deeds) - k)
-                yield from own_orders(ledger, deeds[k : k + count], k, speed, sides)
+        if is_own(deed):
+            if row := _own_from(deeds, k):
+                drives = Drives(wants=speed, speed=slow, since=max(begins, stood))
+                yield from own_orders(ledger, row, k, drives, sides)
             continue
         ledger.take(f"{at}.act", *_in_a_row(deed, at))
         if deed.breaks is not None:
@@ -236,7 +233,36 @@ def _orders(
         there = begins * speed if begins else stop  # where it is to be slow, or to stand
         if k in stops and len(stops) > 1:  # one after the other
             there = stop * (stops.index(k) + 1) / len(stops)
-        begins = yield from _pedals(ledger, deed, at, _then(deeds, k), there, begins, speed)
+        if (then := _own_then(deeds, k)) is not None:
+            begins, slow = yield from _slower_before(ledger, deed, at, then, begins or FIRST, speed)
+        else:
+            begins = yield from _pedals(ledger, deed, at, _then(deeds, k), there, begins, speed)
+        stood = _wait(deed, deeds[k + 1 :]) or stood
+
+
+def _waits_first(ledger: Ledger, deeds: tuple[Deed, ...], k: int, stop: float) -> Iterator[Order]:
+    """An ego that goes on once somebody else does something stands until then."""
+    deed = deeds[k]
+    if (waits := awaited(deed)) is None or deed.act not in acts_of(Tempo.SETS_OFF, Heads.ALONG):
+        return
+    name, reference = waits
+    if k == 0 and deed.act is Act.GO_ALONG:
+        ledger.assume(f"the ego already drives along before {reference}")
+    else:
+        drives = any(one.act in _DRIVES for one in deeds[:k])  # and so waits where it then stops
+        yield waiting(Order(at_most=0, ends=True, place=stop if drives else -math.inf), name, reference)
+    ledger.take(f"ego.does.{k}.when.{name}")
+
+
+def _own_from(deeds: tuple[Deed, ...], k: int) -> tuple[Deed, ...]:
+    """The deeds of an ego's own of which the k-th is the first, with all that follow; none if it is not the first."""
+    return () if k and is_own(deeds[k - 1]) else tuple(takewhile(is_own, deeds[k:]))
+
+
+def _own_then(deeds: tuple[Deed, ...], k: int) -> Deed | None:
+    """The deed of the ego's own before which it loses speed by its k-th; None if no such deed follows."""
+    slows = deeds[k].act in acts_of(Tempo.SLOWS, Tempo.BRAKES)
+    return next((then for then in deeds[k + 1 : k + 2] if slows and is_own(then)), None)
 
 
 def _to_its_side(ledger: Ledger, deed: Deed, at: str) -> Iterator[str]:
@@ -254,6 +280,12 @@ def _breaks(ledger: Ledger, deed: Deed, at: str, stop: float, speed: float) -> I
         till = (stop + THROUGH) / keeps
         ledger.assume(f"the ego keeps at least {3.6 * keeps:.0f} km/h until it is through")
         yield Order(at_least=round(keeps, 2), place=round(max(stop - THROUGH, 0.0), 1), till=round(till, 1))
+
+
+def _wait(deed: Deed, then: tuple[Deed, ...]) -> float:
+    """How long [s] an ego stands that stands from the first and sets off then; 0 of any other."""
+    sets_off = any(one.act in _SETS_OFF for one in then) and awaited(then[0]) is None
+    return (STAND if deed.time is None else deed.time.near(STAND)) if deed.act is Act.STAND and sets_off else 0.0
 
 
 def _then(deeds: tuple[Deed, ...], k: int) -> Deed | None:
@@ -335,10 +367,12 @@ def _in_a_row(deed: Deed, at: str) -> Iterator[str]:
         yield f"{at}.whom"  # to whoever is there it does so anyway
 
 
-def _slower(ledger: Ledger, deed: Deed, at: str, there: float, begins: float, speed: float) -> Order:
-    """An order to lose speed, by some place or for some time."""
+def _slower(
+    ledger: Ledger, deed: Deed, at: str, there: float, begins: float, speed: float, usual: float | None = None
+) -> Order:
+    """An order to lose speed, by some place or for some time; to a usual speed [m/s], if none was said."""
     hard = deed.act is Act.BRAKE
-    to = 1.0 if hard else SLOW
+    to = usual or (1.0 if hard else SLOW)
     if deed.speed is not None:
         ledger.take(f"{at}.speed")
         to = deed.speed.near(to)
@@ -350,6 +384,17 @@ def _slower(ledger: Ledger, deed: Deed, at: str, there: float, begins: float, sp
     if begins:
         return Order(at_most=to, since=round(begins + (speed - to) / braking, 1), braking=braking)
     return Order(at_most=to, place=round(there, 1), braking=braking)
+
+
+def _slower_before(
+    ledger: Ledger, deed: Deed, at: str, then: Deed, begins: float, speed: float
+) -> Generator[Order, None, tuple[float, float]]:
+    """An order to lose speed before a deed of the ego's own; gives when that begins [s], and its speed then."""
+    gains = then.act is Act.ACCELERATE
+    order = _slower(ledger, deed, at, 0.0, begins, speed, None if gains else EASED * speed)
+    begins = order.since + SLOWED
+    yield replace(order, till=begins) if gains else order
+    return begins, order.at_most
 
 
 def _lasts(ledger: Ledger, deed: Deed, at: str) -> float:

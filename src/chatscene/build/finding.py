@@ -33,6 +33,7 @@ from chatscene.maps.routes import APPROACHES, ELSEWHERE
 from chatscene.maps.sites import APPROACHED, PASSED, PAST
 from chatscene.situations.check import TO_A_SIDE
 from chatscene.situations.facts import said_in
+from chatscene.terms.amount import Length
 from chatscene.terms.backing import backs, turned_about
 from chatscene.terms.pace import NOMINAL
 from chatscene.terms.routing import MANEUVERS
@@ -165,6 +166,26 @@ def without_one_fact(situation: Situation, speed: float) -> str:
     return "leaving out one fact of the road is not enough: leave out several" if len(said) > 1 else ""
 
 
+def nearer(situation: Situation, speed: float) -> str:
+    """Which distance that was said, said shorter, would let a place be found, in words; empty if none would.
+
+    Args:
+        situation: What was said, for which no map has a place.
+        speed: What the ego drives at [m/s].
+    """
+    load = cache(_map)
+    for n, one in enumerate(situation.others):
+        if (said := one.starts.distance) is None:
+            continue
+        for share in _SHORTER:
+            far = math.floor(share * said.least)
+            starts = replace(one.starts, distance=Length(far, far))
+            others = (*situation.others[:n], replace(one, starts=starts), *situation.others[n + 1 :])
+            if _found(replace(situation, others=others), speed, 1.0, 0.0, _Lacking(), {}, load):
+                return f"others.{one.id}.starts.distance: {said}: say {far} m, and a place is found"
+    return ""
+
+
 def _without(road: Road, path: str) -> Road:
     """What was said of a road but for the fact at a path, such as ``road.lanes`` or ``road.has.0``."""
     _, field, *number = path.split(".")
@@ -193,6 +214,14 @@ _BEFORE = frozenset(
 )
 
 
+_WHERE_IN = {Site.BUS_BAY: (Where.BUS_BAY, 10.0), Site.CROSSWALK: (Where.CROSSING, 2.0)}
+_BEFORE_JUNCTION = (Where.CROSSING, -4.0)
+"""Who is at a site, or before a junction, and how far beyond where it begins [m]."""
+_SHORTER = tuple(n / 10 for n in range(9, 0, -1))  # of a distance, for which a place is looked for
+_OFF = 4.0  # [m] by which a site may be nearer or farther than was asked for
+_NEAREST = 5.0  # [m] of road at least before a site
+
+
 def _usual(query: Mapping[str, Any]) -> float:
     """How far [m] a route usually leads up to what happens."""
     site = Site(query["site"]) if "site" in query else None
@@ -213,9 +242,14 @@ def _through(query: Mapping[str, Any]) -> bool:
 
 
 def _longer(situation: Situation, query: dict[str, Any], more: float) -> dict[str, Any]:
-    """The same query, with so many times as much road as usual; an ego swings out where somebody was said to stand."""
-    if query["maneuver"] == Maneuver.BYPASS and (at := _stands_at(situation)) > SWING + PASSING:
-        return query | {"approach": round(at, 1)}
+    """The same query, with so many times as much road as usual, or as much as somebody was said to be ahead there.
+
+    An ego swings out where somebody was said to stand; a bay or a crosswalk is where who is there was said to be.
+    """
+    if query["maneuver"] == Maneuver.BYPASS and (at := _stands_at(situation)) > 0.0:
+        return query | {"approach": round(max(at, SWING + PASSING + 1.0), 1)}
+    if (before := _road_to(situation, query)) > 0.0:
+        return query | {"approach": round(before, 1)}
     if more == 1.0 or (more < 1.0 and not _through(query)):
         return query
     return query | {"approach": round(more * _usual(query), 1)}
@@ -246,6 +280,22 @@ def _stands_at(situation: Situation) -> float:
 
     passed = (one for one in situation.others if one.starts.where in (Where.AHEAD, Where.KERB) and stands_first(one))
     return min((middle(one) for one in passed if one.starts.distance is not None), default=0.0)
+
+
+def _road_to(situation: Situation, query: Mapping[str, Any]) -> float:
+    """How much road [m] leads up to what the road has, since somebody there was said to be so far; 0 if not said."""
+    reach = _WHERE_IN.get(Site(query["site"])) if "site" in query else _BEFORE_JUNCTION if _through(query) else None
+    for one in situation.others:
+        if reach is not None and one.starts.where is reach[0] and one.starts.distance is not None:
+            return max(_said_distance(one) - reach[1], _NEAREST)
+    return 0.0
+
+
+def _elsewhere(situation: Situation, found: Found) -> str | None:
+    """That what the road has is not so far ahead there as somebody was said to be, in words; None if it is."""
+    before = _road_to(situation, found.query)
+    off = before > 0.0 and abs(found.route.eventAt - before) > _OFF
+    return f"there is nothing of that kind after {before:.0f} m of road" if off else None
 
 
 def _far(one: Other) -> float:
@@ -348,7 +398,7 @@ def _answered(
         lacking.unfit.append(f"on map {Path(path).stem!r} so long a road with its usual limit")
         return None
     found = Found(name, query, route, sides)
-    if (lacks := lacking_for(situation, found)) is not None:
+    if (lacks := _elsewhere(situation, found) or lacking_for(situation, found)) is not None:
         lacking.unfit.append(f"on map {Path(path).stem!r} {lacks}")
         return None
     for told, most in too_short(situation, found, speed):

@@ -7,7 +7,7 @@ is there; where nobody is ahead, at a time or a place.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from chatscene.build.asked import stands_first
@@ -15,6 +15,7 @@ from chatscene.build.awaiting import awaited, waiting
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import LANE
 from chatscene.build.relations import AGAINST, falls_behind, speed_of
+from chatscene.errors import NotBuilt
 from chatscene.terms.amount import Length
 from chatscene.terms.order import Order
 from chatscene.terms.situation import EGO, Deed, Other, Situation, When
@@ -32,8 +33,11 @@ SOON = {Act.SWERVE: 1.4, Act.DRIFT: 2.2, Act.LANE_CHANGE: 2.6, Act.PARK: 3.4}
 SPARES = 0.8  # [s] sooner, where they are said not to touch
 BY = 3.0  # [m] of which somebody who is passed at its side is to be left, beside the ego's own way
 GAINS = 2.0  # [m/s²] by which an ego gains speed
+EASES = 2.5  # [m/s²] by which it loses speed to have one that was said of what it does with its wheel
 SLOWER = 0.6  # of its speed that an ego has that is to gain speed, if no speed was said
 FIRST = 2.0  # [s] after which it does
+AT_ONCE = 0.5  # [m/s] by which its speed is raised at a time where it was said how fast it gains speed
+OFF = 0.25  # of a speed, by which two numbers may be off a third that follows from them
 CREEPS = 2.0  # [m/s]: an ego that drifts more slowly is told how fast it comes aside
 SAME = 1.0  # [m/s] by which two go as fast
 NOT_AHEAD = frozenset((Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE))
@@ -70,8 +74,23 @@ def is_own(deed: Deed) -> bool:
     return deed.act in ASIDE or deed.act is Act.ACCELERATE
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drives:
+    """How the ego drives before deeds of its own.
+
+    Attributes:
+        wants: The speed it wants [m/s].
+        speed: What it then has [m/s]: less, if it was to lose speed before.
+        since: After how many seconds [s] it has done what comes before; 0 if nothing does.
+    """
+
+    wants: float
+    speed: float
+    since: float = 0.0
+
+
 def own_orders(
-    ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float, sides: Mapping[str, Side]
+    ledger: Ledger, deeds: Sequence[Deed], first: int, drives: Drives, sides: Mapping[str, Side]
 ) -> Iterator[Order]:
     """Orders for deeds of the ego that follow each other, of which all are its own.
 
@@ -79,25 +98,26 @@ def own_orders(
         ledger: What was said.
         deeds: The deeds.
         first: The number of the first.
-        speed: At which it drives [m/s].
+        drives: How it drives before.
         sides: Those of others that were chosen.
+
+    Raises:
+        NotBuilt: It is to gain speed faster than it can, or by numbers of which one is not true.
     """
-    begins = _begins(ledger, deeds, first, speed)
+    begins, speed = _begins(ledger, deeds, first, drives), drives.speed
     for k, deed in enumerate(deeds, start=first):
         at = f"ego.does.{k}"
         ledger.take(f"{at}.act", f"{at}.to", *((f"{at}.manner",) if deed.manner is Manner.SUDDEN else ()))
-        if deed.when is not None and k > first:  # its own deeds come one after the other
+        if deed.when is not None and (k > first or drives.since):  # its own deeds come one after the other
             waits = {name: getattr(deed.when, name) or "" for name in ("after", "during")}
             ledger.take(*(f"{at}.when.{name}" for name, said in waits.items() if said.startswith(f"{EGO}.")))
-        lasts = _lasts(ledger, deed, at, speed)
-        does = deed
-        if begins.by > 0.0 and deed.act is Act.SWERVE and deed.time is None and deed.distance is None:
-            lasts, does = max(lasts, begins.by), replace(deed, distance=Length(BY, BY))
-        yield from (
-            _gains(ledger, deed, at, begins, speed)
-            if deed.act is Act.ACCELERATE
-            else _aside(ledger, does, at, begins, lasts, speed, sides)
-        )
+        if deed.act is Act.ACCELERATE:
+            speed, lasts = yield from _gains(ledger, deed, at, begins, replace(drives, speed=speed))
+        else:
+            lasts, does = _lasts(ledger, deed, at), deed
+            if begins.by > 0.0 and deed.act is Act.SWERVE and deed.time is None and deed.distance is None:
+                lasts, does = max(lasts, begins.by), replace(deed, distance=Length(BY, BY))
+            yield from _aside(ledger, does, at, begins, lasts, speed, sides)
         begins = replace(begins, since=round(begins.since + lasts, 2))
 
 
@@ -116,9 +136,13 @@ def _aside(
     keeps = 0.0 if deed.act is Act.PARK else round(KEEPS * speed, 2)
     if deed.speed is not None:
         ledger.take(f"{at}.speed")
+    stays = deed.act in acts_of(Heads.EDGE, Heads.OVER)
     if deed.speed is not None and aside is None:
         keeps = deed.speed.near(keeps) or deed.speed.most
-    stays = deed.act in acts_of(Heads.EDGE, Heads.OVER)
+        if (slows := _slows(deed, speed)) > 0.0:  # it has that speed when it begins to
+            since_when, till = round(max(since, slows), 2), math.inf if stays else round(since + lasts, 2)
+            speed = deed.speed.most
+            yield begins.order(at_most=speed, since=since_when, till=max(till, since_when), braking=EASES)
     yield begins.order(aside=left, over=over, since=since, till=math.inf if stays else round(since + lasts, 2))
     if keeps:
         yield begins.order(at_least=keeps, since=since, till=round(since + lasts, 2))
@@ -127,34 +151,94 @@ def _aside(
         yield begins.order(at_most=0.0, since=round(since + lasts, 2), braking=braking)
 
 
-def _gains(ledger: Ledger, deed: Deed, at: str, begins: Near, speed: float) -> Iterator[Order]:
-    to, now = speed, SLOWER * speed
-    if deed.speed is not None:
-        ledger.take(f"{at}.speed")
-        to = deed.speed.near(speed)
-        now = min(speed, SLOWER * to) if to <= speed else speed
-    gain = GAINS
-    if deed.acceleration is not None:
-        ledger.take(f"{at}.acceleration")
-        gain = deed.acceleration.near(GAINS)
+def _slows(deed: Deed, speed: float) -> float:
+    """How long [s] the ego takes to lose speed to what was said of a deed of its wheel; 0 where it need not."""
+    along = deed.act is not Act.DRIFT or deed.speed is None or deed.speed.high >= CREEPS
+    if deed.speed is None or deed.act not in ASIDE or not along:
+        return 0.0
+    return max(speed - deed.speed.most, 0.0) / EASES
+
+
+def _gains(
+    ledger: Ledger, deed: Deed, at: str, begins: Near, drives: Drives
+) -> Generator[Order, None, tuple[float, float]]:
+    """Orders by which the ego gains speed; gives what it then has [m/s], and how long that takes [s]."""
+    to, now, gain = _from_to(ledger, deed, at, drives)
+    lasts = (to - now) / gain
     since = begins.since if begins.whom or begins.since else FIRST
-    lasts = (to - now) / gain + 1.0
-    if now < speed and not begins.whom:
-        yield Order(at_most=round(now, 2), till=since)
-    yield begins.order(at_least=round(KEEPS * to, 2), since=since, till=round(since + lasts, 2))
+    held = drives.wants if drives.since else now  # what comes before has it lose speed
+    if held < max(to, drives.wants):
+        if begins.whom:
+            yield begins.order(at_most=round(held, 2), ends=True)
+        if since:
+            yield begins.order(at_most=round(held, 2), till=since)
+    if deed.time is not None or deed.acceleration is not None:
+        steps = max(1, math.ceil((to - now) / AT_ONCE))
+        for n in range(steps):
+            has, ends = now + (to - now) * (n + 1) / steps, since + lasts * (n + 1) / steps
+            span = {"since": round(since + lasts * n / steps, 2), "till": round(ends, 2)}
+            yield begins.order(at_most=round(has, 2), at_least=round(has, 2), **span)
+        since, lasts = round(since + lasts, 2), lasts + 1.0
+        yield begins.order(at_least=round(KEEPS * to, 2), since=since, till=round(since + 1.0, 2))
+    else:
+        lasts += 1.0
+        yield begins.order(at_least=round(KEEPS * to, 2), since=since, till=round(since + lasts, 2))
+    return to, lasts if begins.whom or begins.since else FIRST + lasts
 
 
-def _lasts(ledger: Ledger, deed: Deed, at: str, speed: float) -> float:
-    usual = SLOWER * speed / GAINS if deed.act is Act.ACCELERATE else TAKES[deed.act]
+def _from_to(ledger: Ledger, deed: Deed, at: str, drives: Drives) -> tuple[float, float, float]:
+    """To which speed and from which an ego gains speed [m/s], and how fast [m/s²]: as was said of it.
+
+    Raises:
+        NotBuilt: It cannot gain speed so fast, or the numbers that were said cannot all be true.
+    """
+    said = {name: getattr(deed, name) for name in ("speed", "acceleration", "time") if getattr(deed, name) is not None}
+    ledger.take(*(f"{at}.{name}" for name in said))
+    to = drives.wants if deed.speed is None else deed.speed.near(drives.wants)
+    less = drives.speed < to - AT_ONCE  # it has less before
+    now = drives.speed if less else SLOWER * to
+    gain = GAINS if deed.acceleration is None else deed.acceleration.near(GAINS)
+    if deed.time is not None:
+        lasts = deed.time.near((to - now) / gain)
+        if not less and deed.acceleration is not None:
+            now = to - gain * lasts
+        by = to - now
+        if now < 0.0 or (deed.acceleration is not None and abs(gain * lasts - by) > OFF * by):
+            most = to / gain if now < 0.0 else by / gain
+            raise NotBuilt(
+                f"{at}.time: {deed.time}: up to {3.6 * to:.0f} km/h, {deed.acceleration} takes the ego"
+                f" {'at most ' if now < 0.0 else ''}{most:.1f} s; say that, or leave one of the numbers out"
+            )
+        gain = by / lasts
+    most = ledger.situation.ego.body.row.limits.throttle
+    if gain > most:
+        path = "acceleration" if deed.acceleration is not None else "time"
+        least = f"{(to - now) / most + 0.05:.1f} s at least" if path == "time" else f"{most:g} m/s² at most"
+        raise NotBuilt(f"{at}.{path}: {said[path]}: the ego cannot gain speed so fast; say {least}")
+    return to, now, gain
+
+
+def fastest(deeds: Sequence[Deed], speed: float) -> float:
+    """What an ego wants in the end [m/s] that wants a speed at first [m/s], and is to gain more than that."""
+    gained = (deed.speed.near(speed) for deed in deeds if deed.act is Act.ACCELERATE and deed.speed is not None)
+    return max(speed, *gained, speed)
+
+
+def _lasts(ledger: Ledger, deed: Deed, at: str) -> float:
+    usual = TAKES[deed.act]
     if deed.time is None:
         return usual
     ledger.take(f"{at}.time")
     return deed.time.near(usual)
 
 
-def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) -> Near:
-    """When the first of them begins: as was said, or so early that the last is begun before the ego meets somebody."""
-    situation, when = ledger.situation, deeds[0].when or When()
+def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, drives: Drives) -> Near:
+    """When the first of them begins: as was said, or so early that the last is begun before the ego meets somebody.
+
+    Before a deed of the wheel at a speed that was said, it has the time to lose speed to that.
+    """
+    situation, when, speed = ledger.situation, deeds[0].when or When(), drives.speed
+    slows = round(_slows(deeds[0], speed), 2)
     at = f"ego.does.{first}.when"
     if when.ego_within is None and (waits := awaited(deeds[0])) is not None:
         name, reference = waits
@@ -171,7 +255,7 @@ def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) -> 
     if whom is None or (deeds[0].act is Act.ACCELERATE and when.ego_within is None and not named):
         level = (one for one in situation.others if one.starts.where is Where.BESIDE)  # who cannot be so for long
         soon = deeds[0].act is Act.ACCELERATE or any(falls_behind(one, speed) > SAME for one in level)
-        return Near(since=0.0 if soon else FIRST)
+        return Near(since=max(drives.since, slows) or (0.0 if soon else FIRST))
     ledger.take(*(f"{at}.{name}" for name in ("after", "during", "of", "ego_within") if getattr(when, name)))
     middles = 0.5 * (situation.ego.body.row.limits.length + whom.kind.row.body.row.limits.length)
     seconds = sum(TAKES.get(deed.act, FIRST) for deed in deeds[:-1]) + SOON.get(deeds[-1].act, FIRST)
@@ -179,11 +263,11 @@ def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, speed: float) -> 
         seconds += SPARES
     comes = closing(situation, whom, speed)
     if isinstance(when.ego_within, Length):
-        return Near(whom=whom.id, within=when.ego_within.near(comes * seconds) + middles)
+        return Near(whom=whom.id, within=when.ego_within.near(comes * seconds) + middles + comes * slows, since=slows)
     if when.ego_within is not None:
         seconds = when.ego_within.near(seconds)
-    ahead = _is_ahead(whom)
-    return Near(whom=whom.id, within=comes * seconds + middles, by=seconds + 2 * middles / comes if ahead else 0.0)
+    by = seconds + 2 * middles / comes if _is_ahead(whom) else 0.0
+    return Near(whom=whom.id, within=comes * (seconds + slows) + middles, since=slows, by=by)
 
 
 def _in_the_way(others: Sequence[Other]) -> list[Other]:

@@ -48,11 +48,13 @@ BUILT_AS = {
 """As what is built what is let go, by the act."""
 
 
-def parts_of(actor: Actor) -> Iterator[str]:
-    """The lines of a program for all that somebody lets go.
+def parts_of(actor: Actor, sign: str, apart: float) -> Iterator[str]:
+    """The lines of a program for all that somebody lets go; of several in a row each does.
 
     Args:
         actor: Who.
+        sign: Whether the next in its row is farther along its way (``+``) or less far (``-``).
+        apart: How far that is from it [m].
 
     Raises:
         NotBuilt: It cannot be let go from there.
@@ -60,20 +62,29 @@ def parts_of(actor: Actor) -> Iterator[str]:
     for k, deed in enumerate(actor.deeds):
         if (part := BUILT_AS.get(deed.act)) is None:
             continue
-        one, called = name_of(actor.one.id), f"{name_of(actor.one.id)}_{LETS_GO[deed.act]}_{k}"
         opens = deed.act is Act.OPEN_DOOR
-        meanwhile = "Halt()" if opens else f"PaceOnPath(way{one}, {one}, {_carried(actor):.3g}, 60)"
-        waits = [_waits(text, meanwhile, one) for text in actor.phases()[: actor.begins[k]]]
-        does = (*waits, *(_opens(actor, k) if opens else (f"BrakeOnPath(way{one})",)))
-        yield f"behavior Does{called}():"
-        yield from (f"    do {text}" for text in does)
         earlier = sum(other.act is deed.act for other in actor.deeds[:k])
-        label = f"{actor.one.id}-{LETS_GO[deed.act]}" + (f"-{earlier + 1}" if earlier else "")
-        yield (
-            f"{called} = new {part.scenic} at {_place(actor, opens=opens)}, with label '{label}'{actor.role()}"
-            f"{'' if opens else actor.moving(actor.phases())}, with behavior Does{called}()"
-        )
+        for n in range(actor.count):
+            one = name_of(actor.one.id) + (f"_{n}" if n else "")
+            called, number = f"{one}_{LETS_GO[deed.act]}_{k}", earlier * actor.count + n
+            does = _opens(actor, k) if opens else _dropped(actor, k, one)
+            yield f"behavior Does{called}():"
+            yield from (f"    do {text}" for text in does)
+            label = f"{actor.one.id}-{LETS_GO[deed.act]}" + (f"-{number + 1}" if number else "")
+            place = _beside(actor) if opens else _behind(actor, f" {sign} {n * apart:g}" if n else "")
+            yield (
+                f"{called} = new {part.scenic} at {place}, with label '{label}'{actor.role()}"
+                f"{'' if opens else actor.moving(actor.phases())}, with behavior Does{called}()"
+            )
         actor.ledger.assume(part.told.format(actor.one.id))
+
+
+def _dropped(actor: Actor, k: int, one: str) -> Iterator[str]:
+    """What a load does: it is carried by one until that lets it go in its k-th deed, and slides to a stand."""
+    way = f"way{name_of(actor.one.id)}"
+    meanwhile = f"PaceOnPath({way}, {one}, {_carried(actor):.3g}, 60)"
+    yield from (_waits(text, meanwhile, one) for text in actor.phases()[: actor.begins[k]])
+    yield f"BrakeOnPath({way})"
 
 
 def into_lane(situation: Situation) -> float:
@@ -98,7 +109,7 @@ def _carried(actor: Actor) -> float:
 
 
 def _opens(actor: Actor, k: int) -> tuple[str, ...]:
-    """How a door opens.
+    """What a door does: it waits until it is opened.
 
     Raises:
         NotBuilt: It does not reach the ego's lane.
@@ -114,14 +125,20 @@ def _opens(actor: Actor, k: int) -> tuple[str, ...]:
     door = LIMITS["Door"]
     out = 0.5 * (actor.limits.width + door.length) - OPENS**2 / (2.0 * door.brake)
     there = f"abs(offsetFrom(way{name_of(actor.one.id)}, self)) > {out:.3g}"
-    return f"MoveAhead({OPENS:g}) until {there}", "Halt()"
+    one = name_of(actor.one.id)
+    waits = (_waits(text, "Halt()", one) for text in actor.phases()[: actor.begins[k]])
+    return *waits, f"MoveAhead({OPENS:g}) until {there}", "Halt()"
 
 
-def _place(actor: Actor, *, opens: bool) -> str:
-    """Where it is at first."""
+def _behind(actor: Actor, further: str) -> str:
+    """Where a load is at first, of one so much further on in its row."""
+    way, at = f"way{name_of(actor.one.id)}", actor.filled(actor.stand.at) + further
+    return f"pointOn({way}, {at} + {_carried(actor):.3g}), facing directionOn({way}, {at})"
+
+
+def _beside(actor: Actor) -> str:
+    """Where a door is at first."""
     way, at = f"way{name_of(actor.one.id)}", actor.filled(actor.stand.at)
-    if not opens:
-        return f"pointOn({way}, {at} + {_carried(actor):.3g}), facing directionOn({way}, {at})"
     sign = 1 if door_side(actor.one) is Side.LEFT else -1
     aside = sign * 0.5 * (actor.limits.width - LIMITS["Door"].length)
     facing = f"directionOn({way}, {at} + {HINGE:g}, {sign * 1.5708:g})"

@@ -67,7 +67,7 @@ class Written:
             does = f"Does{one}" if rows[n] == phases else f"Does{one}_{n}"
             said += self.actor.moving(phases, screened=screen is not None)
             lines.append(said + (f", with behavior {does}()" if phases else ""))
-        lines += parts_of(self.actor)
+        lines += parts_of(self.actor, self._away, self._apart)
         if is_still(self.actor.one):
             self.actor.ledger.take(f"{self.actor.path}.starts.speed")  # it stands
         self.actor.ledger.take(*self.actor.numbers.built())

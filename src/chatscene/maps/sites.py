@@ -328,11 +328,12 @@ def windows_past(
     else:
         marks = _bays_beside(network, run, Stand.PARKING if site is Site.PARKING else Stand.BUS)
     further = 1.0 if approach is None else approach / PAST[0]
+    road = ROAD * max(further, 1.0)
     return [
-        (at - before, at - before + ROAD * further, at)
+        (at - before, at - before + road, at)
         for before in (further * one for one in PAST)
         for at in marks
-        if at - before >= 2.0 and at - before + ROAD * further < run.line.length
+        if at - before >= 2.0 and at - before + road < run.line.length
     ]
 
 

@@ -33,7 +33,7 @@ from chatscene.program.encounter import encounter
 from chatscene.program.finding import Finding, failures, not_judged
 from chatscene.program.lateral import is_aside, of_lateral
 from chatscene.program.meaning import TOGETHER, in_between, left_of_ego
-from chatscene.program.measured import SLACK_LENGTH, SLACK_SPEED, Yardstick, held_at_most
+from chatscene.program.measured import SLACK, SLACK_LENGTH, SLACK_SPEED, Yardstick, held_at_most
 from chatscene.program.own import of_ego
 from chatscene.program.roads import of_road
 from chatscene.program.said import due, gently, to_side, untold, waits_for_others
@@ -153,8 +153,14 @@ class _Judge:
         if gains is None:
             return speed
         seen = watch(self.episode, self.route, self.episode.ego_track, self.contact)
-        began = [once.began for once in accelerates(seen, gains.high)]
-        return speed[: max(began[-1], 1)] if began else speed
+        has = np.flatnonzero(speed > (1.0 - SLACK) * gains.least)
+        until = int(has[0]) if has.size else len(speed)
+        began, done = None, -1
+        for once in accelerates(seen, gains.high):
+            if once.began < until and once.began != done:  # else it goes on gaining
+                began = once.began
+            done = once.done
+        return speed if began is None else speed[: max(began, 1)]
 
     def _of_passing(self) -> Iterator[Finding]:
         """Whether an ego that is to overtake gets by somebody; one that comes nearer and waits has not come to it."""

@@ -93,8 +93,8 @@ def _let_go(situation: Situation, episode: Episode, until: int | None) -> Iterat
     """A door that opens, or a load that falls, of which nobody said that it does."""
     for one in situation.others:
         for act, part in LETS_GO.items():
-            said = sum(deed.act is act for deed in one.does)
             bodies = [track for track in episode.tracks if is_of(track.actor, f"{one.id}-{part}")]
+            said = sum(deed.act is act for deed in one.does) * (one.count or len(bodies))
             for body in bodies[said:]:
                 moves = np.abs(body.speed[:until]) > STANDING
                 if moves.any():
