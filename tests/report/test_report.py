@@ -702,7 +702,7 @@ def _steps_shown(episode: Episode, monkeypatch: pytest.MonkeyPatch) -> list[int]
 
     monkeypatch.setattr(animation, "draw_frame", noting)
     animation.animate(episode, drawing(), frames=20)
-    return shown
+    return sorted(shown)
 
 
 needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium to run the page's script")

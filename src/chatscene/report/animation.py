@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import warnings
 from collections.abc import Callable, Mapping
+from itertools import chain
 from pathlib import Path
 from typing import Any, TypeVar
 from urllib.parse import quote
@@ -117,13 +118,18 @@ def animate(
     camera = Camera.on(episode, shown, widest)
     ground = draw_ground(camera, drawing)
     small = reduced(ground)
-    drawn = [draw_frame(camera, ground, episode, step, small) for step in shown]
-    if said:
-        top, bottom = above(said), below(episode, camera, ego)
-        drawn = [between(top, frame, bottom) for frame in drawn]
-    # One palette for all frames: colours do not flicker, and what does not move costs nothing.
-    palette = drawn[-1].quantize(colors=64, method=Image.Quantize.MEDIANCUT)
-    indexed = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in drawn]
+    bands = (above(said), below(episode, camera, ego)) if said else None
+
+    def drawn(step: int) -> Image.Image:
+        frame = draw_frame(camera, ground, episode, step, small)
+        return frame if bands is None else between(bands[0], frame, bands[1])
+
+    # One palette for all frames: colours do not flicker, and what does not move costs nothing. A frame in full colour
+    # is four times as large, so that there is one at a time beside the last.
+    end = drawn(shown[-1])
+    palette = end.quantize(colors=64, method=Image.Quantize.MEDIANCUT)
+    others = map(drawn, shown[:-1])
+    indexed = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in chain(others, [end])]
     duration = round(stride * episode.dt * 1000)
     sink = io.BytesIO()
     indexed[0].save(
