@@ -119,6 +119,16 @@ def test_a_situation_is_explained_in_words_before_its_facts(finished: Path) -> N
     assert json.loads(as_json.stdout)["told"] == WORDS.replace("van", "car")
 
 
+def test_a_file_of_a_situation_is_named_in_python_as_on_the_command_line(finished: Path) -> None:
+    said = chatscene.read_situation(finished / "van.yaml")
+    for name in (finished / "van.yaml", str(finished / "van.yaml")):
+        explained = chatscene.explain(name)
+        assert isinstance(explained, Stated)
+        assert explained.situation == said
+    with pytest.raises(SituationError, match=r"nothing\.yaml: No such file"):
+        chatscene.explain("nothing.yaml")
+
+
 def test_a_run_of_what_nobody_gave_a_name_is_called_by_its_first_sentences(tmp_path: Path) -> None:
     (tmp_path / "van.yaml").write_text(WRITTEN.partition("\n")[2], encoding="utf-8")
     situation = chatscene.read_situation(tmp_path / "van.yaml")

@@ -64,8 +64,8 @@ def test_who_comes_too_late_comes_sooner_and_is_told_so() -> None:
     assert after.low > before.low
     assert after.high - after.low == pytest.approx(before.high - before.low)
     assert [one for one in shifted.assumed if one not in built.assumed] == [
-        f"OPT_A_OFFSET is {after.low:g} to {after.high:g} s, not {before.low:g} to {before.high:g} s, since drives"
-        " show what was said only then"
+        f"OPT_A_OFFSET ({after.meaning}) is {after.low:.3g} to {after.high:.3g} s, not {before.low:.3g} to"
+        f" {before.high:.3g} s, since drives show what was said only then"
     ]
 
 
@@ -153,7 +153,7 @@ def test_no_more_is_driven_than_is_bounded(monkeypatch: pytest.MonkeyPatch) -> N
 def test_an_explanation_with_its_program_tells_what_was_shifted() -> None:
     explained = explain_stated(DOOR)
     (line,) = explained.shifted
-    assert line.startswith("assumed: OPT_A_OFFSET is ")
+    assert line.startswith("assumed: OPT_A_OFFSET (")
     assert line.removeprefix("assumed: ") in explained.as_dict()["assumed"]
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, overload
 from chatscene import runs
 from chatscene.api.arguments import Name, Names, again, changed, folder_for, names_of, path_of, read_by
 from chatscene.errors import SettingsError, no_such
+from chatscene.files.bounded import is_there
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.settings import EGO, EXECUTOR, SIMULATOR, RetrievalSettings, Settings, SimulationSettings
@@ -19,6 +20,8 @@ from chatscene.terms.description import Description
 from chatscene.terms.scenario import BaseScenario
 from chatscene.terms.scene import ScenicProgram, at_speed
 from chatscene.terms.situation import Situation
+
+SITUATION_SUFFIXES = (".yaml", ".yml", ".json")
 
 if TYPE_CHECKING:
     from chatscene.api.results import Run
@@ -34,7 +37,7 @@ if TYPE_CHECKING:
 
 
 def run(
-    text: str | Conflict | Situation = "",
+    text: str | Path | Conflict | Situation = "",
     folder: Name | None = None,
     *,
     report: Name | None = None,
@@ -68,7 +71,7 @@ def run(
     """Understand a sentence, search for crash scenes, keep the ones worth testing on, and write a report.
 
     Args:
-        text: The sentence, a conflict of a report (`conflicts`), or a situation.
+        text: The sentence, a conflict of a report (`conflicts`), a situation, or its file (.yaml, .json).
         folder: Run folder: new, empty, or one to continue.
         report: File of a report with one conflict, instead of the sentence; for several, see `conflicts`.
         program: File of your own Scenic program, instead of the sentence.
@@ -109,6 +112,7 @@ def run(
     """
     from chatscene import pipeline
 
+    text = _read_if_named(text)
     if sum((bool(text), report is not None, program is not None)) > 1:
         raise SettingsError("say what to run: a text, a report or a program, and only one of them")
     _check_asked(
@@ -191,6 +195,31 @@ def read_situation(file: Name) -> Situation:
     return stated(path_of(file))
 
 
+def named_in(text: str) -> Situation | None:
+    """The situation in the file that a text names; None for a sentence.
+
+    Raises:
+        SituationError: It cannot be read, or is none.
+        SettingsError: It is a file of another kind.
+    """
+    there = is_there(Path(text))
+    if text.lower().endswith(SITUATION_SUFFIXES) and (there or " " not in text):
+        return read_situation(text)
+    if there:
+        raise SettingsError(
+            f"{text!r} is a file, but not of a situation (.yaml, .json); give a report with --report, and a program "
+            "with --program"
+        )
+    return None
+
+
+def _read_if_named(text: str | Conflict | Situation | Path) -> str | Conflict | Situation:
+    """What is told, read from its file where a file is named."""
+    if isinstance(text, (Conflict, Situation)):
+        return text
+    return named_in(str(text)) or str(text)
+
+
 @overload
 def explain(text: Situation, **options: Any) -> Stated: ...
 @overload
@@ -209,9 +238,9 @@ def explain(
     set: Mapping[str, object] | None = None,
 ) -> Stated: ...
 @overload
-def explain(text: str | Conflict | Situation = "", **options: Any) -> Understood | Stated: ...
+def explain(text: str | Path | Conflict | Situation = "", **options: Any) -> Understood | Stated: ...
 def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its keywords
-    text: str | Conflict | Situation = "",
+    text: str | Path | Conflict | Situation = "",
     *,
     report: Name | None = None,
     edit: Names | None = None,
@@ -231,7 +260,7 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
     Printed, the answer reads like the command's output; in a notebook it looks like the report.
 
     Args:
-        text: The sentence, a conflict of a report (`conflicts`), or a situation.
+        text: The sentence, a conflict of a report (`conflicts`), a situation, or its file (.yaml, .json).
         report: File of a report with one conflict, instead of the sentence; for several, see `conflicts`.
         edit: Changes in words, as in `run`; the answer has a method `edit` as well.
         map: Map to build on, as in `run`; None for the first packaged map that has such a place.
@@ -247,7 +276,7 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
         EditRefused: An edit was not understood.
         NothingFits: The text is not understood well enough, cannot be built, or has no situation.
     """
-    on = None if map is None else str(map)
+    on, text = None if map is None else str(map), _read_if_named(text)
     if isinstance(text, Situation):
         from chatscene.report.stated import explain_stated, stated
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 import chatscene
+from chatscene.api.make import named_in
 from chatscene.commands.learn import say_finetuned, say_trained
 from chatscene.commands.measure import say_benchmarked, say_compared, say_evaluated
 from chatscene.commands.options import (
@@ -40,7 +41,7 @@ from chatscene.commands.output import progress, say
 from chatscene.commands.refusal import going_on, refusing
 from chatscene.commands.reports import explain_report, found_in
 from chatscene.commands.reproduce import say_reproduced
-from chatscene.commands.situations import say_understood, situation_file
+from chatscene.commands.situations import say_understood
 from chatscene.settings import SearchSettings
 from chatscene.terms.conflict import Conflict
 
@@ -119,7 +120,7 @@ def run(
     if sum(one is not None for one in (text, report, program)) != 1:
         raise click.UsageError("nothing to run: give TEXT, --report FILE or --program FILE")
     asked: list[tuple[str, str | Conflict | Situation, Path | None]] = [(text or "", text or "", None)]
-    stated = situation_file(text) if text is not None else None
+    stated = named_in(text) if text is not None else None
     if stated is not None and text is not None:
         asked = [(stated.about or Path(text).stem, stated, None)]
     if report is not None:
@@ -174,7 +175,7 @@ def explain(text: str | None, report: Path | None, show_program: bool, as_json: 
     if text is None or report is not None:
         explain_report(report or Path(), options, program=show_program, as_json=as_json)
         return
-    stated = situation_file(text)
+    stated = named_in(text)
     with refusing(text if stated is None else "", options["embedder"], as_json):
         understood = chatscene.explain(text if stated is None else stated, **options)
     if as_json:

@@ -8,6 +8,7 @@ the wheel is right to 2 m after 4 s up to 50 km/h, whatever it asks, and at any 
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import lru_cache
 
 import numpy as np
@@ -37,11 +38,19 @@ def friction_demand(episode: Episode) -> float | None:
 def beyond_tyres(episode: Episode) -> tuple[str, ...]:
     """What somebody did in a drive of bodies that answer at once for which it should not be taken for physics."""
     told: list[str] = []
-    if (friction_demand(episode) or 0.0) > GRIPPIEST:
-        told.append(f"somebody brakes, speeds up or turns harder than tyres hold, {COMPARE}")
-    if any(beyond for _, beyond in did(episode)):
-        told.append(f"somebody turns with more than {ACROSS:g} m/s² at more than 50 km/h, where tyres lag, {COMPARE}")
+    held = _friction(episode) * GRAVITY * GRIPPIEST
+    wheeled = [track.actor for track in episode.tracks if _on_wheels(track)]
+    if harder := _listed(who for who, (most, _) in zip(wheeled, did(episode), strict=True) if most > held):
+        told.append(f"{harder}: braking, speeding up or turning harder than tyres hold, {COMPARE}")
+    if sharper := _listed(who for who, (_, beyond) in zip(wheeled, did(episode), strict=True) if beyond):
+        told.append(
+            f"{sharper}: turning with more than {ACROSS:g} m/s² at more than 50 km/h, where tyres lag, {COMPARE}"
+        )
     return tuple(told)
+
+
+def _listed(who: Iterable[str]) -> str:
+    return " and ".join("the ego" if one == "ego" else one for one in who)
 
 
 def _friction(episode: Episode) -> float:

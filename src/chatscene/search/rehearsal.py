@@ -314,7 +314,8 @@ def _told(before: Iterable[ParameterRange], after: Iterable[ParameterRange]) -> 
     for was, now in zip(before, after, strict=True):
         if was != now:
             unit = "" if was.unit == "1" else f" {was.unit}"
+            name = f"{was.name} ({was.meaning})" if was.meaning else was.name
             yield (
-                f"{was.name} is {now.low:g} to {now.high:g}{unit}, not {was.low:g} to {was.high:g}{unit}, since drives"
-                " show what was said only then"
+                f"{name} is {now.low:.3g} to {now.high:.3g}{unit}, not {was.low:.3g} to {was.high:.3g}{unit}, since"
+                " drives show what was said only then"
             )
