@@ -20,7 +20,15 @@ _ENDS = " \t\n\r.,;:!?()[]{}\"'\u2018\u2019\u201c\u201d"
 
 
 def quoted_of(read: Read, written: Written) -> Mapping[str, str]:
-    """The words of each fact, by its path; among an amount's are those that it was copied from.
+    """The words of each fact, by its path; among an amount's are those that it was copied from."""
+    copied = {path_of(written.steps, at): found for at, found in written.found}
+    marked = marked_in(read, written)
+    quoted = {path: _words(read.text, words, copied.get(path)) for path, words in marked.items()}
+    return {path: words for path, words in quoted.items() if words}
+
+
+def marked_in(read: Read, written: Written) -> Mapping[str, tuple[tuple[int, int], ...]]:
+    """Where the words of each fact stand, by its path; without those of an amount that it was copied from.
 
     A word counts if it is more likely than not one of the fact's; of a fact without such a word the likeliest one does.
     A number says no fact but a number, and neither do the units behind it; what names another word of the same field,
@@ -47,9 +55,7 @@ def quoted_of(read: Read, written: Written) -> Mapping[str, str]:
         likeliest = max((float(likely[i]) for i in range(len(spans)) if i not in taken_up), default=0.0)
         marked[path] = _marked(mine, likeliest, path in copied)
     idle = frozenset(i for i, word in enumerate(spans) if says_nothing(word[2]))
-    taken = {path: [spans[i][:2] for i in _own(path, marked, idle)] for path in marked}
-    quoted = {path: _words(read.text, words, copied.get(path)) for path, words in taken.items()}
-    return {path: words for path, words in quoted.items() if words}
+    return {path: tuple(spans[i][:2] for i in _own(path, marked, idle)) for path in marked}
 
 
 def _within(spans: Sequence[_Word], amounts: Iterable[Found]) -> set[int]:

@@ -8,9 +8,10 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 
+from chatscene.read.blows import settled
 from chatscene.read.english import check_english
 from chatscene.read.learned.decoder import Decoder, Written
-from chatscene.read.learned.evidence import quoted_of
+from chatscene.read.learned.evidence import marked_in, quoted_of
 from chatscene.read.learned.sequence import situation_of, verdict_of
 from chatscene.read.learned.text import Read, prepared
 from chatscene.read.learned.weights import PACKAGED, load
@@ -125,20 +126,25 @@ def ranked_of(read: Read, written: Sequence[Written]) -> tuple[Ranked, ...]:
     is the likeliest.
     """
     told: dict[Way, float] = {}
-    for one in (_without_duty(way, read) for way in ways_of(written)):
+    for one in (_by_grammar(way, read) for way in ways_of(written)):
         same = next((way for way in told if same_in_the_main(one.situation, way.situation)), one)
         told[same] = told.get(same, 0.0) + one.probability  # each counts for one of them
     ranked = (Ranked(situation=_evident(one.situation, read, one.written), probability=p) for one, p in told.items())
     return tuple(sorted(ranked, key=lambda one: -one.probability))
 
 
-def _without_duty(way: Way, read: Read) -> Way:
-    """A way without a contact that is denied only since somebody has to avoid it: what a driver does is not told."""
+def _by_grammar(way: Way, read: Read) -> Way:
+    """A way whose contact is as the grammar of the text has it.
+
+    It has none that is denied only since somebody has to avoid it: what a driver shall do is not told.
+    """
     contact = way.situation.contact
-    if contact is None or contact.happens is not False:
+    if contact is None:
         return way
     words = quoted_of(read, way.written).get("contact.happens", "")
-    return replace(way, situation=replace(way.situation, contact=None)) if is_a_duty(words, read.text) else way
+    if contact.happens is False and is_a_duty(words, read.text):
+        return replace(way, situation=replace(way.situation, contact=None))
+    return replace(way, situation=settled(way.situation, read.text, marked_in(read, way.written)))
 
 
 def _evident(situation: Situation, read: Read, written: Written) -> Situation:

@@ -1,0 +1,49 @@
+"""Where a text names the ego: in the first person, by the field's names for it, or as the first of numbered units."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+
+Span = tuple[int, int]
+
+_FIRST_PERSON = r"(?:I|i|[Mm][ey]|[Mm]ine|[Ww]e|us|[Oo]urs?)"
+_VEHICLE = r"(?i:vehicle|car|bus|truck|van)"
+_NAMES = rf"""(?i:the\ |an?\ )?(?:
+    (?i:ego)(?:[ -]{_VEHICLE})? | (?i:host|subject|test)[ -]{_VEHICLE} | (?:AV|ADS|SV|VUT|SUT|DUT)(?:\ {_VEHICLE})?
+    | (?i:vehicle|system)\ (?i:under\ test) | (?i:autonomous|automated|self-driving)\ {_VEHICLE} )"""
+_NAMED = re.compile(rf"(?<![\w'\u2019-])(?:{_FIRST_PERSON}|{_NAMES})(?![\w-])", re.VERBOSE)
+_NUMBERED = re.compile(
+    r"(?i)(?<![\w-])(?:v|veh|vehicle|u|unit|car|d|driver|operator|party)[ .#-]{0,2}(?P<which>[1-9]|[A-C])(?![\w-])"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Naming:
+    """Which words of a text name the ego.
+
+    Attributes:
+        spans: Where each begins and ends, in the order of the text.
+        unit: What the unit is called that is taken for the ego, where units are numbered and no narrator and no name
+            of the ego is there; else empty.
+    """
+
+    spans: tuple[Span, ...]
+    unit: str = ""
+
+
+@lru_cache(maxsize=32)
+def ego_named(text: str) -> Naming:
+    """The words of a text that name the ego.
+
+    Of numbered units the first is the ego, as those had it who filled the texts that the offline reader learned from.
+    """
+    if spans := tuple(found.span() for found in _NAMED.finditer(text)):
+        return Naming(spans)
+    units = [(found["which"].upper(), found) for found in _NUMBERED.finditer(text)]
+    numbers = {which for which, _ in units}
+    first = [found for which, found in units if which in ("1", "A")]
+    if not first or len(numbers) < 2:
+        return Naming(())
+    return Naming(tuple(found.span() for found in first), first[0][0])
