@@ -156,7 +156,8 @@ def deeds() -> str:
     rows: list[tuple[str, ...]] = []
     for act in vocabulary.Act:
         amounts = "; ".join(f"`{name}`: {says}" for name, says in amounts_of(act).items())
-        also = ", ".join(f"`{name}`" for name in ("to",) * act.row.sided + ("whom",) * act.row.whom)
+        named = act.row.whom or act in vocabulary.FOR_SOMEBODY
+        also = ", ".join(f"`{name}`" for name in ("to",) * act.row.sided + ("whom",) * named)
         rows.append((f"`{act}`", act.meaning, amounts, also, ", ".join(who(act))))
     return table(("act", "meaning", "amounts", "also", "by"), rows)
 

@@ -77,7 +77,7 @@ def test_who_cuts_in_goes_on_where_it_was_said_to() -> None:
 
 def test_a_place_across_the_road_is_said_by_one_number_of_who_can_be_there() -> None:
     with pytest.raises(SituationError, match="say one of"):
-        of("car", {"where": "ahead", "lateral": {"side": "left"}})
+        of("car", {"where": "ahead", "lateral": {"side": "left", "edge": "0 m", "offset": "1 m"}})
     with pytest.raises(SituationError, match="has no lateral position"):
         of("car", {"where": "ahead"}, {"act": "brake", "lateral": {"edge": "0 m"}})
     with pytest.raises(SituationError, match="100 %"):

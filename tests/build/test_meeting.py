@@ -11,7 +11,6 @@ from test_building import simulator
 from chatscene.build.build import Built, build
 from chatscene.ego.observation import OWN, ROAD, Observation
 from chatscene.ego.traffic_driver import TrafficDriver
-from chatscene.errors import NotBuilt
 from chatscene.program.sample import draw
 from chatscene.simulate.simulator import simulate
 from chatscene.situations.form import from_plain
@@ -100,9 +99,12 @@ def test_an_animal_on_the_road_runs_over_it_which_is_told() -> None:
     assert "A crosses our lane" in somebody("animal", "ahead").assumed
 
 
-def test_nobody_on_foot_is_in_a_lane_that_it_would_have_to_drive_along() -> None:
-    with pytest.raises(NotBuilt, match="arm for a pedestrian; the nearest is exit-crossing"):
-        somebody("pedestrian", "arm", "cross", side="right")
+def test_who_is_on_foot_at_a_side_road_that_the_ego_goes_past_walks_over_its_mouth() -> None:
+    car = {"id": "B", "kind": "car", "starts": {"where": "oncoming"}, "does": [{"act": "turn-left"}]}
+    walker = {"id": "A", "kind": "pedestrian", "role": "supporting", "starts": {"where": "arm", "side": "left"}}
+    built = build(from_plain({"others": [car, walker | {"does": [{"act": "cross"}]}]}))
+    assert "A crosses the side road along ours" in built.assumed
+    assert "facing directionOn(egoRoute, levelA)" in built.program.source
 
 
 def test_the_speed_of_who_backs_onto_the_road_is_what_was_said() -> None:

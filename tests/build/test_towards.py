@@ -304,7 +304,7 @@ def test_who_goes_over_goes_where_others_come_if_there_is_no_other_lane() -> Non
 
 
 def test_somebody_on_foot_where_only_vehicles_come_from_is_refused_with_where_people_are() -> None:
-    for where in ("arm", "oncoming", "behind"):
+    for where in ("behind", "on-ramp"):
         with pytest.raises(NotBuilt, match="for a pedestrian; the nearest is"):
             build(others(car("A", where, deed("go-along"), kind="pedestrian")))
 

@@ -20,7 +20,7 @@ BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 ROWS = [json.loads(line) for line in (BENCHMARKS / "reading" / "replies.jsonl").read_text().splitlines()]
 SENT_BACK = {  # the first replies that have faults of form, with what the model is told
     "kept/142": "others.A.does.0.distance: keep-level has no distance",
-    "kept-second/91": "ego.does.0.whom: brake has no other party",
+    "kept-second/91": "ego.does.0.distance: brake has no distance",
     "kept-third/151": "ego.speed: 'about 20 mph' is not a speed",
     "kept-fourth/77": "ego.speed: 'about 110 km/h' is not a speed",
 }

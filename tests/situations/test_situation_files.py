@@ -120,7 +120,7 @@ def test_every_fault_of_a_file_is_told_with_its_line_and_with_what_was_meant() -
             "act: cut-in",
             "cut-in has no acceleration, but speed (how fast it does that), distance (the gap",
         ),
-        ("act: brake", "act: brake, whom: B", "brake has no other party"),
+        ("act: go-straight,", "act: go-straight, whom: B,", "go-straight has no other party"),
         ("kind: bicycle", "kind: pedestrian", "pedestrian walks, and cannot go-straight"),
         ("[{act: stand}, {act: set-off}]", "[{act: cross}]", "the ego cannot cross"),
         ("kind: four-way", "kind: road", "it cannot turn at a junction where the road is a road"),
@@ -181,7 +181,7 @@ def test_what_is_no_situation_is_refused_in_words(text: str, told: str) -> None:
         ("after: ego.set-off", "after: ego.sets-off", "but ego.stand, ego.set-off, A.go-straight"),
         ("striker: ego", "striker: ego, whom: a", "but A, B; did you mean A?"),
         ("3 m/s²", "3 km/h", "is not a unit of an acceleration"),
-        ("act: brake", "act: brake, whom: B", "leave this out; cut-in, overtake"),
+        ("act: go-straight,", "act: go-straight, whom: B,", "leave this out; stand, go-along"),
         ("act: brake", "act: brake, to: left", "leave this out; cross, cut-in"),
     ],
 )

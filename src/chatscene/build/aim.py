@@ -45,6 +45,8 @@ _CORNER = 0.3  # of half its length ahead of its middle: from there on it is a c
 _END = 0.8  # of half its length: from there on it is its end that is met, as good as that can be of who crosses
 _ENDS = frozenset(("front", "rear"))
 _FAR = 40.0  # [m] of the way over the road
+_COMES_THROUGH = acts_of(Heads.THROUGH, Heads.TURNS)
+LATEST_MET = 10.0  # [s] that somebody needs to where it meets the ego, if only a least was said
 Window = tuple[float, float]
 
 
@@ -80,6 +82,18 @@ def set_offset(actor: Actor) -> None:
     if actor.one.role is Role.SUPPORTING and actor.stand.rolls and (most := _from_outside(actor)) is not None:
         late, early = min(late, most), min(early, most)
     actor.numbers.narrow("OFFSET", late, early)
+
+
+def set_time_to_meet(actor: Actor) -> None:
+    """Let somebody still need as long as was said to where it meets the ego, when that is at the junction."""
+    at_line = max(actor.found.route.eventAt - 0.5 * actor.ego_limits.length, 0.0)
+    for k, deed in enumerate(actor.deeds):
+        if deed.time is None or deed.act not in _COMES_THROUGH or actor.stand.meets is not Meets.THROUGH:
+            continue
+        own = actor.ego.time_at(actor.meets_at) - actor.ego.time_at(at_line)
+        low, high = deed.time.drawn(0.0, LATEST_MET)
+        path, meaning = f"{actor.path}.does.{k}.time", "how much sooner than the ego it is where their ways meet"
+        actor.numbers.measure("OFFSET", own - high, own - low, "s", meaning, path)
 
 
 def _from_outside(actor: Actor) -> float | None:

@@ -11,8 +11,8 @@ from chatscene.build.contact import touches
 from chatscene.build.naming import name_of
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.relations import grip_of
-from chatscene.terms.situation import Other
-from chatscene.terms.vocabulary import LOSES, Act, Facing, Part, Side, Striker, Where
+from chatscene.terms.situation import EGO, Other
+from chatscene.terms.vocabulary import LOSES, SIDEWAYS, Act, Facing, Part, Side, Striker, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -35,7 +35,22 @@ def avoids(actor: Actor, k: int) -> Other | None:
     if not swerves or actor.stand.meets is not Meets.ALONG:
         return None
     others = (one for one in actor.ledger.situation.others if one.id != here.id and one.starts.where is Where.AHEAD)
-    return next((one for one in others if stops_ahead(one) or stands_first(one)), None)
+    there = [one for one in others if stops_ahead(one) or stands_first(one)]
+    return next((one for one in there if one.id == actor.deeds[k].whom), next(iter(there), None))
+
+
+def goes_round(actor: Actor, k: int) -> str:
+    """When somebody is so near to whom it goes round by its k-th deed that it must; empty of who goes round nobody."""
+    deed = actor.deeds[k]
+    if (before := avoids(actor, k)) is not None:
+        actor.ledger.take(*(f"{actor.path}.does.{k}.when.{name}" for name in ("after", "during")))
+        return must_avoid(actor, before)
+    named = deed.whom not in (None, EGO, actor.one.id) and deed.when is None
+    if not named or deed.act not in SIDEWAYS or deed.act.row.whom:
+        return ""
+    one = actor.ledger.situation[str(deed.whom)]
+    room = 0.5 * (actor.limits.length + _across(one)) + NEAR
+    return f"gap(self, {name_of(one.id)}) < self.pose[3] * {seconds_aside(actor, one):.3g} + {room:.3g}"
 
 
 def must_avoid(actor: Actor, one: Other) -> str:

@@ -26,6 +26,7 @@ from chatscene.build.place import Found, along_the_road, wrong_way
 from chatscene.build.possible import OFF_ROAD, impossible
 from chatscene.build.rails import over_rails
 from chatscene.build.relations import check_kept_up, check_passed_by_ego
+from chatscene.build.restated import restated
 from chatscene.build.roadside import beside_road
 from chatscene.build.screening import from_its_lane
 from chatscene.build.standing_before import in_queue
@@ -117,24 +118,28 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
     if not situation.adversaries:
         raise NotBuilt(NOBODY)
     cannot: dict[str, str] = {}
-    for one in impossible(situation):
+    made = restated(situation)
+    for one in impossible(made.situation):
         cannot.setdefault(dotted(one.path), one.said)  # the first reason of each fact
     if cannot:
         raise NotBuilt("impossible: " + "; ".join(f"{path}: {why}" for path, why in cannot.items()))
-    situation = replace(situation, others=tuple(along_the_road(wrong_way(one)) for one in situation.others))
-    said, situation = situation, at_a_corner(in_queue(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation))))))
+    said = situation
+    situation = replace(made.situation, others=tuple(along_the_road(wrong_way(one)) for one in made.situation.others))
+    situation = at_a_corner(in_queue(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation))))))
     check_met(situation)
     every, refused = speeds_to_try(situation), list[NotBuilt]()
     speeds = tuple(speed for speed in every if speed <= at_most) or every[-1:]
     for speed in speeds:
         try:
-            made = _built(Ledger(situation, told=said, slow=at_most < every[0]), speed, name)
+            slow = at_most < every[0]
+            said_so = Ledger(situation, told=said, slow=slow, built=set(made.taken), assumed=list(made.assumed))
+            program = _built(said_so, speed, name)
         except NotBuilt as error:  # at a speed that was not said; a slower ego may do
             refused.append(error)
             if isinstance(error, NothingBuilds | NoSuchRoad):
                 break  # which no speed changes
         else:
-            return made
+            return program
     if isinstance(refused[0], NoSuchPlace) and (helps := without_one_fact(situation, speeds[0])):
         raise NotBuilt(f"{refused[0]}; {helps}") from refused[0]
     if isinstance(refused[0], NoSuchPlace) and (helps := nearer(situation, speeds[0])):
@@ -149,13 +154,13 @@ def _built(said: Ledger, usual: float, name: str) -> Built:
         NotBuilt: A fact of it cannot be built, or no map has such a place.
     """
     situation = as_kept(said.situation, min(usual, wanted_by(said.situation)))
-    read = replace(said, situation=situation, built=set[str](), assumed=list[str]())
+    read = replace(said, situation=situation, built=set(said.built), assumed=list(said.assumed))
     take_kept(read)
     found = find(read, usual)
     ledger, ego, everybody, body = _cast(read, found, usual)
     road = max(one.takes for one, _ in everybody)
     if road > found.route.line.length and not backs(situation):  # what is done goes on for longer
-        read = replace(said, situation=situation, built=set[str](), assumed=list[str]())
+        read = replace(said, situation=situation, built=set(said.built), assumed=list(said.assumed))
         take_kept(read)
         found = find(read, usual, road)
         ledger, ego, everybody, body = _cast(read, found, usual)

@@ -14,7 +14,9 @@ from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import FIRM, MOST
 from chatscene.build.own import FIRST, KEEPS, Drives, fastest, is_own, own_orders
 from chatscene.build.own_speeds import at_own_speeds
-from chatscene.build.place import GOES_OVER, Found, at_junction
+from chatscene.build.place import GOES_OVER, NEXT_LANE, Found, at_junction
+from chatscene.build.relations import PASSES, speed_of
+from chatscene.build.restated import is_way
 from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.maps.routes import TO_LINE
 from chatscene.situations.phrases import one_of
@@ -27,7 +29,7 @@ from chatscene.terms.route import Beside
 from chatscene.terms.routing import BEGINS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.scene import CAR
-from chatscene.terms.situation import EGO, Deed
+from chatscene.terms.situation import EGO, Deed, Situation
 from chatscene.terms.vocabulary import (
     CHANGES,
     GOES_ON,
@@ -213,8 +215,8 @@ def _orders(
     for k, deed in enumerate(deeds):
         at = f"ego.does.{k}"
         yield from _waits_first(ledger, deeds, k, stop)
-        if deed.act is Act.LANE_CHANGE and ledger.situation.ego.route in CHANGES:  # which is its way
-            ledger.take(f"{at}.act", f"{at}.manner", *_to_its_side(ledger, deed, at))
+        if along := tuple(_along_its_way(ledger, deed, at, speed)):
+            ledger.take(*along)
             continue
         if is_own(deed):
             if row := _own_from(deeds, k):
@@ -225,10 +227,8 @@ def _orders(
         if deed.breaks is not None:
             yield from _breaks(ledger, deed, at, stop, speed)
         if (answers := ledger.situation.answered(deed)) is not None:  # it does so by itself, as it has to
-            name, reference = answers
-            does = f"the {ledger.situation.deed(reference).act} of {reference.partition('.')[0]}"
-            ledger.take(f"{at}.when.{name}", f"{at}.manner")
-            ledger.assume(f"the ego's {deed.act} {name} {does} is left to its driver")
+            ledger.take(f"{at}.whom", *(f"{at}.when.{name}" for name in ("after", "during")), f"{at}.manner")
+            ledger.assume(f"the ego's {deed.act} {_for_which(ledger.situation, *answers)} is left to its driver")
             continue
         there = begins * speed if begins else stop  # where it is to be slow, or to stand
         if k in stops and len(stops) > 1:  # one after the other
@@ -269,6 +269,42 @@ def _to_its_side(ledger: Ledger, deed: Deed, at: str) -> Iterator[str]:
     """The path of the side to which the ego changes lanes, if its way does."""
     route = ledger.situation.ego.route
     if route is not None and deed.to is GOES_OVER[route]:
+        yield f"{at}.to"
+
+
+def _for_which(situation: Situation, name: str, reference: str) -> str:
+    """What the ego answers by a deed of its own, in words."""
+    if name == "whom":
+        return f"for {reference}"
+    return f"{name} the {situation.deed(reference).act} of {reference.partition('.')[0]}"
+
+
+def _along_its_way(ledger: Ledger, deed: Deed, at: str, speed: float) -> Iterator[str]:
+    """The paths of a deed that is what the ego does by going its way; nothing of others."""
+    if deed.act is Act.LANE_CHANGE and ledger.situation.ego.route in CHANGES:
+        yield from (f"{at}.act", f"{at}.manner", *_to_its_side(ledger, deed, at))
+    elif deed.act is Act.OVERTAKE:
+        yield from _goes_past(ledger, deed, at, speed)
+
+
+def _goes_past(ledger: Ledger, deed: Deed, at: str, speed: float) -> Iterator[str]:
+    """The paths of an overtaking by the ego: its way swings out for it, or it is faster than who is beside it.
+
+    Raises:
+        NotBuilt: Its way leads elsewhere, or it is no faster.
+    """
+    situation = ledger.situation
+    if not is_way(situation.ego, deed):
+        beside = (one for one in situation.others if one.starts.where in NEXT_LANE and deed.whom in (None, one.id))
+        passed = next(beside, None)
+        if passed is None:
+            raise NothingBuilds(
+                f"cannot be built yet: {at}.act: {Act.OVERTAKE}, with ego.route: {situation.ego.route}; say one of them"
+            )
+        if speed_of(situation, passed.id, speed) > speed - PASSES:
+            raise NotBuilt(f"{at}.act: {Act.OVERTAKE}: {passed.id} is as fast as the ego; say a slower {passed.id}")
+    yield from (f"{at}.{name}" for name in ("act", "whom", "manner"))
+    if deed.to is not Side.RIGHT:
         yield f"{at}.to"
 
 

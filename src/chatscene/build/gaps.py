@@ -42,8 +42,8 @@ BACKS = 1.5  # [m/s] that somebody backs up at, of whom only the way was said
 
 
 def gap_is_said(deed: Deed) -> bool:
-    """Whether the room was said that somebody leaves who cuts in."""
-    return deed.act is Act.CUT_IN and (deed.distance is not None or deed.time is not None)
+    """Whether the room was said that somebody leaves who cuts in, or merges."""
+    return deed.act in acts_of(Heads.BEFORE, Heads.MERGES) and (deed.distance is not None or deed.time is not None)
 
 
 def falls_back(actor: Actor, k: int) -> bool:

@@ -91,7 +91,7 @@ def _answers(by: Actor, name: str) -> Iterator[int]:
     if by.one.starts.speed is None and by.one.starts.where is Where.AHEAD and _goes_along(by):
         for k, deed in enumerate(by.deeds):
             answer = by.ledger.situation.answered(deed)
-            if answer is not None and answer[1].startswith(f"{name}."):
+            if answer is not None and answer[1].partition(".")[0] == name:
                 yield k
 
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 _MOVED = re.compile(r"\.offset\([-\d.]+\)$")
 _ON_FOOT = "pointOn(egoRoute, level{i})"
+SIDEWAYS = 0.4  # [m] from the middle of its lane at least, who is said to be to one side of it
 _LEAST, _MOST = {"overlap": 0.05, "clearance": 0.2}, {"overlap": 0.95, "clearance": 2.0}
 """Where a bound of a number is left open: from and to; of a length within the lane, from 0 to its edge."""
 _FARTHEST = 10.0  # [m] beside the lanes that somebody is, where only a least was said
@@ -128,8 +129,10 @@ def in_lane(lateral: Lateral, side: Side, limits: Limits, own: float, ego: float
         ego: How far to the left of that middle the ego's line is [m].
     """
     sign = 1.0 if side is Side.LEFT else -1.0
-    name, said = next((name, one) for name in LATERALS if (one := getattr(lateral, name)) is not None)
-    assert isinstance(said, Amount)
+    name, said = next(((name, one) for name in LATERALS if (one := getattr(lateral, name)) is not None), ("", None))
+    if not isinstance(said, Amount):  # only to a side, and still in its lane
+        ends = SIDEWAYS, max(SIDEWAYS, 0.5 * (LANE - limits.width))
+        return min(sign * end for end in ends), max(sign * end for end in ends)
     ends = said.drawn(_LEAST.get(name, 0.0), _MOST.get(name, 0.5 * LANE))
     if name in ("overlap", "clearance"):
         far = [ego + sign * aside_of_ego(name, end, own, limits.width) for end in ends]

@@ -172,7 +172,8 @@ def _over_the_edge(phases: Phases, deed: Deed) -> bool:
 
 def _at_a_rate(phases: Phases, k: int, steps: Steps) -> bool:
     """Whether it was said how hard, or in which time, speed is gained by a deed."""
-    timed = phases.actor.deeds[k].time is not None and steps.binds.get("time") == "THROTTLE"
+    deed = phases.actor.deeds[k]
+    timed = (deed.time or deed.distance) is not None and steps.binds.get("time") == "THROTTLE"
     return timed or rate_of(phases.actor, k) is not None
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from chatscene.build.alongside import goes_on_beside, until_it_comes
 from chatscene.build.arriving import back_by_deeds
-from chatscene.build.aside import avoids, must_avoid
+from chatscene.build.aside import goes_round
 from chatscene.build.asked import Meets, stands_first, stops_ahead
 from chatscene.build.chain import in_terms_of
 from chatscene.build.contact import touches
@@ -56,9 +56,8 @@ class Opening(UnderWay):
         waits = self._waits()
         if actor.stand.rolls:
             self._come_from_afar()
-        if (before := avoids(actor, self.first)) is not None:
-            yield f"{waits} until {must_avoid(actor, before)}"
-            actor.ledger.take(*(f"{actor.path}.does.{self.first}.when.{name}" for name in ("after", "during")))
+        if near := goes_round(actor, self.first):
+            yield f"{waits} until {near}"
             return
         if when is not None:
             yield from when_of(actor, self.first, when, waits)

@@ -107,7 +107,7 @@ def own_orders(
     begins, speed = _begins(ledger, deeds, first, drives), drives.speed
     for k, deed in enumerate(deeds, start=first):
         at = f"ego.does.{k}"
-        ledger.take(f"{at}.act", f"{at}.to", *((f"{at}.manner",) if deed.manner is Manner.SUDDEN else ()))
+        ledger.take(f"{at}.act", f"{at}.to", f"{at}.whom", *((f"{at}.manner",) if deed.manner is Manner.SUDDEN else ()))
         if deed.when is not None and (k > first or drives.since):  # its own deeds come one after the other
             waits = {name: getattr(deed.when, name) or "" for name in ("after", "during")}
             ledger.take(*(f"{at}.when.{name}" for name, said in waits.items() if said.startswith(f"{EGO}.")))
@@ -249,7 +249,7 @@ def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, drives: Drives) -
             delay = when.delay.near(0.0)
         return Near(whom=reference, after=name == "after", since=round(delay, 2))
     named = (when.after or when.during or "").partition(".")[0]
-    who = when.of or (named if named not in ("", EGO) else None)
+    who = when.of or (named if named not in ("", EGO) else deeds[0].whom)
     others = [one for one in situation.others if one.starts.where not in NOT_AHEAD]
     whom = next((one for one in others if one.id == who), None) if who else next(iter(_in_the_way(others)), None)
     if whom is None or (deeds[0].act is Act.ACCELERATE and when.ego_within is None and not named):

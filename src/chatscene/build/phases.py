@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from chatscene.build.aim import STOOD, set_offset
-from chatscene.build.aside import avoids, comes_aside, goes_by, grazes, line_aside, must_avoid, sign_of_side
+from chatscene.build.aim import STOOD, set_offset, set_time_to_meet
+from chatscene.build.aside import comes_aside, goes_by, goes_round, grazes, line_aside, sign_of_side
 from chatscene.build.asked import Meets, stands_first, stays_after_turning, stops_in_the_way, stops_on_its_way
 from chatscene.build.choosing import is_in_ours, steps_of
 from chatscene.build.contact import misses, parts_of_door, touches
@@ -114,6 +114,7 @@ class Phases:
                 set_passing_speed(actor, k)
         if actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) or actor.stand.rolls:
             set_offset(actor)
+            set_time_to_meet(actor)
         if deeds and deeds[-1].act is Act.OPEN_DOOR and actor.stand.meets is Meets.KERB:
             self._set_door()
         return tuple(self._all())
@@ -243,9 +244,8 @@ class Phases:
         for k in range(first, len(actor.deeds)):
             steps, deed = self.steps[k], actor.deeds[k]
             body: list[str] = []
-            if k > first and (before := avoids(actor, k)) is not None:
-                body.append(f"{self._at(k, meanwhile)} until {must_avoid(actor, before)}")
-                actor.ledger.take(*(f"{actor.path}.does.{k}.when.{name}" for name in ("after", "during")))
+            if k > first and (near := goes_round(actor, k)):
+                body.append(f"{self._at(k, meanwhile)} until {near}")
             elif k > first and deed.when is not None:
                 changes = steps.pace in (Pace.GAINS, Pace.LOSES)
                 body += when_of(actor, k, deed.when, self._at(k, meanwhile, before=changes))

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from chatscene.build.asked import Meets
 from chatscene.build.deeds import BRAKES_TO, GO, OWN, Steps
 from chatscene.errors import NotBuilt
 from chatscene.situations.phrases import one_of
@@ -29,6 +30,7 @@ LEAST_GAINED = 1.5  # [m/s] over which a pedal is measured
 _STEP, _MOST = 0.1, 60.0  # [s] in which a pedal is followed, and for how long
 _LOSES = acts_of(Tempo.BRAKES, Tempo.SLOWS)
 _OFF = acts_of(Tempo.SETS_OFF, Heads.FROM_EDGE)
+_THROUGH = acts_of(Heads.THROUGH, Heads.TURNS)
 _FLOORS = "ThrottleOnPath({p}, $THROTTLE, 0, $SPEED) until self.pose[3] > {held} * $SPEED"
 AT_A_RATE: dict[Act, Steps] = {
     Act.SET_OFF: Steps(
@@ -37,8 +39,17 @@ AT_A_RATE: dict[Act, Steps] = {
     Act.PULL_OUT: Steps(
         does=(_FLOORS.replace("{p}", OWN),), way=OWN, binds={"speed": "SPEED", "acceleration": "THROTTLE"}
     ),
+    **dict.fromkeys(
+        _THROUGH,
+        Steps(
+            does=("ThrottleOnPath({p}, $THROTTLE, 0, $SPEED) for $GO_TIME seconds",),
+            last=(_FLOORS, GO),
+            binds={"speed": "SPEED", "acceleration": "THROTTLE"},
+            lasting=True,
+        ),
+    ),
 }
-"""Of somebody who sets off as hard as was said."""
+"""Of somebody who sets off as hard as was said; through a junction, from a stand before that."""
 
 
 def at_a_rate(actor: Actor, k: int, steps: Steps, *, across: bool) -> Steps:
@@ -48,13 +59,14 @@ def at_a_rate(actor: Actor, k: int, steps: Steps, *, across: bool) -> Steps:
         if deed.act in _LOSES and deed.time is not None:  # in which nobody on foot slows down
             return replace(steps, binds={one: name for one, name in steps.binds.items() if one != "time"})
         return steps
-    if deed.act in _OFF and rate_of(actor, k) is not None and not actor.walks:
+    through = deed.act in _THROUGH and actor.stand.meets is Meets.THROUGH
+    if (deed.act in _OFF or through) and rate_of(actor, k) is not None and not actor.walks:
         return AT_A_RATE[deed.act]
     if deed.act is Act.SLOW_DOWN and (deed.acceleration is not None or deed.time is not None):
         return BRAKES_TO
-    if deed.act is Act.ACCELERATE and (deed.time is not None or deed.acceleration is not None):
+    if deed.act is Act.ACCELERATE and any(one is not None for one in (deed.time, deed.acceleration, deed.distance)):
         gains = f"{steps.last[0]} until self.pose[3] > {NEARLY_ALL:g} * $FAST"
-        return replace(steps, does=(gains,), binds={**steps.binds, "time": "THROTTLE"})
+        return replace(steps, does=(gains,), binds={**steps.binds, "time": "THROTTLE", "distance": "THROTTLE"})
     return steps
 
 
@@ -108,12 +120,16 @@ def throttles_by(actor: Actor, k: int, body: Body, before: Speed, after: Speed, 
         NotBuilt: It cannot.
     """
     deed = actor.deeds[k]
-    was = 0.0 if deed.act in _OFF else 0.5 * (before.low + before.high)
+    off = deed.act in _OFF | _THROUGH
+    was = 0.0 if off else 0.5 * (before.low + before.high)
     _settle(actor, before, after)
-    then = max((held if deed.act in _OFF else 1.0) * 0.5 * (after.low + after.high), was + LEAST_GAINED)
+    then = max((held if off else 1.0) * 0.5 * (after.low + after.high), was + LEAST_GAINED)
     usual = [max(_mean(body, was, then, pedal), SLOWEST) for pedal in actor.numbers.range_of("THROTTLE")[:2]]
     if deed.time is not None and deed.acceleration is None:
         rates, path = _rates(deed.time, GETS * (then - was), usual), f"{actor.path}.does.{k}.time"
+    elif deed.distance is not None and deed.acceleration is None:
+        rates = _rates(deed.distance, 0.5 * (then * then - was * was), usual)
+        path = f"{actor.path}.does.{k}.distance"
     else:
         said = rate_of(actor, k)
         assert said is not None
@@ -125,7 +141,7 @@ def throttles_by(actor: Actor, k: int, body: Body, before: Speed, after: Speed, 
     pedals = [_pedal(body, was, then, rate) for rate in rates]
     if pedals[0] > 1.0:
         most = _mean(body, was, then, 1.0)
-        said_so = deed.time if deed.time is not None and deed.acceleration is None else f"{rates[0]:.3g} m/s²"
+        said_so = f"{rates[0]:.3g} m/s²" if deed.acceleration is not None else deed.time or deed.distance
         raise NotBuilt(
             f"{path}: {said_so} is more than {one_of(actor.one.kind)} can do from {3.6 * was:.0f} to {3.6 * then:.0f} "
             f"km/h: {most:.2g} m/s² at most"

@@ -21,7 +21,7 @@ _EGO = re.compile(r"\bego\b")
 
 def done_to(deed: Deed) -> str:
     """The id of whom a deed is done to, who is the ego unless another is named."""
-    return deed.whom or EGO
+    return deed.done_to
 
 
 def to_whom(text: str, deed: Deed) -> str:

@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 LONGEST_DELAY = 5.0  # [s], where it was only said how long at least
 TURNS_OUT = 1.2  # [s] in which somebody at speed is clear of what stands in the lane that it leaves
 UNDER_WAY, STILL = 0.3, 0.1  # [m/s]
+OVER_OURS, BEFORE_IT = 2.4, 2.0  # [m] from the ego's line, and before the junction, who has gone through that
 SEEN_BEFORE = 1.5  # [s] for which somebody is seen before the ego is as near as was said
 CLOSES_IN = 0.9  # of the ego's speed: on who is slower the ego closes in
 
@@ -237,7 +238,8 @@ def _seen(actor: Actor, k: int, name: str, reference: str) -> tuple[str, ...]:
     if name == "during" and deed.act.row.lasting and deed is does[0] and deed.act is not Act.TAILGATE:
         return ()  # what it does from the beginning
     number, done = situation.number_of(reference), name == "after"
-    signs = _of_ego(actor, deed, done=done) if who == EGO else _in_turn(actor, who, number, done=done)
+    gone = gone_through(situation[who], deed.act) if done and who != EGO else ()
+    signs = gone or (_of_ego(actor, deed, done=done) if who == EGO else _in_turn(actor, who, number, done=done))
     if signs is None:
         raise NothingBuilds(
             f"cannot be built yet: {at}: {reference}: it cannot be seen when {deed.act} happens; "
@@ -258,6 +260,10 @@ def _of_ego(actor: Actor, deed: Deed, *, done: bool) -> tuple[str, ...] | None:
         changes = deed.act is Act.LANE_CHANGE and actor.ledger.situation.ego.route in CHANGES
         line, over = (OWN, 2) if changes else ("egoRoute", 1)
         sign = Sign(f"abs(offsetFrom({line}, ego)) > 0.5", f"abs(offsetFrom({line}, ego)) > {over}")
+    elif deed.act is Act.OVERTAKE and (passed := _passed_by_ego(actor.ledger.situation, deed)) is not None:
+        name = name_of(passed.id)
+        by = f"headway(egoRoute, {name}, ego) > {_NEAR.format(who=name)}"
+        return (by if done else f"abs(offsetFrom({OWN}, ego)) > 0.5",)
     elif sign is None or sign.aside:
         return None
     wants = actor.ego_speed
@@ -265,6 +271,27 @@ def _of_ego(actor: Actor, deed: Deed, *, done: bool) -> tuple[str, ...] | None:
         who=EGO, whom=name_of(deed.whom or EGO), usual=f"{wants:.3g}", k=0
     )
     return (f"{text} and progressOn(egoRoute, ego)[0] > 1" if deed.act in HALTS else text,)
+
+
+def gone_through(one: Other, act: Act) -> tuple[str, ...]:
+    """What shows, one after the other, that somebody has gone straight on through the junction; nothing of others."""
+    if act not in acts_of(Heads.THROUGH):
+        return ()
+    name, where = name_of(one.id), one.starts.where
+    if where is Where.ARM:
+        aside = f"abs(offsetFrom(egoRoute, {name}))"
+        return f"{aside} < {OVER_OURS:g}", f"{aside} > {OVER_OURS:g}"
+    if where in AGAINST:
+        return (f"progressOn(egoRoute, {name})[0] < egoRoute.eventAt - {BEFORE_IT:g}",)
+    if where in _UNDER_WAY_FIRST:
+        return (f"progressOn(egoRoute, {name})[0] > egoRoute.exitAt",)
+    return ()
+
+
+def _passed_by_ego(situation: Situation, deed: Deed) -> Other | None:
+    """Whom the ego overtakes, along whose lane it goes before that."""
+    ahead = (one for one in situation.others if one.starts.where is Where.AHEAD and deed.whom in (None, one.id))
+    return next(ahead, None)
 
 
 def _in_turn(actor: Actor, who: str, n: int, *, done: bool) -> tuple[str, ...] | None:

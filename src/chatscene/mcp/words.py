@@ -101,13 +101,14 @@ def _words(about: str) -> Iterator[str]:
 
 def _act(word: str) -> Iterator[str]:
     from chatscene.build.possible import FROM
-    from chatscene.terms.vocabulary import UserKind, Where
+    from chatscene.terms.vocabulary import FOR_SOMEBODY, UserKind, Where
 
     act = Act(word)
     yield f"  by: {', '.join(kind for kind in UserKind if kind.can(act))}{', ego' * act.row.ego}"
     begins = FROM.get(act)
     yield f"  begins from (starts.where): {', '.join(one for one in Where if one in begins) if begins else 'anywhere'}"
-    fields = [*sorted(act.row.takes), *["to"] * act.row.sided, *["whom"] * act.row.whom, *["lateral"] * act.row.placed]
+    whom = ["whom"] * (act.row.whom or act in FOR_SOMEBODY)
+    fields = [*sorted(act.row.takes), *["to"] * act.row.sided, *whom, *["lateral"] * act.row.placed]
     yield f"  may have: {', '.join([*fields, 'when', 'manner', 'breaks'])}"
 
 

@@ -61,6 +61,7 @@ from chatscene.terms.vocabulary import (
     EgoRoute,
     Heads,
     Manner,
+    Role,
     Side,
     Where,
     acts_of,
@@ -358,7 +359,7 @@ class _Judge:
     def _anew(self, one: Other, deed: Deed, seen: Seen, free: float) -> Iterator[Act]:
         """The times that a movement is seen of somebody who has done with another: from the line that it is on then."""
         first = math.ceil(free)
-        if not 0 < first < len(seen.track.x) - 1 or deed.act in LETS_GO or deed.whom not in (None, EGO):
+        if not 0 < first < len(seen.track.x) - 1 or deed.act in LETS_GO or deed.done_to != EGO:
             return
         later = seen.since(first)
         for once in self._watcher(one, deed)(later):
@@ -368,8 +369,10 @@ class _Judge:
     def _watcher(self, one: Other, deed: Deed) -> Callable[[Seen], Iterable[Act]]:
         """What sees a deed, as it was said and on such a road."""
         act = deed.act
-        if act is Said.GO_STRAIGHT and one.starts.where is Where.IN_ROUNDABOUT:
-            return ACTS[Said.GO_ALONG]  # who goes on there turns with it
+        in_ring = act is Said.GO_STRAIGHT and one.starts.where is Where.IN_ROUNDABOUT  # it turns with that
+        over_arm = act is Said.CROSS and one.starts.where is Where.ARM and one.role is Role.SUPPORTING  # and not ours
+        if in_ring or over_arm:
+            return ACTS[Said.GO_ALONG]
         if act is Said.BRAKE and gently(deed):
             return ACTS[Said.SLOW_DOWN]
         if act is Said.ACCELERATE and deed.speed is not None and not deed.speed.than_ego:
@@ -418,7 +421,7 @@ class _Judge:
 
     def _toward(self, deed: Deed, seen: Seen) -> Seen:
         """Somebody as who is done something to sees it, if that is another than the ego."""
-        if deed.whom in (None, EGO) or not (tracks := self._tracks(deed.whom or EGO)):
+        if deed.done_to == EGO or not (tracks := self._tracks(deed.done_to)):
             return seen
         return watch(self.episode, self.route, seen.track, self.contact, of=tracks[0])
 

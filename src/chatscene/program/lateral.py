@@ -35,7 +35,13 @@ def of_lateral(
     said: Lateral, one: Other, path: str, seen: Seen, deed: Deed | None = None, once: Act | None = None
 ) -> Iterator[Finding]:
     """Whether somebody starts, or goes on after a deed, where it was said to be across the road."""
-    name, amount = next((name, said_so) for name in LATERALS if (said_so := getattr(said, name)) is not None)
+    told = ((name, said_so) for name in LATERALS if (said_so := getattr(said, name)) is not None)
+    name, amount = next(told, ("", None))
+    if amount is None:
+        left = (seen.offset[:1] if once is None else _kept(seen, once)) - _lane(one, deed)
+        right = bool((left > 0.0 if said.side is Side.LEFT else left < 0.0).any())
+        yield Finding(path=f"{path}.side", shown=right, told=f"said {said.side}, it is {left[-1]:.1f} m left")
+        return
     if name == "beyond":
         yield _finding(f"{path}.{name}", amount, _beside_lanes(float(seen.offset[0])), share=False)
         return

@@ -30,7 +30,8 @@ LEVEL = 2.0  # [s] about its highest speed, after which somebody is seen to gain
 OVER = 5  # [steps] over which somebody is seen to gain speed
 
 
-GAINING = acts_of(Tempo.GAINS, Tempo.SETS_OFF, Heads.FROM_EDGE)
+GAINING = acts_of(Tempo.GAINS, Tempo.SETS_OFF, Heads.FROM_EDGE, Heads.THROUGH, Heads.TURNS)
+_GAPS = acts_of(Heads.BEFORE, Heads.MERGES)
 """By what speed is gained."""
 
 
@@ -115,7 +116,7 @@ class Yardstick:
             over = aside - 0.5 * (LANE - seen.track.width)  # of the edge of its lane, if it comes to the ego's
             both = np.concatenate((aside, over)) if abs(seen.offset[once.began]) > HALF_LANE else aside
             return self.number(f"{path}.distance", deed.distance, both, SLACK_ASIDE, "leaves its line by")
-        if deed.act is Said.CUT_IN and once.done is not None and deed.whom in (None, EGO):
+        if deed.act in _GAPS and once.done is not None and deed.done_to == EGO:
             room = room_left(seen, replace(once, done=over_the_line(seen, once)), once.done)
             if deed.distance is not None:
                 return self.number(f"{path}.distance", deed.distance, room, SLACK_LENGTH, "leaves")

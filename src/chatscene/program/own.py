@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from chatscene.program.contacts import is_of
 from chatscene.program.deeds import MOVING, STANDING
 from chatscene.program.doing import DRIFTED, ON_LINE, accelerates
 from chatscene.program.finding import Finding, not_judged
@@ -43,6 +44,8 @@ def of_ego(situation: Situation, episode: Episode, route: Route, contact: int | 
         path = f"ego.does.{k}"
         if deed.act is Act.LANE_CHANGE and situation.ego.route in CHANGES:
             yield not_judged(f"{path}.act")  # which its way is, and is judged as that
+        elif deed.act is Act.OVERTAKE:
+            yield from _passes(path, deed, situation, episode, route, contact)
         elif deed.act in _ASIDE:
             yield from _aside(path, deed, episode, route, contact)
         else:
@@ -93,6 +96,20 @@ def _pedals(
         yield Finding(path=path, shown=shown, told=f"said accelerate, {course}")
     else:
         yield not_judged(path)
+
+
+def _passes(
+    path: str, deed: Deed, situation: Situation, episode: Episode, route: Route, contact: int | None
+) -> Iterator[Finding]:
+    """Whether the ego gets by whom it overtakes: first behind that one, and then before it."""
+    names = {one.id for one in situation.others if deed.whom in (None, one.id)}
+    shown = False
+    for track in episode.tracks[1:]:
+        if any(is_of(track.actor, name) for name in names):
+            lead = watch(episode, route, track, contact).lead
+            shown |= bool((lead > 0.0).any() and lead[int(np.argmax(lead > 0.0)) :].min() < 0.0)
+    told = f"said {deed.act}, it {'gets' if shown else 'does not get'} by"
+    yield Finding(path=f"{path}.act", shown=shown or (None if contact is not None else False), told=told)
 
 
 def _aside(path: str, deed: Deed, episode: Episode, route: Route, contact: int | None) -> Iterator[Finding]:

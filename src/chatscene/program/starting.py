@@ -58,7 +58,9 @@ STARTS: dict[Where, Callable[[Seen], bool]] = {
     Where.BEHIND_BESIDE: lambda s: s.along[0] < -1.0 and 1.0 < abs(s.across[0]) < 6.0,
     Where.ONCOMING: _comes_toward,
     Where.ONCOMING_IN_OUR_LANE: lambda s: POSITIONS[Position.ONCOMING](s) and abs(s.offset[0]) < 1.8,
-    Where.ARM: _at(Position.CROSSING),
+    Where.ARM: lambda s: (
+        _beside_road(s) if manner_of(s.track.kind) is Manner.WALKS else POSITIONS[Position.CROSSING](s)
+    ),
     Where.ROADSIDE: _beside_road,
     Where.DRIVEWAY: _beside_road,
     Where.CROSSING: _beside_road,

@@ -15,7 +15,17 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
 from chatscene.terms.pointing import meant
 from chatscene.terms.situation import EGO, LATERALS, Deed, Lateral, Other, Situation
-from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Heads, RightOfWay, RoadKind, UserKind, acts_of
+from chatscene.terms.vocabulary import (
+    FOR_SOMEBODY,
+    Act,
+    Breach,
+    EgoRoute,
+    Heads,
+    RightOfWay,
+    RoadKind,
+    UserKind,
+    acts_of,
+)
 
 JUNCTIONS = frozenset(
     (
@@ -149,8 +159,8 @@ def _of_deed(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
     if ruled is not None and situation.road.control not in (None, ruled) and not theirs:
         yield Fault((*at, "breaks"), f"there is no {deed.breaks!s} with road.control: {situation.road.control}")
     if deed.whom is not None:
-        if not row.whom:
-            some = ", ".join(act for act in Act if act.row.whom)
+        if not row.whom and deed.act not in FOR_SOMEBODY:
+            some = ", ".join(act for act in Act if act.row.whom or act in FOR_SOMEBODY)
             yield Fault((*at, "whom"), f"{deed.act!s} has no other party, so leave this out; {some} have one")
         else:
             yield from _somebody(situation, deed.whom, (*at, "whom"), ego=True)
@@ -176,14 +186,14 @@ def _of_when(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
 
 
 def _of_lateral(lateral: Lateral | None, at: Path, *, placed: bool = True) -> Iterator[Fault]:
-    """Where across the road somebody is, which one number says; of a deed, if it leads to such a place."""
+    """Where across the road somebody is, which one number says, or a side; of a deed, if it leads to such a place."""
     if lateral is None:
         return
     if not placed:
         some = ", ".join(act for act in Act if act.row.placed)
         yield Fault(at, f"it has no lateral position, so leave this out; {some} have")
     said = [name for name in LATERALS if getattr(lateral, name) is not None]
-    if len(said) != 1:
+    if len(said) > 1 or (not said and lateral.side is None):
         told = f"has {', '.join(said)}, which are" if said else "says nothing, and is"
         yield Fault(at, f"it {told} no place; say one of {', '.join(LATERALS)}")
 

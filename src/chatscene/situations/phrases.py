@@ -323,6 +323,7 @@ LATERAL_PHRASES = (
     "in line with {overlap} of {egos} width< on {egos} {side}>",
     "{beyond} beside the lanes< on {egos} {side}>",
     "with {clearance} between it and {egos} side< on {egos} {side}>",
+    "toward {egos} {side} of its lane",
 )
 """Where across the road somebody is."""
 
@@ -367,14 +368,15 @@ class Doing:
 
 
 _TO, _OVER, _BY = " to {speed}", " over {time}", " by {distance}"
+_NEEDS = ", {time} from where {ego} [meet/meets/meeting] it"
 _GAP, _GAP_IN_TIME = " with a gap of {distance}", " with a gap of {time}"
 
 _ACTS: Mapping[Act, Doing] = {
     Act.STAND: Doing(does="[stand/stands/standing] still"),
     Act.GO_ALONG: Doing(does="{goes} along the road"),
-    Act.GO_STRAIGHT: Doing(does="[go/goes/going] straight on"),
-    Act.TURN_LEFT: Doing(does="[turn/turns/turning] left"),
-    Act.TURN_RIGHT: Doing(does="[turn/turns/turning] right"),
+    Act.GO_STRAIGHT: Doing(does="[go/goes/going] straight on", time=_NEEDS),
+    Act.TURN_LEFT: Doing(does="[turn/turns/turning] left", time=_NEEDS),
+    Act.TURN_RIGHT: Doing(does="[turn/turns/turning] right", time=_NEEDS),
     Act.U_TURN: Doing(does="[make/makes/making] a U-turn"),
     Act.CROSS: Doing(does="[cross/crosses/crossing] {egos} path"),
     Act.ENTER: Doing(does="[come/comes/coming] into {egos} lane"),
@@ -389,10 +391,10 @@ _ACTS: Mapping[Act, Doing] = {
     Act.CUT_IN: Doing(does="[cut/cuts/cutting] in", whom=" ahead of {whom}", distance=_GAP, time=_GAP_IN_TIME),
     Act.LANE_CHANGE: Doing(does="[change/changes/changing] lanes", time=_OVER),
     Act.CUT_OUT: Doing(does="[move/moves/moving] out of {egos} lane", time=_OVER),
-    Act.MERGE: Doing(does="[merge/merges/merging] into {egos} lane"),
+    Act.MERGE: Doing(does="[merge/merges/merging] into {egos} lane", distance=_GAP, time=_GAP_IN_TIME),
     Act.OVERTAKE: Doing(does="[overtake/overtakes/overtaking] {whom}", distance=_GAP),
     Act.DRIFT: Doing(does="[drift/drifts/drifting]", time=_OVER, distance=_BY),
-    Act.SWERVE: Doing(does="[swerve/swerves/swerving]", time=_OVER, distance=_BY),
+    Act.SWERVE: Doing(does="[swerve/swerves/swerving]", whom=" round {whom}", time=_OVER, distance=_BY),
     Act.WEAVE: Doing(does="[weave/weaves/weaving] from side to side"),
     Act.KEEP_LEVEL: Doing(does="[stay/stays/staying] level with {whom}"),
     Act.FOLLOW: Doing(does="[follow/follows/following] {whom}", distance=" at a distance of {distance}"),

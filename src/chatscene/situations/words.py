@@ -276,7 +276,7 @@ class _Telling(Named):
             "breaks": _word(f"{at}.breaks", deed.breaks, BREACHES),
         }
         made = _in_a_manner(self._filled(doing.does, form, slots).tells(f"{at}.act"), deed.manner, f"{at}.manner")
-        whom = doing.whom if deed.act.row.whom else ""
+        whom = doing.whom if deed.act.row.whom else doing.whom or " for {whom}"
         for phrase in (
             doing.to, whom, doing.speed, doing.acceleration, doing.distance, doing.time, " {breaks}",
         ):  # fmt: skip
@@ -293,7 +293,8 @@ class _Telling(Named):
         }  # fmt: skip
         slots = {name: self._amount(one, f"{at}.{name}") for name, one in amounts.items()}
         slots["side"] = _word(f"{at}.side", lateral.side, SIDES)
-        said = next(phrase for phrase in LATERAL_PHRASES if slots[phrase.partition("{")[2].partition("}")[0]])
+        *numbers, sideways = LATERAL_PHRASES
+        said = next((one for one in numbers if slots[one.partition("{")[2].partition("}")[0]]), sideways)
         return Words(", ") + self._filled(said, form, slots)
 
     def _when(self, who: str, when: When | None, at: str) -> Words:
@@ -336,7 +337,7 @@ class _Telling(Named):
 
     def _whom(self, who: str, deed: Deed, *paths: str) -> Words:
         """Whom a deed is done to, who is the ego where nobody is named."""
-        if not deed.act.row.whom:
+        if deed.whom is None and not deed.act.row.whom:
             return Words()
         if deed.whom is None:
             return Words("somebody" if who == EGO else self._me.object)

@@ -21,19 +21,25 @@ _GAINS = {"speed": "to which speed", "time": "how long it takes"}
 _LOSES = _GAINS | {"speed": "down to which speed"}
 _ASIDE = {"distance": "how far to the side", "time": "how long it takes"}
 _BEHIND = {"distance": "how far behind it keeps"}
+_GAP = {
+    "distance": "the gap that is left behind it",
+    "time": "that gap, as the time that whoever is behind needs for it",
+}
+_THROUGH = {"time": "how long it still needs to where it meets the ego, when that comes to the junction"}
 _MEANS: Mapping[Act, Mapping[str, str]] = {
     Act.STAND: {"time": "how long it stands"},
     Act.SET_OFF: _GAINS,
-    Act.ACCELERATE: _GAINS,
+    Act.ACCELERATE: _GAINS | {"distance": "over what distance"},
     Act.SLOW_DOWN: _LOSES,
     Act.BRAKE: _LOSES,
     Act.STOP: {"distance": "in what distance", "time": "how long it then stands"},
     Act.HESITATE: {"time": "how long it pauses"},
     Act.REVERSE: {"distance": "how far back"},
-    Act.CUT_IN: {
-        "distance": "the gap that is left behind it",
-        "time": "that gap, as the time that whoever is behind needs for it",
-    },
+    Act.CUT_IN: _GAP,
+    Act.MERGE: _GAP,
+    Act.GO_STRAIGHT: _THROUGH,
+    Act.TURN_LEFT: _THROUGH,
+    Act.TURN_RIGHT: _THROUGH,
     Act.LANE_CHANGE: {"time": "how long it takes"},
     Act.CUT_OUT: {"time": "how long it takes"},
     Act.OVERTAKE: {"distance": "how far ahead it is before it comes back"},

@@ -68,7 +68,7 @@ class When(_Closed):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lateral(_Closed):
-    """Where across the road, by one of five.
+    """Where across the road, by one of five or by a side.
 
     Attributes:
         side: Of its lane.
@@ -88,7 +88,7 @@ class Lateral(_Closed):
 
 
 LATERALS = ("offset", "edge", "overlap", "clearance", "beyond")
-"""The fields of `Lateral` of which one is said."""
+"""The fields of `Lateral` of which one is said, if any is beside the side."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -98,7 +98,7 @@ class Deed(_Closed):
     Attributes:
         act: What.
         to: To which side, of an act that goes to one.
-        whom: The id of whom it is done to; the ego where none is named.
+        whom: The id of whom it is done to, or for; else the ego.
         manner: How, where that is said without a number.
         breaks: The rule that is broken by it.
         speed: At which it is done, or that is reached.
@@ -120,6 +120,11 @@ class Deed(_Closed):
     time: Duration | None = None
     lateral: Lateral | None = None
     when: When | None = None
+
+    @property
+    def done_to(self) -> str:
+        """The id of whom it is done to: the ego where nobody is named, or an act is done to nobody."""
+        return self.whom if self.whom is not None and self.act.row.whom else EGO
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -342,11 +347,13 @@ class Situation(_Closed):
         raise KeyError(reference)
 
     def answered(self, deed: Deed) -> tuple[str, str] | None:
-        """What another's deed a deed answers by which somebody loses speed: ``after`` or ``during``, and which deed.
+        """What a deed answers by which somebody loses speed: ``after`` or ``during`` and a deed, or ``whom`` and an id.
 
         None where it loses none, of itself, or since the ego does something. How an ego answers is up to whoever
         drives it.
         """
+        if deed.act in SLOWS and deed.whom not in (None, EGO):
+            return "whom", str(deed.whom)
         for name in ("after", "during"):
             reference = getattr(deed.when, name, None) or f"{EGO}."
             if deed.act in SLOWS and not reference.startswith(f"{EGO}."):

@@ -440,17 +440,17 @@ class Act(RowWord):
     GO_STRAIGHT = (
         "go-straight",
         "goes straight on through a junction",
-        _act(_WHEELS, "speed", Heads.THROUGH, lasting=True),
+        _act(_WHEELS, "speed acceleration time", Heads.THROUGH, lasting=True),
     )
     TURN_LEFT = (
         "turn-left",
         "turns to its own left at a junction or off the road",
-        _act(_WHEELS, "speed", Heads.TURNS),
+        _act(_WHEELS, "speed acceleration time", Heads.TURNS),
     )
     TURN_RIGHT = (
         "turn-right",
         "turns to its own right at a junction or off the road",
-        _act(_WHEELS, "speed", Heads.TURNS),
+        _act(_WHEELS, "speed acceleration time", Heads.TURNS),
     )
     U_TURN = ("u-turn", "turns round on the road", _act(_WHEELS, "speed", Heads.ROUND))
     CROSS = (
@@ -464,7 +464,7 @@ class Act(RowWord):
         _act(_ALL, "speed", Heads.IN, placed=True),
     )
     SET_OFF = ("set-off", "starts to move after it stood", _act(_ALL, "speed acceleration", Tempo.SETS_OFF, ego=True))
-    ACCELERATE = ("accelerate", "gains speed", _act(_ALL, "speed acceleration time", Tempo.GAINS, ego=True))
+    ACCELERATE = ("accelerate", "gains speed", _act(_ALL, "speed acceleration time distance", Tempo.GAINS, ego=True))
     SLOW_DOWN = ("slow-down", "loses speed gently", _act(_ALL, "speed acceleration time", Tempo.SLOWS, ego=True))
     BRAKE = ("brake", "loses speed hard", _act(_ALL, "speed acceleration time", Tempo.BRAKES, ego=True))
     STOP = (
@@ -497,12 +497,12 @@ class Act(RowWord):
     MERGE = (
         "merge",
         "comes from a ramp or a lane that ends into the ego's lane",
-        _act(_WHEELS, "speed", Heads.MERGES, placed=True),
+        _act(_WHEELS, "speed distance time", Heads.MERGES, placed=True),
     )
     OVERTAKE = (
         "overtake",
         "passes somebody and is ahead then",
-        _act(_WHEELS, "speed distance", Heads.BY, sided=True, whom=True, placed=True),
+        _act(_WHEELS, "speed distance", Heads.BY, ego=True, sided=True, whom=True, placed=True),
     )
     DRIFT = (
         "drift",
@@ -603,6 +603,14 @@ COMES_OVER = acts_of(Heads.OVER, Heads.BEFORE, Heads.MERGES, Heads.IN)
 """How somebody comes over to another lane; who gets out of a lane does so before what stands in it."""
 INTO_OURS = COMES_OVER | acts_of(Heads.FROM_EDGE)
 """The same, also from the side of the road."""
+FOR_SOMEBODY = (
+    SLOWS
+    | ASIDE
+    | GOES_ON
+    | OVER_A_LINE
+    | acts_of(Tempo.STANDS, Tempo.PAUSES, Tempo.BACKS, Tempo.GAINS, Tempo.SETS_OFF, Heads.BACK)
+) - frozenset(act for act in Act if act.row.whom)
+"""Acts that are done to nobody, and may be done for somebody who is named: who is let by, or gone round."""
 
 
 class Manner(Word):

@@ -1,0 +1,158 @@
+"""What was said in another form than it is built in: the same facts, as the rest of the builder reads them.
+
+Each rule says one fact by another that has it too. What it says so is taken; what it chooses is told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+from chatscene.build.asked import stands_first
+from chatscene.build.paces import AT_ONE_SPEED
+from chatscene.build.place import NEXT_LANE
+from chatscene.build.possible import OVERTAKEN
+from chatscene.build.waiting import SIGNS
+from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.situation import EGO, Deed, Ego, Other, Situation, When
+from chatscene.terms.vocabulary import (
+    FOR_SOMEBODY,
+    SIDEWAYS,
+    SLOWS,
+    Act,
+    EgoRoute,
+    Facing,
+    Role,
+    Side,
+    Where,
+)
+
+_AGAINST = {Where.ONCOMING_IN_OUR_LANE: None, Where.ONCOMING: Side.LEFT}
+"""Where somebody on foot comes the other way, and on which side of the lane that it then walks in."""
+_TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
+
+
+@dataclass(slots=True)
+class Restated:
+    """A situation as it is built.
+
+    Attributes:
+        situation: The same, in the form that is built.
+        taken: The paths of facts that others say besides.
+        assumed: What was chosen for it, in words.
+    """
+
+    situation: Situation
+    taken: list[str] = field(default_factory=list[str])
+    assumed: list[str] = field(default_factory=list[str])
+
+    def each(self, rule: Callable[[Restated, Other], Other]) -> None:
+        """Let everybody be as a rule says it."""
+        self.situation = replace(self.situation, others=tuple(rule(self, one) for one in self.situation.others))
+
+
+def restated(situation: Situation) -> Restated:
+    """A situation in the form in which it is built."""
+    made = Restated(situation)
+    _go_past(made)
+    others = tuple(map(_on_foot_against, situation.others))
+    made.situation = replace(made.situation, others=others)
+    for rule in (_on_foot_at_arm, _at_its_first_speed, _for_whom):
+        made.each(rule)
+    return made
+
+
+def _at_its_first_speed(made: Restated, one: Other) -> Other:
+    """A speed at the start is the speed that the first deed begins with; of one that keeps it, it is said once."""
+    first = one.does[0] if one.does else None
+    if first is None or first.speed is None or first.act not in AT_ONE_SPEED or first.speed != one.starts.speed:
+        return one
+    made.taken.append(f"others.{one.id}.does.0.speed")
+    return replace(one, does=(replace(first, speed=None), *one.does[1:]))
+
+
+def _on_foot_against(one: Other) -> Other:
+    """Who comes the other way on foot is ahead, and faces the ego."""
+    start = one.starts
+    if one.kind.moves is not Moves.WALKS or start.where not in _AGAINST or start.facing not in (None, Facing.AGAINST):
+        return one
+    if start.where is Where.ONCOMING:  # beside the road, where people walk who are not said to be in a lane
+        start = replace(start, where=Where.ROADSIDE, side=start.side or Side.LEFT, facing=Facing.AGAINST)
+    else:
+        start = replace(start, where=Where.AHEAD, facing=Facing.AGAINST)
+    return replace(one, starts=start)
+
+
+def _on_foot_at_arm(made: Restated, one: Other) -> Other:
+    """Who is on foot at a side road crosses that where the ego turns into it, or where it goes past it."""
+    start, route = one.starts, made.situation.ego.route
+    if one.kind.moves is not Moves.WALKS or start.where is not Where.ARM:
+        return one
+    crosses = any(deed.act is Act.CROSS for deed in one.does)
+    if route is not None and route in _TO_SIDE and start.side in (None, _TO_SIDE[route]):
+        return replace(one, starts=replace(start, where=Where.EXIT_CROSSING, side=None))
+    if one.role is Role.ADVERSARY:
+        return replace(one, starts=replace(start, where=Where.CROSSING))
+    does = tuple(replace(deed, act=Act.GO_ALONG) if deed.act is Act.CROSS else deed for deed in one.does)
+    if crosses:
+        made.assumed.append(f"{one.id} crosses the side road along ours")
+    return replace(one, starts=replace(start, where=Where.CROSSING, facing=Facing.ALONG), does=does)
+
+
+def _for_whom(made: Restated, one: Other) -> Other:
+    """What is done for somebody begins while that one does what it is done for."""
+    does: list[Deed] = []
+    for k, deed in enumerate(one.does):
+        if deed.whom is None or deed.act not in FOR_SOMEBODY:
+            does.append(deed)
+            continue
+        made.taken.append(f"others.{one.id}.does.{k}.whom")
+        if deed.act in SIDEWAYS and deed.whom not in (EGO, one.id):
+            does.append(deed)  # by which it goes round that one
+            continue
+        reference = _seen_of(made.situation, one, deed) if deed.when is None else None
+        does.append(replace(deed, whom=None, when=deed.when if reference is None else When(during=reference)))
+        if reference is None and deed.when is None and deed.whom != EGO:
+            made.assumed.append(f"{one.id}'s {deed.act} comes in its order, and is not timed by {deed.whom}")
+    return replace(one, does=tuple(does))
+
+
+def _seen_of(situation: Situation, one: Other, deed: Deed) -> str | None:
+    """The deed of somebody for which another does something, if it is seen that it is done."""
+    if deed.whom in (None, EGO, one.id):
+        return None
+    other = situation[str(deed.whom)]
+    waits = {
+        reference.partition(".")[0]
+        for then in other.does
+        if then.when is not None
+        for reference in (then.when.after, then.when.during)
+        if reference is not None
+    }
+    seen = (k for k, then in enumerate(other.does) if not then.act.row.lasting and then.act in SIGNS)
+    first = next(seen, None)
+    return None if first is None or one.id in waits or stands_first(one) else f"{other.id}.{first}"
+
+
+def _go_past(made: Restated) -> None:
+    """An ego that overtakes: that is its way, unless whom it passes is beside it."""
+    ego, situation = made.situation.ego, made.situation
+    does: list[Deed] = []
+    route = ego.route
+    for k, deed in enumerate(ego.does):
+        of_itself = deed.act in FOR_SOMEBODY and deed.act not in SLOWS and deed.whom == EGO
+        made.taken += [f"ego.does.{k}.whom"] * of_itself
+        route = _way_past(situation, deed, route) if deed.act is Act.OVERTAKE else route
+        does.append(replace(deed, whom=None) if of_itself else deed)
+    made.situation = replace(situation, ego=replace(ego, route=route, does=tuple(does)))
+
+
+def _way_past(situation: Situation, deed: Deed, route: EgoRoute | None) -> EgoRoute | None:
+    passed = [one for one in situation.others if one.starts.where in OVERTAKEN and deed.whom in (None, one.id)]
+    beside = bool(passed) and all(one.starts.where in NEXT_LANE for one in passed)
+    return EgoRoute.OVERTAKE if route in (None, EgoRoute.STRAIGHT) and passed and not beside else route
+
+
+def is_way(ego: Ego, deed: Deed) -> bool:
+    """Whether an overtaking of the ego is the way it goes."""
+    return deed.act is Act.OVERTAKE and ego.route in (EgoRoute.OVERTAKE, EgoRoute.BYPASS)

@@ -1,0 +1,89 @@
+"""What is said in another form than it is built in is built as what it says."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from chatscene.build.build import Built, build
+from chatscene.build.restated import restated
+from chatscene.errors import NotBuilt
+from chatscene.situations.form import from_plain
+from chatscene.terms.vocabulary import EgoRoute, Where
+
+
+def one(kind: str, start: dict[str, Any] | str, *does: dict[str, Any] | str, **more: Any) -> dict[str, Any]:
+    starts = {"where": start} if isinstance(start, str) else start
+    deeds = [{"act": deed} if isinstance(deed, str) else deed for deed in does]
+    return {"id": "A", "kind": kind, "starts": starts, "does": deeds} | more
+
+
+def built(*others: dict[str, Any], **more: Any) -> Built:
+    return build(from_plain({"others": list(others)} | more))
+
+
+def test_a_speed_at_the_start_is_that_of_the_first_deed_which_keeps_it() -> None:
+    walks = one("pedestrian", {"where": "ahead", "speed": "5 km/h"}, {"act": "go-along", "speed": "5 km/h"})
+    rides = one("bicycle", {"where": "arm", "speed": "16 km/h"}, {"act": "go-straight", "speed": "16 km/h"})
+    for said in (walks, rides):
+        assert built(said).left_out == ()
+
+
+def test_who_swerves_round_somebody_named_does_so_once_that_one_is_near() -> None:
+    stands = one("debris", "ahead", "stand", id="B")
+    swerves = one("car", "ahead", {"act": "swerve", "whom": "B"})
+    assert "headway(egoRoute, self, B) <" in built(swerves, stands).program.source
+    beside = one("car", {"where": "ahead-beside", "side": "left"}, {"act": "swerve", "whom": "B"})
+    assert "until gap(self, B) <" in built(beside, stands | {"role": "supporting"}).program.source
+
+
+def test_who_brakes_for_somebody_does_so_while_that_one_crosses() -> None:
+    crosses = one("child", {"where": "roadside", "side": "right"}, "cross", id="B", role="supporting")
+    brakes = one("car", "ahead", {"act": "brake", "whom": "B"})
+    assert "until abs(offsetFrom(egoRoute, B)) < 2.4" in built(brakes, crosses).program.source
+
+
+def test_for_whom_the_ego_brakes_is_left_to_its_driver_which_is_told() -> None:
+    stands = one("car", "ahead", "stand")
+    made = built(stands, ego={"does": [{"act": "brake", "whom": "A"}]})
+    assert "the ego's brake for A is left to its driver" in made.assumed
+
+
+@pytest.mark.parametrize("where", ["oncoming", "oncoming-in-our-lane"])
+def test_who_comes_the_other_way_on_foot_walks_toward_the_ego(where: str) -> None:
+    made = built(one("animal", where, "go-along", count=0))
+    assert "directionOn(egoRoute, levelA, 3.14159)" in made.program.source
+
+
+def test_an_ego_that_overtakes_goes_that_way_or_is_faster_than_who_is_beside_it() -> None:
+    said = {"act": "overtake", "whom": "A"}
+    ahead = from_plain({"ego": {"does": [said]}, "others": [one("tractor", "ahead", "go-along")]})
+    assert restated(ahead).situation.ego.route is EgoRoute.OVERTAKE
+    slow = one("bicycle", {"where": "ahead-beside", "side": "right", "speed": "18 km/h"}, "go-straight")
+    ego = {"route": "right-turn", "does": [said]}
+    assert built(slow, ego=ego).left_out == ()
+    fast = one("car", {"where": "ahead-beside", "side": "left", "speed": "60 km/h"}, "go-along")
+    with pytest.raises(NotBuilt, match="A is as fast as the ego"):
+        built(fast, ego={"speed": "50 km/h", "does": [said]})
+
+
+def test_who_crosses_at_a_side_road_that_the_ego_turns_into_is_at_its_crosswalk() -> None:
+    said = from_plain(
+        {"ego": {"route": "left-turn"}, "others": [one("child", {"where": "arm", "side": "left"}, "cross")]}
+    )
+    assert restated(said).situation["A"].starts.where is Where.EXIT_CROSSING
+
+
+def test_who_goes_straight_on_is_so_long_before_where_it_meets_an_ego_at_the_junction() -> None:
+    said = one("car", {"where": "oncoming", "speed": "60 km/h"}, {"act": "go-straight", "time": "2.2 s"})
+    source = built(said, ego={"route": "left-turn", "speed": "20 km/h"}).program.source
+    assert "OPT_A_OFFSET" not in source
+
+
+def test_who_waits_until_another_has_gone_straight_on_waits_until_it_is_through() -> None:
+    goes = one("car", {"where": "arm", "side": "right"}, "go-straight")
+    turns = one("van", "oncoming", {"act": "turn-left", "when": {"after": "A.0"}}, id="B", role="supporting")
+    source = built(goes, turns).program.source
+    assert "until abs(offsetFrom(egoRoute, A)) < 2.4" in source
+    assert "until abs(offsetFrom(egoRoute, A)) > 2.4" in source
