@@ -12,6 +12,7 @@ from test_in_time import deed, somebody, unseen
 from chatscene.build.build import build
 from chatscene.build.possible import impossible
 from chatscene.errors import NotBuilt
+from chatscene.measure.tyres import beyond_tyres
 from chatscene.program.judge import failures, judge
 from chatscene.situations.form import from_plain
 from chatscene.terms.actors import AdversaryKind
@@ -336,3 +337,14 @@ def test_who_makes_somebody_ahead_brake_crosses_just_before_that_one(seed: int) 
     along = np.array([np.cos(braking.heading[begins]), np.sin(braking.heading[begins])])
     apart = np.array([crossing.x[begins] - braking.x[begins], crossing.y[begins] - braking.y[begins]])
     assert 0.0 < apart @ along < 35.0  # it was 60 m ahead, and nothing showed what the braking was for
+
+
+@pytest.mark.parametrize("kind", ["truck", "motorcycle"])
+def test_who_turns_off_across_us_has_slowed_down_to_what_it_turns_with(kind: str) -> None:
+    said = others(car("A", "oncoming", deed("turn-left"), kind=kind), ego={"speed": "110 km/h"}, road={"kind": "road"})
+    episode = driven(said, 0)
+    across = track(episode)
+    turned = np.abs(np.unwrap(across.heading) - across.heading[0])
+    assert turned.max() > np.radians(60.0)
+    assert across.speed[turned > np.radians(10.0)].max() < 6.0
+    assert beyond_tyres(episode) == ()

@@ -65,6 +65,7 @@ SLOW_FOR = 2.0  # [s] that somebody goes on at the speed that it has lost some t
 GO = "DrivePath({p}, $SPEED)"
 BRAKES = f"BrakeOnPath({{p}}, $BRAKE) until {STILL}"
 _EASES = "BrakeOnPath({p}, $EASE) until self.pose[3] < $SLOW"
+_TO_TURN = "BrakeOnPath({p}, 0.6) until self.pose[3] < 1.1 * $SLOW"  # what its body turns at, or it slides on
 _BY = "Halt() until progressOn(egoRoute, ego)[0] > {meets} + 6"
 _TURNS = (Act.TURN_LEFT, Act.TURN_RIGHT)
 _GOES = Steps(
@@ -135,8 +136,8 @@ ALONG: dict[Act, Steps] = {
     **_each(
         (Act.TURN_BACK, Act.U_TURN),
         Steps(
-            does=("TurnOff(3, $SLOW, 5)",),
-            last=("TurnOff(3, $SLOW, 5)", "MoveAhead($SPEED)"),
+            does=(_TO_TURN, "TurnOff(3, $SLOW, 5)"),
+            last=(_TO_TURN, "TurnOff(3, $SLOW, 5)", "MoveAhead($SPEED)"),
             binds={"speed": "SLOW"},
             going=True,
             pace=Pace.ENDS,
@@ -224,12 +225,19 @@ _INTO_OURS = Steps(
     way="{ours}",
     binds={"speed": "SPEED"},
 )
+
+
+def _turns_off(turn: str) -> Steps:
+    """Slows down to what it turns with, turns, and goes on that way."""
+    return Steps(does=(_TO_TURN, turn), last=(_TO_TURN, turn, "MoveAhead($SLOW)"), binds={"speed": "SLOW"})
+
+
 _OFF_LEFT, _OFF_RIGHT = "TurnOff(1.3, $SLOW, 7)", "TurnOff(-1.3, $SLOW, 7)"
 TOWARD: dict[Act, Steps] = {
     **ALONG,
     **_each((Act.OVERTAKE, Act.ENTER, Act.LANE_CHANGE, Act.CUT_IN), _INTO_OURS),
-    Act.TURN_LEFT: Steps(does=(_OFF_LEFT,), last=(_OFF_LEFT, "MoveAhead($SLOW)"), binds={"speed": "SLOW"}),
-    Act.TURN_RIGHT: Steps(does=(_OFF_RIGHT,), last=(_OFF_RIGHT, "MoveAhead($SLOW)"), binds={"speed": "SLOW"}),
+    Act.TURN_LEFT: _turns_off(_OFF_LEFT),
+    Act.TURN_RIGHT: _turns_off(_OFF_RIGHT),
 }
 """Of somebody who comes against the ego."""
 OFF = {Act.TURN_LEFT: "TurnOff(1.4, $SLOW, 7)", Act.TURN_RIGHT: "TurnOff(-1.4, $SLOW, 7)"}
@@ -241,8 +249,12 @@ _ENTRY = {Act.TURN_LEFT: 6.0, Act.TURN_RIGHT: 1.5}
 def turning_off(act: Act, *, junction: bool) -> Steps:
     """How somebody before or behind the ego turns off: at the junction, or off the road wherever it is."""
     there = f"DrivePath({{p}}, $SLOW) until progressOn(egoRoute, self)[0] > egoRoute.eventAt + {_ENTRY[act]:g}"
-    does = (there, OFF[act]) if junction else (OFF[act],)
-    return Steps(does=does, last=(*does, "MoveAhead($SLOW)"), binds={"speed": "SLOW"})
+    does = (there, OFF[act])
+    return (
+        Steps(does=does, last=(*does, "MoveAhead($SLOW)"), binds={"speed": "SLOW"})
+        if junction
+        else _turns_off(OFF[act])
+    )
 
 
 def turning_round(radius: float, speed: float, *, first: float = 0.0, back: float = 0.0) -> Steps:

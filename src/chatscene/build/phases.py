@@ -178,7 +178,7 @@ class Phases:
         actor, ahead = self.actor, start
         for body in bodies[:-1]:
             ahead = course(body, actor.numbers, self.body, ahead, meeting)
-        gains = [text for text in bodies[-1] if "until self.pose[3] >" in text][:1]
+        gains = [text for text in bodies[-1] if "until self.pose[3] >" in text][:1] or list(_before_turn(bodies[-1]))
         if actor.stand.meets is Meets.TOWARD and actor.deeds[-1].act is Act.DRIFT:  # it is over as they meet
             gains = [text for text in bodies[-1] if _FOR.search(text)]
         begins = course(gains, actor.numbers, self.body, ahead, meeting)
@@ -408,3 +408,9 @@ class Phases:
         if not self.actor.walks or phases[-1] != MOVE:
             return phases
         return (*phases[:-1], f"{MOVE} until {BARRED}", "Halt()")
+
+
+def _before_turn(body: list[str]) -> Iterator[str]:
+    """What is done before somebody turns off or round: it slows down to what it turns with."""
+    turns = next((n for n, text in enumerate(body) if text.startswith("TurnOff(")), 0)
+    yield from (text for text in body[:turns] if "until self.pose[3] <" in text)
