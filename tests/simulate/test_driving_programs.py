@@ -230,7 +230,7 @@ def test_a_map_whose_name_is_too_long_for_any_file_is_not_there(tmp_path: Path) 
 
 def test_a_run_of_a_program_that_is_drawn_is_replayed_bit_for_bit_from_its_seed(tmp_path: Path) -> None:
     file = tmp_path / "lead.scenic"
-    file.write_text(LEAD, encoding="utf-8")
+    file.write_text(LEAD.replace("Town01", "nowhere"), encoding="utf-8")
     told: list[str] = []
     api.run(
         program=file,
@@ -240,7 +240,7 @@ def test_a_run_of_a_program_that_is_drawn_is_replayed_bit_for_bit_from_its_seed(
         scenes=2,
         progress=lambda said, _done, _all: told.append(said),
     )
-    assert any("Town01.xodr does not exist; it runs on town" in said for said in told)
+    assert any("nowhere.xodr does not exist; it runs on town" in said for said in told)
     scene = "lead/route-00/scene-001"
     again = api.replay(tmp_path / "run", scene, generator=(generator_for(trusted=True, as_written=False),))
     assert again.identical, again.difference
@@ -276,3 +276,44 @@ def test_draws_that_ask_for_what_the_map_has_not_there_are_drawn_anew(simulator:
     never = foreign_program("never", text.replace("laneSectionAt(ego)._laneToLeft", "crossingAt(ego)"))
     with pytest.raises(ProgramError, match="AttributeError: 'NoneType' object has no attribute 'lane'"):
         driven(simulator, never, scene_of(never))
+
+
+CHOSEN = """model scenic.domains.driving.model
+junction = Uniform(*filter(lambda i: i.is4Way, network.intersections))
+turn = Uniform(*filter(lambda m: m.type is ManeuverType.{turn}, junction.maneuvers))
+start = new OrientedPoint in turn.startLane.centerline
+beside = network.laneSectionAt(start)._laneTo{side}.lane
+ego = new Car at start
+other = new Car at beside.centerline.start, with requireVisible False
+"""
+
+
+def test_a_map_without_what_a_program_chooses_is_refused_by_what_could_be_chosen(simulator: Simulator) -> None:
+    program = foreign_program("right", CHOSEN.format(turn="RIGHT_TURN", side="Right"))
+    outcome = simulate(simulator, program, scene_of(program), Coast())
+    assert isinstance(outcome, Rejected)
+    assert outcome.reason.startswith(
+        "town has no such place: in each of the 16 choices of junction and turn, drawn 200"
+    )
+    assert outcome.draws == staging.NEVER
+
+
+def test_a_map_on_which_nothing_is_left_to_choose_from_is_refused_by_the_last_choice(simulator: Simulator) -> None:
+    text = "of_it = Uniform(*filter(lambda m: m.type is ManeuverType.U_TURN, turn.conflictingManeuvers))\n"
+    program = foreign_program("u", CHOSEN.format(turn="STRAIGHT", side="Left").replace("ego =", f"{text}ego ="))
+    program = foreign_program("u", program.source + "new Car at of_it.startLane.centerline.start\n")
+    outcome = simulate(simulator, program, scene_of(program), Coast())
+    assert isinstance(outcome, Rejected)
+    assert "each of the 24 choices of junction and turn leaves nothing to choose of_it from" in outcome.reason
+
+
+def test_what_serves_seldom_is_drawn_among_the_choices_that_serve(
+    simulator: Simulator, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(staging, "NEVER", 2)
+    program = foreign_program("left", CHOSEN.format(turn="LEFT_TURN", side="Right") + "x = 1\n")
+    sessions = [simulator.open(program, scene_of(program, seed=seed)) for seed in (1, 2, 3, 4, 5, 6)]
+    assert all(not isinstance(one, Rejected) for one in sessions)
+    known = staging._compiled_apart.values()  # pyright: ignore[reportPrivateUsage]
+    counted = [one for one in known if one.choices is not None and one.choices.ways]
+    assert [len(one.choices.ways) for one in counted if one.choices] == [8]  # of 16

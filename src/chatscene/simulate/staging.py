@@ -10,7 +10,7 @@ import random
 import re
 import time
 from collections import Counter, OrderedDict
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -23,6 +23,7 @@ from scenic.core.sample_checking import SampleChecker
 from chatscene.errors import MapError, ProgramError
 from chatscene.maps.loading import load_roads
 from chatscene.maps.network import load_network, map_digest
+from chatscene.simulate.choices import Choices, choices_of, is_not_there, not_there
 from chatscene.simulate.heading_for import route_of_ego
 from chatscene.simulate.placing import NoFunction, Placement
 from chatscene.simulate.simulation import SteppedSimulation
@@ -35,7 +36,7 @@ NO_PLACE = "a place that the program asks for, such as the edge of the road, is 
 COMPILED = 512  # programs on a route kept per process that share a world model, some 0.1 MB each; a benchmark has 400
 COMPILED_APART = 16  # of those that have one of their own, a few MB each
 PLACED = 64  # drawn scenes kept per process, since many egos drive the same
-NEVER = 25  # draws, all of which ask for what is not there: then it is the program that is at fault
+NEVER = 25  # draws, after which it is looked for what is not there, if half of them ask for that
 DRAWING = 15.0  # [s] of processor time in which a scene is to be drawn
 _Key = tuple[object, ...]
 _SETS_NAMES = re.compile(r"^\s*global\s|\bglobals\(", re.MULTILINE)  # in a module: names may be set in a drive
@@ -78,11 +79,30 @@ class _Compiled:
         scenario: Scenic's.
         placement: How its scenes are placed without Scenic, once one was: None where Scenic has to place each.
         learned: Whether one was.
+        choices: What of the map it can choose at all; None where that is not known.
+        counted: Whether that was looked for.
     """
 
     scenario: Any
     placement: Placement | None = None
     learned: bool = False
+    choices: Choices | None = None
+    counted: bool = False
+
+
+@dataclass(slots=True)
+class _Failed:
+    """The draws of a scene that did not meet the requirements.
+
+    Attributes:
+        reasons: Why, and how often.
+        places: How many asked for what is not there.
+        nothing: What Python said of the last of these, if it read something of nothing.
+    """
+
+    reasons: Counter[str]
+    places: int = 0
+    nothing: AttributeError | None = None
 
 
 _compiled: OrderedDict[_Key, _Compiled] = OrderedDict()
@@ -212,30 +232,70 @@ class Stage:
         found, self.draws = self._placed[key]
         return replace(found, scene=scene) if isinstance(found, Rejected) else found
 
+    def _choices(self, program: ScenicProgram, scenario: Any, scene: Scene) -> Choices | None:
+        """What of the map a program can choose at all: counted once, by itself, whatever its parameters are."""
+        there = _kept_with(program)[0][self._key_of(program, scene.route)]
+        if not there.counted:
+            there.counted = True
+            _seed(0, 0)
+            told = [scenario.params[name] for name in scene.values]
+            given = [one._conditioned for one in told]
+            for one in told:
+                one.conditionTo(one)
+            try:
+                there.choices = choices_of(scenario)
+            finally:
+                for one, value in zip(told, given, strict=True):
+                    one.conditionTo(value)
+        return there.choices
+
+    def _once(self, scenario: Any, choices: Choices | None, failed: _Failed) -> Any | None:
+        """A scene whose ego has a route, drawn once; None where it does not meet the requirements, which is counted."""
+        scenario.checker.reason = NO_PLACE
+        try:
+            with choices.chosen() if choices else nullcontext():
+                drawn = scenario.generate(maxIterations=1)[0]
+            route = route_of_ego(drawn, self._map_path.stem)
+        except RejectionException:
+            failed.places += scenario.checker.reason == NO_PLACE
+            failed.reasons[scenario.checker.reason] += 1
+        except MapError as error:
+            failed.reasons[str(error)] += 1
+        except AttributeError as error:  # of nothing, as where a lane has none beside it
+            if not is_not_there(error):
+                raise
+            failed.places, failed.nothing = failed.places + 1, error
+            failed.reasons[not_there(error)] += 1
+        else:
+            object.__setattr__(drawn.egoObject, "route", EgoRoute(route, drawn.workspace.network, 1))
+            return drawn
+        return None
+
+    def _without(self, scene: Scene, none: str, spent: float) -> Rejected:
+        """A scene that the map has no place for, and why."""
+        why = f"{self._map_path.stem} has no such place: {none}; another map may have one"
+        return Rejected(scene=scene, reason=why, draws=NEVER, spent=spent)
+
     def _drawn(self, program: ScenicProgram, scenario: Any, scene: Scene) -> tuple[Any | Rejected, int]:
         """The first scene that Scenic draws and that meets the requirements, its ego with a route; how many it drew."""
         _seed(scene.seed, 0)
-        reasons: Counter[str] = Counter()
+        failed = _Failed(Counter())
+        choices: Choices | None = None
         began = time.process_time()
         while (spent := time.process_time() - began) < DRAWING:
-            scenario.checker.reason = NO_PLACE
-            try:
-                drawn = scenario.generate(maxIterations=1)[0]
-                route = route_of_ego(drawn, self._map_path.stem)
-            except RejectionException:
-                reasons[scenario.checker.reason] += 1
-            except MapError as error:
-                reasons[str(error)] += 1
-            except AttributeError as error:  # of nothing, as where a lane has none beside it
-                reasons[f"the map has nothing there of which .{error.name} could be read"] += 1
-                if error.obj is not None or (len(reasons) == 1 and reasons.total() == NEVER):
-                    raise
-            else:
-                ego = drawn.egoObject
-                object.__setattr__(ego, "route", EgoRoute(route, drawn.workspace.network, 1))
+            drawn = self._once(scenario, choices, failed)
+            if drawn is not None:
                 if not program.as_written:  # the ego under test drives in its place
-                    object.__setattr__(ego, "behavior", None)
-                return drawn, reasons.total() + 1
+                    object.__setattr__(drawn.egoObject, "behavior", None)
+                return drawn, failed.reasons.total() + 1
+            if failed.reasons.total() == NEVER and 2 * failed.places >= NEVER:
+                choices = self._choices(program, scenario, scene)
+                if choices is None and failed.nothing is not None and len(failed.reasons) == 1:
+                    raise failed.nothing  # it is the program that is at fault
+                if choices is not None and choices.none:
+                    return self._without(scene, choices.none, spent), NEVER
+                _seed(scene.seed, 2)
+        reasons = failed.reasons
         why = "; ".join(f"{times} times: {reason}" for reason, times in reasons.most_common(3))
         reason = f"none of {reasons.total()} draws in {spent:.0f} s of processor time meets the requirements ({why})"
         rejected = Rejected(scene=scene, reason=reason, draws=reasons.total(), spent=spent)

@@ -25,6 +25,7 @@ from typing import Any, Literal
 
 import scenic
 from scenic.core import object_types
+from scenic.core.distributions import needsSampling
 from scenic.core.errors import ScenicError
 from scenic.core.specifiers import PropertyDefault
 from scenic.syntax import translator, veneer
@@ -45,6 +46,9 @@ keeping = True
 """Whether code is kept between processes; a confined one, which may touch no such folder, sets it off."""
 
 _open: list[Callable[[], None]] = []  # how to end the session that is open in this process
+
+_names: list[dict[str, Any]] = []
+"""Of the program that is compiled: Scenic drops them where no behavior reads them."""
 
 _code: dict[tuple[bytes, str], tuple[Any, Any, bytes]] = {}
 
@@ -191,7 +195,8 @@ def _namespace(path: str | None = None) -> Generator[dict[str, Any]]:
     Scenic puts the working folder first while it compiles. Whatever a package imports only then, such as `colorsys`,
     would come from there, and a folder may be anybody's.
     """
-    yield {"__name__": "__main__"} | ({"__file__": path} if path is not None else {})
+    _names.append({"__name__": "__main__"} | ({"__file__": path} if path is not None else {}))
+    yield _names[-1]
 
 
 class _LoadedModel:
@@ -315,7 +320,7 @@ def compile_program(
             that of the program before, if that comes to the same.
 
     Returns:
-        Scenic's scenario.
+        Scenic's scenario; its `names` are those of the program that are drawn; none of one for our own model.
 
     Raises:
         DoesNotCompile: With Scenic's message and the line.
@@ -327,9 +332,14 @@ def compile_program(
     shared = () if own or model != OWN_MODEL else (map_digest(map_path),)
     try:
         with _without_collecting(), _sharing(shared):
-            return translator.scenarioFromString(
+            _names.clear()
+            scenario = translator.scenarioFromString(
                 source, filename=filename, params=parameters, model=STANDS_IN[model], mode2D=True
             )
+            drawn = {} if model == OWN_MODEL else {n: one for n, one in _names[-1].items() if needsSampling(one)}
+            _names.clear()
+            setattr(scenario, "names", drawn)  # noqa: B010 - a class of somebody else's
+            return scenario
     except (ChatSceneError, MemoryError):
         raise
     except ScenicError as error:

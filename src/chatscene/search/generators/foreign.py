@@ -23,6 +23,7 @@ from chatscene.simulate.confined.asked_map import map_of
 from chatscene.simulate.confined.plain_text import MAX_CHARACTERS, Refusal, check_text
 from chatscene.simulate.confined.rules import OTHERS
 from chatscene.simulate.confined.scenic_2 import UNCHANGED, Rewritten, rewrite
+from chatscene.simulate.confined.undefined import AHEAD, undefined_in, with_meanings
 from chatscene.terms.episode import Role
 from chatscene.terms.scene import AS_WRITTEN, OWN_MODEL, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
@@ -66,7 +67,7 @@ class ForeignProgram:
 
     def changed(self) -> tuple[str, ...]:
         """Lines for a person about what was rewritten, the diff last; none where it runs as it was written."""
-        if not self.rewritten.changes:
+        if not (self.rewritten.changes or self.rewritten.meanings):
             return ()
         name = self.path.name
         return (f"{name} is rewritten before it is run:", *self.rewritten.reasons(), self.rewritten.diff(name))
@@ -147,7 +148,8 @@ def read_foreign(
     except UnicodeDecodeError as error:
         raise ForeignCodeRefused(f"{path} is not UTF-8 text: {error.reason} at byte {error.start}") from error
     rewritten = as_scenic_3(text.replace("\r\n", "\n"), trusted=trusted)
-    text = stated(rewritten.source, given or {})
+    rewritten, given = _with_meanings(rewritten, given or {}, trusted=trusted)
+    text = stated(rewritten.source, given)
     program, renamed, asked = _made(path.stem, text, trusted, as_written, own=str(path), searched_with=searched_with)
     # Not Path.resolve(), which raises where links lead round in a circle.
     map_path = None if asked is None else Path(os.path.realpath(path.parent / asked))
@@ -162,6 +164,35 @@ def as_scenic_3(text: str, *, trusted: bool = False) -> Rewritten:
     """
     refused_anyway = not trusted and bool(check_text(text))
     return Rewritten(text, text, ()) if refused_anyway or _OWN.search(text) else rewrite(text)
+
+
+def _with_meanings(
+    rewritten: Rewritten, given: Mapping[str, object], *, trusted: bool
+) -> tuple[Rewritten, dict[str, object]]:
+    """A program with its undefined names defined, and which of what is given are its parameters.
+
+    Raises:
+        SettingsError: A name is given as something that is no expression.
+    """
+    source = rewritten.source
+    tree = None if _OWN.search(source) or (not trusted and check_text(source)) else parse_foreign(source)
+    if tree is None or isinstance(tree, Refusal):
+        return rewritten, dict(given)
+    undefined = [one for one in undefined_in(tree) if not trusted or one.name in given]  # the others may be Python's
+    names = {one.name for one in undefined}
+    meant = {name: _expression(name, value) for name, value in given.items() if name in names}
+    text, told = with_meanings(source, undefined, meant)
+    lists = frozenset(re.findall(rf"^ *(\w+) = (?:\[|{AHEAD}\()", text, re.MULTILINE)) & names
+    left = {name: value for name, value in given.items() if name not in meant}
+    return (rewritten.defined(text, lists, told), left) if told else (rewritten, left)
+
+
+def _expression(name: str, value: object) -> str:
+    """What is given for a name, as Scenic."""
+    text = value if isinstance(value, str) else repr(value)
+    if "\n" in text or isinstance(parse_foreign(f"{name} = {text}\n"), Refusal):
+        raise SettingsError(f"{name} is given {text!r}; nothing defines that name, so give it an expression")
+    return text
 
 
 def foreign_program(name: str, source: str, *, trusted: bool = False, as_written: bool = False) -> ScenicProgram:

@@ -1,4 +1,4 @@
-"""What of a user's own program has no effect on its drives, found in its text: told before any number of a run."""
+"""What of a user's own program has no effect on its drives, and what was assumed: told before any number of a run."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any
 
 from chatscene.simulate.confined.allow_list import model_of, parse_foreign
 from chatscene.simulate.confined.plain_text import Refusal
+from chatscene.simulate.confined.undefined import ASSUMED
 from chatscene.terms.scene import AS_WRITTEN, OWN_MODEL, ScenicProgram
 
 _LONGEST = 60  # characters of code in a line
@@ -46,8 +47,21 @@ def left_out(program: ScenicProgram) -> tuple[str, ...]:
     if isinstance(tree, Refusal):
         return ()
     own = model_of(tree) == OWN_MODEL
-    own_lines = (*_parameters(program.source, tree, own=own), *_records(program.source, tree), *_printed(tree))
+    own_lines = (
+        *_assumed(program.source),
+        *_parameters(program.source, tree, own=own),
+        *_records(program.source, tree),
+        *_printed(tree),
+    )
     return (*_driver(program, tree), *own_lines)
+
+
+def _assumed(source: str) -> Iterator[str]:
+    """Names that nothing defined, and what they were taken to be."""
+    for line in source.split("\n"):
+        code, found, words = line.partition(ASSUMED)
+        if found:
+            yield f"assumed: {code.strip().partition(' ')[0]}, which nothing defines, is {words}"
 
 
 def _driver(program: ScenicProgram, tree: Any) -> Iterator[str]:

@@ -26,6 +26,7 @@ from chatscene.simulate.confined.rules import (
     module_of,
 )
 from chatscene.simulate.confined.syntax import not_scenic
+from chatscene.simulate.confined.undefined import defined_in, undefined_in
 from chatscene.simulate.confined.words import INSTEAD, KINDS, MODULES, dialect_of
 from chatscene.terms.pointing import pointed
 from chatscene.terms.scene import OWN_MODEL
@@ -60,12 +61,13 @@ def check_foreign(source: str, *, given: Collection[str] = (), whole: bool = Tru
     model = model_of(tree) if whole else OWN_MODEL
     dialect = dialect_of(STANDS_IN.get(model, OWN_MODEL))
     reading = Reading(
-        given=frozenset(given) | _defined(tree),
+        given=frozenset(given) | defined_in(tree),
         own=_own(tree),
         dialect=dialect,
         modules=_modules(tree),
         lines=source.split("\n"),
         declared=_declared(tree) if whole else None,
+        meanings={one.name: one.hint() for one in undefined_in(tree)} if whole and dialect.free else {},
     )
     _check_model(tree, reading, whole=whole)
     for parts, (node, depth) in enumerate(_walk(tree, reading, map_of(tree)[1]), 1):
@@ -103,21 +105,6 @@ def parse_foreign(source: str) -> Any | Refusal:
         return parse_string(source)
     except Exception as error:  # noqa: BLE001 - a parser that loses its way in a faulty text may raise anything
         return not_scenic(source, error)
-
-
-def _defined(tree: Any) -> frozenset[str]:
-    """Names that a program defines anywhere: what it assigns, its behaviors and their parameters."""
-    names: set[str] = set()
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-            names.add(node.id)
-        elif isinstance(node, ast.arg):
-            names.add(node.arg)
-        elif type(node).__name__ in _DEFINING:
-            names.add(node.name)  # type: ignore[attr-defined]
-        elif isinstance(node, ast.Import | ast.ImportFrom):  # held against the list itself, which is enough
-            names.update(one.asname or one.name.partition(".")[0] for one in node.names)
-    return frozenset(names)
 
 
 def _modules(tree: Any) -> dict[str, str]:

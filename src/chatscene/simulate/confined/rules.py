@@ -48,6 +48,7 @@ class Reading:
         lines: Its text.
         column: Where in the line, from 1.
         declared: The names of the parameters of a whole program; None for a part of one.
+        meanings: What to say of names that nothing defines, besides that.
         refusals: What was found.
         objects: How many things it places.
         egos: How often it places the ego.
@@ -60,6 +61,7 @@ class Reading:
     modules: Mapping[str, str] = field(default_factory=dict[str, str])
     lines: Sequence[str] = ()
     declared: frozenset[str] | None = None
+    meanings: Mapping[str, str] = field(default_factory=dict[str, str])
     line: int = 0
     column: int = 0
     refusals: list[Refusal] = field(default_factory=list[Refusal])
@@ -92,7 +94,7 @@ class Reading:
         if name in outside():
             self.refuse(f"the name {shown(name)}", FORBIDDEN, word=name)
             return
-        hint = meant(name, self.given | self.dialect.names)
+        hint = meant(name, self.given | self.dialect.names) + self.meanings.get(name, "")
         self.refuse(
             f"the name {shown(name)}",
             f"neither the program nor the world model defines it{hint}",

@@ -14,7 +14,7 @@ import re
 import tokenize
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from importlib.resources import files
 from itertools import pairwise
@@ -65,11 +65,13 @@ class Rewritten:
         before: As it was written.
         source: As it is run.
         changes: In order of lines; none where the two are the same.
+        meanings: Lines about names that nothing defined, and what they were taken to be.
     """
 
     before: str
     source: str
     changes: tuple[Change, ...]
+    meanings: tuple[str, ...] = ()
 
     def diff(self, called: str) -> str:
         """What was changed, as a unified diff without lines around it; empty if nothing was."""
@@ -82,7 +84,18 @@ class Rewritten:
         for change in self.changes:
             if change.line not in (seen := lines.setdefault(change.why, [])):
                 seen.append(change.line)
-        return tuple(f"{_lines(where)}: {why}" for why, where in lines.items())
+        return (*(f"{_lines(where)}: {why}" for why, where in lines.items()), *self.meanings)
+
+    def defined(self, source: str, lists: frozenset[str], meanings: tuple[str, ...]) -> Rewritten:
+        """It with names defined that nothing defined.
+
+        Args:
+            source: The text in which they are.
+            lists: Which of them are lists.
+            meanings: A line about each.
+        """
+        changes = tuple(_far_from_lists(_code(source), lists)) if lists else ()
+        return replace(self, source=_applied(source, changes), meanings=meanings)
 
 
 UNCHANGED = Rewritten("", "", ())
@@ -97,15 +110,20 @@ def _lines(where: Sequence[int]) -> str:
 
 def rewrite(source: str) -> Rewritten:
     """A program of Scenic 2 as one of Scenic 3; one of Scenic 3 is as it was but for what neither runs."""
-    try:
-        every = list(tokenize.generate_tokens(io.StringIO(source).readline))
-    except (tokenize.TokenError, SyntaxError, UnicodeError):
-        return Rewritten(source, source, ())
-    code = [token for token in every if token.type not in _UNSEEN]
+    code = _code(source)
     older = not any(a.string == "new" and b.string[:1].isupper() for a, b in pairwise(code))
     rows = (*_OLDER, *_FAULTY) if older else _FAULTY
     changes = tuple(sorted(change for row in rows for change in row(code)))
     return Rewritten(source, _applied(source, changes), changes)
+
+
+def _code(source: str) -> _Code:
+    """The tokens of a text that mean something; none of one that has none."""
+    try:
+        every = list(tokenize.generate_tokens(io.StringIO(source).readline))
+    except (tokenize.TokenError, SyntaxError, UnicodeError):
+        return ()
+    return [token for token in every if token.type not in _UNSEEN]
 
 
 def _applied(source: str, changes: Iterable[Change]) -> str:
@@ -183,12 +201,17 @@ def _projected(code: _Code) -> Iterator[Change]:
 # What neither runs
 
 
-def _far_from_lists(code: _Code) -> Iterator[Change]:
-    """`distance from x to lanes`, where these are a list."""
+def _far_from_lists(code: _Code, more: frozenset[str] = frozenset()) -> Iterator[Change]:
+    """`distance from x to lanes`, where these are a list.
+
+    Args:
+        code: The program.
+        more: Names of lists besides those that it writes out.
+    """
     opened = (
         (k, a) for k, (a, b, c) in enumerate(_threes(code)) if b.string == "=" and c.string == "[" and not a.start[1]
     )
-    lists = {a.string for k, a in opened if _is_list(code, k + 2)}
+    lists = more | {a.string for k, a in opened if _is_list(code, k + 2)}
     taken = {token.string for token in code}
     part = next(name for name in ("part", "piece", "one_part", "_") if name not in taken or name == "_")
     for k, token in enumerate(code):
