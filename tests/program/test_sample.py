@@ -1,7 +1,9 @@
+import hashlib
 import json
 import random
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -63,3 +65,10 @@ def test_scenes_have_seeds_of_their_own() -> None:
 
 def test_the_seed_of_a_scene_follows_from_the_run_and_its_id_alone() -> None:
     assert scene_seed(0, "a/route-00/scene-000") == 2668571515
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2**32 - 1, 2**32, 2**63 - 1])
+def test_values_are_those_that_numpy_draws_by_the_two_numbers_of_a_stream(seed: int) -> None:
+    stream = int.from_bytes(hashlib.blake2b(b"OPT_X", digest_size=4).digest(), "big")
+    (value,) = draw([ParameterRange(name="OPT_X", low=0.0, high=1.0, unit="1")], seed=seed).values()
+    assert value == round(float(np.random.default_rng((seed, stream)).random()), 6)

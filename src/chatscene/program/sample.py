@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 
@@ -65,7 +66,15 @@ def draw(ranges: Sequence[ParameterRange], *, seed: int) -> dict[str, float]:
     """
     values: dict[str, float] = {}
     for p in ranges:
-        stream = int.from_bytes(hashlib.blake2b(p.name.encode(), digest_size=4).digest(), "big")
-        share = float(np.random.default_rng((seed, stream)).random())
+        told = seed, _stream(p.name)
+        # The words that numpy would take the two numbers apart into; to do it itself takes it a third of the time.
+        words = told if seed >> 32 else np.array(told, np.uint32)
+        share = float(np.random.default_rng(words).random())
         values[p.name] = p.clip(round(p.low + share * (p.high - p.low), DECIMALS))
     return values
+
+
+@lru_cache(maxsize=1024)
+def _stream(name: str) -> int:
+    """The stream of a parameter, below 2**32."""
+    return int.from_bytes(hashlib.blake2b(name.encode(), digest_size=4).digest(), "big")
