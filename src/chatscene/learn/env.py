@@ -7,7 +7,7 @@ so that there any number of drives go on side by side. `vector_env` makes severa
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -16,15 +16,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import ALLOWED, OBSERVATIONS, check_preset
-from chatscene.ego.policy import PEDALS, controls, is_cut_off, tell_cut_off
+from chatscene.ego.policy import FAR, PEDALS, TURNED, controls, is_cut_off, tell_cut_off
 from chatscene.errors import EgoError, MissingExtra, SettingsError, no_such
-from chatscene.learn.reward import DESIRED_SPEED, REWARDS, Moment
+from chatscene.learn.reward import DESIRED_SPEED, REWARDS, Moment, total
 from chatscene.maps.drawing import map_drawing
 from chatscene.maps.loading import load_roads
 from chatscene.maps.network import resolve_map
 from chatscene.maps.picture import NEAR, Camera, draw_frame, draw_ground
 from chatscene.program.ordinary import Course, ordinary_courses
 from chatscene.settings import SimulationSettings
+from chatscene.simulate.native.simulator import COLLIDED, Together
 from chatscene.simulate.simulator import Session, Simulator, load_simulator
 from chatscene.terms.episode import Ending, Episode
 from chatscene.terms.route import Route
@@ -38,6 +39,7 @@ except ImportError as error:
 
 Array = NDArray[np.float32]
 BOUND = 2000.0  # [m], [m/s]: farther or faster than anything gets within a drive
+OBSERVED, REWARDED = "safebench", "progress"  # if nothing else is asked for
 TRIES = 100  # draws of a scene that cannot be placed before a course is given up
 
 
@@ -77,9 +79,9 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         courses: Sequence[Course] | None = None,
         *,
         map_name: str | Path = "town",
-        ego_observation: str = "safebench",
+        ego_observation: str = OBSERVED,
         pedals: str = "safebench",
-        reward: str = "progress",
+        reward: str = REWARDED,
         speed: float | None = None,
         settings: SimulationSettings | None = None,
         simulator: Simulator | None = None,
@@ -104,7 +106,6 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         self.observation_space = spaces.Box(-BOUND, BOUND, (size,), np.float32)
         self.action_space = spaces.Box(-1.0, 1.0, (2,), np.float32)
         self._drive: Session | None = None
-        self._last: Array = np.zeros(size, np.float32)  # what was shown
         self._scene_id = ""
         self._wanted: float | None = None
         self._route: Route
@@ -143,8 +144,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
                 self._wanted = course.program.wanted_speed
                 self._route = self._simulator.route_in(course.program, scene)
                 self._drawing = None
-                self._last = self._shown(drive)
-                return self._last, {"scene": scene.id, "values": dict(scene.values)}
+                return self._shown(drive), {"scene": scene.id, "values": dict(scene.values)}
             reason = drive.reason
         raise SettingsError(f"no scene of course {index} ({course.program.scenario_id}) could be placed: {reason}")
 
@@ -167,10 +167,8 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
             EgoError: The action is not two finite numbers, or there is no drive in progress, or something else was
                 simulated in this process meanwhile.
         """
-        drive = self._drive
-        if drive is None:
-            raise EgoError("no drive is in progress: call reset first")
-        before = drive.along
+        drive = self._in_progress()
+        before, desired = drive.along, self._desired(drive)
         drive.step(action)
         if is_cut_off(action):
             tell_cut_off("the policy", action)
@@ -181,31 +179,56 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
             lateral=drive.offset,
             steer=controls(action)[2],
             progress=drive.along - before,
-            desired=self._desired(),
+            desired=desired,
         )
         terms = self._reward(moment)
         info: dict[str, Any] = {"reward": terms}
         terminated, truncated = moment.collided, False
         if ended is not None or drive.rejection:
             truncated = not terminated
-            info |= {
-                "ending": str(ended) if ended is not None else "rejected",
-                "completion": 1.0 if ended is Ending.ARRIVED else min(max(drive.along / self._route.length, 0.0), 1.0),
-                "collision": terminated,
-                "scene": self._scene_id,
-            }
-        self._last = self._shown(drive)
-        return self._last, float(sum(terms.values())), terminated, truncated, info
+            info |= self.ended()
+        return self._shown(drive), float(total(terms)), terminated, truncated, info
+
+    def ended(self) -> dict[str, Any]:
+        """What ``info`` has at the end of a drive.
+
+        Raises:
+            EgoError: There is no drive in progress.
+        """
+        drive = self._in_progress()
+        ending = drive.ending
+        return {
+            "ending": str(ending) if ending is not None else "rejected",
+            "completion": 1.0 if ending is Ending.ARRIVED else min(max(drive.along / self._route.length, 0.0), 1.0),
+            "collision": ending is Ending.COLLISION,
+            "scene": self._scene_id,
+        }
 
     def _shown(self, drive: Session) -> Array:
         """What the ego is shown now; as the speed allowed at most what is wanted of it, as to any network."""
         seen = drive.observation.astype(np.float32)
-        seen[ALLOWED:] = np.minimum(seen[ALLOWED:], DESIRED_SPEED if self._wanted is None else self._wanted)
+        seen[ALLOWED:] = np.minimum(seen[ALLOWED:], self.wanted)
         return seen
 
-    def _desired(self) -> float:
-        """The speed [m/s] that the ego was not to exceed: what its program wants, and no more than it was shown."""
-        return min([DESIRED_SPEED if self._wanted is None else self._wanted, *self._last[ALLOWED:].tolist()])
+    @property
+    def drive(self) -> Session | None:
+        """The drive in progress, if there is one."""
+        return self._drive
+
+    @property
+    def wanted(self) -> float:
+        """The speed [m/s] that the ego is not to exceed, as far as its program says it."""
+        return DESIRED_SPEED if self._wanted is None else self._wanted
+
+    def _desired(self, drive: Session) -> float:
+        """The speed [m/s] that the ego is not to exceed: what its program wants, and no more than it is shown."""
+        shown = self._shown(drive)[ALLOWED:].tolist() if OBSERVATIONS[self._preset] > ALLOWED else ()
+        return min([self.wanted, *shown])
+
+    def _in_progress(self) -> Session:
+        if self._drive is None:
+            raise EgoError("no drive is in progress: call reset first")
+        return self._drive
 
     def render(self) -> NDArray[np.uint8] | None:  # pyright: ignore[reportIncompatibleMethodOverride]
         """The ego and what is around it, now: (360, 640, 3), red, green, blue; None without a `render_mode`.
@@ -231,15 +254,97 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         Raises:
             EgoError: There is none.
         """
-        if self._drive is None:
-            raise EgoError("no drive is in progress: call reset first")
-        return self._drive.episode(self._scene_id, ego)
+        return self._in_progress().episode(self._scene_id, ego)
 
     def close(self) -> None:
         """End the drive in progress."""
         if self._drive is not None:
             self._drive.close()
             self._drive = None
+
+
+class SideBySide(gymnasium.vector.SyncVectorEnv):
+    """Environments whose drives the engine steps in one call, each as it would be alone.
+
+    Where the engine does not cover the drive of one, all are stepped one after the other; so is one that is alone.
+    """
+
+    def __init__(self, made: Sequence[Callable[[], DrivingEnv]], *, preset: str, reward: str) -> None:
+        super().__init__(made)
+        self._reward, self._size = REWARDS[reward], OBSERVATIONS[preset]
+        self._driving: list[Any] = list(self.envs)
+        self._together = Together(len(made), self._size)
+        self._drives: list[Session | None] = [None] * len(made)  # that are in their places in it
+        self._wanted = np.full(len(made), DESIRED_SPEED)
+
+    def step(self, actions: Any) -> tuple[Any, Any, Any, Any, dict[str, Any]]:
+        """Drive one step in each whose drive goes on, and begin anew in the others; as `SyncVectorEnv`.
+
+        Raises:
+            EgoError: As for `DrivingEnv.step`.
+        """
+        self._take_up()
+        given, places = np.asarray(actions, np.float64), np.flatnonzero(~self._autoreset_envs)
+        right = given.shape == (self.num_envs, 2) and bool(np.isfinite(given).all())
+        if self.num_envs == 1 or not right or not self._together.there[places].all():
+            return super().step(actions)
+        self._rewards[:], self._terminations[:], self._truncations[:] = 0.0, False, False
+        infos: dict[str, Any] = {}
+        for place in np.flatnonzero(self._autoreset_envs).tolist():
+            self._observations[place], info = self._driving[place].reset()
+            infos = self._add_info(infos, info, place)
+        if places.size:
+            infos = self._step(places, given[places], infos)
+        self._autoreset_envs = self._terminations | self._truncations
+        seen = self._observations.copy() if self.copy else self._observations
+        return seen, self._rewards.copy(), self._terminations.copy(), self._truncations.copy(), infos
+
+    def _take_up(self) -> None:
+        """Put into its place each drive that began since the last step, whoever began it."""
+        drives = [env.drive for env in self._driving]
+        if drives == self._drives:
+            return
+        for place, (drive, before) in enumerate(zip(drives, self._drives, strict=True)):
+            if drive is not before:
+                self._together.put(place, drive)
+                self._wanted[place] = self._driving[place].wanted
+        self._drives = drives
+
+    def _step(self, places: NDArray[np.int64], actions: NDArray[np.float64], infos: dict[str, Any]) -> dict[str, Any]:
+        """Drive one step in some; what there is to tell of it beside what is told."""
+        desired = self._wanted[places]
+        if self._size > ALLOWED:
+            desired = np.minimum(desired, self._observations[places, ALLOWED])
+        made = self._together.step(places, actions)
+        far = np.flatnonzero((np.abs(actions) > FAR).any(axis=1))
+        if far.size:
+            tell_cut_off("the policy", actions[far[0]])
+        collided = made.ending == COLLIDED
+        terms = self._reward(
+            Moment(
+                collided=collided,
+                speed=made.speed,
+                lateral=made.offset,
+                steer=TURNED * actions[:, 1].clip(-1.0, 1.0),
+                progress=made.along - made.before,
+                desired=desired,
+            )
+        )
+        seen = made.seen.astype(np.float32)
+        seen[:, ALLOWED:] = np.minimum(seen[:, ALLOWED:], self._wanted[places, None])
+        self._observations[places] = seen
+        self._rewards[places] = total(terms)
+        self._terminations[places], self._truncations[places] = collided, (made.ending != 0) & ~collided
+        there = np.zeros(self.num_envs, np.bool_)
+        there[places] = True
+        told: dict[str, Any] = {}
+        for name, values in terms.items():
+            told[name], told[f"_{name}"] = np.zeros(self.num_envs), there.copy()
+            told[name][places] = values
+        infos |= {"reward": told, "_reward": there}
+        for place in places[made.ending != 0].tolist():
+            infos = self._add_info(infos, self._driving[place].ended(), place)
+        return infos
 
 
 def vector_env(
@@ -271,4 +376,5 @@ def vector_env(
     wanted = None if speed is None else speed / 3.6
     courses = arguments.pop("courses", None) or ordinary_courses(simulator, wanted)
     made = partial(DrivingEnv, courses, map_name=map_name, simulator=simulator, **arguments)
-    return gymnasium.vector.SyncVectorEnv([made] * count)
+    preset, reward = arguments.get("ego_observation", OBSERVED), arguments.get("reward", REWARDED)
+    return SideBySide([made] * count, preset=preset, reward=reward)

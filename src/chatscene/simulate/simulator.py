@@ -46,14 +46,26 @@ from chatscene.terms.simulator import SimulatorIdentity
 class Session(Protocol):
     """A simulation that is stepped from outside; unless its simulator says otherwise, one at a time per process.
 
-    `observation` is what the ego sees now; `ending` is None while the session goes on; `rejection` says why the
-    program itself gave it up, and is empty otherwise. Nothing may be stepped after an ending or a rejection.
+    `rejection` says why the program itself gave it up, and is empty otherwise. Nothing may be stepped after an ending
+    or a rejection.
     """
 
-    observation: Observation
-    ending: Ending | None
     rejection: str
-    step_number: int
+
+    @property
+    def observation(self) -> Observation:
+        """What the ego sees now."""
+        ...
+
+    @property
+    def ending(self) -> Ending | None:
+        """Why it ended, or None while it goes on."""
+        ...
+
+    @property
+    def step_number(self) -> int:
+        """How many steps were made."""
+        ...
 
     @property
     def along(self) -> float:

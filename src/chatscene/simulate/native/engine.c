@@ -7,6 +7,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
+#include <string.h>
 
 #ifndef SOURCE_DIGEST
 #define SOURCE_DIGEST ""
@@ -1169,6 +1170,21 @@ static void press(World *w, double acceleration, double steering_) {
     }
     if (acceleration > 0.0) step_world(w, acceleration, 0.0, steer);
     else step_world(w, 0.0, -acceleration * w->hardest, steer);
+}
+
+/* Scenes that are each stepped with an action of its own: what `told` and `seen` say of each is then in rows. */
+void step_worlds(World **worlds, int64_t count, const double *action, double *told, double *seen, int64_t size) {
+    for (int64_t i = 0; i < count; i++, action += 2, told += 6, seen += size) {
+        World *w = worlds[i];
+        told[0] = w->along;
+        press(w, action[0], action[1]);
+        told[1] = w->along;
+        told[2] = w->offset;
+        told[3] = w->body[0].speed;
+        told[4] = w->ending;
+        told[5] = w->fault;
+        memcpy(seen, w->seen, size * sizeof(double));
+    }
 }
 
 /* chatscene.ego.intelligent_driver.pressed */

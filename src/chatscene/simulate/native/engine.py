@@ -319,6 +319,8 @@ class Engine:
         library.see_world.argtypes = (POINTER(World),)
         library.step_world.restype = None
         library.step_world.argtypes = (POINTER(World), c_double, c_double, c_double)
+        library.step_worlds.restype = None
+        library.step_worlds.argtypes = (c_void_p, c_int64, *[c_void_p] * 3, c_int64)
         library.run_world.restype = c_int64
         library.run_world.argtypes = (POINTER(World), POINTER(Policy), c_int64)
         library.brake_world.restype = None
@@ -376,6 +378,26 @@ class Engine:
     def step(self, world: World, throttle: float, brake: float, steer: float) -> None:
         """One step of a scene."""
         self._library.step_world(ctypes.byref(world), throttle, brake, steer)
+
+    def step_many(self, worlds: NDArray[np.uint64], actions: Array, size: int) -> tuple[Array, Array]:
+        """One step of each of several scenes.
+
+        Args:
+            worlds: (N,) Where each is in memory.
+            actions: (N, 2) Acceleration and steering in [-1, 1], pressed with the hardest brake of the scene.
+            size: How many numbers the ego sees.
+
+        Returns:
+            (N, 6) how far along the ego was before the step and is after it, its offset and its speed, how the scene
+            ended and whether it failed; and (N, size) what the ego sees.
+        """
+        actions = np.ascontiguousarray(actions, np.float64)
+        if actions.shape != (len(worlds), 2) or not 0 < size <= SEEN:
+            raise ValueError(f"{actions.shape} are no actions of {len(worlds)} scenes, or {size} numbers are not seen")
+        told, seen = np.empty((len(worlds), 6)), np.empty((len(worlds), size))
+        columns = (column.ctypes.data for column in (actions, told, seen))
+        self._library.step_worlds(worlds.ctypes.data, len(worlds), *columns, size)
+        return told, seen
 
     def run(self, world: World, policy: Policy, until: int = END) -> int:
         """Run a scene to its end, or to a step; how many steps it took."""

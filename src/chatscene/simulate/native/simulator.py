@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import ctypes
 import random
 from collections import OrderedDict
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any, TypedDict
 
 import numpy as np
+from numpy.typing import NDArray
 
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import PEDALS, EgoPolicy, controls, observation_of, pedals_of
@@ -32,6 +34,7 @@ from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 NAME, REFERENCE = "native", "embedded"
 ENDINGS = {1: Ending.COLLISION, 2: Ending.ARRIVED, 3: Ending.TIMEOUT, 4: Ending.OVER}  # as engine.c numbers them
+COLLIDED = next(number for number, ending in ENDINGS.items() if ending is Ending.COLLISION)
 SIDES = ("front", "rear", "left", "right")
 
 
@@ -71,10 +74,7 @@ class NativeSession:
         be: Makes the reference the scene's again, where it may have become another one's.
 
     Attributes:
-        observation: What the ego sees now.
-        ending: Why it ended, or None while it goes on.
         rejection: Always empty: a program that can reject a drive while it runs is not covered.
-        step_number: How many steps were made.
     """
 
     rejection = ""
@@ -87,10 +87,24 @@ class NativeSession:
         self._bound = bound
         self._engine = engine
         self._be = be
+        self._size = len(reference.observation)
+        bound.world.hardest = PEDALS[pedals]
         engine.see(bound.world)
-        self.observation: Observation = self._seen()
-        self.ending: Ending | None = None
-        self.step_number = 0
+
+    @property
+    def observation(self) -> Observation:
+        """What the ego sees now."""
+        return np.frombuffer(self._bound.world.seen, np.float64, self._size).copy()
+
+    @property
+    def ending(self) -> Ending | None:
+        """Why it ended, or None while it goes on."""
+        return ENDINGS.get(self._bound.world.ending)
+
+    @property
+    def step_number(self) -> int:
+        """How many steps were made."""
+        return self._bound.world.step
 
     @property
     def along(self) -> float:
@@ -148,13 +162,6 @@ class NativeSession:
         world = self._bound.world
         if world.fault:
             raise StuckBehavior("a plan comes to no act: its phases end as they begin", within=f"step {world.step}")
-        self.step_number = world.step
-        self.ending = ENDINGS.get(world.ending)
-        self.observation = self._seen()
-
-    def _seen(self) -> Observation:
-        size = len(self._reference.observation)
-        return np.frombuffer(self._bound.world.seen, np.float64, size).copy()
 
     def episode(self, scene_id: str, ego: str) -> Episode:
         """Everything that happened so far, with the events that follow from the tracks."""
@@ -174,6 +181,71 @@ class NativeSession:
 
     def close(self) -> None:
         """Nothing: Scenic has no part in it any more, and any number of them may be open in a process."""
+
+
+class Together:
+    """Scenes in the engine that make their steps in one call.
+
+    Args:
+        count: How many places for scenes there are, all empty.
+        size: How many numbers an ego sees.
+    """
+
+    def __init__(self, count: int, size: int) -> None:
+        self._sessions: list[NativeSession | None] = [None] * count
+        self._at = np.zeros(count, np.uint64)
+        self._size = size
+
+    def put(self, place: int, session: Session | None) -> None:
+        """Have a scene in a place, in that of the one before; one that another engine steps leaves it empty."""
+        native = session if isinstance(session, NativeSession) else None
+        self._sessions[place] = native
+        self._at[place] = 0 if native is None else ctypes.addressof(native._bound.world)  # pyright: ignore[reportPrivateUsage]
+
+    @property
+    def there(self) -> NDArray[np.bool_]:
+        """(count,) Which places have a scene."""
+        return self._at != 0
+
+    def step(self, places: NDArray[np.int64], actions: NDArray[np.float64]) -> Stepwise:
+        """Drive one step of each of the scenes in some places.
+
+        Args:
+            places: (N,) Which, none of them empty, and none of a scene that ended.
+            actions: (N, 2) Acceleration and steering in [-1, 1]; finite.
+
+        Raises:
+            StuckBehavior: As for `NativeSession.step`.
+        """
+        first = self._sessions[places[0]]
+        assert first is not None
+        told, seen = first._engine.step_many(self._at[places], actions, self._size)  # pyright: ignore[reportPrivateUsage]
+        for failed in np.flatnonzero(told[:, 5]).tolist():
+            if (session := self._sessions[places[failed]]) is not None:
+                session._look()  # pyright: ignore[reportPrivateUsage]
+        before, along, offset, speed, ending, _ = told.T
+        return Stepwise(before=before, along=along, offset=offset, speed=speed, ending=ending.astype(int), seen=seen)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stepwise:
+    """What a step of several scenes came to.
+
+    Attributes:
+        before: (N,) arc length of the ego on its route before the step [m].
+        along: (N,) the same after it.
+        offset: (N,) lateral offset of the ego from its route [m, positive = left].
+        speed: (N,) of the ego [m/s].
+        ending: (N,) how each ended, as `ENDINGS` numbers it; 0 while it goes on.
+        seen: (N, size) what the ego sees.
+    """
+
+    before: NDArray[np.float64]
+    along: NDArray[np.float64]
+    offset: NDArray[np.float64]
+    speed: NDArray[np.float64]
+    ending: NDArray[np.int64]
+    seen: NDArray[np.float64]
 
 
 class _Again:
