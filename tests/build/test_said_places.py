@@ -65,9 +65,9 @@ def test_who_comes_from_a_ramp_begins_as_far_ahead_as_was_said() -> None:
     assert "egoRoute.eventAt" not in re.findall(r"^A = .*$", source, re.MULTILINE)[0]
 
 
-def test_a_bus_is_no_farther_than_its_bay_is_long() -> None:
+def test_a_bus_is_no_farther_than_a_road_leads_up_to_its_bay() -> None:
     bus = one("bus-bay", "stand", "pull-out", kind="bus", distance="400 m")
-    with pytest.raises(NotBuilt, match=r"A\.starts\.distance: 400 m: in the bay it is \d+ to \d+ m ahead"):
+    with pytest.raises(NotBuilt, match=r"A\.starts\.distance: 400 m: say \d+ m, and a place is found"):
         build(said(bus))
 
 

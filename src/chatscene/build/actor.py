@@ -21,16 +21,9 @@ from chatscene.build.naming import name_of
 from chatscene.build.numbers import MOST, PACES, Numbers
 from chatscene.build.paces import AT_ONE_SPEED, check_held
 from chatscene.build.phases import Phases
-from chatscene.build.place import (
-    AT_CROSSWALKS,
-    LANE,
-    NEXT_LANE,
-    Found,
-    at_roundabout,
-    has_crosswalks,
-    is_marked,
-)
+from chatscene.build.place import AT_CROSSWALKS, LANE, NEXT_LANE, Found, at_roundabout, lacks_at
 from chatscene.build.relations import grip_of, speed_beside
+from chatscene.build.revealed import shows_slow
 from chatscene.build.starts import start_of
 from chatscene.build.timing import Body
 from chatscene.situations.phrases import one_seen
@@ -118,8 +111,9 @@ class Actor:
         self.ledger.take(*said_anyway(self.one, self.stand.meets))
         if self.stand.faces:
             self.ledger.take(f"{at}.starts.facing")
-        if self.one.starts.where in AT_CROSSWALKS and not (is_marked(self.found) or has_crosswalks(self.found)):
-            self.ledger.assume(f"{self.one.id} crosses where the map has no crosswalk")
+        if (lacks := lacks_at(self.found, self.one.starts.where)) is not None:
+            does = "crosses" if self.one.starts.where in AT_CROSSWALKS else "starts"
+            self.ledger.assume(f"{self.one.id} {does} where the map has no {lacks}")
         told = self.ledger.told
         if told is not None and any(rolls(one) for one in told.others if one.id == self.one.id):
             self.ledger.assume(f"{self.one.id} rolls, so it is built as a ball, which may be smaller")
@@ -300,10 +294,11 @@ class Actor:
         return (against or (self.stand.meets is Meets.ALONG and follows)) and not self.walks
 
     def _leaves_before_who_stands(self) -> int:
-        """In how many of its phases it is not careful, since it is about to leave the lane in which somebody stands."""
-        others = (one for one in self.ledger.situation.others if one.id != self.one.id)
-        stands = any(one.starts.where is Where.AHEAD and stands_first(one) for one in others)
-        if not stands or self.one.starts.where is not Where.AHEAD:
+        """In how many of its phases it is not careful: it is about to leave the lane of who stands or is slow."""
+        others = [one for one in self.ledger.situation.others if one.id != self.one.id]
+        before = any(one.starts.where is Where.AHEAD and stands_first(one) for one in others)
+        before = before or any(shows_slow(self.one, one) for one in others)
+        if not before or self.one.starts.where is not Where.AHEAD:
             return 0
         leaves = (k for k, deed in enumerate(self.deeds) if deed.act in SIDEWAYS)
         return next((self.begins[k] + 1 for k in leaves if k < len(self.begins)), 0)

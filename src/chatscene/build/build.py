@@ -27,6 +27,7 @@ from chatscene.build.possible import OFF_ROAD, impossible
 from chatscene.build.rails import over_rails
 from chatscene.build.relations import check_kept_up, check_passed_by_ego
 from chatscene.build.restated import restated
+from chatscene.build.revealed import revealed
 from chatscene.build.roadside import beside_road
 from chatscene.build.screening import from_its_lane
 from chatscene.build.standing_before import in_queue
@@ -125,7 +126,8 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
         raise NotBuilt("impossible: " + "; ".join(f"{path}: {why}" for path, why in cannot.items()))
     said = situation
     situation = replace(made.situation, others=tuple(along_the_road(wrong_way(one)) for one in made.situation.others))
-    situation = at_a_corner(in_queue(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation))))))
+    situation = in_queue(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation)))))
+    situation = at_a_corner(revealed(situation))
     check_met(situation)
     every, refused = speeds_to_try(situation), list[NotBuilt]()
     speeds = tuple(speed for speed in every if speed <= at_most) or every[-1:]

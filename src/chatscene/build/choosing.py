@@ -114,8 +114,8 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         yield deed.act, AS_FAST_BEHIND if said else BEHIND_ANOTHER  # or it would run into the ego
     if deed.act is Act.OVERTAKE and along:
         yield from _overtaking(actor, deed)
-    if meets is Meets.TOWARD and deed.act in _COMES_BACK and is_in_ours(actor, k):
-        yield deed.act, _back(actor, k)
+    if meets is Meets.TOWARD:
+        yield from _toward(actor, k)
     if done_to(deed) != EGO:
         yield from _to_another(actor, k)
 
@@ -170,6 +170,15 @@ def _back(actor: Actor, k: int) -> Steps:
         return COMES_BACK
     fast = tuple(text.replace("$SPEED", f"$FAST_{passed[-1]}") for text in COMES_BACK.does)
     return replace(COMES_BACK, does=fast)
+
+
+def _toward(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
+    """The rows of who comes against the ego."""
+    deed = actor.deeds[k]
+    if deed.act is Act.YIELD:
+        yield deed.act, yielding_to(EGO, against=True)  # until it is by, wherever that is
+    if deed.act in _COMES_BACK and is_in_ours(actor, k):
+        yield deed.act, _back(actor, k)
 
 
 def _to_another(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:

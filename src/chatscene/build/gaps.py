@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, goes_slowly
 from chatscene.build.contact import misses
 from chatscene.build.cutting_in import SLOWER, comes_before, gets_before, leaves, seconds_to_get_before, set_speed
-from chatscene.build.deeds import OWN, SLOW_FOR
+from chatscene.build.deeds import BACKS_GAIN, OWN, SLOW_FOR
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.relations import speed_of
 from chatscene.build.sideways import seconds_over
 from chatscene.build.timing import Body
 from chatscene.build.towards import done_to, to_whom
+from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import ASIDE, GOES_ON, LOSES, Act, Heads, Manner, Role, Side, Where, acts_of
 
@@ -304,11 +306,24 @@ def _bound(actor: Actor, k: int) -> str:
 
 
 def backs_by(actor: Actor, k: int) -> str:
-    """The parameter that is how long somebody backs up so that it covers the way that was said, at one speed."""
+    """The parameter that is how long somebody backs up so that it covers the way that was said, at one speed.
+
+    Raises:
+        NotBuilt: It is not as fast on so short a way.
+    """
     deed, at, numbers = actor.deeds[k], f"{actor.path}.does.{k}", actor.numbers
     assert deed.distance is not None
     speed = numbers.middle(f"BACK_{k}") if deed.speed is not None else BACKS
     numbers.narrow(f"BACK_{k}", speed, speed)
     low, high = deed.distance.drawn(*BACKS_FAR)
+    gets, stops = speed / BACKS_GAIN, speed**2 / (2.0 * actor.limits.brake)  # until it is as fast, and then stands
+    least = 0.5 * speed * gets + stops
+    if deed.speed is not None and high < least:
+        raise NotBuilt(
+            f"{at}.distance: {deed.distance} is too short to back up at {deed.speed}; say"
+            f" {math.ceil(10 * least) / 10:g} m at least"
+        )
+    if deed.speed is not None:
+        low, high = max(low, least) + 0.5 * speed * gets - stops, max(high, least) + 0.5 * speed * gets - stops
     numbers.measure(f"BACK_TIME_{k}", low / speed, high / speed, "s", "for how long it backs up", f"{at}.distance")
     return f"BACK_TIME_{k}"

@@ -9,14 +9,17 @@ from chatscene.build.actor import Actor
 from chatscene.build.aside import avoids, seconds_aside
 from chatscene.build.asked import ROOM, Meets, stands_first
 from chatscene.build.local import WIDER
+from chatscene.build.numbers import Numbers
+from chatscene.build.revealed import shows_slow
 from chatscene.build.towards import done_to, screens
 from chatscene.errors import NotBuilt
-from chatscene.terms.situation import EGO
+from chatscene.terms.situation import EGO, Other
 from chatscene.terms.vocabulary import COMES_IN, COMES_OVER, SIDEWAYS, SLOWS, Role, Where
 from chatscene.world.places import FOLLOWING_BRAKE
 
 HEADWAY = 1.3  # [s] that somebody is behind another who comes in between that and the ego
 GETS_GOING = 2.0  # [s] at its speed that it takes somebody from the kerb until it goes along the lane
+SHOWS = 6.0  # [s] that somebody has before it is where another goes slowly for which it leaves the lane
 GOES_ON = 5.0  # [s] that somebody goes on before it brakes for who stands in its lane
 _AHEAD = frozenset((Where.AHEAD, Where.AHEAD_BESIDE))
 
@@ -129,12 +132,24 @@ def _comes_between(actor: Actor) -> bool:
 
 
 def leaves_row(actor: Actor) -> float:
-    """How much more room [m] somebody needs before it who comes out of a row of others from a stand: to turn out."""
+    """How much more room [m] somebody needs before it who comes out of a row of others: to turn out from a stand.
+
+    Who leaves the lane before somebody slow is so far behind that one that it has the time to.
+    """
     limits, along = actor.limits, actor.stand.meets is Meets.ALONG
+    if (slow := next((one for one in actor.ledger.situation.others if shows_slow(actor.one, one)), None)) is not None:
+        return SHOWS * max(actor.ego_speed - _goes_at(slow), 0.0)
     if not (along and limits.wheelbase and stands_first(actor.one)) or _stays(actor):
         return 0.0
     radius = WIDER * limits.wheelbase / math.tan(limits.wheel_angle)
     return math.sqrt(2.0 * radius * limits.width)
+
+
+def _goes_at(one: Other) -> float:
+    """About how fast [m/s] somebody goes along who is slow."""
+    row = one.kind.row.body.row
+    usual = Numbers(one.id, row).middle("SLOW" if row.motorised else "SPEED")
+    return usual if one.starts.speed is None else one.starts.speed.near(usual)
 
 
 def behind_leaders(actors: Sequence[Actor]) -> Iterator[tuple[Actor, Actor]]:

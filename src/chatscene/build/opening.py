@@ -19,6 +19,7 @@ from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, at_junction, room_against
 from chatscene.build.reacting import ego_slows, goes_until_ego_slows, reacts
 from chatscene.build.relations import AGAINST, ALONG, grip_of
+from chatscene.build.revealed import shows_slow
 from chatscene.build.sideways import CLEARS, over_at_speed
 from chatscene.build.timing import Course, Meeting, course
 from chatscene.build.towards import done_to
@@ -166,7 +167,9 @@ class Opening(UnderWay):
             name = name_of(yields_to)
             yield f"{self._go()} until gap(self, {name}) < brakingDistance(self) * 2 + {name}.pose[3] * {LETS_BY:g}"
         elif actor.stand.meets is Meets.TOWARD and not steps[self.first].lasting:
-            yield f"{self._go()} until gap(self, ego) < {self._far('(self.pose[3] + ego.pose[3]) * $LEAD_TIME')}"
+            lead = "(self.pose[3] + ego.pose[3]) * $LEAD_TIME"
+            yields = actor.deeds[self.first].act is Act.YIELD  # what follows is done once the ego is by
+            yield f"{self._go()} until gap(self, ego) < {lead if yields else self._far(lead)}"
         yield from self._comes_close()
 
     def _roll_up(self) -> None:
@@ -237,7 +240,8 @@ class Opening(UnderWay):
         others = all(one.starts.where in ALONG | AGAINST and not stands_first(one) for one in situation.others)
         before = stand.meets is Meets.ALONG and not stand.behind and actor.one.starts.where is Where.AHEAD
         waits = any(deed.act not in GOES_ON | (LOSES if before else set()) for deed in situation.ego.does)
-        return stand.meets is Meets.ALONG and not (place or waits or stand.rolls) and others
+        elsewhere = place or waits or stand.rolls or self._shows() is not None
+        return stand.meets is Meets.ALONG and not elsewhere and others
 
     def _make_room(self) -> None:
         """Let it be so far along the ego's route that the ego is not there too soon."""
@@ -367,17 +371,26 @@ class Opening(UnderWay):
                 return f"{there} < {wait:.2f} + $OFFSET" + self._or_yields()
             case _ if (shown := self._shows()) is not None:
                 clears = CLEARS if over_at_speed(self.phases.actor, self.first) else 0.6
-                return f"headway(egoRoute, self, {name_of(shown.id)}) < self.pose[3] * ({clears} + $LEAD_TIME) + 5"
+                name = name_of(shown.id)
+                closing = "self.pose[3]" if stands_first(shown) else f"(self.pose[3] - {name}.pose[3])"
+                return f"headway(egoRoute, self, {name}) < {closing} * ({clears} + $LEAD_TIME) + 5"
             case _:
                 due = f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
-                return due + (self._or_yields() if self.phases.actor.ego.stands else "")
+                return due + (self._or_yields() if self.phases.actor.ego.stands or self._is_held_by_others() else "")
+
+    def _is_held_by_others(self) -> bool:
+        """Whether an ego may be held by others before it is where its first deed is due, who is ahead of it."""
+        actor = self.phases.actor
+        ahead = actor.one.starts.where in (Where.AHEAD, Where.AHEAD_BESIDE) and not actor.stand.rolls
+        return ahead and len(actor.ledger.situation.others) > 1
 
     def _shows(self) -> Other | None:
-        """Who stands before it in the ego's lane, if it leaves that and so shows who stands there."""
+        """Who stands or is slow before it in the ego's lane, if it leaves that and so shows who is there."""
         actor = self.phases.actor
         if actor.one.starts.where is not Where.AHEAD or not actor.deeds or actor.deeds[0].act is not Act.CUT_OUT:
             return None
-        return self._standing_ahead()
+        others = actor.ledger.situation.others
+        return self._standing_ahead() or next((other for other in others if shows_slow(actor.one, other)), None)
 
     def _in_whose_way(self) -> str:
         """Who comes past whoever opens a door: who waits for that on the ego's road, else the ego."""

@@ -103,6 +103,23 @@ def has_crosswalks(found: Found) -> bool:
     return Equipment.CROSSWALKS in found.query.get("has", ())
 
 
+def lacks_at(found: Found, where: Where) -> str | None:
+    """What is not on the map where somebody starts who is said to be at it; None if it is, or nothing was said."""
+    match where:
+        case Where.CROSSING | Where.EXIT_CROSSING if not (is_marked(found) or has_crosswalks(found)):
+            return "crosswalk"
+        case Where.BUS_BAY if found.query.get("site") != Site.BUS_BAY:
+            return "bus bay"
+        case Where.MEDIAN if "divided" not in found.query:
+            return "median"
+        case Where.ON_RAMP if found.query.get("site") not in (Site.ON_RAMP, Site.PAST_ON_RAMP, Site.WEAVING):
+            return "on-ramp"
+        case Where.DRIVEWAY if not between_bays(found):  # out of a bay
+            return "driveway"
+        case _:
+            return None
+
+
 def between_bays(found: Found) -> bool:
     """Whether it is a car park, where one stands across the way in a bay."""
     return Equipment.BAYS in found.query.get("has", ())

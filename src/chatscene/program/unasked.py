@@ -61,6 +61,8 @@ GETS_AHEAD = acts_of(Heads.BY, Heads.BEFORE, Heads.LEVEL)
 """What brings who is behind another ahead of that."""
 LOST = 4.0  # [m/s] that somebody loses, or half of its speed, who is seen to brake for nothing
 FIRMLY = 2.5  # [m/s²] with which it does, or the same share of the grip as of who is seen to brake at all
+LOOKS = 2  # [steps] apart, at which it is looked for somebody ahead while somebody brakes
+EASILY = 2.5  # [m/s²] with which somebody may brake for whoever is slower ahead
 AHEAD = 3.0  # [s] ahead of somebody, at its speed, is for whom it may have to brake
 IN_FRONT = HALF_LANE  # [m] aside of its line at most
 _SAID = {
@@ -224,7 +226,8 @@ def _brakes_for_nobody(seen: Seen, others: Sequence[Track], after: int, least: f
         firm = lost >= min(FIRMLY, OF_GRIP * seen.grip) * seconds
         much = speed[began] > MOVING and lost >= min(LOST, 0.5 * speed[began])
         slower = speed[end - 1] < least - max(SLACK_SPEED, SLACK * least) if math.isfinite(least) else True
-        if began >= after and much and firm and slower and not _blocked(seen, others, began):
+        steps = range(began, end, LOOKS)  # who comes over meanwhile may come behind somebody
+        if began >= after and much and firm and slower and not any(_blocked(seen, others, step) for step in steps):
             return began
     return None
 
@@ -236,7 +239,9 @@ def _blocked(seen: Seen, others: Sequence[Track], step: int) -> bool:
     for other in others:
         x, y = other.x[step] - me.x[step], other.y[step] - me.y[step]
         ahead, aside = x * cos + y * sin, y * cos - x * sin
-        near = AHEAD * abs(me.speed[step]) + (me.length + other.length) / 2
+        along = max(0.0, float(other.speed[step] * np.cos(other.heading[step] - me.heading[step])))
+        near = max(AHEAD * abs(me.speed[step]), (me.speed[step] ** 2 - along**2) / (2.0 * EASILY))
+        near += (me.length + other.length) / 2
         comes = AHEAD * abs(other.speed[step] * np.sin(other.heading[step] - me.heading[step]))
         if other is not me and 0.0 < ahead < near and abs(aside) < IN_FRONT + other.width / 2 + comes:
             return True

@@ -30,6 +30,7 @@ from chatscene.terms.snippet import ParameterRange
 EGOS = (EGO, "idm")
 """Who drives: where none is named, and one that plans nothing. What only one of them shows depends on who drives."""
 DRAWN = 7  # drives of each besides that in the middle of all ranges
+FRESH = 4  # more of each, of a shift whose drives all show everything: they were what it was found by
 SEED = 1  # what their values are drawn by
 FIRST = 4  # of these drives, by which a program that helps is told from others
 ONE_OFF = 1  # of these drives that may miss something: the program stays as it is
@@ -67,7 +68,7 @@ def rehearsed(built: Built, situation: Situation) -> Built:
     if not best.is_enough and (slowly := _with_slow_ego(built, situation)) is not None:
         with suppress(ChatSceneError):
             slow = _best(slowly, situation, DRIVES[1])
-            if slow.shown > best.shown:
+            if slow.share > best.share:
                 built, best = slowly, slow
     unseen = tuple(best.unseen())
     if best.program is built.program:
@@ -93,17 +94,27 @@ def _best(built: Built, situation: Situation, drives: int) -> _Tried:
         ChatSceneError: It cannot be driven.
     """
     stage = _Stage.of(built, situation, drives)
-    first = best = stage.driven(built.program)
-    while best.count and first.missed > ONE_OFF:
+    first = stage.driven(built.program)
+    best = _shifted_best(stage, first, built.bound) if first.missed > ONE_OFF else first
+    if best.program is not first.program and not best.count and stage.left > 0:  # by chance, it may be
+        stage.drawn += FRESH
+        again = stage.driven(best.program)
+        best = _shifted_best(stage, again, built.bound) if again.count else again
+    return best if best.share > first.share else first
+
+
+def _shifted_best(stage: _Stage, best: _Tried, bound: Iterable[str]) -> _Tried:
+    """The same of a program's shifts, as long as one of them misses less."""
+    while best.count:
         start = best
-        best = _narrowed(stage, best, built.bound)
-        for name in _free(best.program, built.bound):
+        best = _narrowed(stage, best, bound)
+        for name in _free(best.program, bound):
             base = best
             for program in _shifted(base.program, name):
                 best = stage.better(program, best) or best
         if best is start:
             break
-    return best if best.shown > first.shown else first
+    return best
 
 
 def _narrowed(stage: _Stage, best: _Tried, bound: Iterable[str]) -> _Tried:
@@ -184,19 +195,25 @@ class _Tried:
                 yield f"none of {len(begun)} drives shows {fact}: {instead}"
 
     @property
+    def share(self) -> float:
+        """The share of the drives that show all."""
+        return self.shown / len(self.missing)
+
+    @property
     def is_enough(self) -> bool:
         """Whether enough drives show all."""
-        return self.shown >= ENOUGH * len(self.missing)
+        return self.share >= ENOUGH
 
 
 @dataclass(slots=True, kw_only=True)
 class _Stage:
-    """Where and by whom a program is driven, what it is to show, and how many drives are left."""
+    """Where and by whom a program is driven, what it is to show, how many drives are left, and how many are drawn."""
 
     situation: Situation
     simulator: Simulator
     route: Route
     left: int
+    drawn: int = DRAWN
 
     @classmethod
     def of(cls, built: Built, situation: Situation, drives: int) -> _Stage:
@@ -240,7 +257,7 @@ class _Stage:
 
     def _drives(self, program: ScenicProgram) -> list[tuple[Scene, EgoPolicy]]:
         called = replace(program, scenario_id=STATED)  # values are drawn by the name, which is not to count
-        drawn = (drawn_scene(called, number, seed=SEED) for number in range(DRAWN))
+        drawn = (drawn_scene(called, number, seed=SEED) for number in range(self.drawn))
         scenes = (scene_at(called, 0, 0.5, name="middle"), *drawn)
         return [(scene, load_ego(ego)) for scene in scenes for ego in EGOS]
 
