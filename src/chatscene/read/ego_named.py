@@ -6,6 +6,9 @@ import re
 from dataclasses import dataclass
 from functools import lru_cache
 
+from chatscene.read.kinds import nouns_of
+from chatscene.terms.vocabulary import UserKind
+
 Span = tuple[int, int]
 
 _FIRST_PERSON = r"(?:I|i|[Mm][ey]|[Mm]ine|[Ww]e|us|[Oo]urs?)"
@@ -47,3 +50,28 @@ def ego_named(text: str) -> Naming:
     if not first or len(numbers) < 2:
         return Naming(())
     return Naming(tuple(found.span() for found in first), first[0][0])
+
+
+def owned_kind(text: str) -> tuple[UserKind, str] | None:
+    """What the ego is by whose it is, as in "our old bus", and the words that say so; None if none do.
+
+    A car is none: that is what an ego is of which nothing is said.
+    """
+    found = _owned().search(text)
+    if found is None:
+        return None
+    noun = re.sub(r"[\s-]+", " ", found["noun"].lower())
+    return next((kind, found[0]) for kind in _driven() if noun in {one.replace("-", " ") for one in nouns_of(kind)})
+
+
+@lru_cache(maxsize=1)
+def _owned() -> re.Pattern[str]:
+    nouns = sorted({noun for kind in _driven() for noun in nouns_of(kind)}, key=len, reverse=True)
+    said = "|".join(re.escape(noun).replace(r"\ ", r"[\s-]+").replace(r"\-", r"[\s-]+") for noun in nouns)
+    return re.compile(
+        rf"(?i)(?<![\w'\u2019-])(?:my|our)\s+(?:\w+\s+)?(?P<noun>{said})(?![\w'\u2019-]|\s+(?:driver|stop|lane)\b)"
+    )
+
+
+def _driven() -> tuple[UserKind, ...]:
+    return tuple(kind for kind in UserKind if kind.may_be_ego and kind is not UserKind.CAR)

@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from chatscene.read.ego_named import ego_named
 from chatscene.read.kinds import is_named
 from chatscene.read.without_effect import without_effect
 from chatscene.situations.facts import GAP, is_said, said_in, within
 from chatscene.situations.phrases import KINDS
 from chatscene.terms.frame import Word
 from chatscene.terms.situation import Situation
+from chatscene.terms.vocabulary import UserKind
 
 # The closed classes of English words: alone none of them tells a fact. Negations are not among them.
 _FUNCTION = """
@@ -130,10 +132,21 @@ def not_in_words(situation: Situation) -> tuple[str, ...]:
     facts = ", ".join(f"{path}: {value}" for path, value in said_in(situation) if path in situation.evidence.assumed)
     return (
         *([MIRRORED] if situation.evidence.mirrored else []),
+        *_who_is_who(situation),
         *([f"not read: {over}"] if over else []),
         *otherwise_named(situation),
         *([f"no words of the text say {facts}"] if facts else []),
     )
+
+
+def _who_is_who(situation: Situation) -> Iterator[str]:
+    """Who tells the text where that is not the ego, and which of numbered units the ego is."""
+    ego = KINDS[situation.ego.kind or UserKind.CAR].one
+    for one in situation.others:
+        if situation.evidence.quoted.get(f"others.{one.id}", "").lower() in ("i", "we"):
+            yield f"you are {KINDS[one.kind].one} here ({one.id}), and not the ego, which is {ego}"
+    if words_told(situation) and (unit := ego_named(situation.about).unit):
+        yield f"{unit!r} is taken for the ego, {ego}"
 
 
 def is_a_duty(words: str, text: str) -> bool:

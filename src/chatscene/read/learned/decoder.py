@@ -34,7 +34,7 @@ _FAINT = math.log(1e-3)
 _LAYERS, _HEADS, _DEPTH = 2, 8, 256
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Written:
     """A sequence, and how likely it is.
 

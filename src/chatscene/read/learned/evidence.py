@@ -27,6 +27,7 @@ def quoted_of(read: Read, written: Written) -> Mapping[str, str]:
     return {path: words for path, words in quoted.items() if words}
 
 
+@lru_cache(maxsize=64)
 def marked_in(read: Read, written: Written) -> Mapping[str, tuple[tuple[int, int], ...]]:
     """Where the words of each fact stand, by its path; without those of an amount that it was copied from.
 

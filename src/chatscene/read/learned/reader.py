@@ -9,9 +9,12 @@ from functools import lru_cache
 from pathlib import Path
 
 from chatscene.read.blows import settled
+from chatscene.read.ego_named import owned_kind
 from chatscene.read.english import check_english
 from chatscene.read.learned.decoder import Decoder, Written
 from chatscene.read.learned.evidence import marked_in, quoted_of
+from chatscene.read.learned.grammar import NAMES
+from chatscene.read.learned.narrator import DRIVES, MOST, ON_FOOT, SOMEBODY, SURE, clauses, of_somebody, told_by
 from chatscene.read.learned.sequence import situation_of, verdict_of
 from chatscene.read.learned.text import Read, prepared
 from chatscene.read.learned.weights import PACKAGED, load
@@ -24,6 +27,10 @@ from chatscene.situations.main_facts import same_in_the_main
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Evidence, Situation
 
+YOU_ON_FOOT = (
+    "you are on foot in it, and the ego drives or rides; tell it as whoever meets you sees it, as in 'a pedestrian "
+    "crosses from the right while we turn left'"
+)
 _SURE, _IMPOSSIBLE = 1.0 - 1e-6, 1e-6
 
 
@@ -59,12 +66,17 @@ class LearnedReader:
         verdicts = dict.fromkeys(Verdict, 0.0)
         for one in written:
             verdicts[verdict_of(one.steps)] += math.exp(one.likely)
-        ranked = ranked_of(read, written)
+        on_foot = _tells_on_foot(read, ways_of(written), self.weights)
+        ranked = ranked_of(read, written, on_foot=on_foot)
         tells = verdicts[Verdict.SITUATION] / sum(verdicts.values())
         verdict = max(verdicts, key=lambda one: verdicts[one])
         if verdict is not Verdict.SITUATION or not ranked:
             refused = max((one for one in Verdict if one is not Verdict.SITUATION), key=lambda one: verdicts[one])
             return SituationReading(text=text, reader=self.name, verdict=refused, tells=tells)
+        if on_foot and not (ranked := tuple(one for one in ranked if _is_met_on_foot(one.situation))):
+            return SituationReading(
+                text=text, reader=self.name, verdict=Verdict.OUT_OF_REACH, reason=YOU_ON_FOOT, tells=tells
+            )
         trust = load(self.weights)
         sure = tuple(replace(one, probability=_trusted(one.probability, trust.scale, trust.offset)) for one in ranked)
         return SituationReading(
@@ -119,25 +131,33 @@ def ways_of(written: Sequence[Written]) -> tuple[Way, ...]:
     return tuple(Way(one, likely[one], first[one]) for one in sorted(likely, key=lambda one: -likely[one]))
 
 
-def ranked_of(read: Read, written: Sequence[Written]) -> tuple[Ranked, ...]:
+def ranked_of(read: Read, written: Sequence[Written], *, on_foot: bool = False) -> tuple[Ranked, ...]:
     """The situations that differ in the main, the likeliest first.
 
     The probability of one is that of all sequences that come to a situation with the same main facts, of which it
     is the likeliest.
+
+    Args:
+        read: The text.
+        written: The sequences.
+        on_foot: Whether who tells it is.
     """
     told: dict[Way, float] = {}
     for one in (_by_grammar(way, read) for way in ways_of(written)):
         same = next((way for way in told if same_in_the_main(one.situation, way.situation)), one)
         told[same] = told.get(same, 0.0) + one.probability  # each counts for one of them
-    ranked = (Ranked(situation=_evident(one.situation, read, one.written), probability=p) for one, p in told.items())
+    ranked = (Ranked(situation=_evident(one, read, on_foot=on_foot), probability=p) for one, p in told.items())
     return tuple(sorted(ranked, key=lambda one: -one.probability))
 
 
 def _by_grammar(way: Way, read: Read) -> Way:
-    """A way whose contact is as the grammar of the text has it.
+    """A way whose ego is what is said to be the narrator's, and whose contact is as the grammar of the text has it.
 
-    It has none that is denied only since somebody has to avoid it: what a driver shall do is not told.
+    It has no contact that is denied only since somebody has to avoid it: what a driver shall do is not told.
     """
+    situation, owned = way.situation, owned_kind(read.text)
+    if owned is not None and situation.ego.kind is None and not _told_by(way, read):
+        way = replace(way, situation=replace(situation, ego=replace(situation.ego, kind=owned[0])))
     contact = way.situation.contact
     if contact is None:
         return way
@@ -147,10 +167,44 @@ def _by_grammar(way: Way, read: Read) -> Way:
     return replace(way, situation=settled(way.situation, read.text, marked_in(read, way.written)))
 
 
-def _evident(situation: Situation, read: Read, written: Written) -> Situation:
-    quoted = {path: words for path, words in quoted_of(read, written).items() if is_said(situation, path)}
+def _evident(way: Way, read: Read, *, on_foot: bool) -> Situation:
+    situation, owned = way.situation, owned_kind(read.text)
+    said = {**quoted_of(read, way.written), **_told_by(way, read, on_foot=on_foot)}
+    if owned is not None and situation.ego.kind is owned[0]:
+        said.setdefault("ego.kind", owned[1])
+    quoted = {path: words for path, words in said.items() if is_said(situation, path)}
     made = replace(situation, about=read.text, evidence=Evidence(quoted=quoted))
     return replace(made, evidence=replace(made.evidence, assumed=without_words(made)))
+
+
+def _told_by(way: Way, read: Read, *, on_foot: bool = False) -> dict[str, str]:
+    return told_by(way.situation, read.text, marked_in(read, way.written), on_foot=on_foot)
+
+
+def _tells_on_foot(read: Read, ways: Sequence[Way], weights: Path) -> bool:
+    """Whether who tells a text is on foot: the reader takes somebody who does the same for one who is."""
+    marked = marked_in(read, ways[0].written) if ways else {}
+    driven = [span for path in DRIVES for span in marked.get(path, ())]
+    told = tuple(clauses(read.text))
+    if any(low <= start and end <= high for low, high in told for start, end in driven):
+        return False
+    sentences = dict.fromkeys(of_somebody(read.text[low:high]) for low, high in told[:MOST])
+    return any(_share_on_foot(sentence, weights) >= SURE for sentence in sentences)
+
+
+@lru_cache(maxsize=256)
+def _share_on_foot(sentence: str, weights: Path) -> float:
+    """How likely the somebody of a sentence, who is alone in it, is on foot."""
+    read, share = prepared(sentence), 0.0
+    for way in ways_of(written_of(read, weights)):
+        spans = marked_in(read, way.written).get(f"others.{NAMES[0]}.kind", ())
+        if len(way.situation.others) == 1 and any(start < len(SOMEBODY) for start, _ in spans):
+            share += way.probability * (way.situation.others[0].kind in ON_FOOT)
+    return share
+
+
+def _is_met_on_foot(situation: Situation) -> bool:
+    return any(one.kind in ON_FOOT for one in situation.adversaries)
 
 
 def _trusted(probability: float, scale: float, offset: float) -> float:
