@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -184,6 +185,20 @@ class DrawnRoad:
     def _pieces(self) -> list[_Piece]:
         found = [(float(p.attrib["s"]), float(p.attrib["length"]), p) for p in self._road.iterfind("planView/geometry")]
         return sorted(found, key=lambda piece: piece[0])
+
+    def joints(self) -> Iterator[tuple[float, float, float]]:
+        """Where pieces of its reference line meet: arc length, how far apart they are [m], the turn between [rad].
+
+        Raises:
+            ValueError: Its reference line is of another kind.
+        """
+        for (first, length, one), (start, _, other) in pairwise(self._pieces):
+            del first
+            (x0, y0, before), (x1, y1, after) = (
+                tuple(float(column[0]) for column in _reference(element, np.array([at])))
+                for element, at in ((one, length), (other, 0.0))
+            )
+            yield start, math.hypot(x1 - x0, y1 - y0), abs(math.remainder(after - before, math.tau))
 
     @cached_property
     def _offsets(self) -> Steps:

@@ -32,7 +32,7 @@ def _side(lanes: list[Xml.Element]) -> None:
                 inner = _combined(inner, _steps(lane, "width"), 1.0)
                 continue
             borders = _steps(lane, "border")
-            sign = math.copysign(1.0, borders[0][1][0])  # to the right, some count distances, others negative ones
+            sign = _side_of(borders)  # to the right, some count distances, others negative ones
             outer = [(s, _scaled(cubic, sign)) for s, cubic in borders]
             widths = _combined(outer, inner, -1.0)
             for border in lane.findall("border"):
@@ -43,6 +43,13 @@ def _side(lanes: list[Xml.Element]) -> None:
             inner = outer
     except ValueError:  # what is no number is told where it stands
         return
+
+
+def _side_of(borders: Steps) -> float:
+    """The sign of a border where it is farthest from the reference line: a lane may begin or end with no width."""
+    ends = [*(s for s, _ in borders[1:]), borders[-1][0] + 1.0]
+    places = [cubic_from([(s, cubic)], at)[0] for (s, cubic), end in zip(borders, ends, strict=True) for at in (s, end)]
+    return math.copysign(1.0, max(places, key=abs))
 
 
 def _steps(lane: Xml.Element, tag: str) -> Steps:
@@ -57,10 +64,10 @@ def _steps(lane: Xml.Element, tag: str) -> Steps:
 def _combined(one: Steps, other: Steps, times: float) -> Steps:
     """One plus so many times another."""
     cuts = sorted({s for s, _ in (*one, *other)})
-    return [(s, _sum(_from(one, s), _scaled(_from(other, s), times))) for s in cuts]
+    return [(s, _sum(cubic_from(one, s), _scaled(cubic_from(other, s), times))) for s in cuts]
 
 
-def _from(steps: Steps, s: float) -> Cubic:
+def cubic_from(steps: Steps, s: float) -> Cubic:
     """The cubic that holds at a distance, as one of the distance from there."""
     start, (a, b, c, d) = next((step for step in reversed(steps) if step[0] <= s), steps[0])
     x = s - start

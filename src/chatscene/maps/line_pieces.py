@@ -37,7 +37,24 @@ def join_pieces(road: Xml.Element) -> list[str]:
                 f"road {road.get('writtenId', road.get('id', ''))!r}: the piece at s={s:g} is {length:g} m long, and "
                 f"the next one begins after {after - s:g} m; it is taken to end there"
             )
+    if whole and (end := float(whole[-1][2].get("s", "")) + float(whole[-1][2].get("length", ""))) > NOTHING:
+        notes += _as_long_as(road, end)
     return notes
+
+
+def _as_long_as(road: Xml.Element, end: float) -> list[str]:
+    """Take a road for as long as its pieces are together [m], if it says otherwise."""
+    try:
+        length = float(road.get("length", ""))
+    except ValueError:  # what is no number is told where it stands
+        return []
+    if abs(length - end) <= MISFIT:
+        return []
+    road.set("length", repr(end))
+    return [
+        f"road {road.get('writtenId', road.get('id', ''))!r}: it says that it is {length:g} m long, and its pieces end "
+        f"after {end:g} m; its pieces count"
+    ]
 
 
 def begin_offsets(road: Xml.Element) -> None:

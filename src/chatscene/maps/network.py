@@ -26,7 +26,7 @@ from chatscene.files.caches import cache_folder, only_mine
 from chatscene.maps.apart import read_apart, takes_seconds
 from chatscene.maps.carla_towns import carla_town, how_to_have
 from chatscene.maps.left_hand import check_one_rule, keeps_left, lanes_on_map
-from chatscene.maps.plain_form import in_plain_form, without_namespace
+from chatscene.maps.plain_form import FORM, in_plain_form, without_namespace
 from chatscene.maps.scenic_parser import read_other_makers
 from chatscene.maps.unread import road_unread, why_unread
 from chatscene.terms.scenario import Site
@@ -202,7 +202,7 @@ def _kept(path: Path, copy: Path | None) -> Any:
         return Network.fromPickle(
             copy.with_suffix(Network.pickledExt),
             originalDigest=hashlib.blake2b(path.read_bytes()).digest(),
-            optionsDigest=deterministicHash({}, digest_size=8),
+            optionsDigest=deterministicHash({"form": FORM}, digest_size=8),
         )
     except (OSError, pickle.UnpicklingError, Network.DigestMismatchError):
         return None

@@ -15,10 +15,16 @@ from xml.etree import ElementTree as Xml
 from chatscene.maps.curves import normalise
 from chatscene.maps.direct_junctions import set_aside
 from chatscene.maps.lane_links import unlink
+from chatscene.maps.lane_sections import told_for_both_sides
+from chatscene.maps.lane_types import as_driven
 from chatscene.maps.lane_widths import told_by_widths
 from chatscene.maps.left_hand import mirror
 from chatscene.maps.line_pieces import begin_offsets, join_pieces
 from chatscene.maps.thin_lanes import divide_thin
+from chatscene.maps.virtual_junctions import set_virtual_aside
+
+FORM = 2
+"""A number for this form; where the form changes, another, so that no network of an older one is taken."""
 
 WRITTEN = "writtenId"
 """The attribute with the name of a road or junction as its file has it, where that is no number."""
@@ -54,12 +60,14 @@ def in_plain_form(root: Xml.Element, *, again: bool = False) -> tuple[str, ...]:
     without_namespace(root)
     mirror(root)
     _number_names(root)
-    notes: list[str] = []
+    notes = set_virtual_aside(root)
     for road in root.iter("road"):
         notes += join_pieces(road)
         for geometry in road.iterfind("planView/geometry"):
             normalise(geometry)
         begin_offsets(road)
+        told_for_both_sides(road)
+        notes += as_driven(road)
         told_by_widths(road)
         if again:
             divide_thin(road)

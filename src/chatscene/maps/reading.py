@@ -49,6 +49,7 @@ def _make(path: Path, made: Path, within: int, tell: Any) -> None:
 
     from chatscene.maps import network
     from chatscene.maps.apart import JOINING
+    from chatscene.maps.plain_form import FORM
 
     of_road = xodr_parser.Road.calculate_geometry
 
@@ -65,7 +66,7 @@ def _make(path: Path, made: Path, within: int, tell: Any) -> None:
 
     def make() -> Any:
         made_of_it = network.parsed(path, cached=False)
-        made_of_it.dumpPickle(made, digest, deterministicHash({}, digest_size=8))
+        made_of_it.dumpPickle(made, digest, deterministicHash({"form": FORM}, digest_size=8))
         return made_of_it
 
     _hold(within)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import Any
 from chatscene.errors import MapError
 from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.junctions import junction_control
+from chatscene.maps.lane_curves import DrawnRoad
 from chatscene.maps.layout import (
     JunctionKind,
     arms,
@@ -19,7 +21,8 @@ from chatscene.maps.layout import (
     weaving_sections,
 )
 from chatscene.maps.left_hand import lanes_on_map
-from chatscene.maps.network import load_network, put_right
+from chatscene.maps.line_pieces import MISFIT
+from chatscene.maps.network import check_opendrive, load_network, put_right
 from chatscene.maps.open_road import SHORT_ROAD
 from chatscene.maps.routes import APPROACHES, BASE_SCENARIO_QUERIES, find_routes, lacking
 from chatscene.maps.scenic_parser import outside
@@ -27,6 +30,7 @@ from chatscene.terms.mirroring import mirrored_words
 from chatscene.terms.route import RouteQuery
 
 ROUTES = 10  # per base scenario, as in the paper (section 4.2)
+_BENT = math.radians(15.0)  # a corner in a reference line that is more is a fault of the map
 _ASIDE = 0.5  # [m]; a middle farther outside its lane is a fault of the map
 _SHARED = 0.5  # [m]; lanes of one road that overlap more widely than this are a fault of the map
 
@@ -132,7 +136,7 @@ def check_map(path: Path) -> tuple[str, ...]:
         network = load_network(path)
     except MapError as error:
         return (str(error),)
-    problems = [*put_right(path), *_dead_lanes(network), *_overlaps(network), *_strays(network)]
+    problems = [*put_right(path), *_jumps(path), *_dead_lanes(network), *_overlaps(network), *_strays(network)]
     if not any(_count(network, path.stem, query) for queries in BASE_SCENARIO_QUERIES.values() for query in queries):
         problems.append(
             f"no base scenario finds a route: there is neither a lane that is straight for {SHORT_ROAD:.0f} m without "
@@ -177,6 +181,18 @@ def _overlaps(network: Any) -> list[str]:
                 if shared > _SHARED * a.centerline.length:
                     found.append(f"lanes {a.openDriveID} and {b.openDriveID} of road {road.id} overlap")
     return list(map(lanes_on_map, found)) if network.mirrored else found
+
+
+def _jumps(path: Path) -> list[str]:
+    """Reference lines that do not go on where a piece of them ends, or not in its direction."""
+    found: list[str] = []
+    for road in map(DrawnRoad, check_opendrive(path).iter("road")):
+        for s, gap, turn in road.joints():
+            if gap > MISFIT:
+                found.append(f"road {road.name!r}: its reference line leaps {gap:.2f} m at s={s:g}")
+            elif turn > _BENT:
+                found.append(f"road {road.name!r}: its reference line bends by {math.degrees(turn):.0f}° at s={s:g}")
+    return found
 
 
 def _strays(network: Any) -> list[str]:
