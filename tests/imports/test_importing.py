@@ -135,7 +135,7 @@ def test_what_cannot_be_said_here_is_refused_with_its_line(text: str, why: str, 
 def test_all_that_is_refused_is_told_at_once(beside: Path) -> None:
     bad = scenario(
         place='<GeoPosition latitude="1" longitude="2"/>',
-        more="<ManeuverGroup><Maneuver><Event/></Maneuver></ManeuverGroup>",
+        more="<ManeuverGroup><Maneuver><Event><Action><PrivateAction><X/></PrivateAction></Action></Event></Maneuver></ManeuverGroup>",
     )
     with pytest.raises(ScenarioError) as refused:
         read(beside, bad)

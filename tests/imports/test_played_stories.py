@@ -17,8 +17,8 @@ from chatscene.search.generators.foreign import foreign_program
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.storyboard import Storyboard
 from chatscene.world.story.conditions import truth_of
-from chatscene.world.story.entities import Entity, room
-from chatscene.world.story.pace import NO_TIME, pace_of
+from chatscene.world.story.entities import Bounds, Entity, room
+from chatscene.world.story.pace import NO_TIME, UNBOUND, pace_of
 from chatscene.world.story.places import Place, place_of
 from chatscene.world.story.ways import Line, Way, way_of
 from played import DISTANCE, STATE, TIME, driven, read, speed, story
@@ -355,10 +355,14 @@ def test_a_second_place_of_init_is_where_somebody_begins(beside: Path) -> None:
     assert float(found.tracks[1].y[2]) == pytest.approx(-300.0, abs=5.0)
 
 
-@pytest.mark.parametrize(("time", "after"), [(0.0, 20.0), (4.0, 5.0), (NO_TIME, 5.0)])
-def test_a_speed_of_a_profile_is_there_at_its_time_and_without_one_as_soon_as_may_be(time: float, after: float) -> None:
-    who, world = SimpleNamespace(speed=0.0), SimpleNamespace(time=0.0)
-    pace = pace_of(("profile", "", ((time, 20.0),), 5.0), who, world)  # type: ignore[arg-type]
+@pytest.mark.parametrize(
+    ("time", "most", "after"), [(0.0, UNBOUND, 20.0), (0.0, 5.0, 5.0), (4.0, 5.0, 5.0), (NO_TIME, 5.0, 5.0)]
+)
+def test_a_speed_of_a_profile_is_there_at_its_time_and_without_one_as_soon_as_may_be(
+    time: float, most: float, after: float
+) -> None:
+    who, world = SimpleNamespace(speed=0.0, bounds=Bounds()), SimpleNamespace(time=0.0)
+    pace = pace_of(("profile", "", ((time, 20.0),), (UNBOUND, most, UNBOUND)), who, world)  # type: ignore[arg-type]
     assert pace is not None
     assert pace.speed(1.0) == pytest.approx(after)
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from chatscene.imports.entities import Entities
 from chatscene.imports.given import Given, Refused
-from chatscene.imports.names import Names
+from chatscene.imports.names import Names, plain
 from chatscene.imports.positions import Pose, Positions
 from chatscene.imports.shapes import Shape, shape_of, thinned_finely
 from chatscene.imports.stranger_xml import Element
@@ -35,6 +35,7 @@ class Cast:
         called: What the story calls its parts and variables.
         lines: The lines that are followed, by name; more are added.
         refs: Names in the file of parts of the story that conditions ask about.
+        texts: Names of parameters and variables that are set to a text.
         parts: The parts of the story: the type of each, and its name with none, some or all of those above it.
     """
 
@@ -48,6 +49,7 @@ class Cast:
     called: Names
     lines: dict[str, Polyline] = field(default_factory=dict[str, Polyline])
     refs: frozenset[str] = frozenset()
+    texts: frozenset[str] = frozenset()
     parts: frozenset[tuple[str, tuple[str, ...]]] = frozenset()
 
     @property
@@ -89,6 +91,16 @@ class Cast:
         """A number of the story, which may vary with parameters."""
         return told_number(self.given.sum(element, name, default))
 
+    def at_first(self, asked: Element, name: str) -> str | float:
+        """The value of a parameter or variable at first; an empty text where it is not declared.
+
+        Raises:
+            Refused: It is an expression that has no value.
+        """
+        if name not in self.given.values:
+            return ""
+        return text_or_number(self.given.text(replace(asked, attributes={"value": f"${name}"}), "value"))
+
     def place(self, position: Element) -> Told:
         """A place of the story.
 
@@ -97,10 +109,12 @@ class Cast:
         """
         inner = position.inside[0] if len(position.inside) == 1 else None
         if inner is not None and inner.tag in _BESIDE and (name := self.given.text(inner, "entityRef")) in self.names:
-            pose = _in_frame(self.positions.known_of(inner, name), self.positions.pose(position))
+            frame, turns = self.positions.known_of(inner, name), _turns(inner)
+            x, y, _ = _in_frame(frame if turns[0] else (*frame[:2], 0.0), pose := self.positions.pose(position))
+            told = (round(v, 4) for v in (x, y, pose[2] - frame[2] if turns[1] else pose[2]))
             if inner.tag in ("RelativeLanePosition", "RelativeRoadPosition"):
                 self.given.note(inner, "it lies beside somebody as the road runs where that one is at first")
-            return ("beside", self.names[name], *(round(v, 4) for v in pose))
+            return ("beside", self.names[name], *told, *(() if all(turns) else turns))
         return ("at", *(round(v, 4) for v in self.positions.pose(position)))
 
     def line(self, trajectory: Element, actor: str | None) -> tuple[Line | Told, Shape]:
@@ -110,25 +124,26 @@ class Cast:
             trajectory: The element.
             actor: Who follows it; None where it is followed from the beginning on, when nobody has moved yet.
         """
-        frames: set[str] = set()
+        frames: set[tuple[str, bool]] = set()  # who, and whether the places turn with that one
 
         def place(position: Element) -> Pose:
             inner = position.inside[0] if len(position.inside) == 1 else None
             if inner is not None and inner.tag in _BESIDE:
-                frames.add(self.given.text(inner, "entityRef"))
+                frames.add((self.given.text(inner, "entityRef"), _turns(inner)[0]))
             return self.positions.pose(position)
 
         shape = shape_of(trajectory, self.given, place)
         told = list(trajectory.walk())
         own = actor is not None and not any(one.tag in ("Position", "PositionStart") for one in told)
         if actor is not None and (own or len(frames) == 1):
-            frame = actor if own else frames.pop()
+            frame, turns = (actor, True) if own else frames.pop()
             if frame not in self.names:
                 raise Refused(trajectory, f"it lies beside {frame[:40]!r}, who is not there")
             base = (0.0, 0.0, 0.0) if own else self.positions.known_of(trajectory, frame)
+            base = base if turns else (*base[:2], 0.0)
             points = [_in_frame(base, (x, y, 0.0))[:2] for x, y in shape.points]
             kept = tuple((round(points[i][0], 3), round(points[i][1], 3)) for i in thinned_finely(points))
-            return (("beside", self.names[frame], 0.0, 0.0, 0.0), kept), shape
+            return (("beside", self.names[frame], 0.0, 0.0, 0.0, *(() if turns else (False, False))), kept), shape
         if len(frames) > 1 and actor is not None:
             raise Refused(trajectory, "its places lie beside several road users, who move; put it beside one")
         return self.known(shape.line), shape
@@ -143,9 +158,24 @@ class Cast:
         return Line(name)
 
 
+def text_or_number(text: str) -> str | float:
+    """The value of a variable: a number where it is one, else a text."""
+    try:
+        return float(text)
+    except ValueError:
+        return {"true": 1.0, "false": 0.0}.get(text.lower(), plain(text))
+
+
 def told_number(one: Sum) -> Any:
     """A number of the story: itself, or an expression of parameters."""
     return one.expression if one.number is None else one.number
+
+
+def _turns(inner: Element) -> tuple[bool, bool]:
+    """Whether a place beside somebody turns with that one, and whether its heading does."""
+    orientation = inner.find("Orientation")
+    absolute = orientation is not None and orientation.attributes.get("type", "absolute") != "relative"
+    return inner.tag != "RelativeWorldPosition", not absolute
 
 
 def _in_frame(frame: Pose, pose: Pose) -> Pose:

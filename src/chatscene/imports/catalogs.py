@@ -12,6 +12,7 @@ import re
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 from chatscene.errors import ScenarioError
@@ -37,6 +38,33 @@ def written_out(root: Element, path: Path, given: Given, catalogs: Catalogs) -> 
         catalogs: Its catalogs.
     """
     return _Writer(root, path, given, catalogs).element(root, {}, 0, "")
+
+
+def scope_of(declared: Element, outer: Mapping[str, str], assigned: Mapping[str, str] | None = None) -> dict[str, str]:
+    """The parameters that hold within an element: its own before those around it, whatever they are called.
+
+    Args:
+        declared: Its ParameterDeclarations; each may be made of others of them, and of those around.
+        outer: Values of the parameters around it.
+        assigned: Values in place of those that are declared, as a reference to a catalog assigns them.
+
+    Raises:
+        Refused: Some are made of one another.
+        ValueError: A value is longer than an attribute may be.
+    """
+    own = {d.attributes.get("name", "").removeprefix("$"): d.attributes.get("value", "") for d in declared.inside}
+    told = {name: value for name, value in (assigned or {}).items() if name in own}
+    made_of = {
+        name: [] if name in told else [one for one in REFERENCE.findall(value) if one in own and one != name]
+        for name, value in own.items()
+    }
+    found = dict(outer)
+    try:
+        for name in TopologicalSorter(made_of).static_order():
+            found[name] = told[name] if name in told else bound(own[name], found)
+    except CycleError as error:
+        raise Refused(declared, f"${error.args[1][0]} is an expression of itself") from None
+    return found
 
 
 def relative(path: Path, named: str, within: Path | None = None) -> Path | None:
@@ -158,7 +186,14 @@ class _Writer:
         self._unread: tuple[str, ...] = ()
         self._count = self._characters = 0
 
-    def element(self, one: Element, scope: Mapping[str, str], depth: int, within: str) -> Element:
+    def element(
+        self,
+        one: Element,
+        scope: Mapping[str, str],
+        depth: int,
+        within: str,
+        assigned: Mapping[str, str] | None = None,
+    ) -> Element:
         """An element with the parameters of its scope, its catalogs' entries and its own parameters written out."""
         self._count += 1
         if self._count > MOST:
@@ -167,10 +202,21 @@ class _Writer:
             return self._entry(one, scope, depth, within)
         declared = one.find("ParameterDeclarations") if one is not self._root else None
         if declared is not None:
-            scope = {**{d.attributes.get("name", ""): d.attributes.get("value", "") for d in declared.inside}, **scope}
+            scope = self._scope(declared, scope, assigned)
         attributes = self._bound(one, scope)
         inside = [self.element(below, scope, depth, one.tag) for below in one.inside]
         return replace(one, attributes=attributes, inside=inside)
+
+    def _scope(
+        self, declared: Element, outer: Mapping[str, str], assigned: Mapping[str, str] | None
+    ) -> Mapping[str, str]:
+        try:
+            return scope_of(declared, outer, assigned)
+        except Refused as reason:
+            self._given.refusals.append(str(reason))
+            return outer
+        except ValueError as error:
+            raise ScenarioError(f"{self._path}: {Refused(declared, str(error))}") from error
 
     def _bound(self, one: Element, scope: Mapping[str, str]) -> dict[str, str]:
         """The attributes of an element with the values of the parameters of a scope.
@@ -200,12 +246,20 @@ class _Writer:
             else:
                 self._given.refusals.append(str(reason))
             return replace(here, inside=[])
-        told = {
-            p.attributes.get("parameterRef", "").lstrip("$"): self._bound(p, scope).get("value", "")
-            for group in one.all("ParameterAssignments")
-            for p in group.inside
+        own = {
+            d.attributes.get("name", "").removeprefix("$")
+            for group in found.all("ParameterDeclarations")
+            for d in group.inside
         }
-        return self.element(found, told, depth + 1, "")
+        told: dict[str, str] = {}
+        for p in (p for group in one.all("ParameterAssignments") for p in group.inside):
+            name = p.attributes.get("parameterRef", "").lstrip("$")
+            told[name] = self._bound(p, scope).get("value", "")
+            if name not in own:
+                self._given.note(
+                    p, f"the entry {entry[:60]!r} declares no parameter {name[:40]!r}; its value is left out"
+                )
+        return self.element(found, {}, depth + 1, "", told)
 
     def _found(self, one: Element, catalog: str, entry: str, depth: int) -> Element:
         if depth >= DEEPEST:

@@ -193,5 +193,5 @@ class Entities:
         if told is None:
             return ()
         names = ("maxSpeed", "maxAcceleration", "maxDeceleration")
-        found = [self._given.number(told, name, "0") for name in names]
+        found = [self._given.limit(told, name) for name in names]
         return tuple(value if 0.0 < value < UNBOUND else UNBOUND for value in found)

@@ -63,7 +63,7 @@ def _weather(weather: Element, given: Given) -> Weather:
     sky = _FALLS.get(kind)
     if falls and kind not in _FALLS:
         given.note(falls, f"{kind[:40]!r} falls in no scene and is left away")
-    sight = given.number(fog, "visualRange", "100000") if fog else math.inf
+    sight = given.limit(fog, "visualRange") if fog else math.inf
     foggy = sight < _FOG
     if fog and foggy and sky not in (None, Weather.CLEAR):
         given.note(fog, f"a scene has one weather: {sky} is shown, and its fog is left away")

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from chatscene.errors import ScenarioError, SnippetError
 from chatscene.imports.calculated import calculated
+from chatscene.imports.names import Apart
 from chatscene.imports.stranger_xml import Element
 from chatscene.terms.plan import Parameter, walk
 from chatscene.terms.plan_text import PARAMETERS, parse_expression
@@ -21,6 +22,7 @@ REPORTED = 20  # refusals in one message
 DEEPEST = 50  # parameters, each an expression of the next
 MOST_CHARACTERS = 4_000  # of an expression with its parameters: each may name another twice
 MOST_VARYING = 6  # parameters in one expression: a sum is looked at in every corner of their ranges
+_FARTHEST = 1e6  # beyond which no number is read
 REFERENCE = re.compile(r"\$([A-Za-z_][A-Za-z0-9_]*)")
 _RANGED = frozenset(("double", "int", "integer", "unsignedInt", "unsignedShort"))
 _LOWER, _UPPER = frozenset(("greaterOrEqual", "greaterThan")), frozenset(("lessOrEqual", "lessThan"))
@@ -79,6 +81,7 @@ class Given:
 
     def declare(self, root: Element) -> None:
         """Read the parameters of a file."""
+        constrained: list[tuple[Element, str, str, list[Element]]] = []
         for one in (below for group in root.all("ParameterDeclarations") for below in group.inside):
             name, kind = one.attributes.get("name", "").removeprefix("$"), one.attributes.get("parameterType", "double")
             if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]{0,50}", name):
@@ -94,21 +97,26 @@ class Given:
                         one, f"${name} stands where nothing may vary here; it keeps the value {(low + high) / 2!r}"
                     )
                 else:
-                    self.ranges[name] = _varying(name, low, high)
-            elif groups and name not in self.told and not self.values[name].strip().startswith("$"):
-                self._constrained(one, name, kind, groups)
+                    self._vary(one, name, kind, low, high)
+            elif groups:
+                constrained.append((one, name, kind, groups))
+        for one, name, kind, groups in constrained:  # once all are known, of which values may be made
+            self._constrained(one, name, kind, groups)
         for name in sorted(set(self.told) - set(self.values)):
             self.note(root, f"the scenario declares no parameter {name[:40]!r}; its value is left out")
 
     def _constrained(self, declared: Element, name: str, kind: str, groups: list[Element]) -> None:
         """Let a parameter vary between the two ends that its constraints give it; else it keeps its value."""
         try:
-            found = self._range(name, groups) if kind in _RANGED else None
-            at = finite(declared, self.values[name]) if kind in _RANGED else 0.0
-        except Refused as reason:
-            self.refusals.append(str(reason))
+            found = self._range(groups) if kind in _RANGED else None
+            at = self._evaluated(declared, f"${name}", ()) if kind in _RANGED else 0.0
+        except (Refused, ValueError) as reason:
+            self.refusals.append(str(reason if isinstance(reason, Refused) else Refused(declared, str(reason))))
             return
-        if found is None:
+        if found is not None and name in self.told:  # which whoever asks for it may have beyond them
+            if not found[0] <= at <= found[1]:
+                self.note(declared, f"${name} is {at:g}, and its constraints are {found[0]:g} to {found[1]:g}")
+        elif found is None:
             self.note(
                 declared,
                 f"its constraints give no range with two ends; ${name} keeps the value {self.values[name][:40]}",
@@ -117,35 +125,46 @@ class Given:
             self.note(
                 declared, f"${name} stands where nothing may vary here; it keeps the value {self.values[name][:40]}"
             )
-        elif found.low <= at <= found.high:
-            self.ranges[name] = found
-        else:
-            self.refusals.append(str(Refused(declared, f"{at:g} is not within {found.low:g} to {found.high:g}")))
+        elif not found[0] <= at <= found[1]:
+            self.refusals.append(str(Refused(declared, f"{at:g} is not within {found[0]:g} to {found[1]:g}")))
+        elif not self.values[name].strip().startswith("$"):  # else it is what it is made of
+            self._vary(declared, name, kind, *found)
 
-    def _range(self, name: str, groups: list[Element]) -> ParameterRange | None:
+    def _vary(self, declared: Element, name: str, kind: str, low: float, high: float) -> None:
+        """Let a parameter vary, under a name of its own."""
+        upper = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).upper().lstrip("_")
+        apart = Apart("_", (one.name for one in self.ranges.values()))
+        called = apart.of(upper if upper.startswith("OPT_") else f"OPT_{upper}")
+        self.ranges[name] = ParameterRange(name=called, low=low, high=high, unit="1")
+        if kind != "double":
+            self.note(
+                declared, f"${name} is of the type {kind}, and varies here among all numbers, not only whole ones"
+            )
+
+    def _range(self, groups: list[Element]) -> tuple[float, float] | None:
         """The range that a group of constraints gives; None where it has not two ends, or there are several groups."""
-        bounds: dict[str, float] = {}
+        lows, highs = list[float](), list[float]()
         for one in groups[0].inside:
             rule = one.attributes.get("rule", "")
             value = one.attributes.get("value", "")
             if rule not in _LOWER | _UPPER or len(groups) > 1 or value.strip().startswith("$"):
                 return None
-            bounds["low" if rule in _LOWER else "high"] = finite(one, value)
-        low, high = bounds.get("low"), bounds.get("high")
-        if low is None or high is None or low > high:
+            (lows if rule in _LOWER else highs).append(finite(one, value))
+        if not lows or not highs or max(lows) > min(highs):
             return None
-        return _varying(name, low, high)
+        return max(lows), min(highs)
 
     def text(self, element: Element, name: str, default: str | None = None) -> str:
         """What an attribute says; the value of a parameter in its place."""
         written = element.attributes.get(name, default)
         if written is None:
             raise Refused(element, f"it has no attribute {name!r}")
-        if (found := REFERENCE.fullmatch(written)) is not None:
-            if found[1] not in self.values:
-                raise Refused(element, f"it speaks of ${found[1]}, which the file does not declare")
+        within: tuple[str, ...] = ()
+        while (found := REFERENCE.fullmatch(written)) is not None:
             if found[1] in self.ranges:
                 self.wanted.add(found[1])
+            self._defined(element, found[1], within)
+            within = (*within, found[1])
             written = self.values[found[1]]
         if written.startswith("${"):
             value = self._calculated(element, written)
@@ -247,6 +266,14 @@ class Given:
             return valued(found.expression, self.nominal)
         return found.number
 
+    def limit(self, element: Element, name: str, default: str = "INF") -> float:
+        """The number that an attribute says of what bounds something; infinite for INF, and beyond a million."""
+        try:
+            written = float(self.text(element, name, default))
+        except ValueError:
+            return self.number(element, name, default)
+        return math.inf if written > _FARTHEST else self.number(element, name, default)
+
     def count(self, element: Element, name: str, default: str | None = None) -> int:
         """The whole number that an attribute says."""
         found = self.number(element, name, default)
@@ -281,7 +308,7 @@ def finite(element: Element, written: str) -> float:
         found = float(written)
     except ValueError:
         raise Refused(element, f"{written[:40]!r} is not a number") from None
-    if not math.isfinite(found) or abs(found) > 1e6:
+    if not math.isfinite(found) or abs(found) > _FARTHEST:
         raise Refused(element, f"{written[:40]} is not a number within a million")
     return found
 
@@ -297,8 +324,3 @@ def _replaced(element: Element, written: str, of: Callable[[str], str]) -> str:
     if len(replaced) > MOST_CHARACTERS:
         raise Refused(element, f"{written[:40]!r} is longer than {MOST_CHARACTERS} characters with its parameters")
     return replaced
-
-
-def _varying(name: str, low: float, high: float) -> ParameterRange:
-    upper = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).upper().lstrip("_")
-    return ParameterRange(name=upper if upper.startswith("OPT_") else f"OPT_{upper}", low=low, high=high, unit="1")

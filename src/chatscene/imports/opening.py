@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
+from chatscene.errors import no_such
 from chatscene.imports.entities import Entities
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.positions import Pose, Positions
@@ -37,6 +38,7 @@ LEFT_ALONE = {
     "VisibilityAction": "everybody is visible",
     "AppearanceAction": "lamps and looks are not shown",
 }
+COMMAND = "a command to another program is left out"
 EGO_DOES = "what the ego does is left to the ego under test"
 
 
@@ -68,9 +70,20 @@ class Opening:
         self._lanes: dict[str, int] = {}
         self._inits: dict[str, list[Element]] = {}
         for one in self._actions().all("Private"):
-            told = self._inits.setdefault(given.text(one, "entityRef"), [])
-            told += [action for p in one.inside for action in p.inside]
+            for name in self._meant(one):
+                told = self._inits.setdefault(name, [])
+                told += [action for p in one.inside for action in p.inside]
+        for one in self._actions().all("UserDefinedAction"):
+            given.note(one, COMMAND)
         self._added()
+
+    def _meant(self, one: Element) -> tuple[str, ...]:
+        """The names of those whom an element of Init is about: somebody, or all of a selection; nobody if refused."""
+        name = self._given.text(one, "entityRef")
+        if name in self._objects or name in self._entities.groups:
+            return self._entities.groups.get(name, (name,))
+        self._given.refusals.append(str(Refused(one, no_such("entity", name[:40], self._objects))))
+        return ()
 
     def _attempt(self, does: Callable[[], _T]) -> _T | None:
         """What something gives; None where it is refused, which is noted."""
@@ -86,13 +99,18 @@ class Opening:
             entity = one.find("EntityAction")
             if entity is None:
                 continue
-            name = self._given.text(entity, "entityRef")
             add = entity.find("AddEntityAction")
-            if add is not None:
-                self._inits.setdefault(name, []).insert(0, replace(add, tag="TeleportAction"))
-            elif entity.find("DeleteEntityAction") is not None:
-                self._objects.pop(name, None)
-                self._given.note(entity, f"{name[:40]} is deleted in Init, so it is not there")
+            for name in self._meant(entity):
+                if add is not None:
+                    self._inits.setdefault(name, []).insert(0, replace(add, tag="TeleportAction"))
+                elif entity.find("DeleteEntityAction") is not None:
+                    self._objects.pop(name, None)
+                    self._given.note(entity, f"{name[:40]} is deleted in Init, so it is not there")
+
+    def setting(self) -> Iterator[Element]:
+        """The actions of Init that set parameters or variables."""
+        tags = ("ParameterAction", "VariableAction")
+        return (one for one in self._actions().all("GlobalAction") if one.inside and one.inside[0].tag in tags)
 
     def _actions(self) -> Element:
         return self._root.find("Storyboard", "Init", "Actions") or Element("Actions", {}, self._root.line)
@@ -159,6 +177,8 @@ class Opening:
         """The line of a trajectory and what it is called: as in the file, if that is free or means the same."""
         if trajectory.find("Shape", "Polyline") is None:
             raise Refused(trajectory, "in a plan, a line is one of vertices; write a Polyline")
+        if self._given.flag(trajectory, "closed"):
+            raise Refused(trajectory, "in a plan, a line has an end; write closed as false")
         line = shape_of(trajectory, self._given, self._positions.pose).line
         name = GONE.sub("_", self._given.text(trajectory, "name", ""))
         usual = f"{prefix}Way"
@@ -264,6 +284,8 @@ class Opening:
         """The line of a Route or of a Position to come to, from a place on if one is told."""
         positions = [p for waypoint in route.all("Waypoint") for p in waypoint.all("Position")] or route.all("Position")
         points = [self._positions.pose(position)[:2] for position in positions]
+        if self._given.flag(route, "closed"):
+            self._given.note(route, "it is closed; it is followed to its last waypoint, and not back to the first")
         if len(points) < 2 and place is not None:
             points = [place[:2], *points]
         line = self._through(route, points)

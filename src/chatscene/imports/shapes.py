@@ -8,6 +8,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+import numpy as np
+from numpy.typing import NDArray
+
 from chatscene.imports.given import Given, Refused
 from chatscene.imports.stranger_xml import Element
 from chatscene.terms.polyline import Polyline
@@ -36,12 +39,14 @@ class Shape:
         line: The line through them.
         faces: Which way somebody looks at each point [rad]; empty where that is along the line, as the file says;
             None where it does not say it.
+        closed: Whether the last point leads to the first again.
     """
 
     points: tuple[tuple[float, float], ...]
     times: tuple[float, ...] | None
     line: Polyline
     faces: tuple[float, ...] | None = None
+    closed: bool = False
 
 
 _Traced = tuple[tuple[tuple[float, float], ...], tuple[float, ...] | None]  # the points of a shape, and their times
@@ -62,14 +67,18 @@ def shape_of(trajectory: Element, given: Given, place: Places) -> Shape:
     inner = shape.inside[0] if shape is not None and shape.inside else None
     if inner is None:
         raise Refused(trajectory, "it has no shape")
-    if inner.tag == "Polyline":
-        points, times = _polyline(inner, given, place)
-        return Shape(points, times, line_through(inner, points), _faces(inner, points, place))
-    read = {"Clothoid": _clothoid, "ClothoidSpline": _spline, "Nurbs": _nurbs}.get(inner.tag)
+    read = {"Polyline": _polyline, "Clothoid": _clothoid, "ClothoidSpline": _spline, "Nurbs": _nurbs}.get(inner.tag)
     if read is None:
         raise Refused(inner, "such a shape is not read; write a Polyline")
     points, times = read(inner, given, place)
-    return Shape(points, times, line_through(inner, points))
+    faces = _faces(inner, points, place) if inner.tag == "Polyline" else None
+    if given.flag(trajectory, "closed"):
+        if times is None:
+            points, faces = (*points, points[0]), (*faces, faces[0]) if faces else faces
+        else:
+            given.note(trajectory, "it is closed, and no time is told for its way back; it ends at its last place")
+    closed = times is None and given.flag(trajectory, "closed")
+    return Shape(points, times, line_through(inner, points), faces, closed=closed)
 
 
 def line_through(one: Element, points: Sequence[tuple[float, ...]]) -> Polyline:
@@ -277,36 +286,36 @@ def thinned_in_time(table: Sequence[tuple[float, float]]) -> list[int]:
 
 
 Point = tuple[float, float]
+Table = NDArray[np.float64]  # (N, 2)
 
 
-def _needed(points: Sequence[Point], off: float, far_of: Callable[[Point, Point, Point], float]) -> list[int]:
-    keep = {0, len(points) - 1}
+def _needed(points: Sequence[Point], off: float, far_of: Callable[[Table, Point, Point], Table]) -> list[int]:
+    keep, table = {0, len(points) - 1}, np.asarray(points, dtype=np.float64)
     waiting = [(0, len(points) - 1)]
     while waiting:
         first, last = waiting.pop()
-        worst, at = off, -1
-        for i in range(first + 1, last):
-            far = far_of(points[i], points[first], points[last])
-            if far > worst:
-                worst, at = far, i
-        if at >= 0:
+        if last - first < 2:
+            continue
+        far = far_of(table[first + 1 : last], points[first], points[last])
+        worst = int(np.argmax(far))
+        if far[worst] > off:
+            at = first + 1 + worst
             keep.add(at)
             waiting += [(first, at), (at, last)]
     return sorted(keep)
 
 
-def _beside(point: Point, first: Point, last: Point) -> float:
-    """How far a point is from the straight piece between two others."""
-    (x, y), (x0, y0), (x1, y1) = point, first, last
+def _beside(points: Table, first: Point, last: Point) -> Table:
+    """How far points are from the straight piece between two others."""
+    (x, y), (x0, y0), (x1, y1) = points.T, first, last
     whole = math.hypot(x1 - x0, y1 - y0)
     if whole <= 1e-9:
-        return math.hypot(x - x0, y - y0)
-    share = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / whole**2
-    share = min(max(share, 0.0), 1.0)
-    return math.hypot(x - x0 - share * (x1 - x0), y - y0 - share * (y1 - y0))
+        return np.hypot(x - x0, y - y0)
+    share = np.clip(((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / whole**2, 0.0, 1.0)
+    return np.hypot(x - x0 - share * (x1 - x0), y - y0 - share * (y1 - y0))
 
 
-def _late(point: Point, first: Point, last: Point) -> float:
-    """How far a way is from what it would be if it grew evenly between two others."""
-    (t, s), (t0, s0), (t1, s1) = point, first, last
-    return abs(s - s0 - (s1 - s0) * (t - t0) / max(t1 - t0, 1e-9))
+def _late(points: Table, first: Point, last: Point) -> Table:
+    """How far ways are from what they would be if they grew evenly between two others."""
+    (t, s), (t0, s0), (t1, s1) = points.T, first, last
+    return np.abs(s - s0 - (s1 - s0) * (t - t0) / max(t1 - t0, 1e-9))

@@ -7,16 +7,16 @@ from collections.abc import Sequence
 from itertools import accumulate, pairwise
 from typing import Any
 
-from chatscene.imports.cast import Cast, told_number
+from chatscene.imports.cast import Cast, text_or_number, told_number
 from chatscene.imports.given import Refused
 from chatscene.imports.opening import LEFT_ALONE
 from chatscene.imports.shapes import MOST_TIMES, Shape, thinned_faces, thinned_in_time
-from chatscene.imports.story_conditions import text_or_number
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written_story import Told
 from chatscene.world.story.pace import NO_TIME, UNBOUND
 
 _NOTHING: Told = ("nothing",)
+_TIMES = frozenset(["time", "timeStart", "timeEnd", "startTime", "stopTime"])
 _SHAPES = frozenset(["linear", "cubic", "sinusoidal", "step"])
 
 
@@ -61,6 +61,8 @@ class StoryActions:
             return ("set", self._cast.called.of(name), text_or_number(self._given.text(to, "value")))
         for tag, word in (("AddValue", "add"), ("MultiplyByValue", "multiply")):
             if (by := inner.find("ModifyAction", "Rule", tag)) is not None:
+                if isinstance(self._cast.at_first(by, name), str) or name in self._cast.texts:
+                    raise Refused(by, f"{name[:40]!r} is not a number all along; declare it as one, or write SetAction")
                 return (word, self._cast.called.of(name), self._cast.value(by, "value"))
         raise Refused(inner, "it sets nothing")
 
@@ -160,14 +162,22 @@ class StoryActions:
 
     def _bounds(self, limits: Element | None, *names: str) -> Told:
         """What bounds somebody, by the names of it; what is not told bounds nobody."""
-        told = limits.attributes if limits is not None else {}
-        return tuple(
-            self._cast.value(limits, name) if limits is not None and name in told else UNBOUND for name in names
-        )
+        if limits is None:
+            return (UNBOUND,) * len(names)
+        for one in sorted(one for one in limits.attributes if one.endswith("Rate") and one not in names):
+            self._given.note(limits, f"its {one} is left out; how fast an acceleration changes is not bounded here")
+        return tuple(self._bound(limits, name) if name in limits.attributes else UNBOUND for name in names)
+
+    def _bound(self, limits: Element, name: str) -> Any:
+        """What bounds somebody, which may vary with parameters; nothing is bound by INF, or by what is not above 0."""
+        varies = self._given.sum(limits, name) if limits.attributes[name].startswith("$") else None
+        if varies is not None and varies.number is None:
+            return told_number(varies)
+        most = self._given.limit(limits, name)
+        return most if 0.0 < most < UNBOUND else UNBOUND
 
     def _profile(self, one: Element) -> Told:
-        limits = one.find("DynamicConstraints")
-        most = self._given.number(limits, "maxAcceleration", "3") if limits is not None else 3.0
+        bounds = self._bounds(one.find("DynamicConstraints"), "maxSpeed", "maxAcceleration", "maxDeceleration")
         whom = self._cast.who(one) if "entityRef" in one.attributes else ""
         entries = tuple(
             (self._cast.value(part, "time", str(NO_TIME)), self._cast.value(part, "speed"))
@@ -175,7 +185,7 @@ class StoryActions:
         )
         if not entries:
             raise Refused(one, "it has no entry")
-        return ("profile", whom, entries, most if most > 0 else 3.0)
+        return ("profile", whom, entries, bounds)
 
     def _meets(self, one: Element) -> Told:
         master = one.find("TargetPositionMaster") or one.find("TargetPosition1")
@@ -251,8 +261,13 @@ class StoryActions:
         if not 0.0 <= start < length:
             raise Refused(one, f"its line is {length:.0f} m long, and {start:g} m is not on it")
         timing = one.find("TimeReference", "Timing")
+        if timing is not None and shape.times is None:
+            if any(part.attributes.keys() & _TIMES for part in trajectory.walk()):
+                raise Refused(trajectory, "some of its times are missing; give a time wherever one may stand, or none")
+            self._given.note(timing, "its line tells no times; it is gone along at the speed that is told")
         if timing is None or shape.times is None:
-            return ("line", line, (), start, *_faces(shape, _gone(shape.points)))
+            faces = _faces(shape, _gone(shape.points))
+            return ("line", line, (), start, *((faces or (None,)) if shape.closed else faces), *[True] * shape.closed)
         scale, shift = self._given.number(timing, "scale", "1"), self._given.number(timing, "offset", "0")
         absolute = self._given.text(timing, "domainAbsoluteRelative", "relative") == "absolute"
         times = [time * scale + shift for time in shape.times]

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from chatscene.imports.cast import Cast, told_number
+from chatscene.imports.cast import Cast, text_or_number, told_number
 from chatscene.imports.given import Refused
-from chatscene.imports.names import plain
 from chatscene.imports.stranger_xml import Element
 from chatscene.imports.written_story import Told
 from chatscene.world.story.conditions import RULES
@@ -106,7 +105,12 @@ class StoryConditions:
                 return self._of_parameter(one)
             case "VariableCondition":
                 name = self._given.text(one, "variableRef")
-                return ("value", self._rule(one), text_or_number(self._given.text(one, "value")), self._asked(name))
+                return (
+                    "value",
+                    self._rule(one),
+                    text_or_number(self._given.text(one, "value")),
+                    self._asked(one, name),
+                )
             case "StoryboardElementStateCondition":
                 return self._of_part(one)
             case _:
@@ -137,9 +141,9 @@ class StoryConditions:
         except ValueError:
             return False
 
-    def _asked(self, name: str) -> str:
+    def _asked(self, one: Element, name: str) -> str:
         called = self._cast.called.of(name)
-        self._variables.setdefault(called, text_or_number(self._given.values.get(name, "")))
+        self._variables.setdefault(called, self._cast.at_first(one, name))
         return called
 
     def _of_parameter(self, one: Element) -> Told:
@@ -149,7 +153,7 @@ class StoryConditions:
             return _NEVER
         told = self._given.text(one, "value")
         if name in self._changing:
-            return ("value", rule, text_or_number(told), self._asked(name))
+            return ("value", rule, text_or_number(told), self._asked(one, name))
         asked = Element(one.tag, {"value": f"${name}", "told": told}, one.line, file=one.file)
         try:
             now, then = self._given.sum(asked, "value"), self._given.sum(asked, "told")
@@ -239,11 +243,3 @@ class StoryConditions:
             "entity" if frame == "entity" else "road",
             g.flag(one, "freespace"),
         )
-
-
-def text_or_number(text: str) -> str | float:
-    """The value of a variable: a number where it is one, else a text."""
-    try:
-        return float(text)
-    except ValueError:
-        return {"true": 1.0, "false": 0.0}.get(text.lower(), plain(text))

@@ -9,11 +9,11 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from chatscene.imports.cast import Cast
+from chatscene.imports.cast import Cast, text_or_number
 from chatscene.imports.environment import surroundings_of
 from chatscene.imports.given import REFERENCE, Given, Refused
 from chatscene.imports.names import Names
-from chatscene.imports.opening import EGO_DOES, Opening
+from chatscene.imports.opening import COMMAND, EGO_DOES, Opening
 from chatscene.imports.story_actions import StoryActions
 from chatscene.imports.story_conditions import DEPTHS, StoryConditions
 from chatscene.imports.stranger_xml import Element
@@ -60,27 +60,32 @@ class StoryReader(Opening):
             speed=self._wanted(ego, host.speed), acts=False, bounds=self._entities.bounds(self._objects[ego]),
         )  # fmt: skip
         called = Names({ego: "ego"})
-        others = self._others(ego, called)
+        others, unread = self._others(ego, called)
         cast = Cast(
             given=self._given,
             positions=self._positions,
             ego=ego,
-            names={ego: "ego", **{name: one.name for name, one in others.items()}},
+            names={ego: "ego", **{name: called.of(name) for name in (*others, *unread)}},
             entities=self._entities,
             route_of=self._line_of_route,
             mirrored=self._side < 0,
             called=called,
             refs=self._refs(),
+            texts=frozenset(self._texts()),
             parts=frozenset(self._parts(self.storyboard, ())),
         )
         variables: dict[str, Any] = {}
         story = _Story(self, cast, variables)
         told_first = {ego: first, **others}
-        acts = (*self._at_first(cast, told_first, self._begins_at(ego, host.speed)), *story.acts())
+        acts = (
+            *self._sets_first(cast),
+            *self._at_first(cast, told_first, self._begins_at(ego, host.speed)),
+            *story.acts(),
+        )
         stop = self._attempt(story.stop)
         fast = {name for name in others if self._told_first.get(name)}
         acting = story.acting | self._begins | fast
-        drives = not self.untold and (ego in acting or bool(host.speed))
+        drives = not self.untold and (ego in acting or ego in self._told_first)
         members = [
             replace(first, acts=drives),
             *(self._acting(one, name in acting, name) for name, one in others.items()),
@@ -126,6 +131,13 @@ class StoryReader(Opening):
         named = [self._given.values.get(one[1], "") if (one := REFERENCE.fullmatch(text)) else text for text in texts]
         return frozenset(part for text in named for part in text.split("::"))
 
+    def _texts(self) -> Iterator[str]:
+        """The parameters and variables that are set to a text."""
+        for one in (one for one in self._root.walk() if one.tag in ("ParameterAction", "VariableAction")):
+            to, name = one.find("SetAction"), next((v for k, v in one.attributes.items() if k.endswith("Ref")), "")
+            if to is not None and isinstance(text_or_number(self._given.text(to, "value")), str):
+                yield name
+
     def _parts(self, one: Element, above: tuple[str, ...]) -> Iterator[tuple[str, tuple[str, ...]]]:
         """The type of each part of the story, with each end of the path of names to it."""
         for below in one.inside:
@@ -137,9 +149,12 @@ class StoryReader(Opening):
 
     # Who is where
 
-    def _others(self, ego: str, called: Names) -> dict[str, Member]:
-        """Everybody but the ego; whoever is put beside somebody else comes after that one."""
-        waiting = [name for name in self._objects if name != ego]
+    def _others(self, ego: str, called: Names) -> tuple[dict[str, Member], list[str]]:
+        """Everybody but the ego, and the names of those who are refused.
+
+        Whoever is put beside somebody else comes after that one.
+        """
+        waiting, left = [name for name in self._objects if name != ego], list[str]()
         found: dict[str, Member] = {}
         refused: dict[str, Refused] = {}
         while waiting:
@@ -156,7 +171,7 @@ class StoryReader(Opening):
                 self._given.refusals += [str(refused[name]) for name in left]
                 break
             waiting = left
-        return {name: found[name] for name in self._objects if name in found}
+        return {name: found[name] for name in self._objects if name in found}, left
 
     def _acting(self, one: Member, acts: bool, name: str) -> Member:
         """Somebody who does something, or nothing; a thing that does something is of a class that moves."""
@@ -235,6 +250,14 @@ class StoryReader(Opening):
             if target is not None:
                 return self._given.number(target, "value")
         return 0.0
+
+    def _sets_first(self, cast: Cast) -> Iterator[Told]:
+        """What Init makes of parameters and variables, at once."""
+        actions = StoryActions(cast)
+        does = [partial(actions.of_world, one) for one in self.setting()]
+        told: list[Told] = [("", *found) for one in does if (found := self._attempt(one)) is not None]
+        if told:
+            yield ("", None, None, (("", 1, (), (("", "", "parallel", 1, None, tuple(told)),)),))
 
     def _at_first(self, cast: Cast, members: dict[str, Member], speed: float) -> Iterator[Told]:
         """What everybody begins to do at once, beyond having a place and a speed.
@@ -426,7 +449,7 @@ class _Story:
                 self.acting.update(name for name, called in self._cast.names.items() if called == told[1])
             return told
         if inner.tag == "UserDefinedAction":
-            self._given.note(inner, "a command to another program is left out")
+            self._given.note(inner, COMMAND)
             return ("nothing",)
         if inner.tag != "PrivateAction" or not inner.inside:
             raise Refused(inner, "it is not an action of a road user")

@@ -34,6 +34,14 @@ _DISPLACED = {
     "leftToReferencedEntity": "rightToReferencedEntity",
     "rightToReferencedEntity": "leftToReferencedEntity",
 }
+_TURNED = {
+    "lessThan": "greaterThan",
+    "greaterThan": "lessThan",
+    "lessOrEqual": "greaterOrEqual",
+    "greaterOrEqual": "lessOrEqual",
+    "equalTo": "equalTo",
+    "notEqualTo": "notEqualTo",
+}
 
 
 def mirrored_attributes(tag: str, attributes: Mapping[str, str]) -> dict[str, str]:
@@ -47,6 +55,8 @@ def mirrored_attributes(tag: str, attributes: Mapping[str, str]) -> dict[str, st
     for name in _SIDED.get(tag, ()):
         if name in made:
             made[name] = _negated(made[name].strip())
+    if tag == "RelativeSpeedCondition" and made.get("direction") == "lateral":
+        made |= {"value": _negated(made.get("value", "0").strip()), "rule": _TURNED.get(made.get("rule", ""), "")}
     if tag == "LateralDistanceAction" and made.get("displacement") in _DISPLACED:
         made["displacement"] = _DISPLACED[made["displacement"]]
     return made

@@ -23,18 +23,50 @@ import operator
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from chatscene.world.story.entities import Entity, Motion, apart, closing, faster, seen
+from chatscene.world.story.entities import Entity, Motion, apart, away, closing, faster, seen
 from chatscene.world.story.places import Place
+
+_ROUNDED = 1e-6  # within which two numbers are the same
+
+
+def _same(one: Any, other: Any) -> bool:
+    if isinstance(one, str) or isinstance(other, str):
+        return one == other
+    return math.isclose(one, other, rel_tol=1e-9, abs_tol=_ROUNDED)
+
 
 RULES: dict[str, Callable[[Any, Any], bool]] = {
     "lessThan": operator.lt,
     "lessOrEqual": operator.le,
     "greaterThan": operator.gt,
     "greaterOrEqual": operator.ge,
-    "equalTo": operator.eq,
-    "notEqualTo": operator.ne,
+    "equalTo": _same,
+    "notEqualTo": lambda one, other: not _same(one, other),
 }
 _STILL = 1e-3  # [m/s]
+
+
+class Measured:
+    """Asks a rule of something that is measured at each step: it equals what it passes between two of them.
+
+    Args:
+        rule: The rule.
+        of: What is measured.
+        value: What it is compared with.
+    """
+
+    def __init__(self, rule: str, of: Callable[[], float], value: float) -> None:
+        self._rule, self._of, self._value = rule, of, value
+        self._before = math.nan
+
+    def __call__(self) -> bool:
+        """Whether it holds now."""
+        now, value = self._of(), self._value
+        passed = -math.inf < min(self._before, now) < value < max(self._before, now) < math.inf
+        self._before = now
+        if self._rule in ("equalTo", "notEqualTo"):
+            return (passed or _same(now, value)) is (self._rule == "equalTo")
+        return RULES[self._rule](now, value)
 
 
 class World(Protocol):
@@ -67,8 +99,7 @@ def truth_of(told: tuple[Any, ...], world: World) -> Callable[[], bool]:
         case "always" | "never":
             return lambda: kind == "always"
         case "time":
-            rule, value = RULES[rest[0]], rest[1]
-            return lambda: rule(world.time, value)
+            return Measured(rest[0], lambda: world.time, rest[1])
         case "number":
             rule = RULES[rest[0]]
             return lambda: rule(rest[1], rest[2])
@@ -95,11 +126,9 @@ def _about(kind: str, who: Entity, told: list[Any], world: World) -> Callable[[]
     """What a condition says of one of those whom it is about."""
     match kind:
         case "speed":
-            rule = RULES[told[0]]
-            return lambda: rule(who.speed, told[1])
+            return Measured(told[0], lambda: who.speed, told[1])
         case "acceleration":
-            rule = RULES[told[0]]
-            return lambda: rule(who.gained, told[1])
+            return Measured(told[0], lambda: who.gained, told[1])
         case "travelled":
             return lambda: who.travelled >= told[0]
         case "stands":
@@ -109,8 +138,8 @@ def _about(kind: str, who: Entity, told: list[Any], world: World) -> Callable[[]
             return lambda: who.lost > told[0]
         case "faster":
             rule, value, than, *axis = told
-            rule, other, along = RULES[rule], world.entity(than), axis[0] if axis else ""
-            return lambda: rule(faster(who, other, along), value)
+            other, along = world.entity(than), axis[0] if axis else ""
+            return Measured(rule, lambda: faster(who, other, along), value)
         case "turned":
             angle, near, *frame = told
             return lambda: (
@@ -131,12 +160,11 @@ def _about(kind: str, who: Entity, told: list[Any], world: World) -> Callable[[]
 def _between(kind: str, who: Entity, told: list[Any], world: World) -> Callable[[], bool]:
     """What is asked of the way between two, or between somebody and a place."""
     rule, value, other, how, frame, freespace = told
-    holds = RULES[rule]
     if isinstance(other, tuple):
         place = world.place(other)
 
         def far() -> float:
-            return _to(who, place.pose(), how, frame, freespace)
+            return away(who, place.pose()[:2], how, frame, freespace=freespace)
 
         def motion() -> Motion:
             return place.pose()[:2], place.velocity()
@@ -157,18 +185,9 @@ def _between(kind: str, who: Entity, told: list[Any], world: World) -> Callable[
 
     match kind:
         case "apart":
-            return lambda: holds(far(), value)
+            return Measured(rule, far, value)
         case "headway":  # to somebody behind there is none
-            return lambda: not is_behind() and holds(seconds(who.speed), value)
+            holds = Measured(rule, lambda: seconds(who.speed), value)
+            return lambda: not is_behind() and holds()
         case _:
-            return lambda: holds(seconds(closing(who, motion(), how, frame)), value)
-
-
-def _to(who: Entity, place: tuple[float, ...], how: str, frame: str, freespace: bool) -> float:
-    x, y, _ = who.origin
-    if how not in ("longitudinal", "lateral"):
-        far = math.dist((x, y), place[:2])
-    else:
-        ahead, aside = seen(who.origin, who.line, (place[0], place[1]), frame)
-        far = abs(ahead if how == "longitudinal" else aside)
-    return max(far - who.agent.length / 2 - who.ahead, 0.0) if freespace and how != "lateral" else far
+            return Measured(rule, lambda: seconds(closing(who, motion(), how, frame)), value)

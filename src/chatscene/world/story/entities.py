@@ -224,9 +224,23 @@ def apart(one: Entity, other: Entity, how: str, frame: str, *, freespace: bool) 
 
 def room(one: Entity, other: Entity, how: str, frame: str) -> float:
     """How much of a distance between centres [m] is taken by two bodies, as they are turned; see `apart`."""
-    axis = one.pose[2] if frame == "entity" else one.line.heading_at(one.line.project(*one.pose[:2])[0])
-    axis += 0.0 if how == "longitudinal" else math.pi / 2
+    axis = _axis(one, how, frame)
     return sum(_half(who, who.pose[2] - axis) for who in (one, other))
+
+
+def away(one: Entity, place: tuple[float, float], how: str, frame: str, *, freespace: bool) -> float:
+    """How far somebody is from a place [m], never negative; arguments are those of `apart`."""
+    if how not in ("longitudinal", "lateral"):
+        return one.box().distance(shapely.Point(place)) if freespace else math.dist(one.origin[:2], place)
+    here = one.pose[:3] if freespace else one.origin
+    far = abs(seen(here, one.line, place, frame)[0 if how == "longitudinal" else 1])
+    return max(far - (_half(one, one.pose[2] - _axis(one, how, frame)) if freespace else 0.0), 0.0)
+
+
+def _axis(one: Entity, how: str, frame: str) -> float:
+    """The direction [rad] along which it is measured how far something is from somebody; see `apart`."""
+    axis = one.pose[2] if frame == "entity" else one.line.heading_at(one.line.project(*one.pose[:2])[0])
+    return axis + (0.0 if how == "longitudinal" else math.pi / 2)
 
 
 def _half(who: Entity, turn: float) -> float:

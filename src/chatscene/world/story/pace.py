@@ -1,7 +1,7 @@
 """How fast those in a story go: the longitudinal half of what a story tells somebody to do.
 
 ('speed', shape, dimension, amount, target)      target: ('to', m/s), ('delta' or 'factor', whom, value, for good)
-('profile', whom or '', for times, ((s, m/s), …), acceleration)
+('profile', whom or '', ((s, m/s), …), (top, speeding up, slowing down))
 ('distance', whom, m or s, 'm' or 's', side, freespace, for good, (top, speeding up, slowing down))
 ('meet', whom, its place, own place, final)      final: None or (target, steady m, steady s)
 """
@@ -21,6 +21,7 @@ _STANDS = 1e-6  # [m/s]
 _PAST = 1e-3  # [m] by which somebody comes farther from a place that lies behind it
 UNBOUND = 1e3  # [m/s] and [m/s²], from which on a limit is none
 NO_TIME = -1.0  # in the place of the time of a speed that is to be reached as soon as may be
+_USUAL = 3.0  # [m/s²] with which a speed without a time is reached where nothing bounds it
 _FREE = (UNBOUND,) * 3
 
 
@@ -156,14 +157,21 @@ def _lasts(dimension: str, amount: float, begin: float, end: float, shape: str) 
 
 
 class Profile(Pace):
-    """Goes through speeds that are told with their times, each reached from the one before."""
+    """Goes through speeds that are told with their times, each reached from the one before.
 
-    def __init__(self, who: Entity, world: World, entries: Any, most: float, base: Entity | None) -> None:
+    It takes longer where it is bound to a smaller acceleration, by what is told or by the body.
+    """
+
+    def __init__(self, who: Entity, world: World, entries: Any, limits: Any, base: Entity | None) -> None:
         self._world, self._began, self._base = world, world.time, base
         self._points: list[tuple[float, float]] = [(0.0, who.speed - (base.speed if base else 0.0))]
-        for time, speed in entries:
+        top, up, down = map(min, limits, who.bounds.each)
+        for time, wish in entries:
             at, before = self._points[-1]
-            lasts = time if time >= 0.0 else abs(speed - before) / most
+            speed = min(max(wish, -top), top)
+            most = up if speed > before else down
+            usual = most if most < UNBOUND else _USUAL
+            lasts = max(time, abs(speed - before) / (usual if time < 0.0 else most))
             self._points.append((at + lasts, speed))
 
     def speed(self, dt: float) -> float:
@@ -307,8 +315,8 @@ def pace_of(told: tuple[Any, ...], who: Entity, world: World) -> Pace | None:
     match told:
         case ("speed", shape, dimension, amount, target):
             return Change(who, world, shape, dimension, amount, target)
-        case ("profile", whom, entries, most):
-            return Profile(who, world, entries, most, world.entity(whom) if whom else None)
+        case ("profile", whom, entries, limits):
+            return Profile(who, world, entries, limits, world.entity(whom) if whom else None)
         case ("distance", whom, *rest):
             return Distance(who, world.entity(whom), tuple(rest))
         case ("meet", whom, *rest):

@@ -2,6 +2,7 @@
 
 ('at', x, y, heading)               on the map
 ('beside', whom, x, y, heading)     in the frame of somebody's origin, as it is when it is asked for
+('beside', whom, x, y, heading, place turns, heading turns)     the same; without a turn, along the axes of the map
 """
 
 from __future__ import annotations
@@ -38,9 +39,15 @@ def place_of(told: tuple[Any, ...], entity: Callable[[str], Entity]) -> Place:
     match told:
         case ("at", x, y, heading):
             return Place(lambda: (x, y, heading), lambda: (0.0, 0.0))
-        case ("beside", whom, x, y, heading):
-            who = entity(whom)
-            return Place(lambda: moved(who.origin, x, y, heading), lambda: who.velocity)
+        case ("beside", whom, x, y, heading, *turns):
+            who, (place_turns, heading_turns) = entity(whom), turns or (True, True)
+
+            def pose() -> tuple[float, float, float]:
+                fx, fy, turn = who.origin
+                there = moved((fx, fy, turn if place_turns else 0.0), x, y, 0.0)
+                return *there[:2], heading + (turn if heading_turns else 0.0)
+
+            return Place(pose, lambda: who.velocity)
         case _:
             raise ValueError(f"a story has no place {told!r}")
 

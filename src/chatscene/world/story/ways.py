@@ -2,10 +2,9 @@
 
 ('lane', shape, dimension, amount, target, left)      target: ('to', number) or ('of', whom, lanes to its left)
 ('aside', shape, most lateral acceleration, target, for good)   target: ('to' or 'mine', left) or ('of', whom, left)
-('line', points or (place, points), times, start, faces)   times: () or (absolute, ((s, m), …), evenly); start: where on
-                                                      it [m]; evenly: each piece at a steady acceleration;
-                                                      faces: none, or ((m, rad), …): which way it looks where;
-                                                      with times ((s, rad), …): when
+('line', points or (place, points), times, start, faces, closed)
+    times: () or (absolute, ((s, m), …), evenly), evenly: each piece at a steady acceleration; start: where on it [m];
+    faces: none, or ((m, rad), …): which way it looks where, with times ((s, rad), …): when
 ('way', points)                                       a route: followed from now on
 ('beside', whom, distance, side, freespace, for good)
 """
@@ -223,12 +222,23 @@ class Line(Way):
         start: Where on it somebody begins [m].
         faces: Which way somebody looks where: ways [m], or with a time table times [s], and headings [rad, not
             wrapped]; empty for along the line, whichever way it is gone along; None for the way that somebody goes.
+        closed: Whether its end leads to its beginning, so that somebody goes round it for good.
     """
 
     ends = True
 
-    def __init__(self, who: Entity, world: World, line: Polyline, times: Any, start: float, faces: Any = None) -> None:
+    def __init__(
+        self,
+        who: Entity,
+        world: World,
+        line: Polyline,
+        times: Any,
+        start: float,
+        faces: Any = None,
+        closed: bool = False,
+    ) -> None:
         super().__init__(who, line, 0.0)
+        self._closed = closed
         self._faces: tuple[tuple[float, float], ...] = tuple(faces or ())
         self.at, self._world, self._start = min(start, line.length), world, start
         absolute, self._table, *evenly = times or (False, ())
@@ -259,7 +269,11 @@ class Line(Way):
             self.done = self._time >= self._table[-1][0] - 1e-9
         else:
             self.at += gone * self._way
-            self.done = self.at >= self.line.length - 1e-6 or (self.at <= 0.0 and gone * self._way < 0.0)
+            if self._closed:
+                self.at %= self.line.length
+            self.done = not self._closed and (
+                self.at >= self.line.length - 1e-6 or (self.at <= 0.0 and gone * self._way < 0.0)
+            )
         x, y, heading = self._pose(self._turn)
         return (x, y, self._looks()) if self._faces else (x, y, heading)
 
