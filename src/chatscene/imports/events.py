@@ -58,7 +58,7 @@ class _Reader:
             count = event.attributes.get("maximumExecutionCount", "1")
             if self._given.text(event, "maximumExecutionCount", count) != "1":
                 raise Refused(event, "it happens more than once; a plan goes through its phases once")
-            end = self._conditions.ends(event, index, first if index == 0 else [])
+            end = self._conditions.ends(event, events[index - 1] if index else None, first if index == 0 else [])
             if end is not None:
                 self._wait(event, end)
             elif index:
@@ -223,7 +223,7 @@ class _Reader:
                 raise Refused(speed, "it has no target")
             state.speed = self._given.sum(target, "value")
             share = self._pace(speed, before)
-        if state.speed.number is not None and state.speed.number < 0:
+        if self._given.least(state.speed) < 0:
             raise Refused(speed or event, "it drives backwards, and its steering is not given")
         stops = state.speed.number == 0
         if state.way in (None, AHEAD):
@@ -243,7 +243,7 @@ class _Reader:
     def _keeps(self, relative: Element) -> Phase:
         g, state = self._given, self._state
         same = g.text(relative, "speedTargetValueType") == "delta" and g.number(relative, "value") == 0
-        if self._other(relative) != self._player.ego or not same or g.text(relative, "continuous") != "true":
+        if self._other(relative) != self._player.ego or not same or not g.flag(relative, "continuous"):
             raise Refused(
                 relative, "of relative speeds only that of the ego is kept, continuously and with a delta of 0"
             )
@@ -261,9 +261,9 @@ class _Reader:
             raise Refused(action, "it is not read; write SpeedActions")
         side = {"leadingReferencedEntity": 1, "trailingReferencedEntity": -1}.get(g.text(action, "displacement", ""))
         limits = action.find("DynamicConstraints")
-        if self._other(action) != self._player.ego or side is None or g.text(action, "continuous") != "true":
+        if self._other(action) != self._player.ego or side is None or not g.flag(action, "continuous"):
             raise Refused(action, "of distances only that to the ego is kept, continuously, ahead of it or behind")
-        if g.text(action, "freespace") != "false" or "distance" not in action.attributes:
+        if g.flag(action, "freespace") or "distance" not in action.attributes:
             raise Refused(action, 'it keeps no distance of origins; write distance and freespace="false"')
         if state.way in (None, AHEAD) or limits is None or "maxSpeed" not in limits.attributes:
             raise Refused(action, "it needs a trajectory or a lane to keep its distance along, and a maxSpeed")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -39,6 +40,7 @@ class ImportedScenario:
         count: How many variants the file has.
         refused: Why variants that were asked for became no program, one message each.
         not_as_written: Of each program, what keeps its own ego from driving as its file says.
+        notes_as_written: As `notes`, where its own ego drives so.
     """
 
     program: Path
@@ -50,11 +52,12 @@ class ImportedScenario:
     count: int = 0
     refused: tuple[str, ...] = ()
     not_as_written: tuple[tuple[str, ...], ...] = ()
+    notes_as_written: tuple[str, ...] = ()
 
     @property
     def command(self) -> str:
         """How it is run."""
-        return f"chatscene run --program {self.program} --map {name_of(self.map_path)}"
+        return shlex.join(("chatscene", "run", "--program", str(self.program), "--map", name_of(self.map_path)))
 
     def __str__(self) -> str:
         """A line per note, and how it is run."""
@@ -125,7 +128,7 @@ def import_scenario(
     every = f"{found.count} variants of {found.scenario.name}"
     if len(chosen) == 1:
         ((number, values),) = chosen.items()
-        every = f"variant {number} of {found.count} of {found.scenario.name}: {_said(values)}"
+        every = f"variant {number} of {found.count} of {found.scenario.name}" + (f": {_said(values)}" if values else "")
     return replace(
         _written(made, every, *found.notes),
         variants=tuple(number for number in chosen if number not in refused),
@@ -142,6 +145,7 @@ class _Program:
     map_path: Path
     notes: tuple[str, ...]
     not_as_written: tuple[str, ...]
+    notes_as_written: tuple[str, ...] = ()
 
 
 def _told(given: Mapping[str, object]) -> dict[str, str]:
@@ -261,7 +265,7 @@ def _program(read: Imported | Carried, path: Path, out: Path) -> _Program:
             left = replace(read, as_written=None, notes=(*read.notes, note), not_as_written=(alone,))
             return _program(left, path, out)
         raise ScenarioError(f"{path} is more than a program of a user's may be: {why}; cut it down") from error
-    return _Program(text, read.map_path, read.notes, read.not_as_written)
+    return _Program(text, read.map_path, read.notes, read.not_as_written, read.notes_as_written)
 
 
 def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
@@ -289,6 +293,7 @@ def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
     maps = tuple(grounds.get(one.map_path, one.map_path) for one in made.values())
     others = [f"{out.name} lies on another map, {at}" for out, at in zip(made, maps, strict=True) if at != maps[0]]
     every = (*notes, *others, *(note for one in made.values() for note in one.notes))
+    as_written = (*notes, *others, *(note for one in made.values() for note in one.notes_as_written))
     return ImportedScenario(
         program=done[0],
         map_path=maps[0],
@@ -296,4 +301,5 @@ def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
         programs=tuple(made),
         maps=maps,
         not_as_written=tuple(one.not_as_written for one in made.values()),
+        notes_as_written=tuple(dict.fromkeys(as_written)),
     )

@@ -16,11 +16,13 @@ from chatscene.errors import ScenarioError, SettingsError, no_such
 from chatscene.imports.catalogs import Catalogs, written_out
 from chatscene.imports.given import Given, Refused, finite
 from chatscene.imports.map_named import Maps
+from chatscene.imports.rising import holds_at_first
 from chatscene.imports.stranger_xml import Element, read_xml
 from chatscene.imports.told_as_plan import PlanReader
 from chatscene.imports.told_as_story import StoryReader
 from chatscene.imports.written_story import StoryProgram
 from chatscene.maps.left_hand import keeps_left, lanes_on_map
+from chatscene.maps.network import load_network
 from chatscene.terms.carried import Row, carries, program_in, with_values
 from chatscene.terms.mirrored_scenario import mirrored_attributes
 from chatscene.terms.storyboard import Storyboard
@@ -28,7 +30,7 @@ from chatscene.terms.storyboard import Storyboard
 _T = TypeVar("_T")
 
 VERSIONS = (0, 1, 2, 3)  # of 1.x
-_Read = tuple[Storyboard | StoryProgram | None, Given, StoryProgram | None, tuple[str, ...]]
+_Read = tuple[Storyboard | StoryProgram | None, Given, StoryProgram | None, tuple[str, ...], list[str]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,6 +44,7 @@ class Imported:
         notes: What was taken otherwise than it is written, or left to others.
         not_as_written: Why its own ego cannot drive as the file says, each with its line; empty where it can, or where
             the file says nothing of it.
+        notes_as_written: What was taken otherwise where it drives so.
     """
 
     board: Storyboard | StoryProgram
@@ -49,6 +52,7 @@ class Imported:
     notes: tuple[str, ...]
     as_written: StoryProgram | None = None
     not_as_written: tuple[str, ...] = ()
+    notes_as_written: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -108,7 +112,9 @@ class ScenarioFile:
             SettingsError: It does not declare one.
         """
         declared = {
-            one.attributes.get("name", "") for group in self._root.all("ParameterDeclarations") for one in group.inside
+            one.attributes.get("name", "").removeprefix("$")
+            for group in self._root.all("ParameterDeclarations")
+            for one in group.inside
         }
         if odd := sorted(set(names) - declared):
             raise SettingsError(f"{self._path}: {no_such('parameter', odd[0], declared)}")
@@ -132,18 +138,25 @@ class ScenarioFile:
             given.declare(self._root)
             written = written_out(self._root, self._path, given, self._catalogs)
             map_path = self._maps.of(given, written)
-            board, given, whole, not_as_written = self._read(written, given, map_path)
+            board, given, whole, not_as_written, of_story = self._read(written, given, map_path)
             if given.wanted <= fixed:
                 break
             fixed |= given.wanted
         if keeps_left(map_path):
             given.notes[:] = map(lanes_on_map, given.notes)
+            of_story = [*map(lanes_on_map, of_story)]
             given.refusals[:] = map(lanes_on_map, given.refusals)
             not_as_written = tuple(map(lanes_on_map, not_as_written))
         given.raise_refusals(self._path)
         assert board is not None
-        notes = tuple(dict.fromkeys(given.notes))
-        return Imported(board=board, map_path=map_path, notes=notes, as_written=whole, not_as_written=not_as_written)
+        return Imported(
+            board=board,
+            map_path=map_path,
+            notes=tuple(dict.fromkeys(given.notes)),
+            as_written=whole,
+            not_as_written=not_as_written,
+            notes_as_written=tuple(dict.fromkeys(of_story)),
+        )
 
     @property
     def carries_program(self) -> bool:
@@ -201,11 +214,15 @@ class ScenarioFile:
         story = _unless_refused(reader.program, as_story) if reader is not None else None
         said = story is not None and not as_story.refusals and story.members[0].acts
         for_plans = plans is not None and not given.refusals
+        if for_plans and story is not None and not as_story.refusals:
+            # What holds from the beginning on never begins to hold, and a plan would not wait.
+            for_plans = not holds_at_first(story, load_network(map_path), given.nominal)
         untold = reader.untold if reader is not None else []
         told = given if for_plans else as_story
+        of_story = list(as_story.notes)
         told.notes += [f"{why}; so it cannot be driven with --as-written" for why in untold]
         why_not = tuple(dict.fromkeys((*untold, *as_story.refusals)))  # of a story, refusals refuse the file
-        return plans if for_plans else story, told, story if said else None, why_not
+        return plans if for_plans else story, told, story if said else None, why_not, of_story
 
 
 def _rows(one: Element) -> Iterator[Row]:

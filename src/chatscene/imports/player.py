@@ -47,6 +47,7 @@ class Player:
         lane_from: The lane that somebody stands in at first, and how that road user faces.
         left: 1 where a lane's offset to the left of the road's line is left of who drives in it, else -1.
         side: 1 where the file counts y to the left; -1 where it counts to the right of whoever drives, as CARLA does.
+        toward: Whether it faces the ego's way at first, so that the two come straight toward each other.
         ego_at: How far along the ego's route [m] a position is.
         lines: All lines, by name; those of its own are added.
         lanes: The lane of each line that somebody changes to.
@@ -64,6 +65,7 @@ class Player:
     lane_from: Callable[[Element, str], InLane]
     left: int
     side: int
+    toward: bool
     ego_at: Callable[[Element], Sum]
     line_of: Callable[[Element, str], tuple[str, Polyline]]
     lines: dict[str, Polyline]

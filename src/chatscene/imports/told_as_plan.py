@@ -18,6 +18,7 @@ from chatscene.imports.opening import EGO_DOES, GONE, LEFT_ALONE, OFF, Opening
 from chatscene.imports.player import InLane, Player
 from chatscene.imports.positions import Pose
 from chatscene.imports.stranger_xml import Element
+from chatscene.situations.phrases import one_seen
 from chatscene.terms.actors import BY_CLASS, LIMITS, Manner
 from chatscene.terms.plan import Kind, Name, Phase, Plan
 from chatscene.terms.polyline import Polyline
@@ -25,11 +26,22 @@ from chatscene.terms.storyboard import EGO_ROUTE, Actor, Start, Storyboard
 from chatscene.terms.sums import Sum, number, sum_of
 from chatscene.terms.surroundings import Surroundings
 
+_TOWARD = -math.cos(math.radians(20.0))  # the cosine of the turn between two who come straight toward each other
 _CENTRED = 0.01  # [m] beside the middle of a lane within which somebody is in it
 
 
 class PlanReader(Opening):
     """Reads plans."""
+
+    _ego_faces = 0.0
+
+    def _speed(self, name: str) -> float:
+        """How fast somebody is at first [m/s]."""
+        speed, kind = super()._speed(name), self._entities.body(self._objects[name])[0]
+        if kind in LIMITS and speed > LIMITS[kind].top_speed:
+            most = f"{one_seen(kind)} goes at {LIMITS[kind].top_speed:g} m/s at most where a plan drives it"
+            raise Refused(self._objects[name], f"{most}, and it begins at {speed:g} m/s")
+        return speed
 
     def board(self) -> Storyboard | None:
         """The storyboard; None where something was refused."""
@@ -39,12 +51,14 @@ class PlanReader(Opening):
         first = self._attempt(lambda: self._host(ego))
         if first is None:
             return None
+        self._ego_faces = self._pose_of(first.start)[2]
         events = self._attempt(lambda: self._events(ego)) or {}
         others = [name for name in self._objects if name != ego]
         apart = Apart("_")
         prefixes = {name: apart.of(_prefix(name)) for name in others}
         made = [self._attempt(partial(self._actor, name, ego, prefixes[name], events.get(name))) for name in others]
         actors = [first, *(actor for actor in made if actor is not None)]
+        self._given.refusals += [str(Refused(one, "a plan sets nothing at first")) for one in self.setting()]
         surroundings = self._attempt(lambda: surroundings_of(self._actions(), self._given)) or Surroundings()
         self._endings()
         if not any(actor.plan for actor in actors) and not self._given.refusals:
@@ -149,19 +163,26 @@ class PlanReader(Opening):
             left=self._positions.in_lane(section, pose).left if section is not None else 1,
             side=self._side,
             ego_at=ego_at,
+            toward=math.cos(pose[2] - self._ego_faces) < _TOWARD,
             line_of=self._line_of,
             lines=self._lines,
             lanes=self._lanes,
         )
 
-    def _events(self, ego: str) -> dict[str, tuple[list[Element], list[Element]]]:
+    def _events(  # noqa: C901 - a case for each thing that a plan does not say
+        self, ego: str
+    ) -> dict[str, tuple[list[Element], list[Element]]]:
         """The events of each actor in their order, and the conditions of its act."""
         found: dict[str, tuple[list[Element], list[Element]]] = {}
         storyboard = self._root.find("Storyboard")
         assert storyboard is not None
         for act in (act for story in storyboard.all("Story") for act in story.all("Act")):
             first = list(self._of_act(act))
+            if (stop := act.find("StopTrigger")) is not None and stop.inside:
+                raise Refused(stop, "it ends what its act does; a plan goes on to its end")
             for group in act.all("ManeuverGroup"):
+                if self._given.count(group, "maximumExecutionCount", "1") != 1:
+                    raise Refused(group, "it happens more than once; a plan goes through its phases once")
                 actors = [ref for one in group.all("Actors") for ref in one.all("EntityRef")]
                 events = [event for maneuver in group.all("Maneuver") for event in maneuver.all("Event")]
                 if not events:

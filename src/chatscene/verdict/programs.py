@@ -104,10 +104,10 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
         notes = (
             *map(_not_judged, (*made.refused, *untold)),
             "its own ego drives" if as_written else f"{settings.ego or EGO} drives the ego",
-            *made.notes,
+            *(made.notes_as_written if as_written else made.notes),
         )
         left = made.count - len(made.programs) - len(made.refused)
-        variants = _Variants() if settings.variant else _Variants(made.count, left)
+        variants = _Variants() if settings.variant or not made.count else _Variants(made.count, left)
         # Within, since the map of a file without roads lies in this folder.
         return _watched(parts, "OpenSCENARIO file", settings, notes, variants)
 
