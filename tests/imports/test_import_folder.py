@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shlex
 from pathlib import Path
 
 import pytest
@@ -11,8 +12,10 @@ from click.testing import CliRunner
 
 from chatscene.commands.main import main
 from chatscene.errors import SettingsError
+from chatscene.imports.import_file import import_scenario
 from chatscene.imports.import_folder import import_folder
 from chatscene.search.generators.foreign import foreign_files, read_foreign
+from chatscene.studies.imported_entries import catalogue_of
 from red_team.scenario_files import scenario
 
 
@@ -70,3 +73,32 @@ def test_a_folder_needs_a_place_for_its_programs(theirs: Path, tmp_path: Path) -
     (tmp_path / "empty").mkdir()
     with pytest.raises(SettingsError, match=r"holds no \.xosc file"):
         import_folder(tmp_path / "empty", tmp_path / "out")
+
+
+def test_no_program_of_a_folder_takes_the_name_of_another(theirs: Path) -> None:
+    (theirs / "values-1.xosc").write_text(scenario())
+    (theirs / "A.XOSC").write_text(scenario())
+    (theirs / "a.XOSC").write_text(scenario())
+    found = {str(one.file): one for one in import_folder(theirs, theirs / "mine").files}
+    assert [str(one) for one in found["values.xosc"].programs] == ["values_-1.scenic", "values_-3.scenic"]
+    assert [str(one) for one in found["values-1.xosc"].programs] == ["values-1.scenic"]
+    assert {str(found[name].programs[0]) for name in ("a.xosc", "a.XOSC")} == {"a.scenic", "a_2.scenic"}
+
+
+def test_a_folder_whose_import_was_interrupted_is_told_to_be_one(theirs: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("chatscene.imports.import_folder.import_scenario", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        import_folder(theirs, theirs / "mine")
+    with pytest.raises(SettingsError, match="delete it, if an import was interrupted there"):
+        import_folder(theirs, theirs / "mine")
+    with pytest.raises(SettingsError, match="has not come to its end; wait for it, or delete it and import again"):
+        catalogue_of(theirs / "mine")
+
+
+def test_the_command_that_is_printed_can_be_pasted(beside: Path) -> None:
+    (beside / "a b$.xosc").write_text(scenario())
+    made = import_scenario(beside / "a b$.xosc")
+    assert shlex.split(made.command)[3] == str(beside / "a b$.scenic")

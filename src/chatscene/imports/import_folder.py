@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from chatscene.errors import MapError, ScenarioError, SettingsError
-from chatscene.imports.collection import MOST_ABOUT, FileRecord, map_named, write_record
+from chatscene.imports.collection import MOST_ABOUT, UNFINISHED, FileRecord, map_named, write_record
 from chatscene.imports.import_file import import_scenario
+from chatscene.imports.names import Apart
 from chatscene.imports.stranger_xml import read_xml
 from chatscene.maps.network import name_of
 
@@ -113,13 +117,50 @@ def import_folder(
     if not files:
         raise SettingsError(f"{folder} holds no .xosc file, and neither does any folder in it")
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
-        raise SettingsError(f"{out} exists and is not an empty folder; give another with --out")
+        raise SettingsError(
+            f"{out} exists and is not an empty folder; give another with --out, or delete it, if an import was "
+            "interrupted there"
+        )
+    programs = _programs([path.relative_to(folder) for path in files])
     rows = list[ImportedFile]()
-    for path in files:
-        named = path.relative_to(folder)
-        rows.append(_row(path, named, (out / named).with_suffix(".scenic"), out, map_name, ego, within))
-    write_record(out, [_recorded(one, out) for one in rows], [path for one in rows for path in one.maps])
+    with _alone_in(out):
+        for path, (named, program) in zip(files, programs.items(), strict=True):
+            rows.append(_row(path, named, out / program, out, map_name, ego, within))
+        write_record(out, [_recorded(one, out) for one in rows], [path for one in rows for path in one.maps])
     return ImportedFolder(out=out, files=tuple(rows))
+
+
+@contextmanager
+def _alone_in(out: Path) -> Generator[None]:
+    """Keep other imports out of a folder until this one is done; who was interrupted, keeps them out for good.
+
+    Raises:
+        SettingsError: Another one is there, or the folder cannot be made.
+    """
+    mark = out / UNFINISHED
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        mark.touch(exist_ok=False)
+    except FileExistsError:
+        raise SettingsError(f"another import writes to {out}; wait for it, or give another folder with --out") from None
+    except OSError as error:
+        raise SettingsError(f"cannot write to {out}: {error.strerror}") from error
+    yield
+    mark.unlink(missing_ok=True)
+
+
+def _programs(files: Sequence[Path]) -> dict[Path, Path]:
+    """The program of each file, by paths from both folders: no two the same, and none a variant of another."""
+    apart = Apart("_")
+    plain = Counter(file.with_suffix("") for file in files)
+    found: dict[Path, Path] = {}
+    for file in files:
+        stem = file.with_suffix("")
+        numbered = re.compile(rf"{re.escape(stem.name)}-\d+")
+        clash = any(numbered.fullmatch(other.name) and other.parent == stem.parent for other in plain)
+        name = f"{stem}_" if clash else str(stem)
+        found[file] = Path(f"{apart.of(name)}.scenic")
+    return found
 
 
 def _recorded(row: ImportedFile, out: Path) -> FileRecord:

@@ -35,7 +35,8 @@ def read_trace(path: Path) -> tuple[Poses, ...]:
         if path.stat().st_size > MOST_BYTES:
             raise ScenarioError(f"{path} has more than {MOST_BYTES // 2**20} MB; cut it down to the drive")
         for truth in _messages(path):
-            ego.add(truth.host_vehicle_id.value)
+            if truth.HasField("host_vehicle_id"):
+                ego.add(truth.host_vehicle_id.value)
             now = truth.timestamp.seconds + truth.timestamp.nanos * 1e-9
             for one in (*truth.moving_object, *truth.stationary_object):
                 bodies.setdefault(one.id.value, one)
@@ -72,13 +73,22 @@ def _messages(path: Path) -> Iterator[Any]:
 def _pose(one: Any) -> tuple[float, float, float, float]:
     base = one.base
     heading = float(base.orientation.yaw)
-    moves = hasattr(base, "velocity")
-    along = base.velocity.x * math.cos(heading) + base.velocity.y * math.sin(heading) if moves else 0.0
+    if one.DESCRIPTOR.name != "MovingObject":
+        along = 0.0
+    elif base.HasField("velocity"):
+        along = base.velocity.x * math.cos(heading) + base.velocity.y * math.sin(heading)
+    else:
+        along = math.nan  # which is told by where it goes
     return float(base.position.x), float(base.position.y), heading, float(along)
 
 
 def _poses(path: Path, body: Any, rows: list[_Row], ego: bool) -> Poses:
     time, x, y, heading, speed = np.array(sorted(rows)).T
+    untold = np.isnan(speed)
+    if untold.any() and len(time) > 1 and (np.diff(time) > 0.0).all():
+        vx, vy = np.gradient(x, time), np.gradient(y, time)
+        speed = np.where(untold, vx * np.cos(heading) + vy * np.sin(heading), speed)
+    speed = np.nan_to_num(speed, nan=0.0)
     if not np.isfinite([time, x, y, heading, speed]).all() or (np.diff(time) <= 0.0).any():
         raise ScenarioError(
             f"{path}: the object {body.id.value} is twice at a time, or at a position that is not a number"

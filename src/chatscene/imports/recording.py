@@ -16,6 +16,8 @@ from chatscene.terms.vocabulary import UserKind
 
 DT = 0.1  # [s], the step at which drives are judged
 ROUNDING = 1e-6  # of a step
+GAP = 0.5  # [s] without a row, up to which somebody is taken to be there all the same,
+MOST_MISSING = 3.5  # or so many usual steps, where those are longer
 LONGEST = 600.0  # [s] of a recording
 MOST = 200  # road users in it
 
@@ -107,6 +109,14 @@ def _ego(found: Sequence[Poses], path: object, ego_id: str) -> Poses:
 
 def _track(one: Poses, actor: str, role: Role | None, steps: Array, path: object) -> Track:
     kind = _class_of(one.kind, path)
+    gaps = np.flatnonzero(
+        np.diff(one.time) > max(GAP, MOST_MISSING * float(np.median(np.diff(one.time))) if len(one.time) > 1 else GAP)
+    )
+    away = [(float(one.time[i]), float(one.time[i + 1])) for i in gaps]
+    if role is Role.EGO and away:
+        raise ScenarioError(
+            f"{path}: the ego, {one.name}, is not there from {away[0][0]:g} to {away[0][1]:g} s; cut the drive there"
+        )
     limits = LIMITS.get(kind) or PROPS.get(kind)
     length, width = one.length or (limits.length if limits else None), one.width or (limits.width if limits else None)
     if length is None or width is None:
@@ -117,6 +127,9 @@ def _track(one: Poses, actor: str, role: Role | None, steps: Array, path: object
         np.interp(steps, one.time, values, left=np.nan, right=np.nan)
         for values in (one.x, one.y, np.unwrap(one.heading), one.speed)
     )
+    for last, first in away:
+        for values in (x, y, heading, speed):
+            values[(steps > last + ROUNDING) & (steps < first - ROUNDING)] = np.nan
     moves = kind in BY_CLASS and not BY_CLASS[kind].lies
     return Track(
         actor=actor,

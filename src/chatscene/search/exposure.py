@@ -55,7 +55,7 @@ def read_exposure(path: Path) -> tuple[Density, ...]:
         SettingsError: There is no such file, it is no TOML, or a table is not as it should be.
     """
     try:
-        tables = _FILE.validate_python(tomllib.loads(path.read_text(encoding="utf-8")))
+        tables = _FILE.validate_python(tomllib.loads(path.read_text(encoding="utf-8-sig")))
     except OSError as error:
         raise SettingsError(f"the exposure {path} cannot be read: {error.strerror or error}") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:

@@ -44,7 +44,7 @@ def load_catalogue(name: str) -> Catalogue:
         raise SettingsError(f"{no_such('catalogue', name, PACKAGED)}, {others}")
     try:
         check_file(path)
-        return _parsed(name, path.read_text(encoding="utf-8"))
+        return _parsed(name, path.read_text(encoding="utf-8-sig"))
     except FileNotFoundError as error:
         raise SettingsError(f"there is no file {name}; the packaged catalogues are {', '.join(PACKAGED)}") from error
     except (OSError, ValueError) as error:

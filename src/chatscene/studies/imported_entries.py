@@ -10,7 +10,7 @@ from typing import Any
 
 from chatscene import runs
 from chatscene.errors import EgoError, ForeignCodeRefused, SettingsError
-from chatscene.imports.collection import CollectedProgram, is_collection, read_collection
+from chatscene.imports.collection import UNFINISHED, CollectedProgram, is_collection, read_collection
 from chatscene.maps.network import name_of, resolve_map
 from chatscene.search.generators.foreign import read_foreign
 from chatscene.search.generators.own_program import generator_for
@@ -26,6 +26,10 @@ def catalogue_of(folder: Path) -> Catalogue:
         SettingsError: The folder was not imported.
         RunError: It was changed.
     """
+    if (folder / UNFINISHED).exists():
+        raise SettingsError(
+            f"the import into {folder} has not come to its end; wait for it, or delete it and import again"
+        )
     if not is_collection(folder):
         raise SettingsError(
             f"{folder} is no folder that was imported; import it first: chatscene import {folder} --out NEW"

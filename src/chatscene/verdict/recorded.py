@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from chatscene.imports.recording import DT, Recording
 from chatscene.simulate.boxes import Boxes, Pair
@@ -21,6 +22,7 @@ APART = 1.0  # [m] between points of a way
 ONWARD = 100.0  # [m] that a way goes straight on where the ego was last
 TURNS = math.radians(45)  # by which an ego turns that does so at a junction
 BEGINS = math.radians(10)  # by which it has turned where that begins
+PARTS = 10  # of a step, at whose ends it is seen whether two touch
 FEWEST = 10  # points of a way of which a turn is told
 
 
@@ -88,7 +90,7 @@ def _collision(tracks: tuple[Track, ...]) -> Event | None:
     ego, *others = tracks
     first: tuple[int, Track] | None = None
     for other in others:
-        touching = Pair.of(Boxes.of(ego), Boxes.of(other)).touching
+        touching = _touching(ego, other)
         if touching.any() and not touching[np.argmax(np.isfinite(other.x))]:
             step = int(np.argmax(touching))
             first = (step, other) if first is None or step < first[0] else first
@@ -107,6 +109,20 @@ def _collision(tracks: tuple[Track, ...]) -> Event | None:
         side=side_touched(ego, other, step),
         impact_speed=math.hypot(vx, vy),
     )
+
+
+def _touching(ego: Track, other: Track) -> NDArray[np.bool_]:
+    """(T,) Whether two touch at a step, or came to touch since the one before: who grazes, touches between two."""
+    touching = Pair.of(Boxes.of(ego), Boxes.of(other)).touching.copy()
+    gone = sum(np.hypot(np.diff(one.x), np.diff(one.y)) for one in (ego, other))
+    room = sum(math.hypot(one.length, one.width) / 2 for one in (ego, other))
+    apart = np.hypot(other.x - ego.x, other.y - ego.y)
+    near = np.flatnonzero(np.minimum(apart[:-1], apart[1:]) < room + gone)
+    if near.size:
+        moments = (near[:, None] + np.arange(1, PARTS) / PARTS).ravel()
+        between = Pair.of(Boxes.within(ego, moments), Boxes.within(other, moments)).touching
+        touching[near + 1] |= between.reshape(near.size, PARTS - 1).any(axis=1)
+    return touching
 
 
 def _until(episode: Episode, steps: int) -> Episode:

@@ -35,6 +35,8 @@ def watching(what: Path, settings: VerifySettings, repeated: Repeated | None = N
         )
     if settings.variant and kind != ".xosc":
         raise SettingsError(f"variants are of a file of OpenSCENARIO, and {what} is none")
+    if what.is_dir() and what.suffix.lower() in KINDS and not (what / "run.json").exists():
+        raise SettingsError(f"{what} is a folder; give a file that ends in {what.suffix}, or a run folder")
     if what.is_dir():
         from chatscene.verdict.runs_of_ours import watch_run
 
