@@ -285,4 +285,6 @@ def no_such(what: str, name: str, known: Iterable[str]) -> str:
     names = sorted(known)
     near = difflib.get_close_matches(name, names, n=1)
     hint = f"did you mean {near[0]!r}? " if near else ""
+    if not names:
+        return f"there is no {what} {name!r}, and none is known"
     return f"there is no {what} {name!r}; {hint}known: {', '.join(names)}"

@@ -14,7 +14,7 @@ from chatscene.ego.observation import USUAL
 from chatscene.ego.policy import FILES, load_ego, senses_of, wanting
 from chatscene.errors import EditRefused, RunError, SettingsError
 from chatscene.maps.left_hand import keeps_left
-from chatscene.maps.network import map_with, resolve_map
+from chatscene.maps.network import map_with, name_of, resolve_map
 from chatscene.runs.digests import digest_of
 from chatscene.runs.record import (
     BenchmarkRecord,
@@ -201,7 +201,7 @@ def _on_a_map(
     path = resolve_map(map_name)
     simulator = simulator_of(generator, path, settings) if generator else load_simulator(path, settings.simulation)
     return {
-        "map_name": map_name,
+        "map_name": name_of(path),  # by which it is found from any folder
         "map_digest": digest_of(path),
         "senses": {ego: senses_of(wanting(load_ego(ego), USUAL if told_speed else None), kind) for ego in egos},
         "ego_digests": ego_digests(egos),

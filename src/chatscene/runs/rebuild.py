@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from chatscene.ego.policy import EgoPolicy, load_ego
-from chatscene.errors import Diverged, RunError, SnippetError
+from chatscene.errors import Diverged, MapError, RunError, SnippetError
+from chatscene.files.bounded import is_there
 from chatscene.maps.network import resolve_map
 from chatscene.runs.blocks import read_ranges
 from chatscene.runs.digests import digest_of
@@ -28,7 +29,12 @@ def map_of(record: MapRecord) -> Path:
         MapError: There is none of that name.
         RunError: It is another file by now.
     """
-    path = resolve_map(record.map_name)
+    try:
+        path = resolve_map(record.map_name)
+    except MapError:
+        path = Path(record.map_name.replace("\\", "/").rpartition("/")[2])  # the run came here with its map
+        if not (record.map_digest and is_there(path)):
+            raise
     if record.map_digest and digest_of(path) != record.map_digest:
         raise RunError(
             f"the map {record.map_name} is not the file that the run was made on (its SHA-256 differs); put that one "
