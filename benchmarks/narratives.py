@@ -77,7 +77,8 @@ def _shown(text: str, said: Slots, settings: Settings, ego: str) -> str:
             pipeline.search(run, ONE, silent)
         except ChatSceneError as error:
             return f"none: {type(error).__name__}"
-        scenario, program = rebuild(run)
+        made = rebuild(run)
+        scenario, program = made.scenario, made.program
         where = resolve_map(map_with(scenario.slots.site))
         route = simulator_of(Retrieved(), where, settings).route(program, 0)
         ran = [row["scene_id"] for row in runs.read_scenes(run) if row["status"] == "ran"]

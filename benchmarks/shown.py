@@ -98,7 +98,8 @@ def searched(text: str, settings: Settings, ego: str) -> tuple[Counter[str], str
             for name, row in rows.items()
         ]
         chosen = {rule: select(candidates, count=settings.search.keep, selection=rule) for rule in RULES}
-        scenario, program = rebuild(run)
+        made = rebuild(run)
+        scenario, program = made.scenario, made.program
         route = simulator_of(Retrieved(), resolve_map("town"), settings).route(program, 0)
         done = {
             one.scene_id: not check_meaning(scenario.slots, runs.read_episode(run, one.scene_id), route, through=True)

@@ -48,12 +48,6 @@ def test_an_act_that_comes_along_without_a_word_is_not_an_addition() -> None:
     assert told(understand("a van cuts in")) == ["'a van' is shown as a car"]
 
 
-def test_what_somebody_beside_the_adversary_is_said_to_do_and_does_is_not_told_as_lost() -> None:
-    understood = understand("A car ahead of us brakes hard while a dog runs across the road from the right.")
-    assert understood.scenario.slots.others
-    assert not [line for line in told(understood) if line.startswith(("instead of", "added"))]
-
-
 def test_the_head_of_the_page_tells_it_before_what_was_read() -> None:
     page = heading(asked_run(UNREAD), understand(UNREAD).as_dict(), "")
     assert page.index("possibly missing from the scenes") < page.index("is shown as a car") < page.index("Read as")

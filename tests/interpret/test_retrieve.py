@@ -229,7 +229,7 @@ def test_what_is_served_of_the_papers_sentences_finds_a_triple_that_contradicts_
                 continue
             assert [c for m in (chosen.behavior, chosen.geometry, chosen.spawn) for c in m.conflicts] == [], text
             assert set(understood.slots.actions) & set(chosen.behavior.snippet.slots.actions), text
-    assert len(refused) <= 22, refused  # of forty, which the reader is not sure of
+    assert len(refused) <= 25, refused  # of forty, which the reader is not sure of, or no snippet does
 
 
 # What was believed is handed on

@@ -33,6 +33,7 @@ from chatscene.ego.policy import EGOS, in_words, load_ego, observation_of, sense
 from chatscene.errors import RunError
 from chatscene.exports.export import kept_scenes
 from chatscene.exports.exporter import load_exporter
+from chatscene.library.load import load_snippet
 from chatscene.maps import picture
 from chatscene.report import animation, caption, viewer
 from chatscene.report import files as report_files
@@ -409,6 +410,7 @@ def _other(option: click.Option, folder: Path) -> list[str]:
 
 
 NOT_OF_THE_SCENES = {"out", "jobs", "executor", "as_json", "program", "report", "trust", "as_written", "param"}
+OWN = load_snippet(FIXTURES / "library" / "behavior" / "brake.scenic").description
 RUN = main.commands["run"]
 OPTIONS_OF_RUN = [p for p in RUN.params if isinstance(p, click.Option) and p.name not in NOT_OF_THE_SCENES]
 
@@ -418,7 +420,8 @@ def test_the_command_to_run_it_again_leaves_out_no_option(
     option: click.Option, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     there = ["--map", "town"]  # the one that is taken for this text
-    text = "a car surprises us" if option.name == "reading" else "a car cuts in"  # which is not sure alone
+    texts = {"reading": "a car surprises us", "library": OWN}  # one is not sure alone, one is about an own snippet
+    text = texts.get(str(option.name), "a car cuts in")
     first = _caught(["run", text, *there, *_other(option, tmp_path), "--out", str(tmp_path / "x")], monkeypatch)
     assert first
     assert first != _caught(["run", text, *there, "--out", str(tmp_path / "x")], monkeypatch)

@@ -19,12 +19,15 @@ from click.testing import CliRunner
 import chatscene
 from chatscene import runs
 from chatscene.commands.main import main
-from chatscene.errors import RunError
+from chatscene.errors import ForeignCodeRefused, RunError, SnippetError
+from chatscene.library.load import load_library
 from chatscene.report.index import index
 from chatscene.report.sql import ask
 from chatscene.report.viewer import write_report
 from chatscene.runs import tables
 from chatscene.runs.digests import digest_of
+from chatscene.runs.rebuild import remade
+from chatscene.runs.replay import replay
 from chatscene.runs.workspace import RECORDS
 from chatscene.view.looking import listed
 from fake_run import finished, started
@@ -230,6 +233,55 @@ def test_a_run_that_was_kept_is_replayed_reported_and_measured_anew(kept: Path, 
     measured = chatscene.evaluate(folder, ego="rule-based", folder=tmp_path / "evaluation")
     kept_ids = {row["scene_id"] for row in runs.read_scenes(runs.Workspace(folder)) if row["selected"]}
     assert {row["scene_id"] for row in runs.read_scenes(runs.Workspace(measured.folder))} == kept_ids != set()
+
+
+@pytest.fixture(scope="module")
+def composed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folders of runs whose behaviors and second road users were composed, as no version does any more."""
+    folder = tmp_path_factory.mktemp("composed")
+    with tarfile.open(FIXTURES / "folders-with-composed.tar.xz") as archive:
+        archive.extractall(folder, filter="data")
+    return folder
+
+
+@pytest.mark.parametrize("name", ["composed", "beside"])
+def test_a_run_of_a_snippet_that_is_no_more_is_replayed_to_the_bit_from_the_program_that_it_kept(
+    name: str, composed: Path
+) -> None:
+    folder = composed / name
+    run = runs.open_run(folder, runs.RunRecord)
+    _, choice = runs.read_choice(run)
+    assert choice is not None
+    with pytest.raises(SnippetError, match="there is no snippet"):
+        [load_library().get(snippet_id) for snippet_id in choice.snippet_ids]
+    for row in runs.read_scenes(run):
+        assert replay(folder, row["scene_id"]).identical
+    assert remade(run).simulator.identity.name == "confined"
+
+
+def test_a_run_of_a_snippet_that_is_no_more_is_reported_measured_anew_and_exported_as_it_was_driven(
+    composed: Path, tmp_path: Path
+) -> None:
+    folder = tmp_path / "run"
+    shutil.copytree(composed / "composed", folder)
+    assert "overtakes us and brakes" in write_report(folder).read_text()
+    measured = chatscene.evaluate(folder, ego="rule-based", folder=tmp_path / "evaluation")
+    assert runs.read_scenes(runs.Workspace(measured.folder))
+    assert chatscene.export(folder, to="openscenario", out=tmp_path / "files")
+    with pytest.raises(RunError, match="an export does not execute the program that the folder keeps"):
+        chatscene.export(folder, to="openscenario-logical", out=tmp_path / "logical")
+
+
+def test_a_kept_program_that_does_what_no_stranger_may_is_refused(composed: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "run"
+    shutil.copytree(composed / "composed", folder)
+    (program,) = (folder / "programs").iterdir()
+    program.write_text(program.read_text() + "\nimport os\nos.system('true')\n")
+    run = runs.Workspace(folder)
+    name = program.relative_to(folder).as_posix()
+    runs.update(run, files=dict(runs.read_record(run).files) | {name: digest_of(program)})
+    with pytest.raises(ForeignCodeRefused, match="import"):
+        replay(folder, runs.read_scenes(run)[0]["scene_id"])
 
 
 def test_a_run_that_was_killed_is_told_at_once_and_one_at_work_is_not(tmp_path: Path) -> None:

@@ -61,7 +61,7 @@ def test_a_program_of_schema_2_was_in_its_text_and_is_joined_again_without_its_h
     record = runs.read_record(run)
     assert record.program == runs.ProgramRecord(name="mine", source=source)
     assert (record.text, record.title) == ("", "mine")
-    _, program = rebuild(run)
+    program = rebuild(run).program
     assert (program.scenario_id, program.source) == (SCENARIO, source)
 
 

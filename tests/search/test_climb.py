@@ -114,5 +114,5 @@ def test_a_run_goes_on_with_the_choice_that_climbed(tmp_path: Path, monkeypatch:
     run(asked_run(CYCLIST, settings=few, ego="rule-based"), tmp_path / "run")
     kept = open_run(tmp_path / "run")
     assert read_explanation(kept)["scenarios"][0]["tried"]
-    _, rebuilt = rebuild(kept)
+    rebuilt = rebuild(kept).program
     assert rebuilt.snippet_ids != first.program.snippet_ids

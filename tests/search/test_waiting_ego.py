@@ -51,7 +51,8 @@ def test_the_orders_are_explained_and_kept(folder: Path) -> None:
     assert "We stand still." in told["told"]
     assert next(word["fact"] for word in told["words"] if word["text"] == "wait").startswith("ego.does")
     assert "We stand still." in (folder / "report.html").read_text(encoding="utf-8")
-    scenario, program = rebuild(run)
+    made = rebuild(run)
+    scenario, program = made.scenario, made.program
     assert scenario.slots.ego is EgoState.STANDS
     assert "with orders (Order(at_most=0),)" in program.source
 

@@ -229,7 +229,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_a_run_keeps_its_surroundings_and_a_replay_has_the_same(folder: Path) -> None:
     run = runs.open_run(folder)
-    scenario, program = rebuild(run)
+    made = rebuild(run)
+    scenario, program = made.scenario, made.program
     assert scenario.surroundings == NIGHT_AND_WET
     assert "param light = 'night', weather = 'clear', surface = 'wet'" in program.source
     rows = [row for row in runs.read_scenes(run) if row["status"] == "ran"]

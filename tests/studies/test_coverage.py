@@ -149,7 +149,6 @@ def test_what_a_script_is_told_has_a_row_for_every_entry() -> None:
         "slots",
         "unused",
         "snippet_ids",
-        "composed",
         "confidence",
         "fared",
         "missed",

@@ -14,8 +14,6 @@ from places import ROOT
 
 SOURCE = ROOT / "src" / "chatscene"
 ELSEWHERE = {
-    "library/act_steps.py": "how each is done",
-    "library/compose.py": "which is a part of which, and which go together",
     "program/deeds.py": "a test on tracks for each",
     "interpret/situation_rows.py": "which act of a situation each of these is",
     "interpret/situation_of.py": "where somebody starts by what it does, and acts that say how another is done",

@@ -93,7 +93,7 @@ def run(
         sampler: How to search, one of `chatscene.search.sampler` by name, or ``package.module:factory``.
         simulator: Simulator of the scenes; ``native`` if neither this nor ``settings`` is given.
         physics: How vehicles respond to pedals and steering: ``kinematic`` or ``lagged``.
-        library: Folder of your own snippets, in addition to the packaged ones.
+        library: Folder of your own snippets: they serve a text that they do; any other becomes a situation.
         embedder: Text encoder.
         language_model: Reader of the text: ``offline``, ``openai:MODEL``, ``gguf:FILE``, or ``package.module:factory``.
         reader: ``situation``, or ``paper`` to choose snippets by wording alone, as the paper does, and refuse nothing.
@@ -127,19 +127,17 @@ def run(
     chosen = read_by(settings.retrieval, library, embedder, language_model, reader, reading)
     if report is not None:
         text = _only_conflict(report)
-    from chatscene.report.filled import explain_text, is_filled, read_already
+    from chatscene.report.filled import read_already, unless_by_snippets
     from chatscene.report.stated import Stated, explain_stated, stated
 
     edits, made = names_of(edit or ()), None
     on = None if map is None else str(map)
     if isinstance(text, Situation):
         made = explain_stated(stated(text, set, on, speed), edits=edits)
-    elif is_filled(str(text), chosen) or (speed is not None and program is None):
+    elif program is None:
         reads = replace(settings, retrieval=chosen)
-        made = explain_text(str(text), reads, facts=set, edits=edits, map_name=on, speed=speed)
-        chosen = read_already(chosen)
-    else:
-        chosen = read_by(chosen, stated=set)
+        made = unless_by_snippets(str(text), reads, facts=set, edits=edits, map_name=on, speed=speed)
+    chosen = read_by(chosen, stated=set) if made is None else read_already(chosen)
     looking = changed(
         settings.search, scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable, sampler=sampler
     )
@@ -255,7 +253,8 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
 ) -> Understood | Stated:
     """How a text is understood: the situation, the words of each fact, the program. Runs nothing.
 
-    With your own library, or with the reader ``paper``, the answer has the chosen snippets, and why.
+    Where snippets of your own library serve the text, or with the reader ``paper``, the answer has the chosen snippets,
+    and why.
 
     Printed, the answer reads like the command's output; in a notebook it looks like the report.
 
@@ -264,7 +263,7 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
         report: File of a report with one conflict, instead of the sentence; for several, see `conflicts`.
         edit: Changes in words, as in `run`; the answer has a method `edit` as well.
         map: Map to build on, as in `run`; None for the first packaged map that has such a place.
-        library: Folder of your own snippets, in addition to the packaged ones.
+        library: Folder of your own snippets: they serve a text that they do; any other becomes a situation.
         embedder: Text encoder.
         language_model: Reader of the text: ``offline``, ``openai:MODEL``, ``gguf:FILE``, or ``package.module:factory``.
         reader: ``situation``, or ``paper`` to choose snippets by wording alone, as the paper does, and refuse nothing.

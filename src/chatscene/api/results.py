@@ -354,15 +354,15 @@ class DrivenScene:
         follow(replace(self._repeated, ego=()), simulators_of=[self._workspace], joining_of=[self._workspace])
         record = runs.read_record(self._workspace)
         map_path = map_of(record)
-        _, program = rebuild(self._workspace)
-        scene = runs.scene_of(self.row, program)
+        made = rebuild(self._workspace)
+        scene = runs.scene_of(self.row, made.program)
         return DrivingEnv(
-            [Course(program=program, route=scene.route, values=scene.values)],
+            [Course(program=made.program, route=scene.route, values=scene.values)],
             map_name=map_path,
             ego_observation=ego_observation,
             pedals=pedals,
             reward=reward,
-            simulator=simulator_of(load_generator(record.generator), map_path, runs.settings_of(record)),
+            simulator=simulator_of(load_generator(made.generator), map_path, runs.settings_of(record)),
             render_mode=render_mode,
         )
 

@@ -110,7 +110,13 @@ def kept_scenes(folder: Path, scene_ids: Sequence[str] = ()) -> Iterator[KeptSce
                 "--to openscenario or --to csv"
             )
         follow(Repeated(), joining_of=(run,))
-        return rebuild(run)[1]
+        made = rebuild(run)
+        if made.generator != record.generator:
+            raise RunError(
+                f"an earlier version composed a snippet of {run.path}, and an export does not execute the program that "
+                "the folder keeps; export what was driven: --to openscenario or --to csv"
+            )
+        return made.program
 
     ways = read_drawing(run).get("routes", {})
     for episode in read_episodes(run, chosen):

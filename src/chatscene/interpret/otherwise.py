@@ -6,7 +6,6 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from chatscene.library.beside import others_of
 from chatscene.terms.acts import BRINGS, Action
 from chatscene.terms.nouns import with_article
 from chatscene.terms.scenario import Scenario, Slots
@@ -50,19 +49,12 @@ def _instead(retrieval: Retrieval) -> list[str]:
 
 def _acts(said: Slots, retrieval: Retrieval) -> list[str]:
     """Acts beside those that were said; what comes along without a word, or only says how, need not be said."""
-    asked, built = _all_acts(said), _built(retrieval)
+    asked, built = _all_acts(said), _all_acts(retrieval.behavior.snippet.slots)
     added = [action for action in built if action not in _with_brought(asked) and not action.row.hasty]
     lost = [action for action in asked if action not in _with_brought(built) and not action.row.hasty]
     if lost:
         return [f"instead of {', '.join(lost)}: {', '.join(added or built) or 'nothing'}"]
     return [f"added: the adversary {action.row.meaning}" for action in added]
-
-
-def _built(retrieval: Retrieval) -> list[Action]:
-    """What the adversary does, and whoever is beside it, of whom another part than the behavior tells."""
-    slots = retrieval.behavior.snippet.slots
-    beside = [asked for snippet in retrieval.snippets for asked in others_of(snippet.id)]
-    return [*_all_acts(slots), *(action for asked in beside for action in asked.actions)]
 
 
 def _all_acts(slots: Slots) -> list[Action]:

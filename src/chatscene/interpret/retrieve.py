@@ -73,7 +73,6 @@ def retrieve(
     library: Library,
     settings: RetrievalSettings | None = None,
     tried: Sequence[Tried] = (),
-    composed: Snippet | None = None,
 ) -> Retrieval:
     """Choose the compatible triple that serves a scenario best.
 
@@ -82,7 +81,6 @@ def retrieve(
         library: What can be chosen.
         settings: How many candidates are named, and the confidence below which nothing is chosen.
         tried: Choices that did not show what was said; they are not made again.
-        composed: The behavior, where none of the library's does just what was said.
 
     Raises:
         NothingFits: No triple serves it well enough; the message names the nearest.
@@ -90,9 +88,8 @@ def retrieve(
     settings = settings or RetrievalSettings()
     frame = scenario.frame or Frame(outright=scenario.slots, sure=1.0)
     asked = _Asked(frame, scenario.slots, scenario.parts)
-    shelves = library if composed is None else library.with_behavior(composed)
-    ranked = _ranked(asked, shelves)
-    triple = _best(ranked, shelves, scenario.slots.adversary, tried)
+    ranked = _ranked(asked, library)
+    triple = _best(ranked, library, scenario.slots.adversary, tried)
     confidence = _confidence(frame, triple)
     if confidence < settings.refuse_below:
         reasons = _reasons(scenario, frame, triple)
@@ -278,12 +275,6 @@ class _Shelf:
         both = self.actions @ wanted
         either = self.actions.sum(axis=1) + wanted.sum() - both
         return (2 * both / wanted.sum() + both / np.maximum(either, 1)) / 3
-
-
-def does_just(behavior: Snippet, said: tuple[Action, ...], unsaid: frozenset[Action]) -> bool:
-    """Whether a behavior does what was said, in order, and else only what need not be said."""
-    more = _more(behavior.slots.actions, said)
-    return more is not None and more <= unsaid
 
 
 def does_all(behavior: Snippet, said: tuple[Action, ...]) -> bool:

@@ -10,8 +10,6 @@ from functools import lru_cache
 from pathlib import Path
 
 from chatscene.errors import SnippetError
-from chatscene.library.beside import AND, placed_again
-from chatscene.library.compose import COMPOSED, composed_again
 from chatscene.library.snippet_file import ADVERSARY_CLASS, ENDING, read_snippets
 from chatscene.parsing import parse_string
 from chatscene.terms.scenario import Component
@@ -53,23 +51,14 @@ class Library:
         """Without the geometries of sites, which the town has not and which no sentence of ours is written for."""
         return Library(tuple(snippet for snippet in self.snippets if snippet.slots.site is None))
 
-    def with_behavior(self, behavior: Snippet) -> Library:
-        """The same places and starts, with one behavior alone."""
-        places = (snippet for snippet in self.snippets if snippet.component is not Component.BEHAVIOR)
-        return Library((behavior, *places))
-
     def get(self, snippet_id: str) -> Snippet:
-        """The snippet of that id; one that is composed is composed again.
+        """The snippet of that id.
 
         Raises:
             SnippetError: There is none; the nearest id is given.
         """
         if snippet_id in self._by_id:
             return self._by_id[snippet_id]
-        if AND in snippet_id:
-            return placed_again(snippet_id, self.get)
-        if snippet_id.startswith(COMPOSED):
-            return composed_again(snippet_id)
         near = difflib.get_close_matches(snippet_id, self._by_id, n=1, cutoff=0.3)
         hint = f"; did you mean {near[0]!r}?" if near else ""
         raise SnippetError(f"there is no snippet {snippet_id!r}{hint}")

@@ -44,10 +44,7 @@ def _card(row: Covered) -> Mapping[str, Any]:
         "beyond": row.answer is Answer.OUT_OF_REACH,
         "weak": row.shown < SHOWN * row.scenes,
         "reasons": row.reasons,
-        "parts": [
-            (component, name.partition("/")[2], name in row.composed)
-            for component, name in ((name.partition("/")[0], name) for name in row.snippet_ids)
-        ],
+        "parts": [name.split("/", 1) for name in row.snippet_ids],
         "read": [(name.replace("_", " "), value) for name, value in row.slots.items()],
         "unused": row.unused,
         "share": row.shown / row.scenes if row.scenes else None,

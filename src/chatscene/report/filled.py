@@ -12,6 +12,7 @@ from chatscene.files.caches import cache_folder
 from chatscene.interpret.known import SURE, WithFacts, offered, taken
 from chatscene.interpret.readers import is_model, reader_of
 from chatscene.interpret.stated import FACTS, facts_stated, in_text, with_named
+from chatscene.library.load import library_with
 from chatscene.read.quotes import otherwise_named, words_of
 from chatscene.report.stated import Editor, Stated, built_of, stated, with_edits
 from chatscene.report.understood import NO_EDITS, Understood, understand
@@ -84,7 +85,7 @@ def read_in(text: str, settings: RetrievalSettings, facts: Mapping[str, object] 
 
 
 def is_filled(text: str, settings: RetrievalSettings) -> bool:
-    """Whether a situation is read in a text; a library of one's own and the paper's way choose snippets for it."""
+    """Whether a situation is read in a text; the paper's way, and perhaps a library of one's own, choose snippets."""
     return bool(text) and settings.reader != PAPER_READER and not settings.library
 
 
@@ -113,16 +114,62 @@ def explain_text(
         NothingFits: Nothing serves it.
     """
     settings = settings or Settings()
-    if not is_filled(text, settings.retrieval):
-        if speed is not None:
-            raise SettingsError("the speed is for a situation, and here snippets are used")
-        if map_name is not None:
-            raise SettingsError("the map is for a situation, and here snippets are used")
-        reading = replace(settings.retrieval, stated=in_text(facts)) if facts else settings.retrieval
-        if edits:
-            raise EditRefused(NO_EDITS)
-        return understand(text, replace(settings, retrieval=reading))
+    if (understood := _by_snippets(text, settings, facts)) is not None:
+        _check_for_snippets(speed, map_name, edits)
+        return understood
     return with_edits(filled(text, settings.retrieval, facts, map_name, speed), edits)
+
+
+def unless_by_snippets(
+    text: str,
+    settings: Settings,
+    *,
+    facts: Mapping[str, object] | None = None,
+    edits: Sequence[str] = (),
+    map_name: str | None = None,
+    speed: float | None = None,
+) -> Stated | None:
+    """What becomes of a text, as `explain_text`; None where snippets serve it, which a run chooses in its folder."""
+    if settings.retrieval.reader == PAPER_READER or _by_snippets(text, settings, facts) is not None:
+        _check_for_snippets(speed)
+        return None
+    return with_edits(filled(text, settings.retrieval, facts, map_name, speed), edits)
+
+
+def _by_snippets(text: str, settings: Settings, facts: Mapping[str, object] | None = None) -> Understood | None:
+    """The snippets that serve a text: in the paper's way any, else only if the user's own are among them.
+
+    Raises:
+        SettingsError: The text is empty or too long.
+        NothingFits: In the paper's way, no snippets serve it.
+    """
+    if is_filled(text, settings.retrieval):
+        return None
+    reading = replace(settings.retrieval, stated=in_text(facts)) if facts else settings.retrieval
+    try:
+        understood = understand(text, replace(settings, retrieval=reading))
+    except NothingFits:
+        if reading.reader == PAPER_READER:
+            raise
+        return None
+    packaged, chosen = {snippet.id for snippet in library_with("")}, understood.retrieval
+    own = chosen is None or not packaged.issuperset(snippet.id for snippet in chosen.snippets)
+    return understood if own or reading.reader == PAPER_READER else None
+
+
+def _check_for_snippets(speed: float | None, map_name: str | None = None, edits: Sequence[str] = ()) -> None:
+    """Refuse what is for situations alone, where snippets serve a text.
+
+    Raises:
+        SettingsError: A speed or a map is given.
+        EditRefused: An edit is.
+    """
+    if speed is not None:
+        raise SettingsError("the speed is for a situation, and here snippets are used")
+    if map_name is not None:
+        raise SettingsError("the map is for a situation, and here snippets are used")
+    if edits:
+        raise EditRefused(NO_EDITS)
 
 
 def editor_of(language_model: str) -> Editor | None:
@@ -154,7 +201,13 @@ def editor_of(language_model: str) -> Editor | None:
 def read_already(settings: RetrievalSettings) -> RetrievalSettings:
     """The settings of a run of what was read: no model is asked again, and nothing is chosen or stated any more."""
     unasked = RetrievalSettings()
-    return replace(settings, language_model=OFFLINE, reading=unasked.reading, stated=unasked.stated)
+    return replace(
+        settings,
+        library=unasked.library,
+        language_model=OFFLINE,
+        reading=unasked.reading,
+        stated=unasked.stated,
+    )
 
 
 def _read(

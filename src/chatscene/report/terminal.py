@@ -193,7 +193,7 @@ def print_coverage(console: Console, catalogue: Catalogue, rows: Sequence[Covere
         table.add_column(f"{_plain(ego)} crashes\n(a careful\ndriver avoids)", justify="right", no_wrap=True)
     for row in rows:
         said = [f"[bold]{_plain(row.entry.name)}[/]", _plain(row.entry.sentence)]
-        parts = " + ".join(f"{_plain(name)}{' (composed)' * (name in row.composed)}" for name in row.snippet_ids)
+        parts = " + ".join(row.snippet_ids)
         why = [f"[dim]{_plain(line)}[/]" for line in (parts, *row.reasons) if line]
         why += [f"[yellow]not used[/]  {_plain(line)}" for line in row.unused]
         why += [f"[yellow]{count} do not show[/]  {_plain(failure)}" for failure, count in row.missed[:1]]

@@ -187,7 +187,8 @@ def rate(
     require_done(run, record)
     settings = settings_of(record)
     check_jobs(settings.simulation, workers.jobs)
-    scenario, program = rebuild(run)
+    made = rebuild(run)
+    scenario, program = made.scenario, made.program
     exposure = exposure_of(program.parameters, densities)
     rows = read_scenes(run)
     routes = sorted({route_index(row["route_id"]) for row in rows}) or [0]
@@ -196,7 +197,7 @@ def rate(
     for points, came, batch in _stored(run, program, exposure, blocks):
         tally.add(points, [batch.route or 0] * len(came), came, batch)
     stored = tally.placed
-    setup = _Setup(program, record.generator, CarriedMap.of(map_of(record)), settings, record.ego)
+    setup = _Setup(program, made.generator, CarriedMap.of(map_of(record)), settings, record.ego)
     series = _rounds(tally, exposure, scenario.id, routes, scenes, seed)
     waiting = next(series, [])
     found: dict[int, Came | None] = {}

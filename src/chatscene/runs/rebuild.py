@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -20,6 +21,9 @@ from chatscene.search.generator import load_generator
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram
+
+AS_KEPT = "program"  # the generator of a program that is a stranger's
+_COMPOSED = re.compile(r"^behavior/composed\.|\+")  # ids of snippets that earlier versions made of acts
 
 
 def map_of(record: MapRecord) -> Path:
@@ -43,10 +47,26 @@ def map_of(record: MapRecord) -> Path:
     return path
 
 
-def rebuild(run: Workspace) -> tuple[Scenario, ScenicProgram]:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rebuilt:
+    """What a run drove.
+
+    Attributes:
+        scenario: What was understood.
+        program: What was made of it.
+        generator: Whose program it is now, which says whether it runs in the sandbox.
+    """
+
+    scenario: Scenario
+    program: ScenicProgram
+    generator: str
+
+
+def rebuild(run: Workspace) -> Rebuilt:
     """The scenario and the program of a run, from what was understood and chosen then; the text is not read again.
 
-    The program that lies in the folder is never executed: it is joined again, of snippets of the library, and compared.
+    The program is joined again, of snippets of the library, and compared with the one that lies in the folder. That one
+    is executed only where an earlier version composed one of its snippets, and then as any stranger's: in the sandbox.
 
     Raises:
         RunError: The run did not come that far, or what it tells was changed.
@@ -60,17 +80,22 @@ def rebuild(run: Workspace) -> tuple[Scenario, ScenicProgram]:
         scenario = generator.read(record.stated, settings)
     elif record.stated:
         scenario = replace(scenario, text=record.stated)
+    kept = read_programs(run)
     ranges = {row["parameter"]: (row["low"], row["high"]) for row in read_ranges(run) if row["block"] == 0}
+    if choice is not None and any(map(_COMPOSED.search, choice.snippet_ids)) and scenario.id in kept:
+        as_kept = load_generator(AS_KEPT).write_again(replace(scenario, text=kept[scenario.id]), None, settings)
+        program = replace(as_kept, scenario_id=scenario.id, own="")
+        return Rebuilt(scenario=scenario, program=program, generator=AS_KEPT)
     try:
         program = generator.write_again(scenario, choice and replace(choice, ranges=ranges), settings)
     except SnippetError as error:
         raise Diverged(f"the library has changed since {run.path} was made: {error}; {_remedy(record)}") from error
-    if read_programs(run).get(scenario.id) != program.source:
+    if kept.get(scenario.id) != program.source:
         raise Diverged(
             f"the library has changed since {run.path} was made: the same snippets now make another program; "
             f"{_remedy(record)}"
         )
-    return scenario, program
+    return Rebuilt(scenario=scenario, program=program, generator=record.generator)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,9 +120,9 @@ def remade(run: Workspace) -> Remade:
         ChatSceneError: As `rebuild`, or what it names cannot be loaded.
     """
     record = read_record(run)
-    _, program = rebuild(run)
-    simulator = simulator_of(load_generator(record.generator), map_of(record), settings_of(record))
-    return Remade(program=program, simulator=simulator, ego=load_ego(record.ego))
+    made = rebuild(run)
+    simulator = simulator_of(load_generator(made.generator), map_of(record), settings_of(record))
+    return Remade(program=made.program, simulator=simulator, ego=load_ego(record.ego))
 
 
 def _remedy(record: Record) -> str:

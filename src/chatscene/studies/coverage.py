@@ -30,7 +30,6 @@ from chatscene.errors import (
     SimulationError,
     SnippetError,
 )
-from chatscene.library.compose import COMPOSED
 from chatscene.maps.drawing import drawing_around
 from chatscene.maps.loading import load_roads
 from chatscene.maps.network import map_with, resolve_map
@@ -248,7 +247,7 @@ def _still(episode: Episode, map_path: Path) -> bytes:
     return if_drawn(what, lambda: still(episode, drawing_around(load_roads(map_path), points))) or b""
 
 
-_NO_CHOICE: dict[str, Any] = {"snippet_ids": (), "composed": (), "confidence": None}
+_NO_CHOICE: dict[str, Any] = {"snippet_ids": (), "confidence": None}
 
 
 def folder_of(row: Covered) -> str:
@@ -272,10 +271,8 @@ def _chosen(understood: Understood | Stated) -> dict[str, Any]:
         return {"unused": understood.told_first}
     scenario, retrieval = understood.scenario, understood.retrieval
     assert isinstance(retrieval, Retrieval)  # whoever retrieves says so
-    ids = tuple(snippet.id for snippet in retrieval.snippets)
     return {
-        "snippet_ids": ids,
-        "composed": tuple(name for name in ids if name.startswith(COMPOSED)),
+        "snippet_ids": tuple(snippet.id for snippet in retrieval.snippets),
         "confidence": retrieval.confidence,
         "unused": tuple(grouped((*scenario.unused, *retrieval.unused)).values()),
     }

@@ -308,18 +308,19 @@ def _given(run: runs.Workspace, tasks: Sequence[_Task], record: runs.EvaluationR
     found: list[_Given] = []
     for source, of_source in groupby(tasks, key=lambda task: task.source):
         folder = runs.Workspace(source.path_from(run.path))
-        (scenario, program), made, kept = rebuild(folder), runs.read_record(folder), _kept(run, source, record)
+        made, retrieval = rebuild(folder), runs.settings_of(runs.read_record(folder)).retrieval
+        kept = _kept(run, source, record)
         scenes = {
-            route: tuple(runs.scene_of(row, program) for _, row in rows)
+            route: tuple(runs.scene_of(row, made.program) for _, row in rows)
             for route, rows in groupby(sorted(kept, key=itemgetter(0)), key=itemgetter(0))
         }
-        driven = program if record.speed is None else at_speed(program, record.speed / 3.6)
-        simulation, retrieval = runs.settings_of(record).simulation, runs.settings_of(made).retrieval
+        driven = made.program if record.speed is None else at_speed(made.program, record.speed / 3.6)
+        simulation = runs.settings_of(record).simulation
         found += (
             _Given(
                 task=task,
                 program=driven,
-                said=scenario.said,
+                said=made.scenario.said,
                 scenes=scenes[task.route],
                 generator=made.generator,
                 settings=Settings(simulation=simulation, retrieval=retrieval),

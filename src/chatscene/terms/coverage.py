@@ -98,7 +98,6 @@ class Covered:
         slots: What was read in its sentence, in words, by the slot's name.
         unused: What was said and is not in the program, a line for every reason.
         snippet_ids: Behavior, geometry, spawn; empty if it is not served.
-        composed: Those of them that were composed of acts, where the others are packaged or a user's own.
         confidence: Of the choice; None if there is none.
         fared: How each ego fared; empty if nothing was driven.
         missed: What drives did not show, and in how many, the commonest first.
@@ -113,7 +112,6 @@ class Covered:
     slots: dict[str, str]
     unused: tuple[str, ...] = ()
     snippet_ids: tuple[str, ...] = ()
-    composed: tuple[str, ...] = ()
     confidence: float | None = None
     fared: tuple[Fared, ...] = ()
     missed: tuple[tuple[str, int], ...] = ()

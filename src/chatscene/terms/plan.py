@@ -423,17 +423,3 @@ def walk(expression: Expression) -> Iterator[Expression]:
     yield expression
     for part in parts_of(expression):
         yield from walk(part)
-
-
-_STILL = frozenset(("Park", "Halt", "KeepStation", "WaitFor"))  # who does these comes no nearer to an ego that stands
-
-
-def waits_for_ego(plan: Plan) -> bool:
-    """Whether a phase ends only when the ego has come nearer: a plan for an ego that drives."""
-    return any(
-        call.function == "distanceLeft" or phase.primitive in _STILL
-        for phase in plan.phases
-        if isinstance(phase.end, Until)
-        for call in walk(phase.end.condition)
-        if isinstance(call, Call) and any(isinstance(one, Name) and one.id == "ego" for one in call.arguments)
-    )

@@ -388,8 +388,8 @@ def _of_run(asked: Asked, folder: Path) -> Found:
     settings = runs.settings_of(record)
     simulation = replace(settings.simulation, simulator=asked.settings.simulation.simulator)
     path = map_of(record)
-    simulator = simulator_of(load_generator(record.generator), path, replace(settings, simulation=simulation))
-    _, program = rebuild(run)
+    made = rebuild(run)
+    simulator = simulator_of(load_generator(made.generator), path, replace(settings, simulation=simulation))
     rows = [row for row in runs.read_scenes(run) if row["scene_id"] == asked.scene_id or not asked.scene_id]
     rows = [row for row in rows if row["status"] == "ran" and (row["selected"] or asked.scene_id)]
     if not rows:
@@ -401,7 +401,7 @@ def _of_run(asked: Asked, folder: Path) -> Found:
     found: list[Solvable] = []
     unfit: dict[str, int] = {}
     for row in rows[: asked.scenes]:
-        outcome = solvable(program, runs.scene_of(row, program), simulator)
+        outcome = solvable(made.program, runs.scene_of(row, made.program), simulator)
         if isinstance(outcome, Unfit):
             unfit[outcome.reason] = unfit.get(outcome.reason, 0) + 1
         else:

@@ -111,13 +111,13 @@ def kept_scenes(sources: Sequence[Path], *, simulator: str = "", physics: str = 
                 f"{run.path} names the simulator {simulation.simulator!r}, which is not a packaged one: whoever wrote "
                 f"run.json chose it. If you trust it, say so: --simulator {shlex.quote(simulation.simulator)}"
             )
-        if record.generator not in GENERATORS.built_in or not load_generator(record.generator).is_trusted(
-            settings.retrieval
-        ):
+        packaged = record.generator in GENERATORS.built_in
+        trusted = packaged and load_generator(record.generator).is_trusted(settings.retrieval)
+        made = rebuild(run) if trusted else None
+        if made is None or made.generator != record.generator:
             raise RunError(f"{run.path} holds code that is not packaged, which runs in the sandbox only; leave it out")
-        _, program = rebuild(run)
         rows = [row for row in runs.read_scenes(run) if row["selected"]]
-        scenes += [KeptScene(program=program, scene=runs.scene_of(row, program)) for row in rows]
+        scenes += [KeptScene(program=made.program, scene=runs.scene_of(row, made.program)) for row in rows]
     return Lessons(map_name=first.map_name, simulation=simulation, scenes=tuple(scenes))
 
 
