@@ -24,7 +24,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import load_simulator, routes_of, simulate
-from chatscene.terms.scene import Scene
+from chatscene.terms.scene import Rejected, Scene
 
 STRAIGHT = Course(program=ordinary_program(ordinary_queries()[0]), route=0)
 CALM = {
@@ -154,6 +154,25 @@ def test_its_drives_are_those_of_the_simulator(env: DrivingEnv) -> None:
 def test_stepping_without_a_drive_says_to_reset(env: DrivingEnv) -> None:
     with pytest.raises(EgoError, match="call reset first"):
         env.step(FULL)
+
+
+@pytest.mark.parametrize("simulator", ["native", "embedded"])
+def test_a_step_after_the_end_says_to_reset_and_so_does_the_session(simulator: str) -> None:
+    env = DrivingEnv([STRAIGHT], settings=SimulationSettings(max_steps=2, simulator=simulator))
+    env.reset(options={"values": CALM})
+    assert [env.step(FULL)[3] for _ in range(2)] == [False, True]
+    with pytest.raises(EgoError, match="call reset first"):
+        env.step(FULL)
+    env.close()
+    scene = Scene(id="s", scenario_id=STRAIGHT.program.scenario_id, route=0, block=0, seed=0, values=CALM)
+    there = load_simulator(resolve_map("town"), SimulationSettings(max_steps=2, simulator=simulator))
+    session = there.open(STRAIGHT.program, scene, observation="road", pedals="safebench")
+    assert not isinstance(session, Rejected)
+    for _ in range(2):
+        session.step(FULL)
+    with pytest.raises(EgoError, match=r"the drive is over \(timeout\)"):
+        session.step(FULL)
+    session.close()
 
 
 def test_a_second_environment_takes_the_drive_and_says_so(env: DrivingEnv) -> None:

@@ -232,6 +232,21 @@ def test_a_program_that_fails_when_driven_again_leaves_its_first_drive(kind: typ
     assert why == ("whether a careful driver avoids the collision is not known: driven again, it fails",)
 
 
+def test_who_is_driven_again_wants_the_speed_that_the_program_has() -> None:
+    wanted: list[float] = []
+
+    class Wanting(Blind):
+        def wanting(self, speed: float) -> Blind:
+            wanted.append(speed)
+            return Blind()
+
+    crashed = episode(track("a", Role.ADVERSARY, 20.0, 0.0, 0.0, 0.0), crash_at=20)
+    scene = Scene(id="s", scenario_id="x", route=0, block=0, seed=0, values={})
+    program = replace(_program(), source="ego = new Car with wantedSpeed 13.9")
+    avoidable_if_driven(crashed, program, scene, Wanting(), _Fails(ProgramError("it fails")))  # pyright: ignore[reportArgumentType]
+    assert wanted == [13.9]
+
+
 @pytest.mark.parametrize("kind", [ServerError, SandboxError, EgoError])
 def test_what_is_lost_otherwise_is_told(kind: type[Exception]) -> None:
     with pytest.raises(kind):

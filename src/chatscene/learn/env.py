@@ -164,10 +164,12 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         """Drive one step of 0.1 s.
 
         Raises:
-            EgoError: The action is not two finite numbers, or there is no drive in progress, or something else was
+            EgoError: The action is not two finite numbers, no drive is in progress, or something else was
                 simulated in this process meanwhile.
         """
         drive = self._in_progress()
+        if drive.ending is not None:
+            raise EgoError("no drive is in progress: call reset first")
         before, desired = drive.along, self._desired(drive)
         drive.step(action)
         if is_cut_off(action):

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import PEDALS, EgoPolicy, begin, pedals_of
+from chatscene.ego.policy import PEDALS, EgoPolicy, begin, fitted, pedals_of
 from chatscene.errors import ProgramError, ProgramStopped, SandboxError, ServerError, SimulationError
 from chatscene.measure.instead import drive_instead
 from chatscene.simulate.boxes import Boxes
@@ -91,6 +91,7 @@ def avoidable(
     crash = episode.collision
     if crash is None or program.as_written:
         return None
+    ego = fitted(ego, program)
     risk = risk_step(episode, simulator.route_in(program, scene).line)
     if risk is None:
         return False

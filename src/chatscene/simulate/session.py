@@ -172,10 +172,13 @@ class SteppedSession:
         """Drive one step of the simulation.
 
         Raises:
-            EgoError: The action is not two finite numbers, or the session was ended by another in the same process.
+            EgoError: The action is not two finite numbers, the drive is over, or the session was ended by another in
+                the same process.
             ProgramError: The program's own code fails.
         """
         self.check_open()
+        if self.ending is not None:
+            raise EgoError(f"the drive is over ({self.ending.value}): begin another")
         body, simulation = self._ego, self.simulation
         pressed = controls(action, self.pedals, self.limits)
         if not self._as_written:

@@ -86,7 +86,7 @@ class Session(Protocol):
         """Go on by one step with an action of the ego's, acceleration and steering in [-1, 1].
 
         Raises:
-            EgoError: The action is not two finite numbers.
+            EgoError: The action is not two finite numbers, or the drive is over.
             ProgramError: The program's own code fails.
         """
         ...

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import PEDALS, EgoPolicy, controls, observation_of, pedals_of
-from chatscene.errors import SimulationError, StuckBehavior
+from chatscene.errors import EgoError, SimulationError, StuckBehavior
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.native.binding import Bound, bind
 from chatscene.simulate.native.code import NotCovered
@@ -125,9 +125,11 @@ class NativeSession:
         """Drive one step.
 
         Raises:
-            EgoError: The action is not two finite numbers.
+            EgoError: The action is not two finite numbers, or the drive is over.
             StuckBehavior: A plan comes to no act, since its phases end as they begin.
         """
+        if self.ending is not None:  # its tracks have no room for more
+            raise EgoError(f"the drive is over ({self.ending.value}): begin another")
         self._engine.step(self._bound.world, *controls(action, self._pedals, self._reference.limits))
         self._look()
 
