@@ -317,3 +317,18 @@ def test_what_serves_seldom_is_drawn_among_the_choices_that_serve(
     known = staging._compiled_apart.values()  # pyright: ignore[reportPrivateUsage]
     counted = [one for one in known if one.choices is not None and one.choices.ways]
     assert [len(one.choices.ways) for one in counted if one.choices] == [8]  # of 16
+
+
+def test_an_ego_goes_along_a_line_of_points_that_begins_where_it_stands(simulator: Simulator) -> None:
+    turn = foreign_program("turn", TURN.format(turn="LEFT_TURN").replace("with behavior Drives(way)", "with speed 0"))
+    way = simulator.route_in(turn, scene_of(turn)).line  # straight on, as nothing says otherwise
+    points = [(round(x, 2), round(y, 2)) for x, y in way.resampled(5.0).points[:8].tolist()]
+    text = (
+        "model scenic.domains.driving.model\nbehavior B():\n    wait\n"
+        f"way = PolylineRegion({points})\n"
+        "ego = new Car at way.start, facing way.orientation[way.start.position], with behavior B()\n"
+    )
+    along = foreign_program("along", text)
+    assert simulator.route_in(along, scene_of(along)).line.length == pytest.approx(35, abs=0.5)
+    other = foreign_program("other", text.replace("way.start,", "way.end,"))
+    assert simulator.route_in(other, scene_of(other)).line.length > 36

@@ -110,9 +110,10 @@ def _used(way: list[Any], begin: float, end: float) -> list[Any]:
 def _first_turn(lanes: list[Any], line: Polyline) -> tuple[Any, Any, float]:
     """The first junction on a way, as the manoeuvre through it; it again if it turns; where it begins [m]."""
     for lane in lanes:
-        for maneuver in lane.maneuvers:
-            if maneuver.connectingLane in lanes and maneuver.intersection is not None:
-                event = line.project(*centre_line(maneuver.connectingLane).point_at(0.0))[0]
-                turn = maneuver if maneuver.type.name in TURNS else None
-                return maneuver, turn, max(event, 0.0)
+        through = [m for m in lane.maneuvers if m.connectingLane in lanes and m.intersection is not None]
+        if through:  # within a junction lanes lie over one another, and a line is on several
+            maneuver = next((m for m in through if m.endLane in lanes), through[0])
+            event = line.project(*centre_line(maneuver.connectingLane).point_at(0.0))[0]
+            turn = maneuver if maneuver.type.name in TURNS else None
+            return maneuver, turn, max(event, 0.0)
     return None, None, line.length / 2

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Any
 
+from scenic.core.regions import PolylineRegion
 from scenic.domains.driving.roads import Lane
+from shapely import LineString
 
-from chatscene.maps.onward import LENGTH, route_onward
+from chatscene.maps.onward import LENGTH, SHORTEST, route_onward, route_through
+from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
+
+NEAR = 3.0  # [m] of the ego within which a line begins that is its way
 
 
 def route_of_ego(scene: Any, map_name: str) -> Route:
     """The route of a scene's ego.
 
     It goes by the lanes that the ego's behavior is given to follow; else by a list of lanes in the program that begins
-    where the ego stands; else by its lane. From there on, by the straightest lanes.
+    where the ego stands; from there on, by the straightest lanes. Else it goes along a line of points in the program
+    that begins there; else by its lane and the straightest after it.
 
     Args:
         scene: Scenic's scene.
@@ -27,6 +34,8 @@ def route_of_ego(scene: Any, map_name: str) -> Route:
     ego, network = scene.egoObject, scene.workspace.network
     x, y = float(ego.position.x), float(ego.position.y)
     said = [lanes for lanes in (*_given(ego.behavior), *_written(scene)) if _within(lanes[0], x, y)]
+    if not said and (line := next(_lines(scene, x, y, float(ego.heading)), None)) is not None:
+        return route_through(network, map_name, line)
     lanes = said[0] if said else ()
     length = max(LENGTH, sum(lane.centerline.length for lane in lanes)) if lanes else LENGTH
     return route_onward(network, map_name, (x, y), lanes, min(length, 2 * LENGTH))
@@ -47,6 +56,20 @@ def _written(scene: Any) -> Iterator[list[Any]]:
     for namespace, sampled, _ in scene.behaviorNamespaces.values():
         if "ego" in namespace or "ego" in sampled:
             yield from (list(value) for name, value in sorted(sampled.items()) if _is_way(value) and name != "ego")
+
+
+def _lines(scene: Any, x: float, y: float, heading: float) -> Iterator[list[tuple[float, float]]]:
+    """Lines among the program's own names that begin where the ego stands, along its heading: the rest of each [m]."""
+    for namespace, sampled, _ in scene.behaviorNamespaces.values():
+        named = {**getattr(namespace, "module", namespace), **sampled}
+        for _, value in sorted(named.items()) if "ego" in named else ():
+            if isinstance(value, PolylineRegion) and isinstance(value.lineString, LineString):
+                line = Polyline([point[:2] for point in value.lineString.coords])
+                along = line.project(x, y)[0]
+                turned = math.remainder(line.heading_at(along) - math.pi / 2 - heading, math.tau)
+                near = math.dist((x, y), line.point_at(along)) < NEAR and along < NEAR
+                if near and abs(turned) < math.pi / 4 and line.length - along >= SHORTEST:
+                    yield line.between(along, line.length).points.tolist()
 
 
 def _is_way(value: Any) -> bool:

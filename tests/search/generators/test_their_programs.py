@@ -58,6 +58,29 @@ def test_parameters_that_a_program_does_not_state_are_asked_for_by_name_and_writ
     assert foreign_program("again", program.source).digest == program.digest
 
 
+def test_a_name_that_nothing_defines_is_given_as_a_parameter_is(tmp_path: Path) -> None:
+    file = tmp_path / "lead.scenic"
+    behavior = "behavior B():\n    take SetSpeedAction(somebody.speed)\n"
+    file.write_text(f"{DRIVING}{behavior}one = new Car with behavior B()\n", encoding="utf-8")
+    with pytest.raises(ForeignCodeRefused, match="the name somebody: neither the program nor the world model"):
+        read_foreign(file)
+    own = read_foreign(file, given={"somebody": "ego"})
+    assert "    somebody = ego\n" in own.program.source
+    assert own.changed()[1] == "line 4: nothing defines `somebody`; it is `ego`, as you say"
+    with pytest.raises(SettingsError, match="nothing defines that name, so give it an expression"):
+        read_foreign(file, given={"somebody": "ego ego"})
+
+
+def test_what_is_assumed_is_said_first_and_stays_with_the_program(tmp_path: Path) -> None:
+    file = tmp_path / "lead.scenic"
+    behavior = "behavior B():\n    take SetSpeedAction(somebody.speed)\n"
+    placed = "one = new Car with behavior B()\ntwo = new Car\n"
+    file.write_text(DRIVING + behavior + placed, encoding="utf-8")
+    own = read_foreign(file)
+    assert "assumed to be two, since a road user is wanted there" in own.changed()[1]
+    assert "assumed: somebody, which nothing defines, is two" in left_out(own.program)
+
+
 def test_long_lists_of_parameters_keep_to_the_length_of_a_line() -> None:
     points = [[n + 0.123456789, -n - 0.987654321] for n in range(180)]
     text = stated(DRIVING, {"points": points, "names": ["a", None, {"b": True}]})
@@ -167,10 +190,21 @@ def packed(folder: Path, monkeypatch: pytest.MonkeyPatch, content: bytes = gzip.
         "x = next(iter(reversed([1, 2])))\n",
         "require abs(RelativeHeading(ego)) < 1\n",
         "start = network.lanes[0].centerline.start\n",
+        f"description = 'The ego (slowly) turns; 50/50. {'It brakes. ' * 20}'\n",
+        "param sumo_map = localPath('../maps/Town05.net.xml')\n",
     ],
 )
 def test_what_every_tool_takes_is_taken_of_programs_for_other_models(line: str) -> None:
     assert check_foreign(DRIVING + line) == ()
+
+
+@pytest.mark.parametrize("line", ["x = 'a/b'\nprint(x)\n", "print('a/b')\n", "param far = localPath('../b.txt')\n"])
+def test_a_text_that_something_sees_is_plain(line: str) -> None:
+    assert check_foreign(DRIVING + line)
+
+
+def test_a_description_at_the_beginning_may_stand_in_one_line() -> None:
+    assert check_foreign(f'"""\n{"The ego turns. " * 60}\n"""\n{DRIVING}') == ()
 
 
 @pytest.mark.parametrize("odd", ["{ego!r}", "{1:>999999}", "{1:{2}}", "{ego._sampler}"])

@@ -67,10 +67,11 @@ def check_foreign(source: str, *, given: Collection[str] = (), whole: bool = Tru
         modules=_modules(tree),
         lines=source.split("\n"),
         declared=_declared(tree) if whole else None,
-        meanings={one.name: one.hint() for one in undefined_in(tree)} if whole and dialect.free else {},
+        meanings=_meanings(tree) if whole and dialect.free else {},
     )
     _check_model(tree, reading, whole=whole)
-    for parts, (node, depth) in enumerate(_walk(tree, reading, map_of(tree)[1]), 1):
+    skipped = map_of(tree)[1] | (_never_read(tree) if whole and dialect.free else frozenset())
+    for parts, (node, depth) in enumerate(_walk(tree, reading, skipped), 1):
         placed: Any = next((one for one in ast.walk(node) if hasattr(one, "lineno")), None)
         if placed is not None:
             reading.line, reading.column = placed.lineno, placed.col_offset + 1
@@ -79,6 +80,24 @@ def check_foreign(source: str, *, given: Collection[str] = (), whole: bool = Tru
             break
         _check_node(node, depth, reading)
     return tuple(sorted(set(reading.refusals), key=lambda one: (one.line, one.column, one))[:REPORTED])
+
+
+def _meanings(tree: Any) -> dict[str, str]:
+    """What to say of names that nothing defines and that could be one of several things."""
+    return {one.name: one.hint() for one in undefined_in(tree) if one.candidates}
+
+
+def _never_read(tree: Any) -> frozenset[Any]:
+    """Texts that are given a name which nothing reads, as a description is: nothing of the program sees them."""
+    read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
+    return frozenset(
+        node.value
+        for node in tree.body
+        if isinstance(node, ast.Assign)
+        and isinstance(node.value, ast.Constant)
+        and isinstance(node.value.value, str)
+        and all(isinstance(one, ast.Name) and one.id not in read for one in node.targets)
+    )
 
 
 def refused(called: str, refusals: tuple[Refusal, ...], source: str, *, own: bool) -> str:

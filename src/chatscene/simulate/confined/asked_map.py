@@ -28,6 +28,7 @@ def map_of(tree: Any) -> tuple[str | None, frozenset[Any]]:
         tree: Scenic's syntax tree of a program.
     """
     texts = _texts(tree)
+    beside = [value for value in _unread(tree) if _text(value, texts) is not None]
     for node in tree.body:
         for parameter in node.elts if type(node).__name__ == "Param" else ():
             if parameter.identifier == "map" and (path := _text(parameter.value, texts)) is not None:
@@ -40,9 +41,13 @@ def map_of(tree: Any) -> tuple[str | None, frozenset[Any]]:
                 here = Counter(name for value in naming for name in _names(value))
                 all_over = Counter(_names(tree))
                 return path, frozenset(
-                    (parameter.value, *(value for name, value in values.items() if all_over[name] == here[name] + 1))
+                    (
+                        parameter.value,
+                        *beside,
+                        *(value for name, value in values.items() if all_over[name] == here[name] + 1),
+                    )
                 )
-    return None, frozenset()
+    return None, frozenset(beside)
 
 
 def _unread(tree: Any) -> Iterator[Any]:

@@ -102,7 +102,7 @@ def _docstring_lines(source: str) -> int:
 
 
 def _check_line(number: int, line: str, code: str) -> Iterator[Refusal]:
-    if len(line) > MAX_LINE:
+    if len(line) > MAX_LINE and code:
         yield Refusal(number, f"{len(line)} characters in a line", f"a line has at most {MAX_LINE}")
     for character in sorted(set(line)):
         if character not in "\t " and unicodedata.category(character)[0] in "CZ":

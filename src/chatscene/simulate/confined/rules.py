@@ -94,7 +94,7 @@ class Reading:
         if name in outside():
             self.refuse(f"the name {shown(name)}", FORBIDDEN, word=name)
             return
-        hint = meant(name, self.given | self.dialect.names) + self.meanings.get(name, "")
+        hint = self.meanings.get(name) or meant(name, self.given | self.dialect.names)
         self.refuse(
             f"the name {shown(name)}",
             f"neither the program nor the world model defines it{hint}",

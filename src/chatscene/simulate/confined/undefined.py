@@ -113,10 +113,11 @@ def defined_in(tree: Any) -> frozenset[str]:
 
 
 def undefined_in(tree: Any) -> tuple[Undefined, ...]:
-    """The names that a program for a driving model reads and nothing defines, in order of lines."""
+    """The names that a program for a driving model reads and nothing defines, in order of lines; none that it calls."""
     known = defined_in(tree) | dialect_of("").names | outside() | set(MODULES) | {"globalParameters"}
     read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
-    missing = frozenset(read - known)
+    called = {node.func.id for node in ast.walk(tree) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}
+    missing = frozenset(read - known - called)
     if not missing:
         return ()
     cast = _Cast(tree)
