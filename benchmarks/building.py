@@ -24,12 +24,12 @@ from typing import Any
 import click
 from as_said import drawn_as_said
 
+from chatscene.api.make import SITUATION_SUFFIXES
 from chatscene.build.asked import Meets
 from chatscene.build.build import Built, build
 from chatscene.build.deeds import Steps, steps_for
 from chatscene.build.possible import impossible
 from chatscene.build.starts import STARTS
-from chatscene.commands.situations import SUFFIXES
 from chatscene.ego.policy import load_ego, wanting
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt
 from chatscene.maps.network import resolve_map
@@ -188,7 +188,7 @@ def situations(count: int, seed: int, files: Path | None, as_said: bool) -> Iter
     """Those that are measured, each with a name."""
     if files is not None:
         for file in sorted(files.iterdir()):
-            if file.suffix in SUFFIXES:
+            if file.suffix in SITUATION_SUFFIXES:
                 yield file.name, read_file(file)
         return
     rng = random.Random(seed)

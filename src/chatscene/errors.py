@@ -188,6 +188,10 @@ class NoSuchRoad(NoSuchPlace):
     """No map has such a road, however short, whatever others need there."""
 
 
+class RoadTooShort(NotBuilt):
+    """An ego at the speed that was said is past others before they have done all that was said."""
+
+
 class SnippetError(ChatSceneError):
     """A snippet file is malformed or its code does not keep the contract in its header."""
 

@@ -41,3 +41,49 @@ def test_a_refused_distance_names_one_that_is_built(said: dict[str, Any], metres
         assert named is not None, refused
         for number in filter(None, named.groups()):
             _at(said, int(number))
+
+
+HURRIED: dict[str, Any] = {
+    "ego": {"speed": "50 km/h"},
+    "others": [
+        {
+            "id": "A",
+            "kind": "car",
+            "starts": {"where": "beside", "side": "right"},
+            "does": [{"act": "slow-down"}, {"act": "lane-change"}, {"act": "exit"}],
+        }
+    ],
+}
+
+
+def test_deeds_for_which_an_ego_is_too_fast_are_refused_with_a_speed_at_which_they_are_built() -> None:
+    with pytest.raises(NotBuilt, match=r"say ego\.speed: \d+ km/h") as refused:
+        build(from_plain(HURRIED))
+    named = re.search(r"say ego\.speed: (\d+ km/h)", str(refused.value))
+    assert named is not None
+    assert build(from_plain(HURRIED | {"ego": {"speed": named[1]}}))
+
+
+ELSEWHERE = [
+    someone("arm", "go-straight", side="right", kind="bicycle") | {"ego": {"route": "right-turn"}},
+    someone("arm", "go-straight") | {"ego": {"route": "lane-change-left"}},
+    someone("oncoming", "turn-left") | {"ego": {"route": "left-turn"}},
+]
+
+
+@pytest.mark.parametrize("said", ELSEWHERE)
+def test_ways_that_meet_nowhere_are_refused_with_the_fact_without_which_they_do(said: dict[str, Any]) -> None:
+    with pytest.raises(NotBuilt, match=r"leave out ego\.route: [a-z-]+, and a place is found"):
+        build(from_plain(said))
+    assert build(from_plain(said | {"ego": {}}))
+
+
+def test_a_light_at_a_roundabout_is_refused_with_the_breach_that_is_built() -> None:
+    def said(breach: str) -> dict[str, Any]:
+        does = [{"act": "go-straight", "breaks": breach}]
+        other = {"id": "A", "kind": "car", "starts": {"where": "arm", "side": "left"}, "does": does}
+        return {"others": [other], "ego": {"route": "roundabout"}}
+
+    with pytest.raises(NotBuilt, match="no lights at a roundabout; say right-of-way"):
+        build(from_plain(said("red-light")))
+    assert build(from_plain(said("right-of-way")))

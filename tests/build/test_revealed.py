@@ -94,3 +94,22 @@ def test_a_door_beside_an_ego_that_drives_on_is_refused_with_where_it_is_built()
     with pytest.raises(NotBuilt, match=r"starts\.where: beside: .* say ahead-beside"):
         build(said(other("A", "beside", *opens, side="left")))
     assert build(said(other("A", "ahead-beside", *opens, side="left")))
+
+
+def test_who_comes_the_other_way_in_our_lane_and_is_not_met_gets_out_of_the_way_without_a_word() -> None:
+    situation = said(
+        other("A", "oncoming", {"act": "go-straight"}, kind="tractor"),
+        other("B", "oncoming-in-our-lane", {"act": "go-along"}, kind="van"),
+    )
+    for seed in range(2):
+        assert not [one for one in driven(situation, seed)[1] if one.startswith("unasked.B.lane")]
+
+
+def test_who_is_not_met_and_crosses_before_a_fast_ego_has_the_road_that_it_takes() -> None:
+    situation = said(
+        other("A", "arm", {"act": "go-straight"}, kind="truck", side="left"),
+        other("B", "roadside", {"act": "cross"}, kind="child", side="left"),
+        ego={"speed": "90 km/h"},
+    )
+    for seed in range(3):
+        assert not [one for one in driven(situation, seed)[1] if one.startswith("unasked.contact")]

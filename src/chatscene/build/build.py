@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import textwrap
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from chatscene.build.actor import Actor
@@ -33,11 +34,12 @@ from chatscene.build.screening import from_its_lane
 from chatscene.build.standing_before import in_queue
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, room_kept, screens
 from chatscene.build.written import Written
-from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, NothingBuilds
+from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, NothingBuilds, RoadTooShort
 from chatscene.maps.left_hand import keeps_left
 from chatscene.maps.network import resolve_map
 from chatscene.situations.faults import dotted
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.amount import Speed
 from chatscene.terms.backing import as_it_backs, backs
 from chatscene.terms.mirroring import IN_THE_MIRROR, mirrored_situation, mirrored_words
 from chatscene.terms.nouns import with_article
@@ -142,11 +144,28 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
                 break  # which no speed changes
         else:
             return program
-    if isinstance(refused[0], NoSuchPlace) and (helps := without_one_fact(situation, speeds[0])):
-        raise NotBuilt(f"{refused[0]}; {helps}") from refused[0]
-    if isinstance(refused[0], NoSuchPlace) and (helps := nearer(situation, speeds[0])):
+    if helps := _instead(refused[0], situation, speeds[0], name):
         raise NotBuilt(f"{refused[0]}; {helps}") from refused[0]
     raise refused[0]
+
+
+def _instead(refused: NotBuilt, situation: Situation, speed: float, name: str) -> str:
+    """What could be said in place of what is refused, in words; empty if nothing is known."""
+    if isinstance(refused, RoadTooShort):
+        return _slow_enough(situation, speed, name)
+    if isinstance(refused, NoSuchPlace):
+        return without_one_fact(situation, speed) or nearer(situation, speed)
+    return ""
+
+
+def _slow_enough(situation: Situation, speed: float, name: str) -> str:
+    """The fastest of slower egos, by tens of km/h, that leaves others the time for all that they do, in words."""
+    for slower in range(10 * math.ceil(0.36 * speed - 1e-9) - 10, 0, -10):
+        ego = replace(situation.ego, speed=Speed.of(f"{slower} km/h"))
+        with suppress(NotBuilt):
+            _built(Ledger(replace(situation, ego=ego)), speed, name)
+            return f"say ego.speed: {slower} km/h"
+    return "no slower ego does; leave out one of the deeds"
 
 
 def _built(said: Ledger, usual: float, name: str) -> Built:
@@ -216,15 +235,15 @@ def _check_road(situation: Situation, actors: Sequence[Actor]) -> None:
     """Hold that an ego of which a speed was said is not long past where it meets somebody before all is done.
 
     Raises:
-        NotBuilt: Somebody who goes along with it does several things, for which the road is too short.
+        RoadTooShort: Somebody who goes along with it does several things, for which the road is too short.
     """
     for actor in actors:
         several = sum(not deed.act.row.lasting for deed in actor.deeds) > 1 and actor.stand.meets is Meets.ALONG
         drives = situation.ego.speed is not None and not situation.ego.does
         if drives and several and actor.given < IN_TIME * actor.needs:
-            raise NotBuilt(
+            raise RoadTooShort(
                 f"others.{actor.one.id}: its deeds take {actor.needs:.0f} s, but an ego at"
-                f" {3.6 * actor.ego_speed:.0f} km/h arrives after {actor.given:.0f} s; say a slower one"
+                f" {3.6 * actor.ego_speed:.0f} km/h arrives after {actor.given:.0f} s"
             )
 
 

@@ -68,7 +68,8 @@ def said_anyway(one: Other, meets: Meets) -> Iterator[str]:
         meets: How it comes to meet the ego.
     """
     at = f"others.{one.id}"
-    if one.starts.facing is not None and FACES.get(meets) is one.starts.facing:
+    comes = one.starts.where is Where.ONCOMING and one.starts.facing is Facing.AGAINST
+    if comes or (one.starts.facing is not None and FACES.get(meets) is one.starts.facing):
         yield f"{at}.starts.facing"
     for k, deed in enumerate(one.does):
         comes_from = Side.LEFT if one.starts.where is Where.ONCOMING else one.starts.side

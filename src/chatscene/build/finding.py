@@ -146,7 +146,9 @@ def _is_somewhere(situation: Situation, more: float, load: _Load) -> bool:
 
 
 def without_one_fact(situation: Situation, speed: float) -> str:
-    """Which facts of the road, each left out alone, would let a place be found, in words; or that none would.
+    """Which facts, each left out alone, would let a place be found, in words; or that none of the road would.
+
+    They are the facts of the road, the ego's route, and everybody but who is met or hides somebody.
 
     Args:
         situation: What was said, for which no map has a place.
@@ -155,12 +157,17 @@ def without_one_fact(situation: Situation, speed: float) -> str:
     said = [(path, str(value)) for path, value in said_in(situation) if path.startswith("road.")]
     if situation.road.ego_light is not None:  # which there is only where there is a light
         said = [(path, value) for path, value in said if path != "road.control"]
+    less = {f"{path}: {value}": replace(situation, road=_without(situation.road, path)) for path, value in said}
+    if situation.ego.route not in (None, EgoRoute.STRAIGHT):
+        less[f"ego.route: {situation.ego.route}"] = replace(situation, ego=replace(situation.ego, route=None))
+    named = {one.hidden_by for one in situation.others} | {one.id for one in situation.adversaries}
+    for one in situation.others:
+        if one.id not in named:
+            less[f"others.{one.id}"] = replace(
+                situation, others=tuple(other for other in situation.others if other is not one)
+            )
     load = cache(_map)
-    helps = [
-        f"{path}: {value}"
-        for path, value in said
-        if _found(replace(situation, road=_without(situation.road, path)), speed, 1.0, 0.0, _Lacking(), {}, load)
-    ]
+    helps = [told for told, one in less.items() if _found(one, speed, 1.0, 0.0, _Lacking(), {}, load)]
     if helps:
         return f"leave out {' or '.join(helps)}, and a place is found"
     return "leaving out one fact of the road is not enough: leave out several" if len(said) > 1 else ""

@@ -10,7 +10,7 @@ import numpy as np
 import shapely
 
 from chatscene.build.asked import Meets
-from chatscene.build.place import LANE, only_others_stop, ring_arms
+from chatscene.build.place import LANE, at_roundabout, only_others_stop, ring_arms
 from chatscene.errors import MapError, NotBuilt, NothingBuilds
 from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import Limits
@@ -32,11 +32,20 @@ _INTO_THE_WAY = COMES_IN | acts_of(Heads.TURNS, Heads.ROUND, Heads.BEFORE, Heads
 
 
 def breaks(actor: Actor, deed: Deed) -> bool:
-    """Whether the rule that is broken is there, and is broken by what is done."""
+    """Whether the rule that is broken is there, and is broken by what is done.
+
+    Raises:
+        NotBuilt: It has no such light.
+    """
     moves = actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) and deed.act not in HALTS | {Act.HESITATE}
     control = actor.found.query.get("control")
     match deed.breaks:
         case Breach.RED_LIGHT:
+            if at_roundabout(actor.ledger.situation):
+                at = f"{actor.path}.does.{actor.deeds.index(deed)}.breaks: {Breach.RED_LIGHT}"
+                raise NothingBuilds(
+                    f"cannot be built yet: {at}: there are no lights at a roundabout; say {Breach.RIGHT_OF_WAY}"
+                )
             with_us = actor.one.starts.where in (Where.ONCOMING, Where.EXIT_CROSSING)
             _check_opposite(actor, deed)
             red = (actor.ledger.situation.road.ego_light in (EgoLight.RED, EgoLight.TURNS_RED)) == with_us

@@ -266,6 +266,9 @@ class Opening(UnderWay):
             actor.numbers.measure("Y", low, high, unit, meaning)
             reaches = end - SHORT
         actor.given = actor.ego.time_at(reaches)
+        over = free and stand.meets is Meets.ACROSS and actor.one.role is Role.SUPPORTING
+        if over and early + actor.needs > actor.given:  # or it would still be in the ego's way
+            actor.takes = max(actor.takes, (early + actor.needs) * actor.ego_speed + 2 * SHORT)
 
     def _at_crosswalk(self, other: Other) -> bool:
         """Whether another stands at the crosswalk, where this one could be."""

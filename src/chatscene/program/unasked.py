@@ -172,7 +172,8 @@ def _in_its_lane(situation: Situation, one: Other, seen: Seen, route: Route) -> 
         yield Finding(path=f"unasked.{one.id}", shown=False, told=told, at=times[0] * seen.dt)
     even = np.ptp(headings(route.line)) < STRAIGHT or includes(Place.CURVE, route.place)
     contact = situation.contact
-    goes_by = contact is not None and not contact.happens and one.starts.where is Where.ONCOMING_IN_OUR_LANE
+    missed = one.role is Role.SUPPORTING or (contact is not None and not contact.happens)
+    goes_by = missed and one.starts.where is Where.ONCOMING_IN_OUR_LANE  # which it cannot do on its line
     if even and not goes_by and not one.starts.where.row.junction:
         aside = np.abs(seen.aside - seen.aside[0])  # of the lanes: an ego that changes lanes moves its own way over
         inside = (seen.at > 0.0) & (seen.at < route.length)
