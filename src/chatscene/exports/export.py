@@ -8,6 +8,7 @@ from pathlib import Path
 
 from chatscene.errors import ChatSceneError, MapError, RunError, SettingsError
 from chatscene.exports.exporter import Exporter, KeptScene, MapFile, load_exporter
+from chatscene.files.alone import alone_in
 from chatscene.files.atomic import write_whole
 from chatscene.maps.network import check_given
 from chatscene.runs import (
@@ -64,19 +65,21 @@ def export(folder: Path, scene_ids: Sequence[str] = (), *, to: str, out: Path) -
         raise SettingsError(f"{out} is a file; name a new folder to export to")
     if out.is_dir() and any(out.iterdir()):
         raise SettingsError(f"{out} is not empty, and an export overwrites nothing; name a new folder")
-    found = [(scene, _files(exporter, to, scene)) for scene in kept_scenes(folder, scene_ids)]
-    written: dict[str, bytes] = {}
-    for scene, files in found:
-        for name, content in files.items():
-            if written.setdefault(name, content) != content:
-                raise SettingsError(
-                    f"exporter {to!r} gives {name!r} for {scene.episode.scene_id!r} and for another scene, each other"
-                )
-    try:
-        for name, content in written.items():
-            write_whole(out / name, content)
-    except OSError as error:
-        raise SettingsError(f"cannot write to {out}: {error.strerror}") from error
+    with alone_in(out):
+        found = [(scene, _files(exporter, to, scene)) for scene in kept_scenes(folder, scene_ids)]
+        written: dict[str, bytes] = {}
+        for scene, files in found:
+            for name, content in files.items():
+                if written.setdefault(name, content) != content:
+                    raise SettingsError(
+                        f"exporter {to!r} gives {name!r} for {scene.episode.scene_id!r} and for another scene, "
+                        "each other"
+                    )
+        try:
+            for name, content in written.items():
+                write_whole(out / name, content)
+        except OSError as error:
+            raise SettingsError(f"cannot write to {out}: {error.strerror}") from error
     return Exported(folder=out, files={scene.episode.scene_id: tuple(files) for scene, files in found})
 
 

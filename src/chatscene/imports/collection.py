@@ -18,7 +18,6 @@ from chatscene.runs.digests import digest_of
 from chatscene.search.generators.foreign import ForeignProgram
 
 RECORD = "imported.json"
-UNFINISHED = "unfinished"  # in a folder whose import has not come to its end
 MOST_ABOUT = 300  # characters of what a file says of itself
 
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Generator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from chatscene.errors import MapError, ScenarioError, SettingsError
-from chatscene.imports.collection import MOST_ABOUT, UNFINISHED, FileRecord, map_named, write_record
+from chatscene.files.alone import alone_in
+from chatscene.imports.collection import MOST_ABOUT, FileRecord, map_named, write_record
 from chatscene.imports.import_file import import_scenario
 from chatscene.imports.names import Apart
 from chatscene.imports.stranger_xml import read_xml
@@ -123,30 +123,11 @@ def import_folder(
         )
     programs = _programs([path.relative_to(folder) for path in files])
     rows = list[ImportedFile]()
-    with _alone_in(out):
+    with alone_in(out):
         for path, (named, program) in zip(files, programs.items(), strict=True):
             rows.append(_row(path, named, out / program, out, map_name, ego, within))
         write_record(out, [_recorded(one, out) for one in rows], [path for one in rows for path in one.maps])
     return ImportedFolder(out=out, files=tuple(rows))
-
-
-@contextmanager
-def _alone_in(out: Path) -> Generator[None]:
-    """Keep other imports out of a folder until this one is done; who was interrupted, keeps them out for good.
-
-    Raises:
-        SettingsError: Another one is there, or the folder cannot be made.
-    """
-    mark = out / UNFINISHED
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-        mark.touch(exist_ok=False)
-    except FileExistsError:
-        raise SettingsError(f"another import writes to {out}; wait for it, or give another folder with --out") from None
-    except OSError as error:
-        raise SettingsError(f"cannot write to {out}: {error.strerror}") from error
-    yield
-    mark.unlink(missing_ok=True)
 
 
 def _programs(files: Sequence[Path]) -> dict[Path, Path]:

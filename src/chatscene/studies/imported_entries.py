@@ -10,7 +10,8 @@ from typing import Any
 
 from chatscene import runs
 from chatscene.errors import EgoError, ForeignCodeRefused, SettingsError
-from chatscene.imports.collection import UNFINISHED, CollectedProgram, is_collection, read_collection
+from chatscene.files.alone import UNFINISHED
+from chatscene.imports.collection import CollectedProgram, is_collection, read_collection
 from chatscene.maps.network import name_of, resolve_map
 from chatscene.search.generators.foreign import read_foreign
 from chatscene.search.generators.own_program import generator_for
