@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from chatscene.maps.network import load_network
-from chatscene.maps.survey import check_map
+from chatscene.maps.survey import check_map, describe_map
 from straight import LANE, LINE, road
 
 
@@ -94,3 +94,9 @@ def test_a_virtual_junction_is_told_to_be_left_out_and_its_road_goes_on(tmp_path
     said = told(tmp_path, road().replace("</OpenDRIVE>", VIRTUAL.format(LANE.format(-1))))
     assert said == "junction '9' is virtual, and such are not read; it is left out with its roads: '7'"
     assert len(load_network(tmp_path / "theirs.xodr").lanes) == 4
+
+
+def test_lanes_of_traffic_that_is_not_here_are_counted(tmp_path: Path) -> None:
+    right = LANE.format(-1) + LANE.format(-2).replace("driving", "bus")
+    (tmp_path / "theirs.xodr").write_text(road(right=right))
+    assert describe_map(tmp_path / "theirs.xodr").left_out == {"bus": 1}

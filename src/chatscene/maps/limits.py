@@ -1,5 +1,7 @@
 """The speed that is allowed on the lanes of a map: what its file says, else what is usual on roads of its kind.
 
+Where the file says more than is usual there, the usual counts (decision 0121).
+
 Source: ASAM OpenDRIVE 1.7.0, sections 8.5 (type of a road and its limit) and 9.10 (limit of a lane). What is usual is
 what most of Europe allows in towns, outside them, and on motorways by day and night.
 """

@@ -12,6 +12,7 @@ from chatscene.errors import MapError
 from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.junctions import junction_control
 from chatscene.maps.lane_curves import DrawnRoad
+from chatscene.maps.lane_links import DRIVEN
 from chatscene.maps.layout import (
     JunctionKind,
     arms,
@@ -30,6 +31,9 @@ from chatscene.terms.mirroring import mirrored_words
 from chatscene.terms.route import RouteQuery
 
 ROUTES = 10  # per base scenario, as in the paper (section 4.2)
+_ASIDE_OF_TRAFFIC = frozenset(
+    ("none", "sidewalk", "walking", "shoulder", "parking", "stop", "border", "biking", "median", "curb", "restricted")
+)
 _BENT = math.radians(15.0)  # a corner in a reference line that is more is a fault of the map
 _ASIDE = 0.5  # [m]; a middle farther outside its lane is a fault of the map
 _SHARED = 0.5  # [m]; lanes of one road that overlap more widely than this are a fault of the map
@@ -58,6 +62,7 @@ class MapDescription:
         crosswalks: On roads outside junctions.
         parking_strips: Along roads.
         bus_bays: Along roads.
+        left_out: Lanes of types that nobody drives or walks on here, such as ``bus``, by type.
         routes: How many routes each base scenario finds, ten being all that are asked for; where it is made of
             several manoeuvres, all of them together, ten each.
         lacking: By base scenario that finds none, what the map has not.
@@ -80,6 +85,7 @@ class MapDescription:
     crosswalks: int
     parking_strips: int
     bus_bays: int
+    left_out: dict[str, int]
     routes: dict[str, int]
     lacking: dict[str, str]
 
@@ -118,6 +124,7 @@ def describe_map(path: Path) -> MapDescription:
         crosswalks=len(furniture.crosswalks),
         parking_strips=standing[Stand.PARKING],
         bus_bays=standing[Stand.BUS],
+        left_out=_left_out(path),
         routes={base.value: count for base, count in routes.items()},
         lacking={
             base.value: turned(" or ".join(lacking(network, path.stem, query) for query in BASE_SCENARIO_QUERIES[base]))
@@ -143,6 +150,12 @@ def check_map(path: Path) -> tuple[str, ...]:
             f"a junction, nor one of {min(APPROACHES):.0f} m that leads to a junction where the ego turns"
         )
     return tuple(problems)
+
+
+def _left_out(path: Path) -> dict[str, int]:
+    """How many lanes, of all sections, are of types of traffic that is not here."""
+    kinds = Counter(lane.get("type", "none") for lane in check_opendrive(path).iter("lane"))
+    return {kind: count for kind, count in sorted(kinds.items()) if kind not in DRIVEN | _ASIDE_OF_TRAFFIC}
 
 
 def _junctions(network: Any) -> dict[str, int]:

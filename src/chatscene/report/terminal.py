@@ -171,6 +171,8 @@ def print_map(console: Console, description: MapDescription) -> None:
     from dataclasses import asdict
 
     for name, value in asdict(description).items():
+        if value == {}:
+            continue
         if isinstance(value, dict):
             console.print(f"[bold]{name.replace('_', ' ')}[/]")
             for key, count in value.items():
