@@ -312,3 +312,14 @@ def test_a_speed_to_the_left_is_one_to_the_right_in_the_mirror(rule: str) -> Non
     assert once["value"] == "-0.5"
     assert RULES[rule](0.7, 0.5) == RULES[once["rule"]](-0.7, -0.5)
     assert mirrored_attributes("RelativeSpeedCondition", asked | {"direction": "longitudinal"})["value"] == "0.5"
+
+
+# What is told of a drive
+
+
+def test_a_drive_as_written_tells_its_own_notes_and_of_no_variants(tmp_path: Path) -> None:
+    text = scenario(group("A", event("stands", speed(0), time(1))), lasts=2)
+    as_plan, as_story = ("\n".join(told(tmp_path, text, as_written=as_).notes) for as_ in (False, True))
+    ends = "a drive ends with a collision, at the end of the route or after 30 s"
+    assert (ends in as_plan, ends in as_story) == (True, False)
+    assert "variant" not in as_plan + as_story

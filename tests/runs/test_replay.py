@@ -225,3 +225,15 @@ def test_a_run_is_not_replayed_on_a_map_that_was_changed_since(tmp_path: Path) -
     town.write_text(town.read_text() + "<!-- wider -->")
     with pytest.raises(RunError, match="is not the file that the run was made on"):
         map_of(runs.read_record(run))
+
+
+def test_the_map_of_a_run_is_found_from_any_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    town = tmp_path / "mine.xodr"
+    town.write_bytes(resolve_map("town").read_bytes())
+    monkeypatch.chdir(tmp_path)
+    run = runs.create(tmp_path / "run", runs.asked_run("a car", map_name="mine.xodr"))
+    (tmp_path / "deep").mkdir()
+    monkeypatch.chdir(tmp_path / "deep")
+    assert map_of(runs.read_record(run)) == town
+    town.rename("mine.xodr")  # the map went where it is looked for
+    assert map_of(runs.read_record(run)).resolve() == tmp_path / "deep" / "mine.xodr"

@@ -72,6 +72,11 @@ def test_a_catalogue_of_ones_own_is_a_file_of_names_and_sentences(tmp_path: Path
     assert catalogue.entries == (Entry(name="a", sentence="A car brakes."),)
 
 
+def test_a_catalogue_may_begin_with_a_mark_of_its_encoding(tmp_path: Path) -> None:
+    file = written(tmp_path, '\ufeff[[entry]]\nname = "a"\nsentence = "A car brakes."\n')
+    assert load_catalogue(file).entries == (Entry(name="a", sentence="A car brakes."),)
+
+
 WRONG = {
     "no entry": ("", "has no entry; write one"),
     "not TOML": ("[[entry]\n", "is not TOML"),
