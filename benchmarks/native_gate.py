@@ -29,12 +29,13 @@ import click
 import numpy as np
 import yaml
 from building import drawn
+from chatscene.library.beside import placed_again
+from differing import differences
 
 from chatscene.build.build import build
 from chatscene.build.possible import impossible
 from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of, wanting
 from chatscene.errors import ChatSceneError, MapError
-from chatscene.library.beside import placed_again
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import library_with
 from chatscene.maps.network import resolve_map
@@ -49,7 +50,6 @@ from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
-from chatscene.testing.simulators import differences
 
 BESIDE = (
     "ahead-in-lane-far=car.ahead.stand",

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from chatscene.maps.reference_lines import Corner
 from making.maps.opendrive_objects import Bay, Use
+from making.maps.reference_lines import Corner
 from making.maps.streets import Node, Street, Surroundings
 
 

@@ -15,7 +15,9 @@ from itertools import pairwise
 from xml.etree import ElementTree as Xml
 
 from chatscene.maps.furniture import TRAFFIC_LIGHT
-from chatscene.maps.reference_lines import (
+from chatscene.terms.scenario import Control
+from making.maps.opendrive_objects import STOP_SIGN, Bay, Use, decimal, furnish, signal_on
+from making.maps.reference_lines import (
     Piece,
     Pose,
     after,
@@ -24,8 +26,6 @@ from chatscene.maps.reference_lines import (
     rounded_line,
     wrapped,
 )
-from chatscene.terms.scenario import Control
-from making.maps.opendrive_objects import STOP_SIGN, Bay, Use, decimal, furnish, signal_on
 from making.maps.streets import LANE, Node, Street, Surroundings
 
 NOWHERE = "+proj=tmerc +lat_0=0 +lon_0=0 +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs"  # in the Gulf of Guinea

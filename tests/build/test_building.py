@@ -12,6 +12,7 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from benchmarks.differing import differences
 from chatscene.build.build import Built, build
 from chatscene.build.deeds import ACROSS, ALONG, TOWARD
 from chatscene.build.ledger import LEFT_OUT
@@ -37,7 +38,6 @@ from chatscene.terms.scene import Rejected, Scene
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Act, Where
 from chatscene.terms.written_plans import WrittenPlan, written_plans
-from chatscene.testing.simulators import differences
 from chatscene.world.places import secondsTo
 from drawn import situations
 from places import TESTS

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import chatscene.build
+from benchmarks.differing import differences
 from chatscene.build.build import Built, build
 from chatscene.build.timing import Body
 from chatscene.ego.policy import fitted, in_words, load_ego, senses_of
@@ -31,7 +32,6 @@ from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.scene import Scene
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import UserKind
-from chatscene.testing.simulators import differences
 
 KINDS = [kind for kind in UserKind if kind.may_be_ego]
 

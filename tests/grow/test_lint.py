@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,7 +14,20 @@ from numpy.typing import NDArray
 
 from chatscene.ego.rule_based import RuleBased
 from chatscene.grow.directions import joints
-from chatscene.grow.lint import check_code, implausible, lint, refused_code, trials, try_joint, try_triple, world_names
+from chatscene.grow.lint import (
+    Finding,
+    alike,
+    check_code,
+    implausible,
+    refused_code,
+    sifted,
+    sound_part,
+    trials,
+    try_joint,
+    try_triple,
+    unpartnered,
+    world_names,
+)
 from chatscene.library.compatibility import ARMS, compatibility
 from chatscene.library.load import Library, load_library
 from chatscene.library.snippet_file import names_in
@@ -50,8 +64,22 @@ def spoilt(library: Library, snippet: Snippet) -> Library:
     return Library(tuple(snippet if s.id == snippet.id else s for s in library))
 
 
+def lint(
+    library: Library, simulator: Simulator, *, scenes: int = 10, only: Collection[str] | None = None
+) -> tuple[Finding, ...]:
+    """What `chatscene.grow.curation.lint_library` does with workers, here for any snippets."""
+    sound, found = sound_part(library)
+    tried: set[str] = set()
+    for triple, kind in trials(sound, only):
+        tried |= {snippet.id for snippet in triple}
+        found |= set(try_triple(triple, kind, simulator, RuleBased(), scenes))
+    for joint in joints(sound, only):
+        found |= set(try_joint(joint, sound, simulator, RuleBased()))
+    return sifted(found | unpartnered(sound, tried) | alike(sound, simulator, RuleBased(), only), only)
+
+
 def rungs(library: Library, simulator: Simulator) -> set[tuple[str, str]]:
-    return {(finding.snippet_id, finding.rung) for finding in lint(library, simulator, RuleBased())}
+    return {(finding.snippet_id, finding.rung) for finding in lint(library, simulator)}
 
 
 def with_code(snippet: Snippet, old: str, new: str) -> Snippet:
@@ -81,7 +109,7 @@ def test_the_code_of_packaged_snippets_is_sound() -> None:
 
 
 def test_three_sound_snippets_have_no_finding(simulator: Simulator) -> None:
-    assert lint(few(*CROSS), simulator, RuleBased()) == ()
+    assert lint(few(*CROSS), simulator) == ()
 
 
 @pytest.mark.parametrize("line", ["advAt = pointsOn(egoRoute, 3)", "x = 1; advLane = 2", "advLane, x = (1, 2)"])
@@ -299,14 +327,14 @@ def test_a_copy_under_another_name_is_found_on_the_tracks(simulator: Simulator) 
     # Another plan, so that only the tracks show it.
     other = with_code(library.get(CROSS[0]), "MoveAhead(5)", "MoveAhead(5.01)")
     copy = replace(other, id="behavior/walk-over", description="Somebody walks over.")
-    found = lint(Library((*library, copy)), simulator, RuleBased(), scenes=1)
+    found = lint(Library((*library, copy)), simulator, scenes=1)
     assert {(f.snippet_id, f.rung) for f in found} == {(CROSS[0], "distinct"), ("behavior/walk-over", "distinct")}
 
 
 def test_only_the_snippets_asked_for_are_checked(simulator: Simulator) -> None:
     library = few(*CROSS)
     broken = with_code(library.get(CROSS[0]), "MoveAhead(globalParameters.OPT_ADV_SPEED)", "MoveAhead('fast')")
-    assert lint(spoilt(library, broken), simulator, RuleBased(), scenes=1, only={CROSS[1]}) == ()
+    assert lint(spoilt(library, broken), simulator, scenes=1, only={CROSS[1]}) == ()
 
 
 def test_no_snippet_names_a_simulator_or_looks_with_the_eyes_of_scenic() -> None:

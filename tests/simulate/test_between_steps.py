@@ -10,6 +10,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from benchmarks.differing import differences
 from chatscene.ego.observation import Observation
 from chatscene.maps.network import resolve_map
 from chatscene.measure.criticality import criticality, part_struck
@@ -21,7 +22,6 @@ from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Scene, ScenicProgram
-from chatscene.testing.simulators import differences
 from chatscene.world.bodies import Body
 
 DT = 0.1

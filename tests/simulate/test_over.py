@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+from benchmarks.differing import differences
 from chatscene.ego.policy import load_ego, wanting
 from chatscene.errors import ProgramError
 from chatscene.maps.network import resolve_map
@@ -17,7 +18,6 @@ from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.episode import Ending, Episode
 from chatscene.terms.metrics import Mode
 from chatscene.terms.scene import Scene, ScenicProgram
-from chatscene.testing.simulators import differences
 
 HEAD = """model chatscene.world.model
 param drivesUntil = {asks!r}

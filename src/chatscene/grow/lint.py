@@ -16,7 +16,7 @@ import numpy as np
 
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import ChatSceneError, SnippetError
-from chatscene.grow.directions import Joint, joints, misnamed, strays
+from chatscene.grow.directions import Joint, misnamed, strays
 from chatscene.grow.twins import scenario_of, twins
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import Library, names_of
@@ -69,36 +69,6 @@ class Finding:
 
     def __str__(self) -> str:
         return f"{self.snippet_id}: {self.rung}: {self.message}"
-
-
-def lint(
-    library: Library,
-    simulator: Simulator,
-    ego: EgoPolicy,
-    *,
-    scenes: int = SCENES,
-    only: Collection[str] | None = None,
-) -> tuple[Finding, ...]:
-    """Check snippets, alone, in programs, and against each other.
-
-    Args:
-        library: The snippets, and the partners they may be tried with.
-        simulator: Where to run them.
-        ego: Who drives.
-        scenes: How many scenes of each program to run.
-        only: Ids to check; None for all.
-
-    Returns:
-        The findings, sorted; empty if every snippet keeps its contract.
-    """
-    sound, found = sound_part(library)
-    tried: set[str] = set()
-    for triple, kind in trials(sound, only):
-        tried |= {snippet.id for snippet in triple}
-        found |= set(try_triple(triple, kind, simulator, ego, scenes))
-    for joint in joints(sound, only):
-        found |= set(try_joint(joint, sound, simulator, ego))
-    return sifted(found | unpartnered(sound, tried) | alike(sound, simulator, ego, only), only)
 
 
 def sifted(found: Collection[Finding], only: Collection[str] | None) -> tuple[Finding, ...]:

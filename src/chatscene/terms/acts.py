@@ -17,7 +17,6 @@ class Deed:
         opposite: The act that nobody means who says this one; empty for none.
         turn: The side to which it turns: 1 for left, -1 for right.
         all_along: Whether it lasts: said before or after something else, it comes neither before nor after it.
-        stands: Whether who does it, and nothing else, stands.
         hasty: Whether it only says how a thing is done, which need not be said.
         directed: Whether it says which way somebody goes.
         named: Regular expression of what in a snippet's id says that it is done; empty for nothing.
@@ -28,7 +27,6 @@ class Deed:
     opposite: str = ""
     turn: int = 0
     all_along: bool = False
-    stands: bool = False
     hasty: bool = False
     directed: bool = False
     named: str = ""
@@ -238,7 +236,6 @@ class Action(StrEnum):
         Deed(
             meaning="stands still in the ego's way",
             all_along=True,
-            stands=True,
         ),
     )
     STAND = (
@@ -246,7 +243,6 @@ class Action(StrEnum):
         Deed(
             meaning="stands still all the time",
             all_along=True,
-            stands=True,
         ),
     )
     NARROW = (
@@ -254,7 +250,6 @@ class Action(StrEnum):
         Deed(
             meaning="stands at an edge of the ego's lane and leaves a part of it free",
             all_along=True,
-            stands=True,
         ),
     )
     FAST = (

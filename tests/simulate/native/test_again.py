@@ -6,6 +6,7 @@ import signal
 
 import pytest
 
+from benchmarks.differing import differences
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import load_ego, observation_of, pedals_of
 from chatscene.maps.network import resolve_map
@@ -20,7 +21,6 @@ from chatscene.simulate.stepped import SteppedSimulator
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
-from chatscene.testing.simulators import differences
 
 HEAD = """model chatscene.world.model
 param OPT_AHEAD = Range(20, 90)

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from benchmarks.differing import differences
 from chatscene.ego.network import HIDDEN, OUTPUTS, Network, NetworkEgo
 from chatscene.ego.observation import AHEAD, ALLOWED, NEAREST, OBSERVATIONS, OWN, PER_ACTOR, ROAD, Observation, scale_of
 from chatscene.ego.planner import Caution, Planner
@@ -41,7 +42,6 @@ from chatscene.terms.episode import Episode, Stepped
 from chatscene.terms.plan import PRIMITIVES
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
-from chatscene.testing.simulators import differences
 
 TOWN, SETTINGS = resolve_map("town"), SimulationSettings()
 HEAD = """model chatscene.world.model

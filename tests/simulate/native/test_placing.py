@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from benchmarks.differing import differences
 from chatscene.build.build import build
 from chatscene.ego.policy import load_ego, observation_of, pedals_of
 from chatscene.maps.network import resolve_map
@@ -22,7 +23,6 @@ from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import BaseScenario
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
-from chatscene.testing.simulators import differences
 
 HEAD = """model chatscene.world.model
 param OPT_AHEAD = Range(10, 90)
