@@ -9,7 +9,7 @@ import pytest
 from chatscene.ego.observation import Observation
 from chatscene.maps.network import resolve_map
 from chatscene.measure.drive import Ran, drive
-from chatscene.measure.tyres import ACROSS, beyond_tyres, friction_demand, taken
+from chatscene.measure.tyres import beyond_tyres, friction_demand, taken
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.boxes import Boxes, between
 from chatscene.simulate.embedded.dynamics import VehicleBody
@@ -51,7 +51,7 @@ def test_full_braking_straight_on_takes_what_the_brakes_give_and_not_what_the_ai
 def test_to_brake_and_turn_at_once_is_more_than_tyres_hold_and_lagged_never_does_it() -> None:
     kinematic, lagged = (driven(cls, 20.0, 0.2, 1.0) for cls in (VehicleBody, LaggedVehicle))
     assert friction_demand(kinematic) == pytest.approx(math.hypot(7.0, 8.0) / (0.9 * 9.81), rel=0.01)
-    assert beyond_tyres(kinematic)[0].startswith("the ego: braking, speeding up or turning harder than tyres hold")
+    assert beyond_tyres(kinematic)[0].startswith("the ego: braking, speeding up or turning harder or sooner than tyres")
     assert (friction_demand(lagged) or 0.0) <= 1.0 + 1e-6
 
 
@@ -72,7 +72,7 @@ def test_what_is_dry_enough_for_a_turn_is_too_wet_for_it() -> None:
 def test_a_turn_is_told_of_where_it_is_both_fast_and_hard(speed: float, across: float, told: int) -> None:
     wheel = math.atan(LIMITS["Car"].wheelbase * across / speed**2)
     episode = driven(VehicleBody, speed, wheel / LIMITS["Car"].wheel_angle, 0.0, target=True)
-    assert [f"{ACROSS:g} m/s²" in one for one in beyond_tyres(episode)] == [True] * told
+    assert len(beyond_tyres(episode)) == told
 
 
 def test_what_comes_after_the_contact_is_no_manoeuvre() -> None:

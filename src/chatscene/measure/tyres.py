@@ -8,7 +8,6 @@ the wheel is right to 2 m after 4 s up to 50 km/h, whatever it asks, and at any 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from functools import lru_cache
 
 import numpy as np
@@ -22,7 +21,6 @@ from chatscene.terms.surroundings import DRY, GRAVITY
 FAST = 50.0 / 3.6  # [m/s]
 ACROSS = 4.0  # [m/s²], up to which cars answer to the wheel in proportion (ISO 4138 looks for no more)
 GRIPPIEST = 1.0 / DRY  # of a surface's friction; the highest that is published beside the value that we use
-COMPARE = "which `kinematic` does not know; drive it with `--physics lagged` too"
 
 
 @lru_cache(maxsize=1)
@@ -37,20 +35,15 @@ def friction_demand(episode: Episode) -> float | None:
 
 def beyond_tyres(episode: Episode) -> tuple[str, ...]:
     """What somebody did in a drive of bodies that answer at once for which it should not be taken for physics."""
-    told: list[str] = []
     held = _friction(episode) * GRAVITY * GRIPPIEST
-    wheeled = [track.actor for track in episode.tracks if _on_wheels(track)]
-    if harder := _listed(who for who, (most, _) in zip(wheeled, did(episode), strict=True) if most > held):
-        told.append(f"{harder}: braking, speeding up or turning harder than tyres hold, {COMPARE}")
-    if sharper := _listed(who for who, (_, beyond) in zip(wheeled, did(episode), strict=True) if beyond):
-        told.append(
-            f"{sharper}: turning with more than {ACROSS:g} m/s² at more than 50 km/h, where tyres lag, {COMPARE}"
-        )
-    return tuple(told)
-
-
-def _listed(who: Iterable[str]) -> str:
-    return " and ".join("the ego" if one == "ego" else one for one in who)
+    wheeled = (track.actor for track in episode.tracks if _on_wheels(track))
+    who = [actor for actor, (most, lags) in zip(wheeled, did(episode), strict=True) if lags or most > held]
+    if not who:
+        return ()
+    names = " and ".join("the ego" if one == "ego" else one for one in who)
+    return (
+        f"{names}: braking, speeding up or turning harder or sooner than tyres do; compare with `--physics lagged`",
+    )
 
 
 def _friction(episode: Episode) -> float:
