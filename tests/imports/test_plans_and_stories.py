@@ -53,7 +53,7 @@ LONGITUDINAL = {"relativeDistanceType": "longitudinal", "coordinateSystem": "roa
         scenario(group("A", event("one", speed(3), time(4))), stops=trigger(time(2), tag="StopTrigger")),
         scenario(group("A", event("one", STOPS, time(1)), event("two", GOES, state("one")), times=3)),
         scenario(group("A", event("one", STOPS, of("A", '<SpeedCondition rule="greaterThan" value="5"/>'), edge="rising"))),
-        scenario(group("A", event("one", GOES, time(1)), event("two", STOPS, state("one"), near(30), edge="rising"))),
+        scenario(group("A", event("one", GOES, time(1)), event("two", STOPS, state("one"), near(30, freespace="false", **LONGITUDINAL), edge="rising"))),
         scenario(group("A", event("one", STOPS, to_place("true")))),
         scenario(group("A", event("one", STOPS, to_place("1")))),
         scenario(group("A", event("one", STOPS, of("A", '<StandStillCondition duration="1"/>')))),

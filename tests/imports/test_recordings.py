@@ -49,6 +49,12 @@ def test_who_is_there_at_each_of_few_rows_is_there_between_them(step: int) -> No
     assert np.isfinite(found.tracks[1].x).all()
 
 
+def test_who_is_told_by_a_few_turning_points_is_there_between_them() -> None:
+    points = steadily("a", np.array([0.0, 1.5, 1.6, 10.0]), 100.0)
+    found = recording((steadily("ego", EVERY, ego=True), points), "theirs.csv")
+    assert np.isfinite(found.tracks[1].x).all()
+
+
 def test_an_ego_that_is_not_there_for_some_seconds_is_refused() -> None:
     with pytest.raises(ScenarioError, match=r"the ego, ego, is not there from 1 to 9 s; cut the drive there"):
         recording((steadily("ego", np.concatenate((EVERY[:11], EVERY[90:])), ego=True),), "theirs.csv")
@@ -56,10 +62,10 @@ def test_an_ego_that_is_not_there_for_some_seconds_is_refused() -> None:
 
 def test_who_grazes_the_ego_between_two_rows_touches_it() -> None:
     ego = poses("ego", *((0.1 * i, 0.0, 0.0, 0.0, 0.0) for i in range(21)), ego=True, length=4.0, width=2.0)
-    by = poses("a", *((0.1 * i, -40.0 + 4.5 * i, 1.4, 0.0, 45.0) for i in range(21)), length=0.4, width=0.9)
+    by = poses("a", *((0.1 * i, -38.25 + 4.5 * i, 1.4, 0.0, 45.0) for i in range(21)), length=0.4, width=0.9)
     touched = watch_recording(recording((ego, by), "theirs.csv"), "theirs").episode
     assert touched.ending is Ending.COLLISION
-    wide = poses("a", *((0.1 * i, -40.0 + 4.5 * i, 1.5, 0.0, 45.0) for i in range(21)), length=0.4, width=0.9)
+    wide = poses("a", *((0.1 * i, -38.25 + 4.5 * i, 1.5, 0.0, 45.0) for i in range(21)), length=0.4, width=0.9)
     assert watch_recording(recording((ego, wide), "theirs.csv"), "theirs").episode.ending is Ending.TIMEOUT
 
 

@@ -16,8 +16,9 @@ from chatscene.terms.vocabulary import UserKind
 
 DT = 0.1  # [s], the step at which drives are judged
 ROUNDING = 1e-6  # of a step
-GAP = 0.5  # [s] without a row, up to which somebody is taken to be there all the same,
-MOST_MISSING = 3.5  # or so many usual steps, where those are longer
+GAP = 0.5  # [s] without a row, from which somebody who has one at every step is not there,
+MOST_MISSING = 3.5  # if that is more than so many steps
+REGULAR, FEWEST = 0.9, 10  # such a share of all steps, of so many at least, is as long as the usual one
 LONGEST = 600.0  # [s] of a recording
 MOST = 200  # road users in it
 
@@ -109,10 +110,7 @@ def _ego(found: Sequence[Poses], path: object, ego_id: str) -> Poses:
 
 def _track(one: Poses, actor: str, role: Role | None, steps: Array, path: object) -> Track:
     kind = _class_of(one.kind, path)
-    gaps = np.flatnonzero(
-        np.diff(one.time) > max(GAP, MOST_MISSING * float(np.median(np.diff(one.time))) if len(one.time) > 1 else GAP)
-    )
-    away = [(float(one.time[i]), float(one.time[i + 1])) for i in gaps]
+    away = _away(one.time)
     if role is Role.EGO and away:
         raise ScenarioError(
             f"{path}: the ego, {one.name}, is not there from {away[0][0]:g} to {away[0][1]:g} s; cut the drive there"
@@ -142,6 +140,19 @@ def _track(one: Poses, actor: str, role: Role | None, steps: Array, path: object
         heading=heading,
         speed=speed,
     )
+
+
+def _away(time: Array) -> list[tuple[float, float]]:
+    """From when to when somebody is not there [s] who else has a row at every step.
+
+    Of few rows, at times of their own, somebody is there between them too, as a table of turning points has it.
+    """
+    steps = np.diff(time)
+    usual = float(np.median(steps)) if len(steps) >= FEWEST else np.inf
+    if not np.isfinite(usual) or (np.abs(steps - usual) < usual / 2).mean() < REGULAR:
+        return []
+    gaps = np.flatnonzero(steps > max(GAP, MOST_MISSING * usual))
+    return [(float(time[i]), float(time[i + 1])) for i in gaps]
 
 
 def _class_of(kind: str, path: object) -> str:
