@@ -87,3 +87,40 @@ def test_who_waits_until_another_has_gone_straight_on_waits_until_it_is_through(
     source = built(goes, turns).program.source
     assert "until abs(offsetFrom(egoRoute, A)) < 2.4" in source
     assert "until abs(offsetFrom(egoRoute, A)) > 2.4" in source
+
+
+def test_an_ego_that_stopped_goes_back_as_far_as_was_said() -> None:
+    ego = {"speed": "25 km/h", "does": [{"act": "stop"}, {"act": "reverse", "distance": "15 m"}]}
+    van = one("van", "oncoming-in-our-lane", "go-along")
+    source = built(van, ego=ego).program.source
+    assert "back=1.5" in source
+
+
+def test_who_is_to_be_in_the_way_soon_begins_at_the_edge_of_the_road() -> None:
+    crosses = {"act": "cross", "when": {"ego_within": "40 m"}}
+    said = one("pedestrian", {"where": "roadside", "side": "left"}, crosses)
+    assert built(said, ego={"speed": "50 km/h"}).left_out == ()
+    with pytest.raises(NotBuilt, match="by then we have passed"):
+        soon = crosses | {"when": {"ego_within": "5 m"}}
+        built(one("pedestrian", {"where": "roadside", "side": "left"}, soon), ego={"speed": "50 km/h"})
+
+
+def test_who_stops_in_the_lane_that_the_ego_leaves_hides_who_crosses_before_it() -> None:
+    hidden = one("pedestrian", "crossing", "cross", hidden_by="B")
+    stops = one("car", "ahead", "slow-down", "stop", id="B", role="supporting")
+    made = built(hidden, stops, ego={"route": "lane-change-left"}, road={"has": ["crosswalk"]})
+    assert "wayB = ownLane(egoRoute)" in made.program.source
+
+
+def test_who_comes_the_other_way_hides_who_comes_from_the_left_until_it_has_gone_by() -> None:
+    start = {"where": "arm", "side": "left"}
+    hidden = one("bicycle", start, {"act": "go-straight", "when": {"ego_within": "10 m"}}, hidden_by="B")
+    bus = one("bus", "oncoming", "go-straight", id="B", role="hides")
+    made = built(hidden, bus, ego={"speed": "45 km/h"})
+    assert "A comes driving from the first, and B hides it until late" in made.assumed
+
+
+def test_an_ego_that_drifts_leaves_its_line_by_what_an_overlap_with_who_comes_there_asks_for() -> None:
+    drifts = {"act": "drift", "to": "left", "speed": "0.3 m/s", "lateral": {"overlap": "50 %"}}
+    source = built(one("car", "oncoming", "go-along"), ego={"does": [drifts]}, road={"two_way": True}).program.source
+    assert "aside=2.43" in source

@@ -145,6 +145,12 @@ class Actor:
         return self.ledger.situation.ego.body.row.limits
 
     @property
+    def said(self) -> tuple[Deed, ...]:
+        """Its deeds as they were said."""
+        told = self.ledger.told
+        return self.deeds if told is None else told.does(self.one.id)
+
+    @property
     def path(self) -> str:
         """Of its facts."""
         return f"others.{self.one.id}"

@@ -134,7 +134,8 @@ class Asked:
         drives = self.one.starts.speed is not None  # and so does not wait to go on
         waits = first is not None and first.when is not None and first.act.row.lasting and not drives
         in_row = self.first is not None and not self.first.rolls
-        comes_out = self.one.hidden_by is not None and self.one.starts.where is not Where.ONCOMING
+        comes_driving = self.one.starts.where is Where.ONCOMING or (drives and self.one.starts.where is Where.ARM)
+        comes_out = self.one.hidden_by is not None and not comes_driving
         return not (self.stands or waits or in_row or comes_out) and self.ego.late is not None
 
     @property

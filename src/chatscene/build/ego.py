@@ -14,19 +14,19 @@ from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import FIRM, MOST
 from chatscene.build.own import FIRST, KEEPS, Drives, fastest, is_own, own_orders
 from chatscene.build.own_speeds import at_own_speeds
-from chatscene.build.place import GOES_OVER, NEXT_LANE, Found, at_junction
+from chatscene.build.place import GOES_OVER, NEXT_LANE, Found, at_junction, changed_at, merged_at
 from chatscene.build.relations import PASSES, speed_of
 from chatscene.build.restated import is_way
 from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.maps.routes import TO_LINE
 from chatscene.situations.phrases import one_of
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import LIMITS, REVERSE_SPEED
 from chatscene.terms.backing import backs
 from chatscene.terms.conclusions import JUNCTIONS
 from chatscene.terms.order import Order
 from chatscene.terms.pace import NOMINAL, gain_in
 from chatscene.terms.route import Beside
-from chatscene.terms.routing import BEGINS
+from chatscene.terms.routing import BEGINS, ENDS
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.scene import CAR
 from chatscene.terms.situation import EGO, Deed, Situation
@@ -54,6 +54,11 @@ EASED = 0.4  # of its speed that an ego keeps that loses some before it does som
 SLOWED = 1.0  # [s] that it has lost speed, so that it is seen to, when it does something else
 GOES_THROUGH, THROUGH = 5.0, 14.0  # [m/s], [m] before and beyond where it is to give way, that an ego goes on
 OVER_LANE, INTO_TURN = 3.0, 9.0  # [m] on its way into a lane, or through a turn, that an ego is across a lane
+UP, UP_FOR, UP_AFTER = 1.5, 2.5, 1.0  # [m/s], [s] that an ego goes back, and [s] that it has stood before
+UP_GAIN = 2.0  # [m/s²] about with which it gets there
+LATER = 1.15  # of the way within which the ego was said to be over
+_OVER_BY_ITS_WAY = CHANGES | {EgoRoute.MERGE}
+_BESIDE_ROAD = frozenset((*BEGINS, *ENDS))
 BACKS = 20.0  # [m] at most that an ego backs, if only a bound was said
 _DRIVES = GOES_ON | acts_of(Tempo.SETS_OFF, Tempo.GAINS)
 _SETS_OFF = acts_of(Tempo.SETS_OFF, Tempo.GAINS, Heads.ALONG, Heads.OVER)
@@ -115,6 +120,7 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     stands = bool(ego.does) and ego.does[0].act in FROM_A_STAND
     at_line = stands and junction
     ledger.situation = situation = at_own_speeds(situation, speed)
+    _over_in_time(ledger, found.route)
     stop = found.route.eventAt - (LINE + longer if junction else 0.0)
     if at_line:  # it begins there, and stops again with its nose in the junction
         stop = TO_LINE + longer
@@ -135,6 +141,27 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     comes = coming(speed, orders, found.route, metres, stands=stands, keeps_limits=keeps, gain=gain, later=later)
     query = {"to_line": round(metres, 2)} if at_line and longer else {}
     return BuiltEgo(params=tuple(params), query=query, coming=comes, properties=moving + wanted, orders=orders)
+
+
+def _over_in_time(ledger: Ledger, route: Route) -> None:
+    """Take within what way the ego is to be in the next lane, by its deed or since its own lane ends then.
+
+    Raises:
+        NotBuilt: It is not.
+    """
+    ego = ledger.situation.ego
+    for k, deed in enumerate(ego.does):
+        along = deed.act is Act.LANE_CHANGE or (deed.act is Act.GO_ALONG and ego.route is EgoRoute.MERGE)
+        if deed.distance is None or not along or ego.route not in _OVER_BY_ITS_WAY:
+            continue
+        over = merged_at(route) if ego.route is EgoRoute.MERGE else changed_at(route)
+        if over > LATER * deed.distance.most:
+            raise NotBuilt(
+                f"ego.does.{k}.distance: {deed.distance}: at its speed the ego is in the next lane after {over:.0f} m;"
+                " say that, or a slower ego"
+            )
+        ledger.take(f"ego.does.{k}.distance")
+        ledger.assume(f"the ego is in the next lane {over:.0f} m after it begins")
 
 
 def _drives_at(speed: float, usual: float, slower: str, kept: Route | None) -> str:
@@ -230,6 +257,9 @@ def _orders(
             ledger.take(f"{at}.whom", *(f"{at}.when.{name}" for name in ("after", "during")), f"{at}.manner")
             ledger.assume(f"the ego's {deed.act} {_for_which(ledger.situation, *answers)} is left to its driver")
             continue
+        if backs_up(ledger.situation, deed):
+            yield from _backs_up(ledger, deeds, k, stop, speed)
+            continue
         there = begins * speed if begins else stop  # where it is to be slow, or to stand
         if k in stops and len(stops) > 1:  # one after the other
             there = stop * (stops.index(k) + 1) / len(stops)
@@ -238,6 +268,41 @@ def _orders(
         else:
             begins = yield from _pedals(ledger, deed, at, _then(deeds, k), there, begins, speed)
         stood = _wait(deed, deeds[k + 1 :]) or stood
+
+
+def backs_up(situation: Situation, deed: Deed) -> bool:
+    """Whether an ego that drives forwards goes back some way by a deed, on the road."""
+    return deed.act is Act.REVERSE and not backs(situation) and situation.ego.route not in _BESIDE_ROAD
+
+
+def _backs_up(ledger: Ledger, deeds: tuple[Deed, ...], k: int, stop: float, speed: float) -> Iterator[Order]:
+    """An ego that comes to a stand, goes back for some time or some way, and stands there or drives on."""
+    deed, at, before = deeds[k], f"ego.does.{k}", deeds[k - 1] if k else None
+    ledger.take(f"{at}.whom", f"{at}.manner", *_in_a_row(deed, at))
+    back = UP if deed.manner is not Manner.SLIGHT else 0.5 * UP
+    if deed.speed is not None:
+        ledger.take(f"{at}.speed")
+        back = min(deed.speed.near(UP), REVERSE_SPEED)
+    lasts = UP_FOR
+    if deed.distance is not None:
+        ledger.take(f"{at}.distance")
+        far = deed.distance.near(UP * UP_FOR)
+        back = min(back, max(0.5, far))  # a short way slowly
+        lasts = far / back + back / UP_GAIN
+    elif deed.time is not None:
+        ledger.take(f"{at}.time")
+        lasts = deed.time.near(UP_FOR)
+    halted = before is not None and before.act is not Act.STAND
+    since = max(stop, 0.0) / speed + speed / 6.0 if halted else 0.0
+    since += UP_AFTER if before is None or before.time is None else before.time.near(UP_AFTER)
+    waits = awaited(deed)
+    if waits is not None:
+        ledger.take(f"{at}.when.{waits[0]}")
+    since = 0.0 if waits is not None else round(since, 1)
+    orders = [Order(back=round(back, 2), since=since, till=round(since + lasts, 1))]
+    if k + 1 == len(deeds):
+        orders.append(Order(at_most=0, since=round(since + lasts, 1)))
+    yield from (order if waits is None else waiting(order, *waits) for order in orders)
 
 
 def _waits_first(ledger: Ledger, deeds: tuple[Deed, ...], k: int, stop: float) -> Iterator[Order]:
@@ -268,7 +333,7 @@ def _own_then(deeds: tuple[Deed, ...], k: int) -> Deed | None:
 def _to_its_side(ledger: Ledger, deed: Deed, at: str) -> Iterator[str]:
     """The path of the side to which the ego changes lanes, if its way does."""
     route = ledger.situation.ego.route
-    if route is not None and deed.to is GOES_OVER[route]:
+    if route is not None and deed.to is GOES_OVER.get(route, Side.LEFT):
         yield f"{at}.to"
 
 
@@ -281,7 +346,7 @@ def _for_which(situation: Situation, name: str, reference: str) -> str:
 
 def _along_its_way(ledger: Ledger, deed: Deed, at: str, speed: float) -> Iterator[str]:
     """The paths of a deed that is what the ego does by going its way; nothing of others."""
-    if deed.act is Act.LANE_CHANGE and ledger.situation.ego.route in CHANGES:
+    if deed.act is Act.LANE_CHANGE and ledger.situation.ego.route in _OVER_BY_ITS_WAY:
         yield from (f"{at}.act", f"{at}.manner", *_to_its_side(ledger, deed, at))
     elif deed.act is Act.OVERTAKE:
         yield from _goes_past(ledger, deed, at, speed)
@@ -363,11 +428,18 @@ def _pedals(
             )
         case Act.GO_ALONG if deed.time is not None and then is not None:
             return begins + _lasts(ledger, deed, at)
-        case Act.GO_ALONG if deed.time is not None and deed.time.low * speed <= there:
-            ledger.take(f"{at}.time")  # its way leads so far before anything happens
+        case Act.GO_ALONG if _leads_on(deed, there, speed):
+            ledger.take(f"{at}.time", f"{at}.distance")
         case _:
             yield from _otherwise(ledger, deed, at, speed)
     return begins
+
+
+def _leads_on(deed: Deed, there: float, speed: float) -> bool:
+    """Whether the ego's way leads as long, or as far, before anything happens."""
+    far = [] if deed.time is None else [deed.time.low * speed]
+    far += [] if deed.distance is None else [deed.distance.low]
+    return bool(far) and max(far) <= there
 
 
 def _otherwise(ledger: Ledger, deed: Deed, at: str, speed: float) -> Iterator[Order]:

@@ -202,6 +202,7 @@ def _without(road: Road, path: str) -> Road:
 
 
 BACKED = 42.0  # [m] ahead of which others are about, in the middle, who are nearer to an ego that backs
+_OVER_AT = 60.0  # [m] on the usual road, after which an ego from a ramp is in the next lane
 _SLOW = 0.6  # of the usual road, of an ego that is slower than usual
 _AS_FAST = 0.95  # of its usual speed, that a road allows which is looked for since much is done along it
 _MORE = 1.15  # by which routes that are looked for get shorter, the longest first
@@ -265,12 +266,21 @@ def _longer(situation: Situation, query: dict[str, Any], more: float) -> dict[st
 def _lengths(situation: Situation, speed: float, road: float) -> Iterator[float]:
     """How many times as much road as usual is looked for: as the ego's speed asks for, then less."""
     more = max(further(speed), road / OPEN_ROAD, *(_far(one) / OPEN_ROAD * _BEYOND for one in situation.others))
+    more = min(more, _over_within(situation))
     while more > 1.0:
         yield more
         more /= _MORE
     yield 1.0
     if speed < NOMINAL.speed:  # else who comes to meet a slow ego would have to come from too far
         yield _SLOW
+
+
+def _over_within(situation: Situation) -> float:
+    """How many times as much road as usual an ego may have that is to be over within a way that was said."""
+    merges = situation.ego.route is EgoRoute.MERGE
+    along = acts_of(Heads.OVER, Heads.ALONG)
+    said = (deed.distance for deed in situation.ego.does if merges and deed.act in along)
+    return min((one.most / _OVER_AT for one in said if one is not None), default=math.inf)
 
 
 def _said_distance(one: Other) -> float:

@@ -128,6 +128,10 @@ def _at_corner(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
     """
     left = hidden.one.starts.side is Side.RIGHT
     aside = (1.5 * LANE if left else 0.5 * LANE) + 0.5 * actor.limits.width + BETWEEN
-    along = aside * hidden.numbers.middle("SPEED") / actor.ego_speed + n * (actor.limits.length + BETWEEN)
-    at, way = f"{hidden.filled(hidden.stand.at)} + {along:.3g}", f"way{name_of(hidden.one.id)}"
+    way, apart = f"way{name_of(hidden.one.id)}", n * (actor.limits.length + BETWEEN)
+    if hidden.stand.rolls:  # it comes driving: the corner hides it until it is as near to that
+        at = f"{way}.entry - {0.5 * actor.limits.length + BETWEEN + apart:.3g}"
+    else:
+        along = aside * hidden.numbers.middle("SPEED") / actor.ego_speed + apart
+        at = f"{hidden.filled(hidden.stand.at)} + {along:.3g}"
     return f"pointOn({way}, {at}, {aside if left else -aside:.3g})", f"directionOn({way}, {at})"

@@ -164,7 +164,7 @@ def check_hidden(actors: Sequence[Actor]) -> None:
         NotBuilt: Somebody is not.
     """
     for actor, by in behind_leaders(actors):
-        if actor.nearest <= by.farthest:
+        if not actor.stand.behind and actor.nearest <= by.farthest:
             raise NotBuilt(
                 f"impossible: {actor.path}.hidden_by: {by.one.id} is not nearer than {actor.one.id}, which would have"
                 f" to be {by.farthest + ROOM:.0f} m ahead at least"

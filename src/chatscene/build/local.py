@@ -92,7 +92,10 @@ def check_round(actor: Actor, k: int) -> None:
     except MapError as error:
         raise NotBuilt(f"no map has such a place: {error}") from error
     line = line_of(way)
-    fastest = 1.1 * curve_speeds(line)[line.project(*line.point_at(way.meets_at))[2]]  # who cuts the bend is faster
+    caps, there = curve_speeds(line), line.project(*line.point_at(way.meets_at))[2]
+    comes_in = actor.deeds[k].act in COMES_IN and actor.one.starts.where is not Where.IN_ROUNDABOUT
+    allowed = max(caps[: there + 1]) if comes_in else caps[there]  # who comes in loses it in the bend
+    fastest = 1.1 * allowed  # who cuts the bend is faster
     if said.low > fastest:
         at = f"{actor.path}.does.{k}.speed: {said}"
         raise NotBuilt(f"{at} is too fast for the roundabout: at most {3.6 * fastest:.0f} km/h")

@@ -10,10 +10,11 @@ from chatscene.build.alongside import goes_on_beside, until_it_comes
 from chatscene.build.arriving import back_by_deeds
 from chatscene.build.aside import goes_round
 from chatscene.build.asked import Meets, stands_first, stops_ahead
-from chatscene.build.chain import in_terms_of
+from chatscene.build.chain import in_terms_of, meeting_of
 from chatscene.build.contact import touches
 from chatscene.build.deeds import GO, MOVE
 from chatscene.build.gaps import seconds_to_get_ahead
+from chatscene.build.hurrying import begins_nearer, goes_faster
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, at_junction, room_against
@@ -30,7 +31,7 @@ from chatscene.maps.crossings import MEETING
 from chatscene.terms.amount import Length
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import EGO, Other
-from chatscene.terms.vocabulary import GOES_ON, LOSES, STOPS, Act, Facing, Role, Where
+from chatscene.terms.vocabulary import GOES_ON, LOSES, STOPS, Act, Facing, Heads, Role, Where, acts_of
 
 EGO_FIRST = 1.0  # [s] before somebody that the ego is by at most where it still meets it
 BEHIND_IT = 3.0  # [m] behind whom it stops somebody stands
@@ -43,6 +44,7 @@ DRIVES = 1.0  # [s]: who drives so long before it brakes is seen to come driving
 STANDS = 0.6  # [s]: who stands so long before it sets off is seen to stand
 GIVES_WAY = 1.0  # [m/s]: an ego that goes no faster yields
 KEEPS_UP = 2.0  # [m/s] that somebody goes at least who goes with an ego that is faster
+_GOES_THROUGH = acts_of(Heads.THROUGH, Heads.TURNS, Heads.IN)
 SHORT = 25.0  # [m] before the end of a road, or before a junction: nobody is placed farther
 
 
@@ -94,15 +96,30 @@ class Opening(UnderWay):
             return
         metres = isinstance(when.ego_within, Length)
         near = actor.numbers.range_of(f"NEAR_{self.first}")[1]
-        takes = self._until_met() - 0.5 * actor.limits.length / self._wish()  # until its nose is there
+        has = near / actor.ego_speed if metres else near
+        takes = self._until_there()
+        for hurry in (begins_nearer, goes_faster):
+            if takes - EGO_FIRST > has and actor.one.role is Role.ADVERSARY:
+                hurry(actor)
+                takes = self._until_there()
         least = takes - EGO_FIRST
-        if least > (near / actor.ego_speed if metres else near) and actor.one.role is Role.ADVERSARY:
+        if least > has and actor.one.role is Role.ADVERSARY:
             say = f"{math.ceil(least * actor.ego_speed)} m" if metres else f"{least:.1f} s"
             raise NotBuilt(
                 f"impossible: {actor.path}.does.{self.first}.when.ego_within: {when.ego_within}: {actor.one.id} needs"
                 f" {takes:.1f} s from its start into our way, and by then we have passed;"
                 f" say {say} at least"
             )
+
+    def _until_there(self) -> float:
+        """How long [s] it takes from when its first deed is due until its nose is where it meets the ego."""
+        actor, nose = self.phases.actor, 0.5 * self.phases.actor.limits.length
+        if actor.stand.meets is not Meets.THROUGH or actor.deeds[self.first].act not in _GOES_THROUGH:
+            return self._until_met() - nose / self._wish()
+        meeting = meeting_of(actor)
+        nearer = replace(meeting, metres=max(meeting.metres - nose, 0.0))
+        there = course([*self.bodies[0], self._go()], actor.numbers, self.phases.body, Course(), nearer).met
+        return there if there > 0.0 else self._until_met() - nose / self._wish()
 
     def _goes_on(self, waits: str, *, soon: bool) -> Iterator[str]:
         """It goes on, or waits, until its first deed is due, if that is not seen by how near it is to the ego."""

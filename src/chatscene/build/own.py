@@ -13,12 +13,13 @@ from dataclasses import dataclass, replace
 from chatscene.build.asked import stands_first
 from chatscene.build.awaiting import awaited, waiting
 from chatscene.build.ledger import Ledger
-from chatscene.build.place import LANE
+from chatscene.build.place import LANE, NEXT_LANE
 from chatscene.build.relations import AGAINST, falls_behind, speed_of
 from chatscene.errors import NotBuilt
-from chatscene.terms.amount import Length
+from chatscene.terms.amount import Amount, Length, Speed
+from chatscene.terms.lateral import aside_of_ego
 from chatscene.terms.order import Order
-from chatscene.terms.situation import EGO, Deed, Other, Situation, When
+from chatscene.terms.situation import EGO, LATERALS, Deed, Lateral, Other, Situation, When
 from chatscene.terms.vocabulary import COMES_IN, Act, Heads, Manner, Role, Side, Where, acts_of
 
 ASIDE = {Act.SWERVE: 2.6, Act.DRIFT: 1.7, Act.LANE_CHANGE: LANE, Act.PARK: 2.6}
@@ -104,7 +105,7 @@ def own_orders(
     Raises:
         NotBuilt: It is to gain speed faster than it can, or by numbers of which one is not true.
     """
-    begins, speed = _begins(ledger, deeds, first, drives), drives.speed
+    begins, speed = _begins(ledger, deeds, first, drives, sides), drives.speed
     for k, deed in enumerate(deeds, start=first):
         at = f"ego.does.{k}"
         ledger.take(f"{at}.act", f"{at}.to", f"{at}.whom", *((f"{at}.manner",) if deed.manner is Manner.SUDDEN else ()))
@@ -124,12 +125,9 @@ def own_orders(
 def _aside(
     ledger: Ledger, deed: Deed, at: str, begins: Near, lasts: float, speed: float, sides: Mapping[str, Side]
 ) -> Iterator[Order]:
-    far = ASIDE[deed.act]
-    if deed.distance is not None:
-        ledger.take(f"{at}.distance")
-        far = deed.distance.near(far)
+    far, aside = _far(ledger.situation, deed, sides), _comes_aside(deed)
+    ledger.take(f"{at}.distance", f"{at}.lateral")
     left = far if _side_of(ledger.situation, deed, sides) is Side.LEFT else -far
-    aside = deed.speed if deed.act is Act.DRIFT and deed.speed is not None and deed.speed.high < CREEPS else None
     if aside is not None:  # how fast it comes aside, and not along
         lasts = max(lasts, far / aside.high)
     since, over = round(begins.since, 2), min(_OVER[deed.act] if aside is None else far / aside.high, lasts)
@@ -149,6 +147,49 @@ def _aside(
     if deed.act is Act.PARK:
         braking = round(max(2.0 * speed / lasts, 1.5), 2)  # in the second half of it
         yield begins.order(at_most=0.0, since=round(since + lasts, 2), braking=braking)
+
+
+def _comes_aside(deed: Deed) -> Speed | None:
+    """How fast the ego comes aside by a deed, and not along, if that was said."""
+    return deed.speed if deed.act is Act.DRIFT and deed.speed is not None and deed.speed.high < CREEPS else None
+
+
+def _far(situation: Situation, deed: Deed, sides: Mapping[str, Side]) -> float:
+    """How far [m] the ego leaves its line by a deed."""
+    usual = ASIDE[deed.act] if deed.distance is None else deed.distance.near(ASIDE[deed.act])
+    if deed.lateral is None:
+        return usual
+    return _far_aside(situation, deed.lateral, _side_of(situation, deed, sides), sides, usual)
+
+
+def _far_aside(situation: Situation, lateral: Lateral, side: Side, sides: Mapping[str, Side], usual: float) -> float:
+    """How far [m] the ego leaves its line to be where it was said to be across the road.
+
+    An overlap, or room beside it, is with somebody on that side: in the next lane, or against it.
+    """
+    name, said = next(((name, one) for name in LATERALS if (one := getattr(lateral, name)) is not None), ("", None))
+    if not isinstance(said, Amount):
+        return usual
+    ego = situation.ego.body.row.limits
+    if name == "offset":
+        return said.near(usual)
+    if name == "edge":
+        return 0.5 * LANE - said.near(0.0)
+    if name == "beyond":
+        return 0.5 * (LANE + ego.width) + said.near(0.0)
+    beside = (one for one in situation.others if _lies_to(one, sides) is side)
+    one = next(beside, next(iter(situation.adversaries)))
+    away = 0.0 if _lies_to(one, sides) is None else LANE
+    row = one.kind.row.body.row.limits
+    share = 0.5 * sum(said.drawn(0.05, 0.95) if name == "overlap" else said.drawn(0.2, 2.0))
+    return abs(away - aside_of_ego(name, share, ego.width, row.width))
+
+
+def _lies_to(one: Other, sides: Mapping[str, Side]) -> Side | None:
+    """On which side of the ego's lane the lane of somebody lies; None of who is in its own."""
+    if one.starts.where is Where.ONCOMING:
+        return Side.LEFT
+    return one.starts.side or sides.get(one.id) if one.starts.where in NEXT_LANE else None
 
 
 def _slows(deed: Deed, speed: float) -> float:
@@ -232,7 +273,7 @@ def _lasts(ledger: Ledger, deed: Deed, at: str) -> float:
     return deed.time.near(usual)
 
 
-def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, drives: Drives) -> Near:
+def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, drives: Drives, sides: Mapping[str, Side]) -> Near:
     """When the first of them begins: as was said, or so early that the last is begun before the ego meets somebody.
 
     Before a deed of the wheel at a speed that was said, it has the time to lose speed to that.
@@ -259,6 +300,8 @@ def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, drives: Drives) -
     ledger.take(*(f"{at}.{name}" for name in ("after", "during", "of", "ego_within") if getattr(when, name)))
     middles = 0.5 * (situation.ego.body.row.limits.length + whom.kind.row.body.row.limits.length)
     seconds = sum(TAKES.get(deed.act, FIRST) for deed in deeds[:-1]) + SOON.get(deeds[-1].act, FIRST)
+    if (slow := _comes_aside(deeds[-1])) is not None:  # and is there when they meet
+        seconds = max(seconds, _far(situation, deeds[-1], sides) / slow.high)
     if situation.contact is not None and not situation.contact.happens:
         seconds += SPARES
     comes = closing(situation, whom, speed)

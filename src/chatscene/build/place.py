@@ -274,6 +274,13 @@ def changed_at(route: Route) -> float:
     return float(next(over, round(route.line.length)))
 
 
+def merged_at(route: Route) -> float:
+    """How far [m] along its way an ego that comes from a ramp is in the lane beside that."""
+    beside, metres = neighbourPath(route, "left"), range(round(route.eventAt), round(route.line.length))
+    near = (at for at in metres if abs(beside.project(*route.line.point_at(at))[1]) < (1.0 - CHANGED) * LANE)
+    return float(next(near, round(route.line.length)))
+
+
 def room_against(route: Route) -> float:
     """How far ahead [m] of the ego somebody can be at most who comes against it in the lane to its left.
 

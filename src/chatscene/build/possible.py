@@ -13,6 +13,7 @@ from chatscene.build.place import NEXT_LANE
 from chatscene.situations.check import on_another_side
 from chatscene.situations.faults import Fault
 from chatscene.terms.act_amounts import AMOUNTS
+from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
 from chatscene.terms.situation import EGO, Deed, Other, Situation
 from chatscene.terms.vocabulary import (
@@ -106,7 +107,9 @@ def impossible(situation: Situation) -> Iterator[Fault]:
         stood = False
         for k, deed in enumerate(one.does):
             moved_away = any(other.act in FROM for other in one.does[:k])
-            if not moved_away and one.starts.where not in _from(deed):
+            in_lane = one.starts.where is Where.AHEAD and one.kind.moves is Moves.WALKS  # at its edge
+            crosses = in_lane and deed.act in acts_of(Heads.ACROSS)
+            if not (moved_away or crosses) and one.starts.where not in _from(deed):
                 places = ", ".join(where for where in Where if where in _from(deed))
                 told = f"{deed.act} is not possible from {one.starts.where}, only from {places}"
                 yield Fault((f"{at}.{k}.act",), told)

@@ -9,11 +9,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from chatscene.build.asked import stands_first
+from chatscene.build.coming import wanted_by
 from chatscene.build.paces import AT_ONE_SPEED
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.possible import OVERTAKEN
+from chatscene.build.timing import Body
 from chatscene.build.waiting import SIGNS
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.amount import Length, Speed
 from chatscene.terms.situation import EGO, Deed, Ego, Other, Situation, When
 from chatscene.terms.vocabulary import (
     FOR_SOMEBODY,
@@ -29,6 +32,7 @@ from chatscene.terms.vocabulary import (
 
 _AGAINST = {Where.ONCOMING_IN_OUR_LANE: None, Where.ONCOMING: Side.LEFT}
 """Where somebody on foot comes the other way, and on which side of the lane that it then walks in."""
+FROM_LINE, EGO_FIRST = 8.0, 1.0  # [m] from its line to the ego's way; [s] that the ego may be there first
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
 
 
@@ -57,7 +61,7 @@ def restated(situation: Situation) -> Restated:
     _go_past(made)
     others = tuple(map(_on_foot_against, situation.others))
     made.situation = replace(made.situation, others=others)
-    for rule in (_on_foot_at_arm, _at_its_first_speed, _for_whom):
+    for rule in (_on_foot_at_arm, _at_its_first_speed, _for_whom, _comes_into_view):
         made.each(rule)
     return made
 
@@ -115,6 +119,26 @@ def _for_whom(made: Restated, one: Other) -> Other:
         if reference is None and deed.when is None and deed.whom != EGO:
             made.assumed.append(f"{one.id}'s {deed.act} comes in its order, and is not timed by {deed.whom}")
     return replace(one, does=tuple(does))
+
+
+def _comes_into_view(made: Restated, one: Other) -> Other:
+    """Who is hidden on an arm until the ego is too near for it to set off comes driving, and is seen that late."""
+    first = one.does[0] if one.does else None
+    near = first.when.ego_within if first is not None and first.when is not None else None
+    if first is None or near is None or one.hidden_by is None or one.starts.where is not Where.ARM:
+        return one
+    row, when = one.kind.row.body.row, first.when
+    if when is None or when.of not in (None, one.id) or when.after or when.during or one.starts.speed is not None:
+        return one
+    wish = first.speed or Speed(0.55 * row.fast, 0.82 * row.fast)
+    has = near.most / wanted_by(made.situation) if isinstance(near, Length) else near.most
+    if Body(row.limits, walks=False).covers(FROM_LINE + 0.5 * row.limits.length, wish.most) - EGO_FIRST <= has:
+        return one
+    made.taken.append(f"others.{one.id}.does.0.when.ego_within")
+    made.assumed.append(f"{one.id} comes driving from the first, and {one.hidden_by} hides it until late")
+    does = (replace(first, when=None, speed=None), *one.does[1:])
+    made.taken += [f"others.{one.id}.does.0.speed"] * (first.speed is not None)
+    return replace(one, starts=replace(one.starts, speed=wish), does=does)
 
 
 def _seen_of(situation: Situation, one: Other, deed: Deed) -> str | None:

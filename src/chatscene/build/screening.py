@@ -11,16 +11,17 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import ROOM, Meets, Stand, passes_with, stands_first
 from chatscene.build.chain import meeting_of
-from chatscene.build.deeds import STILL
+from chatscene.build.deeds import OWN, STILL
 from chatscene.build.hiding import hidden_with
 from chatscene.build.naming import name_of
 from chatscene.build.place import LANE, beside_lane, lane_beside
 from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.amount import Length
 from chatscene.terms.backing import backs
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import PLAIN, STOPS, WAITING, Act, Role, Side, Where
+from chatscene.terms.vocabulary import PLAIN, SLOWS, STOPS, WAITING, Act, EgoRoute, Role, Side, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -36,6 +37,9 @@ AT_LINE = 1.0  # [m] before that who lets others by there stands
 STOOD = 1.0  # [s] that it has stood when whom it hides comes out
 BEFORE_MET = 5.0  # [s] before somebody at a junction is met, when who hides it there has come to a stand
 EASES = (0.35, 0.5)  # of its brakes, from and to, that who was not said to brake hard stops with
+DRIVEN_BY = 1.0  # [s] before they meet that who hides somebody has gone by, if it was not said how near the ego is then
+_LEFT_BEHIND = {EgoRoute.LANE_CHANGE_LEFT: Side.RIGHT, EgoRoute.LANE_CHANGE_RIGHT: Side.LEFT}
+"""On which side of an ego that changes lanes the lane is that it leaves."""
 _OUTSIDE = re.compile(r'besideRoad\((.*), "(left|right)", \$X\)')
 _NEXT = frozenset((Where.AHEAD_BESIDE, Where.BESIDE))
 _FROM_OUTSIDE = frozenset((Where.ROADSIDE, Where.CROSSING, Where.DRIVEWAY, Where.KERB))
@@ -69,7 +73,29 @@ def from_its_lane(situation: Situation, one: Other, hidden: Other) -> bool:
     at_line = one.starts.where in _NEXT and hidden.starts.where is Where.ARM
     at_line = at_line and (None in (one.starts.side, hidden.starts.side) or one.starts.side is hidden.starts.side)
     waits = one.starts.where is hidden.starts.where is Where.ONCOMING and not passes_with(one, hidden)
-    return hidden.hidden_by == one.id and drives and (in_lane or at_line or waits)
+    there = waits or in_lane or at_line or _waits_to_turn(one, hidden) or drives_by(one, hidden)
+    return hidden.hidden_by == one.id and drives and (there or _in_the_lane_left(situation, one, hidden))
+
+
+def _waits_to_turn(one: Other, hidden: Other) -> bool:
+    """Whether somebody beside the ego, as who is to turn left there, hides another that turns off from opposite."""
+    beside = one.starts.where in _NEXT and one.starts.side in (None, Side.LEFT)
+    turns = any(deed.act is Act.TURN_LEFT for deed in hidden.does)
+    return beside and turns and hidden.starts.where is Where.ONCOMING
+
+
+def drives_by(one: Other, hidden: Other) -> bool:
+    """Whether somebody who comes the other way hides another, which comes from the left, until it has gone by."""
+    goes = one.starts.where is Where.ONCOMING and not stands_first(one) and all(deed.act in PLAIN for deed in one.does)
+    return goes and hidden.starts.where is Where.ARM and hidden.starts.side in (None, Side.LEFT)
+
+
+def _in_the_lane_left(situation: Situation, one: Other, hidden: Other) -> bool:
+    """Whether somebody stops in the lane that the ego leaves, and hides who crosses from beyond that lane."""
+    route = situation.ego.route
+    side = None if route is None else _LEFT_BEHIND.get(route)
+    from_beyond = side is not None and hidden.starts.side in (None, side)
+    return from_beyond and one.starts.where is Where.AHEAD and hidden.starts.where in _FROM_OUTSIDE
 
 
 def side_hidden(situation: Situation, one: Other) -> Side | None:
@@ -77,6 +103,8 @@ def side_hidden(situation: Situation, one: Other) -> Side | None:
     by = situation[one.hidden_by] if one.hidden_by is not None else None
     if by is None or not from_its_lane(situation, by, one) or not one.starts.where.row.sided:
         return None
+    if by.starts.where is Where.AHEAD and situation.ego.route is not None:
+        return _LEFT_BEHIND.get(situation.ego.route)
     return Side.LEFT if by.starts.where is Where.ONCOMING else by.starts.side
 
 
@@ -122,10 +150,11 @@ def _acts(actor: Actor) -> frozenset[Act]:
 def _beside_lane(actor: Actor, hidden: Actor) -> Screen:
     """In the next lane, or in that of those who come against the ego."""
     against = actor.one.starts.where is Where.ONCOMING
-    side = Side.LEFT if against else actor.one.starts.side
+    left = actor.one.starts.where is Where.AHEAD  # in the lane that the ego leaves
+    side = Side.LEFT if against else hidden.one.starts.side if left else actor.one.starts.side
     if hidden.one.starts.side is not side:
         raise _refused(actor, hidden, f"it is not on the {hidden.one.starts.side}")
-    way = 'neighbourPath(egoRoute, "left")' if against else lane_beside(str(side))
+    way = 'neighbourPath(egoRoute, "left")' if against else OWN if left else lane_beside(str(side))
     one, level = name_of(actor.one.id), f"level{name_of(hidden.one.id)}"
     there, sign = f"levelOn(way{one}, egoRoute, {level})", "+" if against else "-"
     away = GAP + 0.5 * actor.limits.length
@@ -136,7 +165,7 @@ def _beside_lane(actor: Actor, hidden: Actor) -> Screen:
     )  # before the ego is there it comes out
     if acts <= WAITING:
         return Screen(way=way, at=at, farther=farther, sign=sign)
-    if acts <= WAITING | STOPS | PLAIN and acts & STOPS:
+    if acts <= WAITING | SLOWS | PLAIN and acts & STOPS:
         _come_in_time(actor, hidden)
         return _comes_to_stand(actor, Screen(way=way, at=at, sign=sign), f"{seconds} - {lead} - {STOOD:g}")
     if acts <= PLAIN and against:
@@ -155,6 +184,11 @@ def _at_junction(actor: Actor, hidden: Actor) -> Screen:
         way = 'wayOf(trafficFrom(egoRoute, "oncoming"), "straight", "inner")'
         lets = acts & (STOPS | {Act.YIELD})
         at = f"way{one}.entry " + f"- {half - (OVER_LINE if lets else INTO_JUNCTION):.3g}"
+    elif drives_by(actor.one, hidden.one):
+        return _goes_by(actor, hidden)
+    elif _waits_to_turn(actor.one, hidden.one):
+        way = lane_beside(Side.LEFT)
+        at = f"levelOn(way{one}, egoRoute, egoRoute.eventAt) - {half - INTO_JUNCTION:.3g}"
     elif actor.one.starts.where in _NEXT and actor.one.starts.side is hidden.one.starts.side:
         way = lane_beside(str(actor.one.starts.side))
         at = f"levelOn(way{one}, egoRoute, egoRoute.eventAt) - {half + AT_LINE:.3g}"
@@ -166,6 +200,20 @@ def _at_junction(actor: Actor, hidden: Actor) -> Screen:
     if acts <= WAITING | STOPS | PLAIN and acts & STOPS:
         return _comes_to_stand(actor, screen, f"{actor.ego.seconds(f'egoMeet{other}')} - {BEFORE_MET:g}")
     raise _refused(actor, hidden, "say that it stands or stops")
+
+
+def _goes_by(actor: Actor, hidden: Actor) -> Screen:
+    """It comes the other way, and its tail leaves the line of sight to who comes from the left as the ego is near.
+
+    The two come to where they meet at steady speeds, so that the line of sight crosses its lane at one place.
+    """
+    one, other = name_of(actor.one.id), name_of(hidden.one.id)
+    near = next((deed.when.ego_within for deed in hidden.said if deed.when is not None and deed.when.ego_within), None)
+    late = near.most / actor.ego_speed if isinstance(near, Length) else DRIVEN_BY if near is None else near.most
+    before = hidden.filled(f"{LANE * actor.ego_speed:.4g} / $SPEED")
+    there = f"levelOn(way{one}, egoRoute, egoMeet{other} - {before}) + {0.5 * actor.limits.length:.3g}"
+    start = f"backFrom({there}, $SPEED * maximum(0, {actor.ego.seconds(f'egoMeet{other}')} - {late:.3g}))"
+    return Screen(way="opposite(egoRoute)", at=start, phases=("DrivePath({p}, $SPEED)",))
 
 
 def _come_in_time(actor: Actor, hidden: Actor) -> None:

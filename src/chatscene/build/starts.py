@@ -71,6 +71,7 @@ OFF_LANE = 5.0  # [m] on its way off the road, at which the ego goes over that o
 ENDS_BESIDE = (Beside.DRIVEWAY, Beside.KERB)
 SWINGS_OUT = "the ego swings out round who is"
 SHORT_OF = 3.0  # [m] of a junction
+IN_ITS_LANE = 18.0, 30.0  # [m] beyond where an ego comes into the lane from beside it, of who is ahead in that
 IN_QUEUE = 1.5, 4.0  # [m], nose to tail, between two who stand, from and to
 PASSED_WITHIN = 10.0  # [m] of where it has changed lanes, that the ego passes who stood in its own
 CAREFUL = 1.5, 2.5  # [s] behind the ego, from and to, is who is careful, and lets it into its lane
@@ -95,6 +96,8 @@ def _over(asked: Asked, aside: float, side: str) -> Stand:
 def _ahead(asked: Asked) -> Stand:
     if bolts(asked.one):
         return _over(asked, EDGE, Side.RIGHT)
+    if asked.walks and (over := next((one for one in asked.one.does if one.act in acts_of(Heads.ACROSS)), None)):
+        return _over(asked, EDGE, Side.LEFT if over.to is Side.RIGHT else Side.RIGHT)
     if asked.walks:
         return _ahead_on_foot(asked)
     aside = -0.9 if asked.rides else 0.0
@@ -235,6 +238,9 @@ def _next_lane(asked: Asked) -> Stand:
             return parked_beside(asked)
         if asked.one.starts.where is Where.BEHIND_BESIDE:
             return comes_along(asked)
+        if asked.one.starts.where is Where.AHEAD_BESIDE and asked.side == Side.LEFT and not backs(asked.situation):
+            asked.reach(*IN_ITS_LANE, "how far beyond where the ego comes into its lane it is")
+            return Stand(meets=Meets.ALONG, at=f"egoRoute.eventAt + $Y{asked.more}")
         raise NothingBuilds(
             f"cannot be built yet: others.{asked.one.id}.starts.where: {asked.one.starts.where} with a parked ego"
         )

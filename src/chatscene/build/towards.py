@@ -16,6 +16,8 @@ FROM_BEHIND = acts_of(Heads.BEHIND, Heads.CLOSE, Heads.BY)
 """What is done to somebody by who is behind."""
 _FARTHER = frozenset((Where.AHEAD, Where.AHEAD_BESIDE, Where.EXIT))
 """Places in which who stands farther from the ego has the others of its row behind it."""
+_IN_ONE_LANE = frozenset((Where.AHEAD, Where.AHEAD_BESIDE, Where.BEHIND))
+"""Where those who are farther away are hidden by who is nearer."""
 _EGO = re.compile(r"\bego\b")
 
 
@@ -30,8 +32,9 @@ def to_whom(text: str, deed: Deed) -> str:
 
 
 def screens(one: Other, hidden: Other) -> bool:
-    """Whether somebody can hide another by being nearer to the ego in its lane."""
-    return hidden.hidden_by == one.id and one.starts.where is hidden.starts.where is Where.AHEAD
+    """Whether somebody can hide another by being nearer to the ego in one lane."""
+    same = one.starts.where is hidden.starts.where and one.starts.side is hidden.starts.side
+    return hidden.hidden_by == one.id and same and one.starts.where in _IN_ONE_LANE
 
 
 def passes(one: Other, other: Other) -> bool:

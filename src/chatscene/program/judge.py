@@ -15,7 +15,7 @@ from functools import partial
 import numpy as np
 
 from chatscene.program.contacts import is_of, is_with, of_contact
-from chatscene.program.deeds import ACTIONS, Act, tailgates
+from chatscene.program.deeds import ACTIONS, MOVING, Act, tailgates
 from chatscene.program.doing import (
     ACTS,
     MOST_OF,
@@ -51,6 +51,7 @@ from chatscene.terms.episode import Episode, Track
 from chatscene.terms.mirroring import mirrored_drive, mirrored_route, mirrored_situation, mirrored_words
 from chatscene.terms.rolling import as_it_rolls
 from chatscene.terms.route import Route
+from chatscene.terms.routing import BEGINS
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation
 from chatscene.terms.vocabulary import (
     ASIDE,
@@ -225,7 +226,8 @@ class _Judge:
             told = f"said {start.facing}, it is turned by {turned:.0f} degrees to the left of the ego"
             yield Finding(path=f"{at}.starts.facing", shown=faces(seen, start.facing), told=told, at=0.0)
         if start.side is not None and start.where is not Where.EXIT_CROSSING:
-            left = left_of_ego(seen, self.route)
+            beside = self.situation.ego.route in BEGINS and start.where is Where.AHEAD_BESIDE
+            left = float(seen.across[0]) if beside else left_of_ego(seen, self.route)
             right = (left > 0) == (start.side is Side.LEFT)
             yield Finding(path=f"{at}.starts.side", shown=right, told=f"said {start.side}, {where}", at=0.0)
         if backs(self.situation) and start.distance is not None and self.situation.ego.route is not EgoRoute.REVERSE:
@@ -266,6 +268,20 @@ class _Judge:
         steps = still[:: 3 if seen.dt < 0.2 else 1].tolist()
         return any(in_between(thing, seen.ego, seen.track, step) for thing in self._tracks(by) for step in steps)
 
+    def _from_view(self, one: Other, k: int, once: Act, seen: Seen) -> Act:
+        """The first deed of who comes driving and is hidden at first, from when it comes into view."""
+        drives = one.starts.where in _DRIVES_OUT and abs(float(seen.track.speed[0])) > MOVING
+        if k or one.hidden_by is None or not drives:
+            return once
+        apart = np.hypot(seen.track.x - seen.ego.x, seen.track.y - seen.ego.y)
+        hidden = (
+            step
+            for step in range(int(apart.argmin()), -1, -1)
+            for thing in self._tracks(one.hidden_by)
+            if in_between(thing, seen.ego, seen.track, step)
+        )
+        return replace(once, began=next(hidden, once.began))
+
     def _deeds(self, one: Other, at: str, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
         sequence = Sequence.of(one, seen)
         for k, deed in enumerate(one.does):
@@ -294,7 +310,7 @@ class _Judge:
             yield Finding(path=f"{path}.act", shown=True, told=f"said {act}", at=once.began * seen.dt, cut=cut)
             yield from self._how(one, path, deed, once, seen)
             if deed.when is not None:
-                self.waits.append((f"{path}.when", deed, once, seen))
+                self.waits.append((f"{path}.when", deed, self._from_view(one, k, once, seen), seen))
 
     def _lasting(self, one: Other, at: str, seen: Seen, done: Mapping[str, Act]) -> Iterator[Finding]:
         """How long what goes on is done, until the next deed begins."""

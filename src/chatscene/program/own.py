@@ -14,6 +14,7 @@ from chatscene.program.finding import Finding, not_judged
 from chatscene.program.meaning import EGO_STATES
 from chatscene.program.watching import watch
 from chatscene.terms.arrays import Array
+from chatscene.terms.backing import backs
 from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import EgoState
@@ -23,6 +24,7 @@ from chatscene.terms.vocabulary import CHANGES, Act, Breach, Side
 OVER = 5  # [steps] at the end of which an ego that is hit is seen to lose speed
 LOST_AT_ONCE = 0.5  # [m/s] that it has lost then, if it was losing speed when it was hit
 CHANGED = 2.2  # [m] from its line: an ego that is farther has changed lanes
+BACK = 0.3  # [m/s] from which on an ego is seen to go back
 EDGE = 1.0  # [m] from its line at least an ego that stands at the edge
 _STATES = {Act.STOP: EgoState.STOPS, Act.SLOW_DOWN: EgoState.SLOWS_DOWN, Act.BRAKE: EgoState.BRAKES}
 _ASIDE = {Act.SWERVE: DRIFTED, Act.DRIFT: DRIFTED, Act.LANE_CHANGE: CHANGED, Act.PARK: EDGE}
@@ -42,7 +44,9 @@ def of_ego(situation: Situation, episode: Episode, route: Route, contact: int | 
     speed = np.abs(episode.ego_track.speed[:until])
     for k, deed in enumerate(situation.ego.does):
         path = f"ego.does.{k}"
-        if deed.act is Act.LANE_CHANGE and situation.ego.route in CHANGES:
+        if deed.act is Act.REVERSE and not backs(situation):
+            yield _backs_up(f"{path}.act", episode, until)
+        elif deed.act is Act.LANE_CHANGE and situation.ego.route in CHANGES:
             yield not_judged(f"{path}.act")  # which its way is, and is judged as that
         elif deed.act is Act.OVERTAKE:
             yield from _passes(path, deed, situation, episode, route, contact)
@@ -96,6 +100,13 @@ def _pedals(
         yield Finding(path=path, shown=shown, told=f"said accelerate, {course}")
     else:
         yield not_judged(path)
+
+
+def _backs_up(path: str, episode: Episode, until: int | None) -> Finding:
+    """Whether an ego that drives forwards goes back some way."""
+    speed = episode.ego_track.speed[:until]
+    shown = bool((speed < -BACK).any()) or (None if until is not None else False)
+    return Finding(path=path, shown=shown, told=f"said reverse, its least speed is {speed.min():.1f} m/s")
 
 
 def _passes(

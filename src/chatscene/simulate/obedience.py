@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from chatscene.terms.actors import Limits
-from chatscene.terms.order import Order, demands, steers_to
+from chatscene.terms.order import Order, backs_at, demands, steers_to
 from chatscene.terms.polyline import Polyline
 from chatscene.world.control import pedals as pedals_for
 from chatscene.world.control import wheel_to
@@ -82,6 +82,19 @@ class Obedience:
             return pedals_for(speed, least) if after < least <= most else asked
         needed = ((speed - most) / dt - limits.drag) / limits.brake
         return 0.0, max(brake, min(max(needed, 0.0), 1.0))
+
+    def backs(self, *, time: float, along: float, speed: float) -> tuple[float, float, bool] | None:
+        """Throttle, brake and gear of an ego that is to drive backwards, or still does; None of any other.
+
+        Args:
+            time: Since the beginning [s].
+            along: Arc length of the ego on its route [m].
+            speed: Of the ego [m/s].
+        """
+        wish = backs_at(self.counting(time), along)
+        if wish > 0.0 and speed <= ROLLING:
+            return (*pedals_for(-speed, wish), True)
+        return (0.0, 1.0, False) if wish > 0.0 or speed < -ROLLING else None
 
     def steer(
         self, asked: float, *, time: float, line: Polyline, along: float, pose: tuple[float, float, float, float],

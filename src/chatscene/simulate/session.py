@@ -205,6 +205,11 @@ class SteppedSession:
                     else 0
                 )
                 held.meet(number, time, math.hypot(other.x - body.x, other.y - body.y), phase)
+        if (backwards := held.backs(time=time, along=along, speed=body.speed)) is not None:
+            body.throttle, body.brake, body.reverse = backwards
+            body.steer = 0.0
+            return
+        body.reverse = False
         body.throttle, body.brake = held.pedals(
             pressed[:2], time=time, along=along, speed=body.speed, dt=dt, limits=self.limits
         )

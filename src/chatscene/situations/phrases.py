@@ -389,7 +389,7 @@ _ACTS: Mapping[Act, Doing] = {
     Act.REVERSE: Doing(does="[back/backs/backing] up"),
     Act.PULL_OUT: Doing(does="[pull/pulls/pulling] out into {egos} lane"),
     Act.CUT_IN: Doing(does="[cut/cuts/cutting] in", whom=" ahead of {whom}", distance=_GAP, time=_GAP_IN_TIME),
-    Act.LANE_CHANGE: Doing(does="[change/changes/changing] lanes", time=_OVER),
+    Act.LANE_CHANGE: Doing(does="[change/changes/changing] lanes", time=_OVER, distance=" within {distance}"),
     Act.CUT_OUT: Doing(does="[move/moves/moving] out of {egos} lane", time=_OVER),
     Act.MERGE: Doing(does="[merge/merges/merging] into {egos} lane", distance=_GAP, time=_GAP_IN_TIME),
     Act.OVERTAKE: Doing(does="[overtake/overtakes/overtaking] {whom}", distance=_GAP),

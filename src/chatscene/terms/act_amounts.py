@@ -40,7 +40,7 @@ _MEANS: Mapping[Act, Mapping[str, str]] = {
     Act.GO_STRAIGHT: _THROUGH,
     Act.TURN_LEFT: _THROUGH,
     Act.TURN_RIGHT: _THROUGH,
-    Act.LANE_CHANGE: {"time": "how long it takes"},
+    Act.LANE_CHANGE: {"time": "how long it takes", "distance": "within what distance"},
     Act.CUT_OUT: {"time": "how long it takes"},
     Act.OVERTAKE: {"distance": "how far ahead it is before it comes back"},
     Act.DRIFT: _ASIDE,

@@ -23,6 +23,7 @@ class Order:
         at_least: The least it drives [m/s], if no order has it slower: it does not brake, whatever is ahead.
         aside: Where it is steered to, metres to the left of its route; nan leaves the wheel to it.
         over: How long [s] it takes to get there.
+        back: How fast it drives backwards [m/s], straight, once it has come to a stand; 0 for not at all.
         whom: The label of somebody. The order is none until the ego is near to that one, or that one is so far in its
             plan, and its times count from then.
         within: How near [m], from middle to middle.
@@ -38,6 +39,7 @@ class Order:
     at_least: float = 0.0
     aside: float = math.nan
     over: float = 0.0
+    back: float = 0.0
     whom: str = ""
     within: float = 0.0
     phase: int = -1
@@ -64,6 +66,16 @@ def demands(orders: Iterable[tuple[Order, float]], along: float) -> float:
         along: Where it is on its route [m].
     """
     return max((order.at_least for order, time in orders if order.holds(time, along)), default=0.0)
+
+
+def backs_at(orders: Iterable[tuple[Order, float]], along: float) -> float:
+    """How fast the ego is to drive backwards [m/s]; 0 if it is not to.
+
+    Args:
+        orders: Those that count, and for how long [s].
+        along: Where it is on its route [m].
+    """
+    return max((order.back for order, time in orders if order.holds(time, along)), default=0.0)
 
 
 def steers_to(orders: Sequence[tuple[Order, float]], along: float) -> float:

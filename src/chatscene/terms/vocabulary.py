@@ -487,7 +487,7 @@ class Act(RowWord):
     LANE_CHANGE = (
         "lane-change",
         "changes lanes in any other way",
-        _act(_WHEELS, "speed time", Heads.OVER, ego=True, sided=True, placed=True),
+        _act(_WHEELS, "speed time distance", Heads.OVER, ego=True, sided=True, placed=True),
     )
     CUT_OUT = (
         "cut-out",

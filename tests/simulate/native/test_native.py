@@ -339,6 +339,17 @@ def test_an_ordered_ego_on_ice_at_night_is_held_to_its_orders(native: NativeSimu
     assert _agrees(native, program, _scene(), load_ego("rule-based"))
 
 
+def test_an_ego_that_is_to_go_back_comes_to_a_stand_goes_back_as_far_and_stays_there(native: NativeSimulator) -> None:
+    orders = "Order(back=1.5, since=2, till=6), Order(at_most=0, since=6)"
+    program = _program(PHASES["Halt"], ego=f", with speed 6, with orders ({orders})")
+    episode = _agrees(native, program, _scene(), load_ego("idm"))
+    assert episode is not None
+    speed = episode.ego_track.speed
+    assert speed.min() == pytest.approx(-1.5, abs=0.2)
+    assert -6.5 < speed[speed < 0.0].sum() * episode.dt < -3.5
+    assert abs(speed[70:]).max() < 0.1
+
+
 @pytest.mark.parametrize("until", (False, True))
 def test_an_order_that_waits_for_how_far_somebody_is_in_its_plan_holds_from_then_or_until_then(
     native: NativeSimulator, until: bool

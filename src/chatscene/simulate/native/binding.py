@@ -228,7 +228,7 @@ class _Binder:
         agent = plans.index(of) if follows else -1
         met = np.inf if order.whom and not order.ends else 0.0
         row = engine.Order(of=of, agent=agent, phase=order.phase, ends=order.ends, met=met)
-        for name in ("at_most", "since", "till", "place", "braking", "at_least", "aside", "over", "within"):
+        for name in ("at_most", "since", "till", "place", "braking", "at_least", "aside", "over", "back", "within"):
             setattr(row, name, getattr(order, name))
         return row
 

@@ -118,7 +118,7 @@ typedef struct {
 } Agent;
 
 typedef struct {
-    double at_most, since, till, place, braking, at_least, aside, over, within, met; /* met: since when it counts */
+    double at_most, since, till, place, braking, at_least, aside, over, back, within, met; /* met: since when it counts */
     int64_t of, agent, phase; /* indices of the body that it waits for and of its plan, and a phase; -1 for none */
     int64_t ends;             /* whether it ends then */
 } Order;
@@ -1088,7 +1088,7 @@ static void look(World *w) {
 /* chatscene.terms.order and chatscene.simulate.obedience.Obedience */
 static void obey(World *w, Body *ego) {
     double time = (double)w->step * w->dt, along = w->along + ego->speed * w->dt, most = INFINITY, least = 0.0;
-    double left = NAN;
+    double left = NAN, back = 0.0;
     for (int64_t i = 0; i < w->orders; i++) {
         Order *o = &w->order[i];
         if (o->of >= 0) {
@@ -1110,10 +1110,21 @@ static void obey(World *w, Body *ego) {
         }
         if (!(o->since <= for_time && for_time < o->till && w->along >= o->place)) continue;
         least = o->at_least > least ? o->at_least : least;
+        back = o->back > back ? o->back : back;
         if (!isnan(o->aside)) {
             double done = o->over > 0.0 ? (for_time - o->since) / o->over : 1.0;
             left = o->aside * (done < 1.0 ? done : 1.0);
         }
+    }
+    ego->reverse = 0;
+    if (back > 0.0 || ego->speed < -0.1) { /* Obedience.backs */
+        ego->throttle = ego->steer = 0.0;
+        ego->brake = 1.0;
+        if (back > 0.0 && ego->speed <= 0.1) {
+            pedals(-ego->speed, back, ego);
+            ego->reverse = 1;
+        }
+        return;
     }
     if (!isnan(left)) {
         Agent driver = {.along = w->along};

@@ -125,7 +125,19 @@ class Order(Structure):
     _fields_ = (
         *(
             (name, c_double)
-            for name in ("at_most", "since", "till", "place", "braking", "at_least", "aside", "over", "within", "met")
+            for name in (
+                "at_most",
+                "since",
+                "till",
+                "place",
+                "braking",
+                "at_least",
+                "aside",
+                "over",
+                "back",
+                "within",
+                "met",
+            )
         ),
         *((name, c_int64) for name in ("of", "agent", "phase", "ends")),
     )
