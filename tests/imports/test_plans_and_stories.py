@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from chatscene.imports.openscenario import ScenarioFile
 from chatscene.imports.written_story import StoryProgram
 from chatscene.terms.storyboard import Storyboard
-from straight import CAR, event, group, lane, of, read, scenario, speed, time, trigger
+from straight import CAR, event, group, lane, of, read, scenario, speed, time, trigger, written
 
 ENTITIES = {name: f'<ScenarioObject name="{name}">{CAR.format("")}</ScenarioObject>' for name in ("ego", "A")}
 
@@ -158,6 +159,13 @@ def test_constraints_hold_of_a_parameter_that_is_made_of_another(tmp_path: Path)
     text = scenario(group("A", event("one", speed("$v"), time(1))), before=RANGE.format(told))
     with pytest.raises(ScenarioError, match=r"line \d+: <ParameterDeclaration>: 30 is not within 2 to 8"):
         read(tmp_path, text)
+
+
+def test_that_a_value_from_outside_is_beyond_its_constraints_is_told(tmp_path: Path) -> None:
+    told = RANGE.format(varying("v", 5, *within(2, 8)))
+    path = written(tmp_path, scenario(group("A", event("one", speed("$v"), time(1))), before=told))
+    said = ScenarioFile(path).said({"v": "20"})
+    assert any("$v is 20, and its constraints are 2 to 8" in note for note in said.notes)
 
 
 def test_a_speed_that_may_be_below_nothing_is_no_plan(tmp_path: Path) -> None:

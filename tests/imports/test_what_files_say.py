@@ -152,6 +152,15 @@ def test_what_bounds_somebody_may_be_endless(tmp_path: Path) -> None:
     assert driven(tmp_path, scenario(group("A", slows), entities=names)).speed[21] == 0
 
 
+@pytest.mark.parametrize("sight", ["INF", "1e7"])
+def test_who_sees_for_ever_sees_no_fog(sight: str, tmp_path: Path) -> None:
+    weather = f'<Weather cloudState="free"><Fog visualRange="{sight}"/></Weather>'
+    around = f'<GlobalAction><EnvironmentAction><Environment name="e">{weather}</Environment></EnvironmentAction></GlobalAction>'
+    usual = first("ego", put(lane(50)), speed(10)) + first("A", put(lane(100)), speed(10))
+    board = read(tmp_path, scenario(group("A", STANDS), inits=around + usual)).board
+    assert str(board.surroundings) == ""
+
+
 def test_who_is_refused_is_not_said_to_be_absent_as_well(tmp_path: Path) -> None:
     zeppelin = CAR.format("").replace('"car"', '"zeppelin"')
     names = f'<ScenarioObject name="ego">{CAR.format("")}</ScenarioObject><ScenarioObject name="A">{zeppelin}</ScenarioObject>'

@@ -87,6 +87,17 @@ def test_a_reference_line_that_turns_at_once_is_told(tmp_path: Path) -> None:
     assert "its reference line bends by 90° at s=100" in told(tmp_path, road(pieces=pieces, length=200))
 
 
+def test_a_lane_that_ends_far_from_the_one_that_it_leads_to_is_told(tmp_path: Path) -> None:
+    one = road(length=100).replace(
+        "<link/><planView>", '<link><successor elementType="road" elementId="2" contactPoint="start"/></link><planView>'
+    )
+    one = one.replace("<link/><width", '<link><successor id="-1"/></link><width')
+    two = road(pieces=LINE.format(0, 100, -8, 100), length=100).replace('id="1" junction', 'id="2" junction')
+    second = two[two.index("<road") : two.index("</OpenDRIVE>")]
+    said = told(tmp_path, one.replace("</OpenDRIVE>", f"{second}</OpenDRIVE>"))
+    assert "road '1': lane -1 ends 8.0 m from lane -1 of road '2', to which it leads" in said
+
+
 VIRTUAL = '<road name="" length="20" id="7" junction="9"><link><predecessor elementType="road" elementId="1" elementS="500" elementDir="+"/></link><planView><geometry s="0" x="500" y="-7" hdg="-1.5" length="20"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none" level="false"/></center><right>{}</right></laneSection></lanes></road><junction id="9" name="" type="virtual" mainRoad="1" sStart="495" sEnd="505" orientation="-"><connection id="0" incomingRoad="1" connectingRoad="7" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction></OpenDRIVE>'
 
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree as Xml
 
 from chatscene.errors import MapError
 from chatscene.maps.furniture import Stand, furniture_of
@@ -34,6 +36,7 @@ ROUTES = 10  # per base scenario, as in the paper (section 4.2)
 _ASIDE_OF_TRAFFIC = frozenset(
     ("none", "sidewalk", "walking", "shoulder", "parking", "stop", "border", "biking", "median", "curb", "restricted")
 )
+_TORN = 2.0  # [m], half a lane; a lane that leads on farther from its end is a fault of the map
 _BENT = math.radians(15.0)  # a corner in a reference line that is more is a fault of the map
 _ASIDE = 0.5  # [m]; a middle farther outside its lane is a fault of the map
 _SHARED = 0.5  # [m]; lanes of one road that overlap more widely than this are a fault of the map
@@ -143,7 +146,8 @@ def check_map(path: Path) -> tuple[str, ...]:
         network = load_network(path)
     except MapError as error:
         return (str(error),)
-    problems = [*put_right(path), *_jumps(path), *_dead_lanes(network), *_overlaps(network), *_strays(network)]
+    jumps = map(lanes_on_map, _jumps(path)) if network.mirrored else _jumps(path)
+    problems = [*put_right(path), *jumps, *_dead_lanes(network), *_overlaps(network), *_strays(network)]
     if not any(_count(network, path.stem, query) for queries in BASE_SCENARIO_QUERIES.values() for query in queries):
         problems.append(
             f"no base scenario finds a route: there is neither a lane that is straight for {SHORT_ROAD:.0f} m without "
@@ -197,15 +201,41 @@ def _overlaps(network: Any) -> list[str]:
 
 
 def _jumps(path: Path) -> list[str]:
-    """Reference lines that do not go on where a piece of them ends, or not in its direction."""
+    """Lines and lanes that do not go on where what leads to them ends, and lines that turn there."""
     found: list[str] = []
-    for road in map(DrawnRoad, check_opendrive(path).iter("road")):
+    elements = {element.get("id", ""): element for element in check_opendrive(path).iter("road")}
+    roads = {number: DrawnRoad(element) for number, element in elements.items()}
+    for number, road in roads.items():
+        found += _torn(road, elements[number], roads)
         for s, gap, turn in road.joints():
             if gap > MISFIT:
                 found.append(f"road {road.name!r}: its reference line leaps {gap:.2f} m at s={s:g}")
             elif turn > _BENT:
                 found.append(f"road {road.name!r}: its reference line bends by {math.degrees(turn):.0f}° at s={s:g}")
     return found
+
+
+def _torn(road: DrawnRoad, element: Xml.Element, roads: Mapping[str, DrawnRoad]) -> Iterator[str]:
+    """Lanes that lead to one of the next road that does not begin where they end."""
+    sections = element.findall("lanes/laneSection")
+    for at, tag, section in (("start", "predecessor", sections[0]), ("end", "successor", sections[-1])):
+        beyond = road.ends.get(at)
+        other = roads.get(beyond.number) if beyond is not None and beyond.kind == "road" else None
+        if beyond is None or other is None or not beyond.contact:
+            continue
+        ends = [(one, 0.0 if where == "start" else one.length) for one, where in ((road, at), (other, beyond.contact))]
+        for lane in section.iter("lane"):
+            if lane.get("type") not in DRIVEN or (link := lane.find(f"link/{tag}")) is None:
+                continue
+            both = zip(ends, (int(lane.get("id", "0")), int(link.get("id", "0"))), strict=True)
+            there = [
+                (number, one.place(s, one.middle_at(s, number)))
+                for (one, s), number in both
+                if number in one.lanes_at(s)
+            ]
+            if len(there) == 2 and (gap := math.dist(there[0][1][:2], there[1][1][:2])) > _TORN:
+                named = f"lane {there[0][0]} ends {gap:.1f} m from lane {there[1][0]} of road {other.name!r}"
+                yield f"road {road.name!r}: {named}, to which it leads"
 
 
 def _strays(network: Any) -> list[str]:
