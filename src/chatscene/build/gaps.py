@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import Meets, goes_slowly
 from chatscene.build.contact import misses
 from chatscene.build.cutting_in import SLOWER, comes_before, gets_before, leaves, seconds_to_get_before, set_speed
-from chatscene.build.deeds import BACKS_GAIN, OWN, SLOW_FOR
+from chatscene.build.deeds import OWN, SLOW_FOR
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.relations import speed_of
@@ -316,14 +316,14 @@ def backs_by(actor: Actor, k: int) -> str:
     speed = numbers.middle(f"BACK_{k}") if deed.speed is not None else BACKS
     numbers.narrow(f"BACK_{k}", speed, speed)
     low, high = deed.distance.drawn(*BACKS_FAR)
-    gets, stops = speed / BACKS_GAIN, speed**2 / (2.0 * actor.limits.brake)  # until it is as fast, and then stands
-    least = 0.5 * speed * gets + stops
+    stops = speed**2 / (2.0 * actor.limits.brake)  # to come to a stand again
+    least = speed**2 / (2.0 * actor.limits.throttle) + stops
     if deed.speed is not None and high < least:
         raise NotBuilt(
             f"{at}.distance: {deed.distance} is too short to back up at {deed.speed}; say"
             f" {math.ceil(10 * least) / 10:g} m at least"
         )
-    if deed.speed is not None:
-        low, high = max(low, least) + 0.5 * speed * gets - stops, max(high, least) + 0.5 * speed * gets - stops
-    numbers.measure(f"BACK_TIME_{k}", low / speed, high / speed, "s", "for how long it backs up", f"{at}.distance")
+    body = Body(actor.limits, actor.walks)
+    low, high = (body.covers(max(end - stops, 0.0), speed) for end in (low, high))
+    numbers.measure(f"BACK_TIME_{k}", low, high, "s", "for how long it backs up", f"{at}.distance")
     return f"BACK_TIME_{k}"
