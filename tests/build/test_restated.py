@@ -124,3 +124,16 @@ def test_an_ego_that_drifts_leaves_its_line_by_what_an_overlap_with_who_comes_th
     drifts = {"act": "drift", "to": "left", "speed": "0.3 m/s", "lateral": {"overlap": "50 %"}}
     source = built(one("car", "oncoming", "go-along"), ego={"does": [drifts]}, road={"two_way": True}).program.source
     assert "aside=2.43" in source
+
+
+def test_who_stands_ahead_and_is_met_at_a_point_of_the_front_stands_so_far_aside() -> None:
+    stands = one("motorcycle", {"where": "ahead", "lateral": {"side": "left"}}, "stand")
+    made = built(stands, contact={"ego": "front", "other": "rear", "striker": "ego", "at": "25 %"})
+    assert ".offset(0.53" in made.program.source
+
+
+def test_the_ego_can_be_level_with_who_pulls_out_of_a_bay_but_not_with_who_crosses() -> None:
+    near = {"when": {"ego_within": "0 m"}}
+    assert built(one("bus", "bus-bay", {"act": "pull-out"} | near)).left_out == ()
+    with pytest.raises(NotBuilt, match="then it is too late"):
+        built(one("child", {"where": "roadside", "side": "right"}, {"act": "cross"} | near))

@@ -15,7 +15,7 @@ from chatscene.situations.faults import Fault
 from chatscene.terms.act_amounts import AMOUNTS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
-from chatscene.terms.situation import EGO, Deed, Other, Situation
+from chatscene.terms.situation import EGO, Deed, Other, Situation, When
 from chatscene.terms.vocabulary import (
     ASIDE,
     COMES_IN,
@@ -68,6 +68,8 @@ TO_ANOTHER = by_act(
     }
 )
 """Where from to somebody else."""
+_LEVEL_WITH = _LANES - {Where.ARM} | {Where.KERB, Where.BUS_BAY, Where.ON_RAMP}
+"""Where somebody is with whom the ego can be level."""
 _TURNED = acts_of(Heads.ROUND, Heads.BACK, Heads.TURNS, Heads.OFF)
 _STILL = HALTS | acts_of(Tempo.WAITS, Tempo.LIES, Heads.EDGE)
 _MAY_STAND = _STILL | acts_of(Tempo.BRAKES, Tempo.BACKS) | {Act.OPEN_DOOR}
@@ -144,8 +146,18 @@ def _of_nothing(situation: Situation) -> Iterator[Fault]:
                 if name not in rooms and _is_nothing(said := getattr(deed, name)):
                     told = f"nobody goes at that; say {Act.STOP} or {Act.STAND}" if name == "speed" else "that is none"
                     yield Fault((f"{at}.{k}.{name}",), f"{said}: {told}")
-            if deed.when is not None and _is_nothing(deed.when.ego_within):
+            if (
+                deed.when is not None
+                and _is_nothing(deed.when.ego_within)
+                and not _is_passed(situation, who, deed.when)
+            ):
                 yield Fault((f"{at}.{k}.when.ego_within",), f"{deed.when.ego_within}: then it is too late")
+
+
+def _is_passed(situation: Situation, who: str, when: When) -> bool:
+    """Whether the ego can be level with somebody: it goes by who is on the road, or at its edge."""
+    whom = when.of or who
+    return whom != EGO and situation[whom].starts.where in _LEVEL_WITH
 
 
 def _is_nothing(said: Amount | None) -> bool:

@@ -17,7 +17,7 @@ from chatscene.build.timing import Body
 from chatscene.build.waiting import SIGNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Length, Speed
-from chatscene.terms.situation import EGO, Deed, Ego, Other, Situation, When
+from chatscene.terms.situation import EGO, LATERALS, Deed, Ego, Lateral, Other, Situation, When
 from chatscene.terms.vocabulary import (
     FOR_SOMEBODY,
     SIDEWAYS,
@@ -33,6 +33,8 @@ from chatscene.terms.vocabulary import (
 _AGAINST = {Where.ONCOMING_IN_OUR_LANE: None, Where.ONCOMING: Side.LEFT}
 """Where somebody on foot comes the other way, and on which side of the lane that it then walks in."""
 FROM_LINE, EGO_FIRST = 8.0, 1.0  # [m] from its line to the ego's way; [s] that the ego may be there first
+_IN_LINE = frozenset((Where.AHEAD, Where.ONCOMING_IN_OUR_LANE))
+"""Where somebody is met by the ego's front along its lane."""
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
 
 
@@ -59,7 +61,8 @@ def restated(situation: Situation) -> Restated:
     """A situation in the form in which it is built."""
     made = Restated(situation)
     _go_past(made)
-    others = tuple(map(_on_foot_against, situation.others))
+    _met_at_a_point(made)
+    others = tuple(map(_on_foot_against, made.situation.others))
     made.situation = replace(made.situation, others=others)
     for rule in (_on_foot_at_arm, _at_its_first_speed, _for_whom, _comes_into_view):
         made.each(rule)
@@ -156,6 +159,23 @@ def _seen_of(situation: Situation, one: Other, deed: Deed) -> str | None:
     seen = (k for k, then in enumerate(other.does) if not then.act.row.lasting and then.act in SIGNS)
     first = next(seen, None)
     return None if first is None or one.id in waits or stands_first(one) else f"{other.id}.{first}"
+
+
+def _met_at_a_point(made: Restated) -> None:
+    """Who is met in the ego's lane at a point of the ego's width stands or goes so far aside, which is an overlap."""
+    situation, contact = made.situation, made.situation.contact
+    if contact is None or contact.at is None or contact.behind_nose is not None:
+        return
+    for one in situation.adversaries:
+        lateral = one.starts.lateral or Lateral()
+        free = all(getattr(lateral, name) is None for name in LATERALS)
+        if not free or contact.whom not in (None, one.id) or one.starts.where not in _IN_LINE:
+            continue
+        made.taken += ["contact.at", f"others.{one.id}.starts.lateral"]
+        placed = replace(one, starts=replace(one.starts, lateral=replace(lateral, overlap=contact.at)))
+        others = tuple(placed if other is one else other for other in situation.others)
+        made.situation = replace(situation, others=others, contact=replace(contact, at=None))
+        return
 
 
 def _go_past(made: Restated) -> None:
