@@ -165,7 +165,7 @@ def test_words_that_no_quote_covers_are_told_in_runs_without_the_small_words_aro
             "evidence": {"quoted": {"others.A.kind": "van", "others.A.starts": "comes from the left"}},
         }
     )
-    assert unread(said, text) == ("don't see", "driven by a pizza boy on the phone")
+    assert unread(said, text) == ("driven by a pizza boy on the phone", "don't see")
 
 
 def test_a_model_that_is_never_right_is_an_error_that_names_the_faults_after_two_repairs() -> None:

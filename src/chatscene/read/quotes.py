@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from chatscene.read.ego_named import ego_named
 from chatscene.read.kinds import is_named
+from chatscene.read.learned.words import tells
 from chatscene.read.without_effect import without_effect
 from chatscene.situations.facts import GAP, is_said, said_in, within
 from chatscene.situations.phrases import KINDS
@@ -58,6 +59,7 @@ def without_words(situation: Situation) -> tuple[str, ...]:
 def unread(situation: Situation, text: str) -> tuple[str, ...]:
     """The words of a text that are in no quote of a situation, each run of them as it stands.
 
+    First are those that most often told a fact where they stood in what was learned from, by the word that did so most.
     Function words and prepositions are left away, and what is known to be without effect, such as a colour.
 
     Words that stand in the text several times are read wherever they stand: nobody says which of them was meant.
@@ -85,7 +87,8 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
         else:
             runs.append(word.span())
         open_run = True
-    return tuple(dict.fromkeys(" ".join(text[start:end].split()) for start, end in runs))
+    told = dict.fromkeys(" ".join(text[start:end].split()) for start, end in runs)
+    return tuple(sorted(told, key=lambda run: -max(tells(word) for word in run.split())))
 
 
 def words_of(situation: Situation, text: str) -> tuple[Word, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TextIO, cast
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
 _ANSWERS = {Answer.SERVED: "green", Answer.REFUSED: "red", Answer.FAILED: "red", Answer.OUT_OF_REACH: "dim"}
 WIDTH = 120  # characters of a line where no terminal says
 BAR = 20  # characters of what is done and what is not
+
+_SENTENCE = re.compile(r"(?<=\.) (?=[A-Z])")
+_OF_THE_ONE_BEFORE = re.compile(r"(?:It|They|After that|The)\b")
 
 
 def visible(text: str) -> str:
@@ -105,11 +109,28 @@ def readings_in_words(readings: Sequence[OfferedReading], *, also: bool = False,
     ways = " or ".join(f"{option}reading {one.number}" for one in readings)
     if facts := " or ".join(f"{option}set {one.settled_by}" for one in readings if one.settled_by):
         ways += f"; or state what is open: {facts}"
+    shared = _shared([one.told for one in readings])
+    begins = "It may also say" if also else "It may say"
     return [
-        "It may also say:" if also else "It may say:",
-        *(f"  {one.number}  ({one.probability:.0%})  {one.told}" for one in readings),
+        f"{begins}, in each case “{' '.join(shared)}”, and:" if shared else f"{begins}:",
+        *(f"  {one.number}  ({one.probability:.0%})  {_without(shared, one.told)}" for one in readings),
         f"If {'one of these' if len(readings) > 1 else 'that'} is meant: {ways}",
     ]
+
+
+def _shared(told: Sequence[str]) -> list[str]:
+    """The sentences that all of some readings have, but for those of which only others say who they are about."""
+    if len(told) < 2:
+        return []
+    first, *rest = (_SENTENCE.split(one) for one in told)
+    return [one for one in first if not _OF_THE_ONE_BEFORE.match(one) and all(one in other for other in rest)]
+
+
+def _without(shared: Sequence[str], told: str) -> str:
+    """A reading without what all readings have, as long as anything is left."""
+    left = ["…" if one in shared else one for one in _SENTENCE.split(told)]
+    shown = [one for i, one in enumerate(left) if one != "…" or (i > 0 and left[i - 1] != "…")]
+    return " ".join(shown).removesuffix(" …") if any(one != "…" for one in left) else told
 
 
 def understanding_text(understood: Any) -> str:

@@ -51,7 +51,7 @@ class SituationReading:
         verdict: Whether it tells a situation.
         reason: Why it tells none, in the reader's own words, if it has any.
         ranked: The situations that it may tell, the likeliest first; none unless the verdict is `Verdict.SITUATION`.
-        unread: The words that gave no fact of the likeliest one, in the order of the text.
+        unread: The words that gave no fact of the likeliest one, those first that most often tell one.
         tells: How likely it is that the text tells a situation at all, in [0, 1].
     """
 

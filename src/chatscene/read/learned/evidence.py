@@ -13,9 +13,12 @@ from chatscene.read.learned.grammar import Token, grammar
 from chatscene.read.learned.numbers import Found
 from chatscene.read.learned.sequence import path_of
 from chatscene.read.learned.text import Read
+from chatscene.read.learned.words import is_learned
 from chatscene.read.quotes import says_nothing
 from chatscene.situations.facts import GAP, within
 
+_NAMED = (".kind", "around.light", "around.weather", "around.surface")
+"""Facts whose words are held against what they name (`chatscene.read.quotes.otherwise_named`), new ones as well."""
 _ENDS = " \t\n\r.,;:!?()[]{}\"'\u2018\u2019\u201c\u201d"
 
 
@@ -33,14 +36,16 @@ def marked_in(read: Read, written: Written) -> Mapping[str, tuple[tuple[int, int
 
     A word counts if it is more likely than not one of the fact's; of a fact without such a word the likeliest one does.
     A number says no fact but a number, and neither do the units behind it; what names another word of the same field,
-    as "rain" of ``weather: fog``, does not say this one. A fact that only such words are marked for has none.
-    Of several facts a word belongs to the one that it is likeliest of, unless another has no word besides.
+    as "rain" of ``weather: fog``, does not say this one, nor does a word that was never learned. A fact that only such
+    words are marked for has none. Of several facts a word belongs to the one that it is likeliest of, unless another
+    has no word besides.
     """
     copied = {path_of(written.steps, at): found for at, found in written.found}
     figures = [one for one in read.amounts if any(c.isdigit() for c in read.text[one.low : one.high])]
     spans, begins = _spans(read)
     taken_up = _within(spans, copied.values())
     of_amounts = taken_up | _within(spans, figures)
+    new = {i for i, word in enumerate(spans) if not (is_learned(word[2]) or says_nothing(word[2]))}
     marked: dict[str, dict[int, float]] = {}
     for at, marks in enumerate(written.marks):
         if not written.steps[at].place or at == 0:
@@ -52,6 +57,7 @@ def marked_in(read: Read, written: Written) -> Mapping[str, tuple[tuple[int, int
         token = written.steps[at].token
         other = {i for i, word in enumerate(spans) if _says_another(token, word[2])}
         other |= of_amounts if token is not None else set()
+        other |= set() if path.endswith(_NAMED) else new
         mine = {i: float(likely[i]) for i in range(len(spans)) if i not in other}
         likeliest = max((float(likely[i]) for i in range(len(spans)) if i not in taken_up), default=0.0)
         marked[path] = _marked(mine, likeliest, path in copied)
