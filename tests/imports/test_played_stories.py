@@ -356,13 +356,20 @@ def test_a_second_place_of_init_is_where_somebody_begins(beside: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("time", "most", "after"), [(0.0, UNBOUND, 20.0), (0.0, 5.0, 5.0), (4.0, 5.0, 5.0), (NO_TIME, 5.0, 5.0)]
+    ("time", "most", "exactly", "after"),
+    [
+        (0.0, UNBOUND, False, 20.0),
+        (0.0, 5.0, False, 5.0),
+        (0.0, 5.0, True, 20.0),
+        (4.0, 5.0, False, 5.0),
+        (NO_TIME, 5.0, True, 5.0),
+    ],
 )
 def test_a_speed_of_a_profile_is_there_at_its_time_and_without_one_as_soon_as_may_be(
-    time: float, most: float, after: float
+    time: float, most: float, exactly: bool, after: float
 ) -> None:
     who, world = SimpleNamespace(speed=0.0, bounds=Bounds()), SimpleNamespace(time=0.0)
-    pace = pace_of(("profile", "", ((time, 20.0),), (UNBOUND, most, UNBOUND)), who, world)  # type: ignore[arg-type]
+    pace = pace_of(("profile", "", ((time, 20.0),), (UNBOUND, most, UNBOUND), exactly), who, world)  # type: ignore[arg-type]
     assert pace is not None
     assert pace.speed(1.0) == pytest.approx(after)
 

@@ -185,7 +185,8 @@ class StoryActions:
         )
         if not entries:
             raise Refused(one, "it has no entry")
-        return ("profile", whom, entries, bounds)
+        exactly = self._given.text(one, "followingMode", "follow") == "position"
+        return ("profile", whom, entries, bounds, exactly)
 
     def _meets(self, one: Element) -> Told:
         master = one.find("TargetPositionMaster") or one.find("TargetPosition1")

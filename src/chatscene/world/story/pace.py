@@ -1,7 +1,7 @@
 """How fast those in a story go: the longitudinal half of what a story tells somebody to do.
 
 ('speed', shape, dimension, amount, target)      target: ('to', m/s), ('delta' or 'factor', whom, value, for good)
-('profile', whom or '', ((s, m/s), …), (top, speeding up, slowing down))
+('profile', whom or '', ((s, m/s), …), (top, speeding up, slowing down), at its times whatever bounds it)
 ('distance', whom, m or s, 'm' or 's', side, freespace, for good, (top, speeding up, slowing down))
 ('meet', whom, its place, own place, final)      final: None or (target, steady m, steady s)
 """
@@ -159,15 +159,20 @@ def _lasts(dimension: str, amount: float, begin: float, end: float, shape: str) 
 class Profile(Pace):
     """Goes through speeds that are told with their times, each reached from the one before.
 
-    It takes longer where it is bound to a smaller acceleration, by what is told or by the body.
+    It takes longer where it is bound to a smaller acceleration, by what is told or by the body; not where it is told
+    to keep to its times exactly.
     """
 
-    def __init__(self, who: Entity, world: World, entries: Any, limits: Any, base: Entity | None) -> None:
+    def __init__(self, who: Entity, world: World, told: tuple[Any, ...], base: Entity | None) -> None:
+        entries, limits, exactly = told
         self._world, self._began, self._base = world, world.time, base
         self._points: list[tuple[float, float]] = [(0.0, who.speed - (base.speed if base else 0.0))]
         top, up, down = map(min, limits, who.bounds.each)
         for time, wish in entries:
             at, before = self._points[-1]
+            if exactly and time >= 0.0:
+                self._points.append((at + time, wish))
+                continue
             speed = min(max(wish, -top), top)
             most = up if speed > before else down
             usual = most if most < UNBOUND else _USUAL
@@ -315,8 +320,8 @@ def pace_of(told: tuple[Any, ...], who: Entity, world: World) -> Pace | None:
     match told:
         case ("speed", shape, dimension, amount, target):
             return Change(who, world, shape, dimension, amount, target)
-        case ("profile", whom, entries, limits):
-            return Profile(who, world, entries, limits, world.entity(whom) if whom else None)
+        case ("profile", whom, *rest):
+            return Profile(who, world, tuple(rest), world.entity(whom) if whom else None)
         case ("distance", whom, *rest):
             return Distance(who, world.entity(whom), tuple(rest))
         case ("meet", whom, *rest):
