@@ -21,8 +21,9 @@ import numpy as np
 from building import simulator
 
 from chatscene.build.build import Built, build
+from chatscene.ego.asking import wanting
 from chatscene.ego.intelligent_driver import OWN, IntelligentDriver, Observation
-from chatscene.ego.policy import EgoPolicy, load_ego, wanting
+from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt
 from chatscene.measure.speeds import speeds
 from chatscene.program.judge import judge

@@ -29,8 +29,8 @@ from encounters import sentences
 from speeds import texts
 
 from chatscene.build.build import Built, build
+from chatscene.ego.asking import fitted
 from chatscene.ego.observation import OWN, ROAD, Observation
-from chatscene.ego.policy import fitted
 from chatscene.ego.traffic_driver import TrafficDriver
 from chatscene.errors import ChatSceneError, NotBuilt
 from chatscene.program.sample import draw, scene_seed

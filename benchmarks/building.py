@@ -30,7 +30,8 @@ from chatscene.build.build import Built, build
 from chatscene.build.deeds import Steps, steps_for
 from chatscene.build.possible import impossible
 from chatscene.build.starts import STARTS
-from chatscene.ego.policy import load_ego, wanting
+from chatscene.ego.asking import wanting
+from chatscene.ego.policy import load_ego
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt
 from chatscene.maps.network import resolve_map
 from chatscene.program.judge import failures, judge

@@ -20,8 +20,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
+from chatscene.ego.asking import begin
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import PEDALS, EgoPolicy, begin, pedals_of
+from chatscene.ego.policy import PEDALS, EgoPolicy, pedals_of
 from chatscene.measure.avoidability import BRAKING_DELAY, FULL_BRAKE, HORIZON, RAMP, WANDERING, avoidable
 from chatscene.measure.instead import drive_instead
 from chatscene.simulate.simulator import Session, Simulator

@@ -40,7 +40,8 @@ from proving_ground import (
 )
 
 from chatscene.build.build import build
-from chatscene.ego.policy import fitted, load_ego, wanting
+from chatscene.ego.asking import fitted, wanting
+from chatscene.ego.policy import load_ego
 from chatscene.errors import MapError, NotBuilt
 from chatscene.measure.avoidability import avoidable
 from chatscene.program.sample import draw

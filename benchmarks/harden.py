@@ -32,9 +32,10 @@ from lessons_at_speed import Placed, encounters_at_speed, ordinary_at_speed
 from numpy.typing import NDArray
 
 from chatscene import pipeline
+from chatscene.ego.asking import fitted
 from chatscene.ego.caution import HARDENED
 from chatscene.ego.planner import Caution, Planner
-from chatscene.ego.policy import EgoPolicy, fitted, load_ego
+from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.measure.avoidability import avoidable
 from chatscene.program.ordinary import Course, ordinary_courses
 from chatscene.runs.executor import Workers

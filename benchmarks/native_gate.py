@@ -34,7 +34,8 @@ from differing import differences
 
 from chatscene.build.build import build
 from chatscene.build.possible import impossible
-from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of, wanting
+from chatscene.ego.asking import wanting
+from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of
 from chatscene.errors import ChatSceneError, MapError
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import library_with
@@ -149,7 +150,7 @@ def driven(
         return session.reason
     try:
         began = time.thread_time()
-        drive(session, ego)
+        drive(session, ego, scene.id)
         spent = time.thread_time() - began
         return session.rejection or (session, session.episode(scene.id, "ego"), spent)
     finally:

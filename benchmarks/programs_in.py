@@ -25,7 +25,8 @@ from typing import Any
 
 import click
 
-from chatscene.ego.policy import EgoPolicy, fitted, load_ego, name_of, observation_of, pedals_of
+from chatscene.ego.asking import fitted
+from chatscene.ego.policy import EgoPolicy, load_ego, name_of, observation_of, pedals_of
 from chatscene.errors import ChatSceneError, NothingFits
 from chatscene.maps.carla_towns import file_or_town
 from chatscene.maps.network import resolve_map
@@ -151,7 +152,7 @@ def driven(own: ForeignProgram, where: Path, row: Row, run: Running) -> list[Wat
                 continue
             row.samples += 1
             with closing(session):
-                drive(session, ego)
+                drive(session, ego, scene.id)
                 if session.rejection:
                     row.end = short(f"rejected in the drive: {session.rejection}")
                     continue

@@ -13,8 +13,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.ego.asking import begin
 from chatscene.ego.observation import RouteView
-from chatscene.ego.policy import EgoPolicy, begin, controls, observation_of, pedals_of
+from chatscene.ego.policy import EgoPolicy, controls, observation_of, pedals_of
 from chatscene.simulate.contact import touch
 from chatscene.simulate.physics import Physics
 from chatscene.terms.actors import LIMITS, Limits

@@ -28,7 +28,8 @@ import numpy as np
 from building import simulator
 
 from chatscene.build.build import Built, build
-from chatscene.ego.policy import fitted, load_ego
+from chatscene.ego.asking import fitted
+from chatscene.ego.policy import load_ego
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt
 from chatscene.program.sample import draw, scene_seed
 from chatscene.read.by_model import situation_in

@@ -35,7 +35,8 @@ from tasks import TASKS, Task, tasks
 
 from chatscene import __version__
 from chatscene.build.build import build
-from chatscene.ego.policy import fitted, load_ego
+from chatscene.ego.asking import fitted
+from chatscene.ego.policy import load_ego
 from chatscene.errors import ChatSceneError, SettingsError
 from chatscene.maps.network import PACKAGED, resolve_map
 from chatscene.program.sample import draw, scene_seed

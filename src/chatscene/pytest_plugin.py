@@ -61,7 +61,8 @@ def scene(request: pytest.FixtureRequest) -> Driven:
 def _driven(request: pytest.FixtureRequest) -> Driven | EgoError:
     """A drive in the scene and in its twin, or how the ego failed, which is no error of set-up."""
     from chatscene.errors import EgoError
-    from chatscene.testing.scenes import ego_of, gif_of, judge
+    from chatscene.testing.egos import ego_of
+    from chatscene.testing.scenes import gif_of, judge
 
     marked, number = _marked(request.function), request.getfixturevalue(_NUMBER)
     assert marked is not None

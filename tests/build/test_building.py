@@ -20,7 +20,8 @@ from chatscene.build.numbers import RANGES, Numbers
 from chatscene.build.parts import BUILT_AS
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.starts import STARTS
-from chatscene.ego.policy import load_ego, wanting
+from chatscene.ego.asking import wanting
+from chatscene.ego.policy import load_ego
 from chatscene.errors import MapError, NotBuilt, SituationError
 from chatscene.maps.network import resolve_map
 from chatscene.program.sample import draw

@@ -14,7 +14,8 @@ import chatscene.build
 from benchmarks.differing import differences
 from chatscene.build.build import Built, build
 from chatscene.build.timing import Body
-from chatscene.ego.policy import fitted, in_words, load_ego, senses_of
+from chatscene.ego.asking import fitted
+from chatscene.ego.policy import in_words, load_ego, senses_of
 from chatscene.errors import NotBuilt, SituationError
 from chatscene.maps.network import resolve_map
 from chatscene.program.judge import judge

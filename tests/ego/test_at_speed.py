@@ -17,9 +17,10 @@ from benchmarks.proving_ground import (
     pedestrian,
     towards,
 )
+from chatscene.ego.asking import wanting
 from chatscene.ego.at_speed import bearing_at, bends
 from chatscene.ego.observation import ALLOWED, RouteView, scale_of
-from chatscene.ego.policy import EgoPolicy, load_ego, name_of, observation_of, pedals_of, wanting
+from chatscene.ego.policy import EgoPolicy, load_ego, name_of, observation_of, pedals_of
 from chatscene.simulate.embedded.dynamics import make_body
 from chatscene.simulate.embedded.lagged import LaggedVehicle
 from chatscene.simulate.embedded.physics import EmbeddedPhysics

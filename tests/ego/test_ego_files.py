@@ -13,10 +13,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from chatscene.ego.asking import wanting
 from chatscene.ego.files import SAFEBENCH_EVERY, load_file
 from chatscene.ego.network import Network, NetworkEgo, load_network
 from chatscene.ego.observation import ALLOWED, OBSERVATIONS
-from chatscene.ego.policy import EgoPolicy, load_ego, takes_speed, wanting
+from chatscene.ego.policy import EgoPolicy, load_ego, takes_speed
 from chatscene.errors import EgoError
 from places import SHARED
 

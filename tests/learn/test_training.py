@@ -20,9 +20,10 @@ import chatscene
 import chatscene.gym
 from chatscene import api, runs
 from chatscene.commands.main import main
+from chatscene.ego.asking import wanting
 from chatscene.ego.network import load_network
 from chatscene.ego.observation import OBSERVATIONS
-from chatscene.ego.policy import load_ego, wanting
+from chatscene.ego.policy import load_ego
 from chatscene.errors import RunError, SettingsError
 from chatscene.learn import env as driving_env
 from chatscene.learn import train as training

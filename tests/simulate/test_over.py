@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from benchmarks.differing import differences
-from chatscene.ego.policy import load_ego, wanting
+from chatscene.ego.asking import wanting
+from chatscene.ego.policy import load_ego
 from chatscene.errors import ProgramError
 from chatscene.maps.network import resolve_map
 from chatscene.measure.crash_type import waits

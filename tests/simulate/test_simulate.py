@@ -531,7 +531,7 @@ def test_what_an_ego_raises_is_shown_where_it_does(simulator: Simulator) -> None
     with pytest.raises(EgoError) as failure:
         simulate(simulator, program(HEAD + EGO), scene(), _Fails())
     said, line, caret = str(failure.value).split("\n")
-    assert said.startswith("the ego '_Fails' fails at step 0: IndexError: index 400 is out of bounds")
+    assert said.startswith("the ego '_Fails' fails at step 0 of scene 'toy/0': IndexError: index 400 is out of bounds")
     assert re.search(r"test_simulate\.py, line \d+\)$", said)
     assert line == "    return observation[400], 0.0"
     assert caret == "           ^^^^^^^^^^^^^^^^"
@@ -546,7 +546,9 @@ class _FailsAtFirst:
 
 
 def test_an_ego_that_cannot_begin_is_to_blame_itself(simulator: Simulator) -> None:
-    with pytest.raises(EgoError, match=r"'_FailsAtFirst' fails before a drive: LookupError: no weights \(.*line \d+\)"):
+    with pytest.raises(
+        EgoError, match=r"'_FailsAtFirst' fails before scene '.*': LookupError: no weights \(.*line \d+\)"
+    ):
         simulate(simulator, program(HEAD + EGO), scene(), _FailsAtFirst())
 
 

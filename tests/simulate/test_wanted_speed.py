@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from chatscene.ego.asking import wanting
 from chatscene.ego.network import Network, NetworkEgo
 from chatscene.ego.observation import OBSERVATIONS
-from chatscene.ego.policy import load_ego, takes_speed, wanting
+from chatscene.ego.policy import load_ego, takes_speed
 from chatscene.errors import ProgramError
 from chatscene.maps.network import resolve_map
 from chatscene.measure.branch import branch

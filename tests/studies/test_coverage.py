@@ -156,6 +156,7 @@ def test_what_a_script_is_told_has_a_row_for_every_entry() -> None:
         "snippet_ids",
         "confidence",
         "fared",
+        "failures",
         "missed",
         "searched",
     }
@@ -280,3 +281,23 @@ def test_the_command_prints_a_row_for_every_entry(tmp_path: Path) -> None:
 def test_the_command_says_what_is_wrong() -> None:
     assert told("--catalogue", "nhsta").exit_code == 1
     assert told("--catalogue", "r157", "--fill").exit_code == 2
+
+
+def test_an_ego_that_fails_or_prints_costs_no_other_its_drives_nor_a_script_its_json(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "stacks_of_coverage.py").write_text(
+        "class Raises:\n    def act(self, observation):\n        print('loud')\n        raise KeyError('lookup')\n"
+    )
+    (tmp_path / "mine.toml").write_text(
+        '[[entry]]\nname = "brakes"\nsentence = "The car ahead brakes hard."\n', encoding="utf-8"
+    )
+    monkeypatch.chdir(tmp_path)
+    asked = ["coverage", "--catalogue", "mine.toml", "--drive", "--scenes", "1", "--json"]
+    done = CliRunner().invoke(main, [*asked, "--ego", "stacks_of_coverage:Raises", "--ego", "idm"])
+    assert done.exit_code == 1
+    (row,) = json.loads(done.stdout)["catalogues"][0]["rows"]
+    assert [one["ego"] for one in row["fared"]] == ["idm"]
+    assert list(row["failures"]) == ["stacks_of_coverage:Raises"]
+    assert "loud" in done.stderr
+    assert "stacks_of_coverage:Raises: brakes: the ego 'Raises' fails at step 0" in done.stderr

@@ -24,6 +24,7 @@ from chatscene.runs.executor import ONE, Workers
 from chatscene.search.generator import load_generator
 from chatscene.settings import PAPER, SearchSettings, Settings
 from chatscene.studies import benchmark as benchmarks
+from chatscene.studies import driving
 from chatscene.studies.benchmark import Benchmarked, Budget, benchmark
 from chatscene.studies.driving import drive
 from chatscene.studies.evaluation import evaluate, read_drives, resume
@@ -174,6 +175,9 @@ class _Bad:
     def shape(self, observation: Any) -> Any:
         return np.zeros(3)
 
+    def text(self, observation: Any) -> Any:
+        return "0.3", "0.0"
+
     def block(self, observation: Any) -> Any:
         signal.setitimer(signal.ITIMER_REAL, 0.01)  # the minutes that it may take have passed
         time.sleep(600)
@@ -182,10 +186,11 @@ class _Bad:
 @pytest.mark.parametrize(
     ("kind", "message"),
     [
-        ("crash", "fails at step 0: ZeroDivisionError: no gradient"),
-        ("nan", "must be finite"),
-        ("shape", "must return acceleration and steering"),
-        ("block", "gave no action at step 0: its drive was stopped after 300 s"),
+        ("crash", "ZeroDivisionError: no gradient (tests/studies/test_evaluation.py, line "),
+        ("nan", "acceleration and steering must be finite, not (nan, 0.0) (tests/studies/test_evaluation.py, line "),
+        ("shape", "two finite numbers, not array([0., 0., 0.]) (tests/studies/test_evaluation.py, line "),
+        ("text", "must be finite, not ('0.3', '0.0') ("),
+        ("block", "gave no action at step 0 of scene '"),
     ],
 )
 def test_an_ego_that_fails_is_given_up_and_the_others_results_stand(
@@ -202,7 +207,10 @@ def test_an_ego_that_fails_is_given_up_and_the_others_results_stand(
     alone = evaluate([searched], tmp_path / "alone", egos=["idm"], progress=silent)
     both = evaluate([searched], tmp_path / "both", egos=["bad_stack:make", "idm"], progress=silent)
     assert list(both.failures) == ["bad_stack:make"]
-    assert message in both.failures["bad_stack:make"]
+    reason = both.failures["bad_stack:make"]
+    assert reason.startswith(f"the ego {kind!r} ")
+    assert "at step 0 of scene '" in reason
+    assert message in reason
     assert both.tables["collision-rate-by-ego"].rows == alone.tables["collision-rate-by-ego"].rows
     record = runs.read_record(runs.open_run(tmp_path / "both"), runs.EvaluationRecord)
     assert record.failures == both.failures
@@ -310,13 +318,47 @@ def test_an_ego_that_is_driven_leaves_a_table_and_a_picture(tmp_path: Path, monk
     program = ordinary_program(ordinary_queries()[0])
     courses = tuple(Course(program=program, route=k % 2) for k in range(11))
     monkeypatch.setattr(ordinary, "ordinary_courses", Mock(return_value=courses))
-    table = drive(["idm", "rule-based"], folder=tmp_path, scenes=1, progress=silent)
-    assert [name for name, _ in table.rows] == ["idm", "RuleBased"]
+    table = drive(["idm", "rule-based"], folder=tmp_path, scenes=1, progress=silent).table
+    assert [name for name, _ in table.rows] == ["idm", "rule-based"]
     completion = table.rows[0][1][0].value
     assert completion is not None
     assert completion > 0.9
     assert (tmp_path / "ordinary.md").is_file()
     assert (tmp_path / "idm.gif").read_bytes().startswith(b"GIF89a")
+
+
+def test_egos_of_one_name_keep_their_rows_and_pictures_and_one_that_fails_loses_only_its_own(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    course = Course(program=ordinary_program(ordinary_queries()[0]), route=0)
+    monkeypatch.setattr(ordinary, "ordinary_courses", Mock(return_value=(course,)))
+    monkeypatch.setattr(driving, "SHOWN", 0)
+    weights = Path(runs.__file__).parents[1] / "ego" / "weights" / "sac.npz"
+    for folder in ("a", "b"):
+        (tmp_path / folder).mkdir()
+        shutil.copy(weights, tmp_path / folder / "policy.npz")
+    module = types.ModuleType("bad_stack")
+    module.make = lambda: types.SimpleNamespace(act=_Bad().crash, name="../../evil")  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, "bad_stack", module)
+    monkeypatch.chdir(tmp_path)
+    egos = ["a/policy.npz", "bad_stack:make", "b/policy.npz"]
+    done = drive(egos, folder=tmp_path / "out", scenes=1, progress=silent)
+    assert [name for name, _ in done.table.rows] == ["a/policy.npz", "b/policy.npz"]
+    assert list(done.failures) == ["bad_stack:make"]
+    assert "ZeroDivisionError: no gradient" in done.failures["bad_stack:make"]
+    assert {one.name for one in (tmp_path / "out").glob("*.gif")} == {"a-policy-npz.gif", "b-policy-npz.gif"}
+    with pytest.raises(SettingsError, match="each ego once"):
+        drive(["idm", "idm"], progress=silent)
+    with pytest.raises(EgoError, match="no gradient"):
+        drive(["bad_stack:make"], scenes=1, progress=silent)
+
+
+def test_the_picture_of_an_ego_lies_in_the_folder_of_its_drives() -> None:
+    egos = ["../../evil", "evil", "a/b.npz", "a-b-npz", "é", "x" * 300, "m:<script>|\n"]
+    names = driving.picture_names(egos)
+    assert names[:5] == ["evil.gif", "evil.2.gif", "a-b-npz.gif", "a-b-npz.2.gif", "ego.gif"]
+    assert len(set(names)) == len(names)
+    assert all(Path(name).name == name and len(name) < 120 for name in names)
 
 
 def test_ordinary_drives_make_a_table_with_intervals() -> None:

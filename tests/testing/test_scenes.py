@@ -90,7 +90,7 @@ def test_an_ego_that_raises_fails_its_test_with_its_own_traceback(pytester: pyte
     done = run(pytester, code, "-k", "scene-0")
     done.assert_outcomes(failed=1, deselected=1)
     done.stdout.fnmatch_lines(
-        ["E * ValueError: no map", "*EgoError: the ego 'Raises' fails at step 0: *", "1 failed: *"]
+        ["E * ValueError: no map", "*EgoError: the ego 'Raises' fails at step 0 of scene *: *", "1 failed: *"]
     )
 
 

@@ -9,7 +9,7 @@ from typing import Unpack
 import click
 
 from chatscene.commands.options import EGOS, JSON, MANY, MAP_WITH_SITE, READING, SEED, WORKERS, Named, Reading
-from chatscene.commands.output import console, progress, say
+from chatscene.commands.output import console, progress, say, say_failures
 
 
 @click.command()
@@ -96,8 +96,13 @@ def coverage(
     page = desk.write(out, found, asked, rows) if out else None
     if as_json:
         say(json.dumps(desk.as_json(found, asked, rows), indent=1, ensure_ascii=False))
-        return
-    for catalogue in found:
-        print_coverage(console(), catalogue, desk.of_catalogue(catalogue, rows))
-    if page:
-        say(f"page: {page}")
+    else:
+        for catalogue in found:
+            print_coverage(console(), catalogue, desk.of_catalogue(catalogue, rows))
+        if page:
+            say(f"page: {page}")
+    failures: dict[str, str] = {}
+    for row in rows:
+        for ego, reason in row.failures.items():
+            failures.setdefault(ego, f"{row.entry.name}: {reason}")
+    say_failures(failures)

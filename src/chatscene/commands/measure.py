@@ -33,12 +33,10 @@ from chatscene.commands.options import (
     road_speed,
     sampler_option,
 )
-from chatscene.commands.output import progress, say
+from chatscene.commands.output import progress, say, say_failures
 from chatscene.settings import PAPER, SimulationSettings
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.collection import Compared
     from chatscene.studies.evaluation import Evaluated
@@ -196,7 +194,7 @@ def drive(
     from chatscene.runs.executor import Workers
     from chatscene.studies import driving
 
-    table = driving.drive(
+    done = driving.drive(
         egos,
         map_name=map,
         folder=out,
@@ -206,7 +204,8 @@ def drive(
         progress=progress(),
         **options,
     )
-    say(as_text(table))
+    say(as_text(done.table))
+    say_failures(done.failures)
 
 
 def say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
@@ -224,7 +223,7 @@ def say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
         if evaluated.stepped:
             say(evaluated.stepped)
         say(f"egos side by side: {evaluated.page}")
-    _say_failures(evaluated.failures)
+    say_failures(evaluated.failures)
 
 
 def say_compared(compared: Compared, as_json: bool) -> None:
@@ -243,15 +242,8 @@ def say_compared(compared: Compared, as_json: bool) -> None:
             say(f"driven in part: {program}: without {reason}", err=True)
         say(f"each drive: {compared.folder / 'evaluation.json'}")
         say(f"egos side by side: {compared.page}")
-    _say_failures(compared.failures)
+    say_failures(compared.failures)
     if compared.lost:
-        sys.exit(1)
-
-
-def _say_failures(failures: Mapping[str, str]) -> None:
-    for reason in failures.values():
-        say(f"EgoError: {reason}; the other egos' results stand", err=True)
-    if failures:
         sys.exit(1)
 
 

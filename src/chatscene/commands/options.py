@@ -15,6 +15,7 @@ from typing import Any, TypedDict
 import click
 from click.core import ParameterSource
 
+from chatscene.commands.output import only_answers
 from chatscene.errors import ChatSceneError
 from chatscene.plugins import Kind, check_name
 from chatscene.settings import EGO, EXECUTOR, MOST_READINGS, PHYSICS, READ_AS, SIMULATOR, SimulationSettings
@@ -126,7 +127,16 @@ def together(*options: Decorator) -> Decorator:
     return lambda command: reduce(lambda done, option: option(done), reversed(options), command)
 
 
-JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON for a script instead of text.")
+def _as_json(context: click.Context, _option: click.Parameter, asked: bool) -> bool:
+    """Whether a script reads what is printed; then nobody else prints there."""
+    if asked:
+        context.with_resource(only_answers())
+    return asked
+
+
+JSON = click.option(
+    "--json", "as_json", is_flag=True, callback=_as_json, help="Print JSON for a script instead of text."
+)
 SEED = click.option("--seed", default=0, show_default=True, type=SEEDS, help="Seed of everything random.")
 NEW_FOLDER = click.option(
     "--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="A new folder, or one to continue."

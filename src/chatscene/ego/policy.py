@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import linecache
 import math
 import warnings
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from traceback import walk_tb
+from textwrap import shorten
 from typing import Any, Protocol
 
 from chatscene.ego.observation import IN_WORDS, Observation, check_preset
-from chatscene.errors import ChatSceneError, EgoError
+from chatscene.errors import EgoError
 from chatscene.plugins import Kind, make
 from chatscene.terms.actors import LIMITS, Limits
-from chatscene.terms.pointing import place_in, pointed, told
-from chatscene.terms.scene import CAR, ScenicProgram
+from chatscene.terms.scene import CAR
 
 FAR = 1.1  # of an action; what is less beyond [-1, 1] is a network's rounding
-_PACKAGE = Path(__file__).parents[1]
 
 
 class EgoPolicy(Protocol):
@@ -34,9 +31,10 @@ class EgoPolicy(Protocol):
         observation: Which preset it sees; ``safebench`` if it does not say.
         pedals: Which of `PEDALS` its actions go through; ``safebench`` if it does not say.
         reset: Called without arguments before each episode.
-        wanting: Called with a speed [m/s], gives an ego that is like it and wants to drive at that; see `wanting`.
+        wanting: Called with a speed [m/s], gives an ego that is like it and wants to drive at that; see
+            `chatscene.ego.asking`.
         driving: Called with what a kind of vehicle can do, gives an ego that is like it and knows that it drives such
-            a one, and no car; see `fitted`.
+            a one, and no car; see `chatscene.ego.asking`.
     """
 
     def act(self, observation: Observation) -> tuple[float, float]:
@@ -49,65 +47,14 @@ def name_of(ego: EgoPolicy) -> str:
     return str(getattr(ego, "name", type(ego).__name__))
 
 
-def begin(ego: EgoPolicy) -> None:
-    """Tell an ego that an episode begins, if it wants to know: it forgets what was before."""
-    if (reset := getattr(ego, "reset", None)) is not None:
-        reset()
-
-
 def takes_speed(ego: EgoPolicy) -> bool:
     """Whether an ego can be told at what speed it is to drive."""
     return getattr(ego, "wanting", None) is not None
 
 
-def wanting(ego: EgoPolicy, speed: float | None) -> EgoPolicy:
-    """An ego that wants to drive at a speed, where it can be told.
-
-    Args:
-        ego: Which.
-        speed: What a program wants of its ego [m/s]; None where it wants nothing.
-
-    Returns:
-        It itself where nothing is wanted of it, or where it drives at a speed of its own.
-    """
-    made: Callable[[float], EgoPolicy] | None = getattr(ego, "wanting", None)
-    return ego if speed is None or made is None else made(speed)
-
-
 def knows_body(ego: EgoPolicy) -> bool:
     """Whether an ego can be told what kind of vehicle it drives."""
     return hasattr(ego, "driving")
-
-
-def fitted(ego: EgoPolicy, program: ScenicProgram) -> EgoPolicy:
-    """An ego that drives as a program has it, where it can be told: at the speed that it wants, in the body it has.
-
-    Args:
-        ego: Which.
-        program: What it is to drive in.
-    """
-    ego = wanting(ego, program.wanted_speed)
-    made: Callable[[Limits], EgoPolicy] | None = getattr(ego, "driving", None)
-    return ego if made is None or program.ego_kind == CAR else made(program.ego_limits)
-
-
-def failed(ego: EgoPolicy, error: BaseException, when: str) -> EgoError:
-    """The error for an ego whose code fails: what it raised, where in its file, and the line.
-
-    Args:
-        ego: Whose.
-        error: What it raised.
-        when: When it did.
-    """
-    said = f"the ego {name_of(ego)!r} fails {when}: "
-    files = (frame.f_code.co_filename for frame, _ in walk_tb(error.__traceback__))
-    file = next((one for one in files if not Path(one).is_relative_to(_PACKAGE)), "")
-    place = place_in(error, file) if file else None
-    if place is None or isinstance(error, ChatSceneError):
-        return EgoError(said + told(error))
-    shown = pointed("".join(linecache.getlines(file)), place)
-    here = Path(file).relative_to(Path.cwd()) if Path(file).is_relative_to(Path.cwd()) else file
-    return EgoError(f"{said}{told(error)} ({here}, line {place.line})\n{shown}".rstrip())
 
 
 def is_cut_off(action: Iterable[float]) -> bool:
@@ -245,18 +192,35 @@ def controls(action: Any, pedals: str = "safebench", body: Limits = _CAR) -> tup
     Raises:
         EgoError: The action is not two finite numbers.
     """
-    try:
-        acceleration, steering = action
-        acceleration, steering = float(acceleration), float(steering)
-    except (TypeError, ValueError) as error:
-        raise EgoError(f"an ego must return acceleration and steering, not {action!r}") from error
-    if not (math.isfinite(acceleration) and math.isfinite(steering)):
-        raise EgoError(f"an ego returned {action!r}; acceleration and steering must be finite")
+    acceleration, steering = two_numbers(action)
     acceleration = min(max(acceleration, -1.0), 1.0)
     steer = wheel_of(body, TURNED * min(max(steering, -1.0), 1.0))
     if acceleration > 0.0:
         return acceleration, 0.0, steer
     return 0.0, -acceleration * PEDALS[pedals], steer
+
+
+def two_numbers(action: Any) -> tuple[float, float]:
+    """Acceleration and steering, of whatever an ego answers.
+
+    Raises:
+        EgoError: They are not two finite numbers.
+    """
+    try:
+        acceleration, steering = (math.nan if isinstance(one, str | bytes) else float(one) for one in action)
+    except Exception as error:
+        raise EgoError(f"an action is acceleration and steering, two finite numbers, not {_shown(action)}") from error
+    if not (math.isfinite(acceleration) and math.isfinite(steering)):
+        raise EgoError(f"acceleration and steering must be finite, not {_shown(action)}")
+    return acceleration, steering
+
+
+def _shown(action: Any) -> str:
+    """An answer in a line."""
+    try:
+        return shorten(repr(action), 120, placeholder=" ...")
+    except Exception:  # noqa: BLE001 - as above
+        return type(action).__name__
 
 
 def wheel_of(body: Limits, steer: float) -> float:

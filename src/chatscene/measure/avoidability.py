@@ -18,8 +18,9 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.ego.asking import begin, decide, fitted
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import PEDALS, EgoPolicy, begin, fitted, pedals_of
+from chatscene.ego.policy import PEDALS, EgoPolicy, pedals_of
 from chatscene.errors import ProgramError, ProgramStopped, SandboxError, ServerError, SimulationError
 from chatscene.measure.instead import drive_instead
 from chatscene.simulate.boxes import Boxes
@@ -203,7 +204,7 @@ class CarefulDriver:
 
     def act(self, observation: Observation) -> tuple[float, float]:
         """Decide for one step."""
-        acceleration, steering = self._ego.act(observation)
+        acceleration, steering = decide(self._ego, observation)
         if acceleration < 0.0:
             acceleration *= self._scale
         if self._step >= self.begins:

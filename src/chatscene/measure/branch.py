@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from chatscene.ego.asking import begin, decide, fitted
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import PEDALS, EgoPolicy, begin, fitted, name_of, observation_of, pedals_of
+from chatscene.ego.policy import PEDALS, EgoPolicy, name_of, observation_of, pedals_of
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -52,7 +53,7 @@ class _Noted:
         begin(self._ego)
 
     def act(self, observation: Observation) -> tuple[float, float]:
-        acceleration, steering = self._ego.act(observation)
+        acceleration, steering = decide(self._ego, observation)
         if acceleration < 0.0:
             acceleration = max(acceleration, -1.0) * self._scale
         self.actions.append((acceleration, steering))

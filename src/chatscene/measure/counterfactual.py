@@ -10,8 +10,9 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from chatscene.ego.asking import begin, decide
 from chatscene.ego.observation import SPEED_AT, Observation
-from chatscene.ego.policy import PEDALS, EgoPolicy, begin, observation_of, pedals_of
+from chatscene.ego.policy import PEDALS, EgoPolicy, observation_of, pedals_of
 from chatscene.errors import ProgramError
 from chatscene.measure.avoidability import crashes_braking_from
 from chatscene.measure.instead import Driver, drive_instead
@@ -359,7 +360,7 @@ class _Braking:
         self._left = 0
 
     def act(self, observation: Observation) -> tuple[float, float]:
-        acceleration, steering = self._ego.act(observation)
+        acceleration, steering = decide(self._ego, observation)
         self._left -= 1
         return (acceleration if self._left >= 0 else -1.0), steering
 
@@ -379,7 +380,7 @@ class _Limited:
         """Nothing is driven without it."""
 
     def act(self, observation: Observation) -> tuple[float, float]:
-        acceleration, steering = self._ego.act(observation)
+        acceleration, steering = decide(self._ego, observation)
         most = (self._limit - float(observation[self._speed_at])) / self._dt  # [m/s²]
         allowed = most / self._body.throttle if most > 0.0 else max(most, -COMFORTABLE) / self._brake
         return min(acceleration, allowed), steering

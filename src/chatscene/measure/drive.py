@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from chatscene.ego.policy import EgoPolicy, fitted, knows_body, name_of, takes_speed
+from chatscene.ego.asking import fitted
+from chatscene.ego.policy import EgoPolicy, knows_body, name_of, takes_speed
 from chatscene.measure.avoidability import avoidable_if_driven
 from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault

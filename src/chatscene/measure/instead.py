@@ -6,8 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
+from chatscene.ego.asking import failed
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import EgoPolicy, failed, observation_of
+from chatscene.ego.policy import EgoPolicy, observation_of
 from chatscene.errors import SimulationError
 from chatscene.simulate.simulator import Session, Simulator, drives_itself
 from chatscene.terms.braking import STANDING, STANDSTILL, Braking
@@ -88,7 +89,7 @@ def drive_instead(
         while drive.ending is None and not drive.rejection and standing * dt < STANDSTILL:
             try:
                 action = driver.act(drive.observation)
-            except Exception as error:
+            except (Exception, SystemExit) as error:
                 when = f"at step {drive.step_number} of scene {scene.id!r}, which it drove once before"
                 raise failed(ego, error, when) from error
             drive.step(action)

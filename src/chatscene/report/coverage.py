@@ -51,6 +51,7 @@ def _card(row: Covered) -> Mapping[str, Any]:
         "shown": row.shown,
         "scenes": row.scenes,
         "fared": row.fared,
+        "failures": row.failures,
         "missed": row.missed[:3],
         "picture": base64.b64encode(row.picture).decode(),
         "run": row.searched,

@@ -206,7 +206,7 @@ def print_coverage(console: Console, catalogue: Catalogue, rows: Sequence[Covere
     """What became of each entry of a catalogue, and how many are served."""
     from rich.table import Table
 
-    egos = list(dict.fromkeys(fared.ego for row in rows for fared in row.fared))
+    egos = list(dict.fromkeys(ego for row in rows for ego in (*(one.ego for one in row.fared), *row.failures)))
     table = Table(box=None, pad_edge=False, header_style="dim", padding=(0, 2, 1, 0))
     table.add_column("entry", overflow="fold", ratio=1)
     table.add_column("answer", no_wrap=True)
@@ -221,6 +221,7 @@ def print_coverage(console: Console, catalogue: Catalogue, rows: Sequence[Covere
         why += [f"[yellow]not used[/]  {_plain(line)}" for line in row.unused]
         why += [f"[yellow]{count} do not show[/]  {_plain(failure)}" for failure, count in row.missed[:1]]
         fared = {one.ego: f"{one.collisions} ({one.avoidable})" for one in row.fared}
+        fared |= dict.fromkeys(row.failures, "failed")
         table.add_row(
             "\n".join(line for line in (*said, *why) if line),
             f"[{_ANSWERS[row.answer]}]{row.answer}[/]",

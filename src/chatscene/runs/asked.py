@@ -10,8 +10,9 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
+from chatscene.ego.asking import wanting
 from chatscene.ego.observation import USUAL
-from chatscene.ego.policy import FILES, load_ego, senses_of, wanting
+from chatscene.ego.policy import FILES, load_ego, senses_of
 from chatscene.errors import EditRefused, RunError, SettingsError
 from chatscene.maps.left_hand import keeps_left
 from chatscene.maps.network import map_with, name_of, resolve_map

@@ -9,7 +9,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from chatscene.ego.policy import fitted, in_words, load_ego, senses_of
+from chatscene.ego.asking import fitted
+from chatscene.ego.policy import in_words, load_ego, senses_of
 from chatscene.errors import ChatSceneError, RunError
 from chatscene.measure.avoidability import risk_step
 from chatscene.measure.counterfactual import last_moment, latest_braking

@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from chatscene.ego.policy import fitted
+from chatscene.ego.asking import fitted
 from chatscene.errors import RunError
 from chatscene.measure.avoidability import braking_step, crashes_braking_from, risk_step
 from chatscene.measure.counterfactual import (

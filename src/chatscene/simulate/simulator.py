@@ -9,22 +9,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Protocol, TypeGuard
 
+from chatscene.ego.asking import answer, begin, fitted
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import (
-    EgoPolicy,
-    begin,
-    failed,
-    fitted,
-    is_cut_off,
-    name_of,
-    observation_of,
-    pedals_of,
-    tell_cut_off,
-)
+from chatscene.ego.policy import EgoPolicy, is_cut_off, name_of, observation_of, pedals_of, tell_cut_off
 from chatscene.errors import (
     ChatSceneError,
     DoesNotCompile,
-    EgoError,
     ForeignCodeRefused,
     MapError,
     NamesNotClosed,
@@ -251,7 +241,7 @@ def _driven(
     if placed is not None:
         placed(getattr(session, "draws", 1))
     try:
-        drive(session, ego)
+        drive(session, ego, scene.id)
         if session.rejection:
             return Rejected(scene=scene, reason=session.rejection)
         episode = session.episode(scene.id, name_of(ego))
@@ -286,31 +276,24 @@ def routes_of(simulator: Simulator, program: ScenicProgram, wanted: int) -> dict
     return found
 
 
-def drive(session: Session, ego: EgoPolicy) -> None:
+def drive(session: Session, ego: EgoPolicy, scene: str) -> None:
     """Let an ego drive until the session ends.
+
+    Args:
+        session: Of what is driven.
+        ego: Who drives.
+        scene: The id of what is driven, for messages.
 
     Raises:
         EgoError: The ego fails, or does not answer.
         ProgramError: The program's own code fails.
     """
-    try:
-        begin(ego)
-    except (Exception, SystemExit) as error:
-        raise failed(ego, error, "before a drive") from error
+    begin(ego, scene)
     if drives_itself(session) and session.drive(ego):
         return
-    act, step = ego.act, session.step
     while session.ending is None and not session.rejection:
-        try:
-            action = act(session.observation)
-        except StuckBehavior as error:
-            raise EgoError(
-                f"the ego {name_of(ego)!r} gave no action at step {session.step_number}: its drive was stopped after "
-                f"{error.within}"
-            ) from error
-        except (Exception, SystemExit) as error:
-            raise failed(ego, error, f"at step {session.step_number}") from error
-        step(action)
+        action = answer(ego, session.observation, step=session.step_number, scene=scene)
+        session.step(action)
         if is_cut_off(action):
             tell_cut_off(f"the ego {name_of(ego)!r}", action)
 

@@ -19,7 +19,8 @@ from pathlib import Path
 from typing import Any
 
 from chatscene import runs
-from chatscene.ego.policy import EgoPolicy, in_words, load_ego, senses_of, wanting
+from chatscene.ego.asking import wanting
+from chatscene.ego.policy import EgoPolicy, in_words, load_ego, senses_of
 from chatscene.errors import (
     ChatSceneError,
     EgoError,

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import hashlib
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -20,6 +20,7 @@ import numpy as np
 from chatscene import pipeline, runs
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import (
+    EgoError,
     MapError,
     MeansSomethingElse,
     NothingFits,
@@ -45,7 +46,7 @@ from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
 from chatscene.search.climb import climb, simulator_of
-from chatscene.search.generator import load_generator
+from chatscene.search.generator import Generator, load_generator
 from chatscene.settings import Settings
 from chatscene.simulate.simulator import Simulator, check_jobs, routes_of
 from chatscene.studies.catalogue import slug
@@ -53,7 +54,8 @@ from chatscene.studies.collection import Driver, Driving
 from chatscene.studies.imported_entries import asked_of, covered
 from chatscene.terms.coverage import Answer, Catalogue, Covered, Entry, Fared, Searched, Tally
 from chatscene.terms.episode import Episode
-from chatscene.terms.scenario import Scenario, grouped
+from chatscene.terms.scenario import Said, Scenario, grouped
+from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Retrieval
 
 SCENES = 10  # of each entry, if nobody says how many
@@ -99,7 +101,7 @@ def cover(
 
     Raises:
         SettingsError: Two catalogues have the same name, or there is no such map or simulator.
-        EgoError: An ego cannot be loaded, or fails.
+        EgoError: An ego cannot be loaded, or the first of them, which drives in runs, fails in one.
         RunError: A run in the folder is another than is asked for, or damaged.
     """
     names = [catalogue.name for catalogue in catalogues]
@@ -177,27 +179,54 @@ class _Desk:
         if map_path not in self._simulators:
             self._simulators[map_path] = simulator_of(generator, map_path, settings)
         simulator = self._simulators[map_path]
-        surrogate = next(iter(self._egos.values()))
-        written, _ = climb(generator, scenario, first, settings=settings.retrieval, simulator=simulator, ego=surrogate)
+        failures: dict[str, str] = {}
+        for name, ego in self._egos.items():  # the first that does not fail climbs
+            try:
+                written, _ = climb(
+                    generator, scenario, first, settings=settings.retrieval, simulator=simulator, ego=ego
+                )
+                break
+            except EgoError as error:
+                failures[name] = str(error)
+        else:
+            return replace(row, failures=failures)
         routes = list(routes_of(simulator, written.program, self._asked.scenes))
-        drives: dict[str, list[Ran]] = {name: [] for name in self._egos}
-        for place, route in enumerate(routes):
-            count = len(range(place, self._asked.scenes, len(routes)))
-            looking = replace(settings.search, scenes=count, block=count, sampler="random")
-            for name, ego in self._egos.items():
-                for block in generator.explore(
-                    written.program, scenario.said, route, simulator=simulator, ego=ego, settings=looking, done=()
-                ):
-                    drives[name] += block.ran
+        drives: dict[str, list[Ran]] = {}
+        for name, ego in self._egos.items():
+            if name in failures:
+                continue
+            try:
+                drives[name] = list(self._drives_of(ego, written.program, scenario.said, routes, generator, simulator))
+            except EgoError as error:
+                failures[name] = str(error)
         every = [ran for own in drives.values() for ran in own]
         best = max(every, key=lambda ran: (not ran.meaning, ran.episode.collision is not None), default=None)
         missed = Counter(failure for ran in every for failure in ran.meaning)
         return replace(
             row,
             fared=tuple(_fared(name, own) for name, own in drives.items()),
+            failures=failures,
             missed=tuple(missed.most_common()),
             picture=_still(best.episode, map_path) if best and self._asked.folder else b"",
         )
+
+    def _drives_of(
+        self,
+        ego: EgoPolicy,
+        program: ScenicProgram,
+        said: Said,
+        routes: Sequence[int],
+        generator: Generator,
+        simulator: Simulator,
+    ) -> Iterator[Ran]:
+        """The drives of an ego, in turn on the routes of a program."""
+        for place, route in enumerate(routes):
+            count = len(range(place, self._asked.scenes, len(routes)))
+            looking = replace(self._asked.settings.search, scenes=count, block=count, sampler="random")
+            for block in generator.explore(
+                program, said, route, simulator=simulator, ego=ego, settings=looking, done=()
+            ):
+                yield from block.ran
 
     def _map_of(self, understood: Understood | Stated) -> Path:
         built_on = understood.built.map if isinstance(understood, Stated) else map_with(understood.scenario.slots.site)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
-from chatscene.ego.policy import load_ego, name_of
+from chatscene.ego.policy import load_ego
+from chatscene.errors import EgoError, SettingsError
 from chatscene.maps.carried import CarriedMap
 from chatscene.maps.drawing import drawing_around
 from chatscene.maps.loading import load_roads
@@ -29,6 +31,20 @@ SEED = 20_000  # neither a training's nor that of its evaluations
 FRAMES = 200  # of a GIF: a whole drive
 WIDEST = 240.0  # [m] of a GIF: a whole route from north to south
 SHOWN = 10  # the course in the GIF: the first that turns
+LONGEST = 100  # characters of the name of a GIF
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OrdinaryDrives:
+    """What came of ordinary drives.
+
+    Attributes:
+        table: A row for each ego that did not fail, by what it was asked for as.
+        failures: Why the others were given up, by ego.
+    """
+
+    table: ResultTable
+    failures: dict[str, str]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,7 +70,7 @@ def drive(
     speed: float | None = None,
     workers: Workers = ONE,
     progress: Progress,
-) -> ResultTable:
+) -> OrdinaryDrives:
     """Let egos drive every ordinary course of a map.
 
     Args:
@@ -69,9 +85,11 @@ def drive(
         progress: Told what is done.
 
     Raises:
-        EgoError: An ego cannot be loaded, or fails.
-        SettingsError: There is no such simulator.
+        EgoError: An ego cannot be loaded, or every one fails.
+        SettingsError: There is no such simulator, or an ego is named twice.
     """
+    if len(set(egos)) != len(egos):
+        raise SettingsError(f"name each ego once: {', '.join(egos)}")
     for ego in egos:
         load_ego(ego)
     simulation = simulation or SimulationSettings()
@@ -81,15 +99,32 @@ def drive(
     carried, pictured = CarriedMap.of(path), folder is not None
     setup = _Setup(map=carried, simulation=simulation, scenes=scenes, seed=seed, speed=speed, pictured=pictured)
     results: dict[str, OrdinaryResult] = {}
-    for count, (ego, result, picture) in enumerate(spread(_Driver, setup, egos, workers=workers), 1):
-        results[ego] = result
+    failures: dict[str, str] = {}
+    pictures = dict(zip(egos, picture_names(egos), strict=True))
+    for count, (ego, came, picture) in enumerate(spread(_Driver, setup, egos, workers=workers), 1):
+        if isinstance(came, OrdinaryResult):
+            results[ego] = came
+        else:
+            failures[ego] = came
         if folder is not None and picture:
-            write_bytes(folder / f"{name_of(load_ego(ego))}.gif", picture)
+            write_bytes(folder / pictures[ego], picture)
         progress("driving, egos", count, len(egos))
-    table = ordinary_table([results[ego] for ego in egos])
+    if not results:
+        raise EgoError("\n".join(failures.values()))
+    table = ordinary_table([results[ego] for ego in egos if ego in results])
     if folder is not None:
         write_tables(folder, {"ordinary": table})
-    return table
+    return OrdinaryDrives(table=table, failures=failures)
+
+
+def picture_names(egos: Sequence[str]) -> list[str]:
+    """The file of each ego's picture, by what it was asked for as: no folder is in it, and no two are alike."""
+    found: list[str] = []
+    for ego in egos:
+        stem = re.sub(r"[^A-Za-z0-9_]+", "-", ego).strip("-")[-LONGEST:] or "ego"
+        alike = sum(one == f"{stem}.gif" or one.startswith(f"{stem}.") for one in found)
+        found.append(f"{stem}.{alike + 1}.gif" if alike else f"{stem}.gif")
+    return found
 
 
 class _Driver:
@@ -100,8 +135,14 @@ class _Driver:
         self._map = setup.map.file()
         self._simulator = load_simulator(self._map, setup.simulation)
 
-    def __call__(self, ego: str) -> tuple[str, OrdinaryResult, bytes]:
-        """How an ego fares, and a picture of it where one is asked for."""
+    def __call__(self, ego: str) -> tuple[str, OrdinaryResult | str, bytes]:
+        """How an ego fares, or why it was given up; and a picture of it where one is asked for."""
+        try:
+            return ego, *self._driven(ego)
+        except EgoError as error:
+            return ego, str(error), b""
+
+    def _driven(self, ego: str) -> tuple[OrdinaryResult, bytes]:
         setup = self._setup
         policy = load_ego(ego)
         picture = b""
@@ -111,7 +152,7 @@ class _Driver:
             if isinstance(shown, Episode):
                 picture = if_drawn(f"the animation of {ego}", lambda: self._animated(shown)) or b""
         fared = drive_ordinary(policy, self._simulator, scenes=setup.scenes, seed=setup.seed, speed=setup.speed)
-        return ego, fared, picture
+        return replace(fared, ego=ego), picture
 
     def _animated(self, shown: Episode) -> bytes:
         return animate(shown, _drawing(shown, self._map), frames=FRAMES, widest=WIDEST)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene import runs
-from chatscene.errors import EgoError, ForeignCodeRefused, SettingsError
+from chatscene.errors import ForeignCodeRefused, SettingsError
 from chatscene.files.alone import UNFINISHED
 from chatscene.imports.collection import CollectedProgram, is_collection, read_collection
 from chatscene.maps.network import name_of, resolve_map
@@ -66,8 +66,10 @@ def covered(row: Covered, driver: Driver | None, egos: Sequence[str]) -> Covered
         name=entry.name, path=Path(entry.program), map_path=resolve_map(entry.map_name), file="", about=entry.sentence
     )
     drives = driver(program)
-    if failed := next((one["reason"] for one in drives if one["status"] == "ego failed"), None):
-        raise EgoError(failed)
+    failures = {one["ego"]: one["reason"] for one in drives if one["status"] == "ego failed"}
+    drives = [one for one in drives if one["ego"] not in failures]
+    if failures and not drives:
+        return replace(row, answer=Answer.SERVED, reasons=(), failures=failures)
     ran = [one for one in drives if one["status"] == "ran"]
     if not ran:
         return replace(row, answer=Answer.FAILED, reasons=tuple(dict.fromkeys(one["reason"] for one in drives)))
@@ -77,7 +79,8 @@ def covered(row: Covered, driver: Driver | None, egos: Sequence[str]) -> Covered
         row,
         answer=Answer.SERVED,
         reasons=(),
-        fared=tuple(_fared(ego, [one for one in drives if one["ego"] == ego]) for ego in egos),
+        fared=tuple(_fared(ego, [one for one in drives if one["ego"] == ego]) for ego in egos if ego not in failures),
+        failures=failures,
         missed=tuple(missed.most_common()),
     )
 

@@ -100,6 +100,7 @@ class Covered:
         snippet_ids: Behavior, geometry, spawn; empty if it is not served.
         confidence: Of the choice; None if there is none.
         fared: How each ego fared; empty if nothing was driven.
+        failures: Why egos were given up in it, by ego.
         missed: What drives did not show, and in how many, the commonest first.
         searched: Its run; None if it has none.
         picture: A moment of a drive, as WebP; empty if none was drawn.
@@ -114,6 +115,7 @@ class Covered:
     snippet_ids: tuple[str, ...] = ()
     confidence: float | None = None
     fared: tuple[Fared, ...] = ()
+    failures: Mapping[str, str] = field(default_factory=dict[str, str])
     missed: tuple[tuple[str, int], ...] = ()
     searched: Searched | None = None
     picture: bytes = field(default=b"", repr=False)

@@ -15,11 +15,11 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from chatscene import runs
-from chatscene.ego.policy import EgoPolicy, load_ego, name_of
-from chatscene.errors import EgoError, RunError, SettingsError, no_such
+from chatscene.ego.policy import EgoPolicy, name_of
+from chatscene.errors import RunError, SettingsError, no_such
 from chatscene.maps.network import map_with, resolve_map
 from chatscene.measure.criticality import criticality, fault
 from chatscene.program.sample import scene_seed
@@ -34,7 +34,6 @@ from chatscene.settings import Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, routes_of, simulate
 from chatscene.terms.actors import named
 from chatscene.terms.episode import Episode
-from chatscene.terms.nouns import with_article
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.testing.solvable import SLOW, Solvable, Unfit, hindered, solvable
@@ -224,20 +223,6 @@ def scene(
         return test
 
     return mark
-
-
-def ego_of(ego: Ego) -> EgoPolicy:
-    """An ego from what a test names.
-
-    Raises:
-        EgoError: There is none of that name, or what was made is none.
-    """
-    if isinstance(ego, str):
-        return load_ego(ego)
-    made: Any = cast("Any", ego)() if isinstance(ego, type) or not hasattr(ego, "act") else ego
-    if not callable(getattr(made, "act", None)):
-        raise EgoError(f"{ego!r} gives {with_article(type(made).__name__)} without the method act")
-    return made
 
 
 @lru_cache(maxsize=64)

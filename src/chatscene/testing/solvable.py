@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from chatscene.ego.asking import begin, decide, fitted
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import EgoPolicy, begin, fitted, load_ego, name_of, observation_of, pedals_of
+from chatscene.ego.policy import EgoPolicy, load_ego, name_of, observation_of, pedals_of
 from chatscene.measure.avoidability import avoidable
 from chatscene.measure.criticality import criticality
 from chatscene.simulate.simulator import Simulator, simulate
@@ -189,7 +190,7 @@ class _Recording:
         begin(self._ego)
 
     def act(self, observation: Observation) -> tuple[float, float]:
-        self.actions.append(self._ego.act(observation))
+        self.actions.append(decide(self._ego, observation))
         return self.actions[-1]
 
 

@@ -12,7 +12,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from chatscene.ego.policy import fitted, load_ego
+from chatscene.ego.asking import fitted
+from chatscene.ego.policy import load_ego
 from chatscene.errors import (
     ChatSceneError,
     ForeignCodeRefused,

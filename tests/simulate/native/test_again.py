@@ -115,8 +115,8 @@ def test_scenes_side_by_side_keep_their_own_drives(native: NativeSimulator) -> N
     expected = [simulate(native, program, scene, ego) for scene in scenes]
     sessions = [_opened(native, program, scene) for scene in scenes]
     assert len({id(_reference(one)) for one in sessions}) < len(sessions)  # most are one, in turn
-    for session in sessions:
-        drive(session, ego)
+    for session, scene in zip(sessions, scenes, strict=True):
+        drive(session, ego, scene.id)
     for session, scene, alone in zip(sessions, scenes, expected, strict=True):
         assert isinstance(alone, Episode)
         assert differences(session.episode(scene.id, "idm"), alone) == []

@@ -14,10 +14,11 @@ import numpy as np
 import pytest
 
 from benchmarks.differing import differences
+from chatscene.ego.asking import wanting
 from chatscene.ego.network import HIDDEN, OUTPUTS, Network, NetworkEgo
 from chatscene.ego.observation import AHEAD, ALLOWED, NEAREST, OBSERVATIONS, OWN, PER_ACTOR, ROAD, Observation, scale_of
 from chatscene.ego.planner import Caution, Planner
-from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of, wanting
+from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of
 from chatscene.errors import MapError, StuckBehavior
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import load_library

@@ -18,10 +18,11 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
+from chatscene.ego.asking import begin, decide
 from chatscene.ego.network import Network, NetworkEgo
 from chatscene.ego.observation import OBSERVATIONS, Observation
 from chatscene.ego.planner import ACCELERATION, Planner, carried_out
-from chatscene.ego.policy import EgoPolicy, begin, observation_of, pedals_of
+from chatscene.ego.policy import EgoPolicy, observation_of, pedals_of
 from chatscene.learn.env import DrivingEnv
 from chatscene.learn.finetune.learner import Schedule
 from chatscene.learn.finetune.settings import FinetuneSettings
@@ -46,7 +47,7 @@ class _Actions:
 
     def shown(self, observation: Observation) -> tuple[Any, tuple[float, float]]:
         """What is to be learned, and the action."""
-        told = self._teacher.act(observation)
+        told = decide(self._teacher, observation)
         return told, told
 
     def action(self, answer: Tensor, _: Observation) -> tuple[float, float]:
