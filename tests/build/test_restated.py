@@ -137,3 +137,13 @@ def test_the_ego_can_be_level_with_who_pulls_out_of_a_bay_but_not_with_who_cross
     assert built(one("bus", "bus-bay", {"act": "pull-out"} | near)).left_out == ()
     with pytest.raises(NotBuilt, match="then it is too late"):
         built(one("child", {"where": "roadside", "side": "right"}, {"act": "cross"} | near))
+
+
+def test_an_ego_that_sets_off_as_hard_as_was_said_gains_speed_so() -> None:
+    does = [{"act": "stand"}, {"act": "set-off", "acceleration": "1.5 m/s²"}]
+    assert built(one("car", {"where": "arm", "side": "left"}, "go-straight"), ego={"does": does}).left_out == ()
+
+
+def test_who_is_beside_an_ego_that_is_to_overtake_it_is_slower_if_no_speed_was_said() -> None:
+    said = {"ego": {"speed": "80 km/h", "does": [{"act": "overtake", "whom": "A"}]}}
+    assert built(one("truck", {"where": "ahead-beside", "side": "right"}, "go-along"), **said).left_out == ()

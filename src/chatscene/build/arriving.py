@@ -121,11 +121,11 @@ def _on_its_way(asked: Asked, way: str, found: CrossingPath, waits_at: str) -> S
         return replace(stand, rolls=_in_time(asked, found, seconds))
     (low, high), most = asked.numbers.range_of("SPEED")[:2], found.meets_at / (seconds + LATEST)
     if high > most:
-        if asked.numbers.is_said("SPEED"):
+        if asked.numbers.is_said("SPEED") and asked.one.hidden_by is None:
             raise NotBuilt(
                 f"others.{asked.one.id}: the road that it comes from is too short for more than {most:.1f} m/s"
             )
-        if low > most:
+        if low > most or asked.numbers.is_said("SPEED"):  # it waits where it is hidden
             return stand
         asked.numbers.narrow("SPEED", low, most)
     return replace(so_far_back(asked, stand, way_back(asked.one, asked.numbers, asked.ego, found)), rolls=True)

@@ -60,11 +60,17 @@ def relation_of(situation: Situation, one: Other) -> Relation | None:
     rows = (
         (Relation.PASSED, any(True for _ in _passes(situation, one))),
         (Relation.AGAINST, where in AGAINST),
+        (Relation.CAUGHT_UP, where in NEXT_LANE and any(_is_gone_past(one, deed) for deed in situation.ego.does)),
         (Relation.CAUGHT_UP, where in AHEAD and only_goes and not followed),
         (Relation.COMES_UP, where in BEHIND and only_goes and not slows),
         (Relation.HAS_PASSED, bool(acts) and acts[-1] is Act.OVERTAKE and one.does[-1].whom in (None, EGO)),
     )
     return next((relation for relation, holds in rows if holds), Relation.WITH)
+
+
+def _is_gone_past(one: Other, deed: Deed) -> bool:
+    """Whether the ego overtakes somebody by a deed."""
+    return deed.act is Act.OVERTAKE and deed.whom in (None, one.id)
 
 
 def goes_with(one: Other) -> bool:

@@ -187,8 +187,30 @@ def _go_past(made: Restated) -> None:
         of_itself = deed.act in FOR_SOMEBODY and deed.act not in SLOWS and deed.whom == EGO
         made.taken += [f"ego.does.{k}.whom"] * of_itself
         route = _way_past(situation, deed, route) if deed.act is Act.OVERTAKE else route
-        does.append(replace(deed, whom=None) if of_itself else deed)
+        does.append(_off_at_a_rate(ego.does, k, replace(deed, whom=None) if of_itself else deed))
     made.situation = replace(situation, ego=replace(ego, route=route, does=tuple(does)))
+    for k, (was, now) in enumerate(zip(ego.does, does, strict=True)):
+        if was.act is not now.act:  # others name it as it was called
+            made.each(lambda _, one, old=f"{EGO}.{was.act}", new=f"{EGO}.{k}": _naming(one, old, new))
+
+
+def _naming(one: Other, old: str, new: str) -> Other:
+    """Somebody whose deeds name a deed otherwise."""
+
+    def named(deed: Deed) -> Deed:
+        if (when := deed.when) is None or old not in (when.after, when.during):
+            return deed
+        after, during = (new if name == old else name for name in (when.after, when.during))
+        return replace(deed, when=replace(when, after=after, during=during))
+
+    return replace(one, does=tuple(map(named, one.does)))
+
+
+def _off_at_a_rate(does: tuple[Deed, ...], k: int, deed: Deed) -> Deed:
+    """An ego that sets off as hard as was said gains speed so from where it stood."""
+    stood = k > 0 and does[k - 1].act is Act.STAND and deed.when is None
+    gains = deed.act is Act.SET_OFF and deed.acceleration is not None
+    return replace(deed, act=Act.ACCELERATE) if stood and gains else deed
 
 
 def _way_past(situation: Situation, deed: Deed, route: EgoRoute | None) -> EgoRoute | None:

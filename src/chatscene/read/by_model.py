@@ -18,7 +18,7 @@ from chatscene.models.language.structured import printable
 from chatscene.read.quotes import faults_of_quotes, unread, without_words
 from chatscene.read.reader import check_text
 from chatscene.read.situation_prompt import EXAMPLES, form, system
-from chatscene.situations.facts import NO_FACTS
+from chatscene.situations.facts import NO_FACTS, is_said
 from chatscene.situations.faults import Fault, Malformed, Path, by_name
 from chatscene.situations.form import parsed
 from chatscene.terms.amount import Amount
@@ -28,6 +28,7 @@ from chatscene.terms.situation import Deed, Ego, Road, Situation, Start, When
 LIMITS = Limits(reply_tokens=2048)  # a situation of four road users with three deeds each has some 1,500
 LONGEST_REASON = 300  # characters of a model's own words that a message repeats
 _NOT_THE_MODELS = NO_FACTS - {"evidence"}  # a map, for one, is a file: nobody but the user names one
+_PARTS = frozenset(("ego", "road", "contact", "around"))
 _AMOUNTS = frozenset(
     one.name
     for noun in (Ego, Road, Start, Deed, When)
@@ -83,6 +84,7 @@ class ModelReader:
                 situation = situation_in(answer.situation)
             except Malformed as error:
                 return faults_in(answer.situation, error)
+            situation = without_empty_quotes(situation)
             if faults := list(faults_of_quotes(situation, text)):
                 return "; ".join(faults)
             sound.append(situation)
@@ -115,6 +117,15 @@ class ModelReader:
             ranked=(Ranked(situation=made, probability=1.0),),
             unread=unread(made, text),
         )
+
+
+def without_empty_quotes(situation: Situation) -> Situation:
+    """The same without words that were quoted for a part of which nothing was said: they are told as not read."""
+    quoted = situation.evidence.quoted
+    kept = {path: words for path, words in quoted.items() if path not in _PARTS or is_said(situation, path)}
+    return (
+        situation if len(kept) == len(quoted) else replace(situation, evidence=replace(situation.evidence, quoted=kept))
+    )
 
 
 def faults_in(written: object, error: Malformed) -> str:
