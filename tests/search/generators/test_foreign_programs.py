@@ -274,6 +274,7 @@ def test_what_only_the_sandbox_forbids_is_said_in_words_with_the_way_round_it(li
         "town = 'Town05'\nparam map = localPath(f'../maps/{town}.xodr')\n",
         "param map = f'../maps/Town05.xodr'\n",
         "where = localPath('../maps/Town05.xodr')\nparam map = where\n",
+        "param town = 'Town05'\nparam map = localPath('../maps/' + globalParameters.town + '.xodr')\n",
     ],
 )
 def test_the_path_of_a_map_may_be_put_together_of_texts(lines: str, tmp_path: Path) -> None:
