@@ -21,8 +21,8 @@ class _Named(NamedTuple):
 def map_of(tree: Any) -> tuple[str | None, frozenset[Any]]:
     """The path that a program names, and what of its syntax tree does nothing but name it.
 
-    A path is a text, one in ``localPath(…)``, an f-string or a sum of such, or the name of one. What only names it need not
-    keep to the rules for texts, since nothing else of the program sees it; the names themselves keep to theirs.
+    A path is a text, one in ``localPath(…)``, an f-string or a sum of such, or the name of one. What only names it need
+    not keep to the rules for texts, since nothing else of the program sees it; the names themselves keep to theirs.
 
     Args:
         tree: Scenic's syntax tree of a program.
@@ -86,11 +86,9 @@ def _text(value: Any, texts: Mapping[str, _Named]) -> str | None:
             return named.text if named else None
         case ast.Call(func=ast.Name(id="localPath"), args=[path], keywords=[]):
             return _text(path, texts)
-        case ast.JoinedStr(values=parts):
+        case ast.JoinedStr() | ast.BinOp(op=ast.Add()):
+            parts = value.values if isinstance(value, ast.JoinedStr) else (value.left, value.right)
             told = [_text(part, texts) for part in parts]
-            return None if None in told else _path("".join(filter(None, told)))
-        case ast.BinOp(left=first, op=ast.Add(), right=second):
-            told = [_text(part, texts) for part in (first, second)]
             return None if None in told else _path("".join(filter(None, told)))
         case ast.FormattedValue(value=(ast.Name() | ast.Attribute()) as name, conversion=-1, format_spec=None):
             return _text(name, texts)
