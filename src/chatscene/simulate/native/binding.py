@@ -109,19 +109,8 @@ class Bound:
 
     def copy(self) -> Bound:
         """The same scene as far as it is now, to be stepped by itself; what stays as it is, is shared."""
-        world = engine.World.from_buffer_copy(self.world)
-        rows, offsets = (_until(array, world.step) for array in (self.rows, self.offsets))
-        world.kept = [*self.world.kept, rows, offsets]
-        changing = {"body": world.bodies, "agent": world.agents, "order": world.orders, "contact": world.contacts}
-        for name, count in changing.items():
-            pointer = getattr(self.world, name)
-            room = CONTACTS if name == "contact" else max(count, 1)
-            array = (pointer._type_ * room)()
-            ctypes.memmove(array, pointer, ctypes.sizeof(pointer._type_) * count)
-            setattr(world, name, array)
-            world.kept.append(array)
-        world.row, world.offsets = _shared(rows), _shared(offsets)
-        return Bound(world, rows, offsets)
+        rows, offsets = np.zeros(self.rows.shape), np.zeros(self.offsets.shape)
+        return Bound(engine.load_engine().copy(self.world, rows, offsets), rows, offsets)
 
 
 def bind(session: SteppedSession, program: ScenicProgram, placement: Placement | None = None) -> Bound:
@@ -362,13 +351,6 @@ def _watch(world: engine.World, session: SteppedSession) -> None:
         agent.last, agent.until = doing[agent.body].last, doing[agent.body].until
 
 
-def _until(array: NDArray[np.float64], step: int) -> NDArray[np.float64]:
-    """A copy of what is kept of each state up to a step, with room for the rest."""
-    copied = np.zeros(array.shape)
-    copied[: step + 1] = array[: step + 1]
-    return copied
-
-
 def _areas_of(around: RouteSurroundings) -> tuple[Any, Any, NDArray[np.float64]]:
     """The lanes of a route as polygons, their rings and all corners."""
     if (known := _areas.get(around)) is None:
@@ -396,11 +378,6 @@ def _areas_in(around: RouteSurroundings) -> tuple[Any, Any, NDArray[np.float64]]
 
 def _kind_of(body: Any) -> int:
     return VEHICLE if isinstance(body, Vehicle) else WALKER if isinstance(body, Walker) else THING
-
-
-def _shared(array: NDArray[np.float64]) -> Any:
-    """An array as one of C's, which a structure takes in place of a pointer; sooner made than that."""
-    return (ctypes.c_double * array.size).from_buffer(array.data)
 
 
 def _pointer(array: NDArray[np.float64]) -> Any:

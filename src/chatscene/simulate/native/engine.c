@@ -1183,6 +1183,31 @@ static void press(World *w, double acceleration, double steering_) {
     else step_world(w, 0.0, -acceleration * w->hardest, steer);
 }
 
+static int64_t room_for(int64_t size, int64_t count) { return size * (count > 1 ? count : 1); }
+
+/* How much of memory a scene takes that changes as it is stepped, but for what is kept of each state. */
+int64_t room_of(const World *w) {
+    return room_for(sizeof(Body), w->bodies) + room_for(sizeof(Agent), w->agents) +
+           room_for(sizeof(Order), w->orders) + room_for(sizeof(Contact), w->most_contacts);
+}
+
+static void *copied(char **room, const void *from, int64_t size, int64_t count, int64_t most) {
+    void *to = memcpy(*room, from, size * count);
+    *room += room_for(size, most);
+    return to;
+}
+
+/* The same scene as far as it is, to be stepped by itself: in so much room, and so that it keeps its states apart. */
+void copy_world(const World *from, World *to, char *room, double *row, double *offsets) {
+    *to = *from;
+    to->body = copied(&room, from->body, sizeof(Body), from->bodies, from->bodies);
+    to->agent = copied(&room, from->agent, sizeof(Agent), from->agents, from->agents);
+    to->order = copied(&room, from->order, sizeof(Order), from->orders, from->orders);
+    to->contact = copied(&room, from->contact, sizeof(Contact), from->contacts, from->most_contacts);
+    to->row = memcpy(row, from->row, sizeof(double) * 4 * from->moving * (from->step + 1));
+    to->offsets = memcpy(offsets, from->offsets, sizeof(double) * (from->step + 1));
+}
+
 /* Scenes that are each stepped with an action of its own: what `told` and `seen` say of each is then in rows. */
 void step_worlds(World **worlds, int64_t count, const double *action, double *told, double *seen, int64_t size) {
     for (int64_t i = 0; i < count; i++, action += 2, told += 6, seen += size) {

@@ -331,6 +331,10 @@ class Engine:
         library.see_world.argtypes = (POINTER(World),)
         library.step_world.restype = None
         library.step_world.argtypes = (POINTER(World), c_double, c_double, c_double)
+        library.room_of.restype = c_int64
+        library.room_of.argtypes = (POINTER(World),)
+        library.copy_world.restype = None
+        library.copy_world.argtypes = (POINTER(World), POINTER(World), *[c_void_p] * 3)
         library.step_worlds.restype = None
         library.step_worlds.argtypes = (c_void_p, c_int64, *[c_void_p] * 3, c_int64)
         library.run_world.restype = c_int64
@@ -390,6 +394,20 @@ class Engine:
     def step(self, world: World, throttle: float, brake: float, steer: float) -> None:
         """One step of a scene."""
         self._library.step_world(ctypes.byref(world), throttle, brake, steer)
+
+    def copy(self, world: World, rows: Array, offsets: Array) -> World:
+        """The same scene as far as it is, to be stepped by itself; what stays as it is, is shared.
+
+        Args:
+            world: The scene.
+            rows: As large as what is kept of its states; takes those of the copy.
+            offsets: The same of the ego's offsets.
+        """
+        found, room = World(), np.empty(self._library.room_of(ctypes.byref(world)), np.uint8)
+        columns = (column.ctypes.data for column in (room, rows, offsets))
+        self._library.copy_world(ctypes.byref(world), ctypes.byref(found), *columns)
+        found.kept = [*world.kept, room, rows, offsets]
+        return found
 
     def step_many(self, worlds: NDArray[np.uint64], actions: Array, size: int) -> tuple[Array, Array]:
         """One step of each of several scenes.
