@@ -34,7 +34,7 @@ from chatscene.build.place import (
 from chatscene.build.relations import falls_behind, goes_with, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.build.timing import Body
-from chatscene.errors import NotBuilt, NothingBuilds
+from chatscene.errors import NoSuchPlace, NotBuilt, NothingBuilds
 from chatscene.maps.equipment import bus_bay
 from chatscene.terms.backing import backs
 from chatscene.terms.conclusions import LANE_CHANGES
@@ -326,6 +326,8 @@ def _oncoming(asked: Asked) -> Stand:
     ours = asked.one.starts.where is Where.ONCOMING_IN_OUR_LANE
     if asked.situation.ego.route is EgoRoute.U_TURN and not ours and asked.rolls and not asked.one.starts.distance:
         return comes_back(asked)
+    if not ours and "left" not in lanes_beside(asked.found.route):
+        raise NoSuchPlace(f"no map has such a place: others.{asked.one.id} needs an oncoming lane to the left of ours")
     way = _against(asked.found) if ours else 'neighbourPath(egoRoute, "left")'
     if asked.stands:
         asked.ahead(38, 56)
