@@ -77,7 +77,7 @@ def test_a_folder_needs_a_place_for_its_programs(theirs: Path, tmp_path: Path) -
 
 def test_no_program_of_a_folder_takes_the_name_of_another(theirs: Path) -> None:
     (theirs / "values-1.xosc").write_text(scenario())
-    (theirs / "A.XOSC").write_text(scenario())
+    (theirs / "a-1.xosc").write_text(scenario())
     (theirs / "a.XOSC").write_text(scenario())
     found = {str(one.file): one for one in import_folder(theirs, theirs / "mine").files}
     assert [str(one) for one in found["values.xosc"].programs] == ["values_-1.scenic", "values_-3.scenic"]

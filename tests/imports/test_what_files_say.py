@@ -117,11 +117,21 @@ def test_what_init_sets_holds_from_the_beginning(kind: str, tmp_path: Path) -> N
     assert found.speed[3] == 3
 
 
-def test_a_command_to_another_program_in_init_is_told(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("action", "says"),
+    [
+        (
+            '<UserDefinedAction><CustomCommandAction type="x">y</CustomCommandAction></UserDefinedAction>',
+            "a command to another program is left out",
+        ),
+        ('<GlobalAction><SetMonitorAction monitorRef="m" value="true"/></GlobalAction>', "there are no monitors here"),
+    ],
+    ids=["command", "monitor"],
+)
+def test_what_init_has_that_nothing_here_does_is_told(action: str, says: str, tmp_path: Path) -> None:
     usual = first("ego", put(lane(50)), speed(10)) + first("A", put(lane(100)), speed(10))
-    command = '<UserDefinedAction><CustomCommandAction type="x">y</CustomCommandAction></UserDefinedAction>'
-    notes = read(tmp_path, scenario(group("A", STANDS), inits=usual + command)).notes
-    assert any("a command to another program is left out" in one for one in notes)
+    notes = read(tmp_path, scenario(group("A", STANDS), inits=usual + action)).notes
+    assert any(says in one for one in notes)
 
 
 def test_all_of_a_selection_do_what_it_does_in_init(tmp_path: Path) -> None:

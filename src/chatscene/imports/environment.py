@@ -13,6 +13,7 @@ from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 _FOG = 200.0  # [m] of sight, below which it is foggy
 _FALLS = {"dry": Weather.CLEAR, "rain": Weather.RAIN, "snow": Weather.SNOW}
 _ELSEWHERE = frozenset(("EntityAction", "ParameterAction", "VariableAction"))  # what other readers see to
+NO_MONITORS = "there are no monitors here"
 _SAME = 1e-6  # between frictions
 _SLIPPERY = 0.75  # of a dry road's friction
 
@@ -29,6 +30,8 @@ def surroundings_of(actions: Element, given: Given) -> Surroundings:
         if inner.tag == "EnvironmentAction":
             if inner.find("CatalogReference") is None:  # else its catalog is not there, which is noted
                 worlds.append(one)
+        elif inner.tag == "SetMonitorAction":
+            given.note(inner, NO_MONITORS)
         elif inner.tag not in _ELSEWHERE:
             raise Refused(inner, "of the world only its weather and who is there is told in Init")
     if not worlds:

@@ -121,7 +121,7 @@ def import_folder(
             f"{out} exists and is not an empty folder; give another with --out, or delete it, if an import was "
             "interrupted there"
         )
-    programs = _programs([path.relative_to(folder) for path in files])
+    programs = _programs(folder, files)
     rows = list[ImportedFile]()
     with alone_in(out):
         for path, (named, program) in zip(files, programs.items(), strict=True):
@@ -130,18 +130,26 @@ def import_folder(
     return ImportedFolder(out=out, files=tuple(rows))
 
 
-def _programs(files: Sequence[Path]) -> dict[Path, Path]:
+def _programs(folder: Path, files: Sequence[Path]) -> dict[Path, Path]:
     """The program of each file, by paths from both folders: no two the same, and none a variant of another."""
-    apart = Apart("_")
-    plain = Counter(file.with_suffix("") for file in files)
+    apart, stems = Apart("_"), {file.relative_to(folder).with_suffix("") for file in files}
     found: dict[Path, Path] = {}
     for file in files:
-        stem = file.with_suffix("")
+        named = file.relative_to(folder)
+        stem = named.with_suffix("")
         numbered = re.compile(rf"{re.escape(stem.name)}-\d+")
-        clash = any(numbered.fullmatch(other.name) and other.parent == stem.parent for other in plain)
-        name = f"{stem}_" if clash else str(stem)
-        found[file] = Path(f"{apart.of(name)}.scenic")
+        taken = any(numbered.fullmatch(other.name) and other.parent == stem.parent for other in stems)
+        behind = "_" if taken and _tells_variants(file) else ""
+        found[named] = Path(f"{apart.of(f'{stem}{behind}')}.scenic")
     return found
+
+
+def _tells_variants(file: Path) -> bool:
+    """Whether a file tells parameter values, and so becomes programs with a number behind its name."""
+    try:
+        return b"ParameterValueDistribution" in file.read_bytes()
+    except OSError:  # which its row tells
+        return False
 
 
 def _recorded(row: ImportedFile, out: Path) -> FileRecord:

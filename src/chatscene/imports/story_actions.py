@@ -8,6 +8,7 @@ from itertools import accumulate, pairwise
 from typing import Any
 
 from chatscene.imports.cast import Cast, text_or_number, told_number
+from chatscene.imports.environment import NO_MONITORS
 from chatscene.imports.given import Refused
 from chatscene.imports.opening import LEFT_ALONE
 from chatscene.imports.shapes import MOST_TIMES, Shape, thinned_faces, thinned_in_time
@@ -51,7 +52,7 @@ class StoryActions:
                 g.note(inner, "light and weather stay as they are in Init")
                 return _NOTHING
             case "SetMonitorAction":
-                g.note(inner, "there are no monitors here")
+                g.note(inner, NO_MONITORS)
                 return _NOTHING
             case _:
                 raise Refused(inner, "the world does not change so meanwhile here; leave it out")
