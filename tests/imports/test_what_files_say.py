@@ -75,6 +75,13 @@ def test_a_default_of_a_catalog_is_made_of_what_its_entry_is_given(tmp_path: Pat
     assert (found.length, found.width) == (6, 3)
 
 
+def test_declarations_whose_values_are_too_long_together_are_refused(tmp_path: Path) -> None:
+    long = {f"v{i}": "${$big+$big}" for i in range(4000)}
+    acts = group("A", event("goes", speed("$v1"), time(1)), declared=declared(big="1" * 4500, **long))
+    with pytest.raises(ScenarioError, match=r"<ParameterDeclarations>: its values are longer than \d+ MB"):
+        read(tmp_path, scenario(acts))
+
+
 def test_a_value_for_a_parameter_that_a_catalog_does_not_declare_is_told(tmp_path: Path) -> None:
     notes = read(tmp_path, car_of(tmp_path, declared(len=4, wid=2), ("lenn", 6))).notes
     assert any("the entry 'v' declares no parameter 'lenn'; its value is left out" in one for one in notes)

@@ -40,17 +40,20 @@ def written_out(root: Element, path: Path, given: Given, catalogs: Catalogs) -> 
     return _Writer(root, path, given, catalogs).element(root, {}, 0, "")
 
 
-def scope_of(declared: Element, outer: Mapping[str, str], assigned: Mapping[str, str] | None = None) -> dict[str, str]:
+def scope_of(
+    declared: Element, outer: Mapping[str, str], assigned: Mapping[str, str] | None = None, most: int = LARGEST
+) -> dict[str, str]:
     """The parameters that hold within an element: its own before those around it, whatever they are called.
 
     Args:
         declared: Its ParameterDeclarations; each may be made of others of them, and of those around.
         outer: Values of the parameters around it.
         assigned: Values in place of those that are declared, as a reference to a catalog assigns them.
+        most: How many characters its own values may have together.
 
     Raises:
         Refused: Some are made of one another.
-        ValueError: A value is longer than an attribute may be.
+        ValueError: A value is longer than an attribute may be, or all of them are too long together.
     """
     own = {d.attributes.get("name", "").removeprefix("$"): d.attributes.get("value", "") for d in declared.inside}
     told = {name: value for name, value in (assigned or {}).items() if name in own}
@@ -62,6 +65,9 @@ def scope_of(declared: Element, outer: Mapping[str, str], assigned: Mapping[str,
     try:
         for name in TopologicalSorter(made_of).static_order():
             found[name] = told[name] if name in told else bound(own[name], found)
+            most -= len(found[name])
+            if most < 0:
+                raise ValueError(f"its values are longer than {LARGEST // 2**20} MB with those of the file")
     except CycleError as error:
         raise Refused(declared, f"${error.args[1][0]} is an expression of itself") from None
     return found
@@ -211,12 +217,14 @@ class _Writer:
         self, declared: Element, outer: Mapping[str, str], assigned: Mapping[str, str] | None
     ) -> Mapping[str, str]:
         try:
-            return scope_of(declared, outer, assigned)
+            found = scope_of(declared, outer, assigned, LARGEST - self._characters)
         except Refused as reason:
             self._given.refusals.append(str(reason))
             return outer
         except ValueError as error:
             raise ScenarioError(f"{self._path}: {Refused(declared, str(error))}") from error
+        self._characters += sum(len(found[d.attributes.get("name", "").removeprefix("$")]) for d in declared.inside)
+        return found
 
     def _bound(self, one: Element, scope: Mapping[str, str]) -> dict[str, str]:
         """The attributes of an element with the values of the parameters of a scope.
