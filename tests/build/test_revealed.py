@@ -98,13 +98,6 @@ def test_who_backs_up_covers_the_way_that_was_said_whatever_its_pedals(kind: str
     assert -float(speed[speed < 0.0].sum()) * episode.dt == pytest.approx(6.0, abs=0.4)
 
 
-def test_a_door_beside_an_ego_that_drives_on_is_refused_with_where_it_is_built() -> None:
-    opens = {"act": "stand"}, {"act": "open-door"}
-    with pytest.raises(NotBuilt, match=r"starts\.where: beside: .* say ahead-beside"):
-        build(said(other("A", "beside", *opens, side="left")))
-    assert build(said(other("A", "ahead-beside", *opens, side="left")))
-
-
 def test_who_comes_the_other_way_in_our_lane_and_is_not_met_gets_out_of_the_way_without_a_word() -> None:
     situation = said(
         other("A", "oncoming", {"act": "go-straight"}, kind="tractor"),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from chatscene.build.asked import Asked, Meets, Stand
 from chatscene.build.place import LANE, NEXT_LANE
-from chatscene.errors import NotBuilt
 from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import Act, Side, Where
 
@@ -20,17 +19,8 @@ def opens_in_lane(asked: Asked) -> bool:
 
 
 def stands_in_lane(asked: Asked) -> Stand:
-    """In a lane: in the ego's own, which it swings out of or stops in, or at the edge of the next one toward it.
-
-    Raises:
-        NotBuilt: It stands beside an ego that drives on.
-    """
+    """In a lane: in the ego's own, which it swings out of or stops in, or at the edge of the next one toward it."""
     where = asked.one.starts.where
-    if where is Where.BESIDE and not asked.ego.stands:
-        raise NotBuilt(
-            f"others.{asked.one.id}.starts.where: {where}: our moving vehicle passes a standing one at once; say"
-            f" {Where.AHEAD_BESIDE}"
-        )
     passed = where is Where.AHEAD and asked.swings_out
     level = "$Y"
     if passed:
