@@ -12,6 +12,7 @@ from shapely.affinity import rotate, translate
 
 from chatscene.measure.criticality import criticality, fault
 from chatscene.report.measures import InWords
+from chatscene.simulate import boxes
 from chatscene.simulate.contact import side_touched
 from chatscene.terms.criticality import CRITICALITY, Criticality, Fault, Severity
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
@@ -419,3 +420,45 @@ def test_a_measure_of_which_no_more_is_said_is_told_without_a_gap() -> None:
     assert InWords("least mean distance", "better", "m").in_one == "least mean distance; more is better"
     assert InWords("friction demand", "", of="share").in_one == "friction demand: share"
     assert InWords("speed", "").in_one == "speed"
+
+
+def ahead_in_the_corridor(ego: Track, other: Track) -> float | None:
+    """From the ego's front to the nearest of what is ahead of the other, cut to the strip as wide as the ego."""
+    strip = box(float(ego.x[0]) + ego.length / 2, -ego.width / 2, 1e3, ego.width / 2)
+    part = polygon(other, 0).intersection(strip)
+    return part.bounds[0] - strip.bounds[0] if part.area > 1e-6 else None
+
+
+@few
+@given(
+    x=st.floats(8.0, 30.0),
+    y=st.floats(-5.0, 5.0),
+    heading=st.floats(-math.pi, math.pi),
+    length=st.floats(0.5, 12.0),
+    width=st.floats(0.5, 3.0),
+)
+@pytest.mark.parametrize("native", [True, False])
+def test_who_is_ahead_is_ahead_by_what_of_it_lies_in_the_corridor(
+    native: bool, x: float, y: float, heading: float, length: float, width: float
+) -> None:
+    ego = track("ego", speed=10.0)
+    other = track(x=x, y=y, heading=heading, size=(length, width))
+    expected = ahead_in_the_corridor(ego, other)
+    with pytest.MonkeyPatch.context() as patch:
+        if not native:
+            patch.setattr(boxes, "engine", lambda: None)
+        boxes.between.cache_clear()
+        found = float(boxes.between(ego, other).ahead[0])
+        boxes.between.cache_clear()
+    if expected is not None and expected > 1e-6 and not polygon(ego, 0).intersects(polygon(other, 0)):
+        assert found == pytest.approx(expected, abs=1e-6)
+
+
+def test_the_headway_to_somebody_turned_is_to_what_blocks_the_way() -> None:
+    # A car at 45° whose nearest corner lies beside the corridor: it enters at y = 1 on its edge toward the ego.
+    ego, other = track("ego", speed=10.0), track(x=12.0, y=3.0, heading=math.pi / 4, size=(6.0, 2.0))
+    nearest = 12.0 - 2.0 - (3.0 + 1.0) / math.sqrt(2)  # of its corners, from the ego's front
+    headway = criticality(episode(ego, other)).time_headway
+    assert headway is not None
+    assert headway == pytest.approx(ahead_in_the_corridor(ego, other) / 10.0)  # type: ignore[operator] # pyright: ignore[reportOptionalOperand]
+    assert headway > nearest / 10.0 + 0.05

@@ -85,6 +85,33 @@ def test_a_wall_in_the_lane_is_hit_with_the_front_at_the_ego_s_own_speed(drive: 
     assert crash.impact_speed == pytest.approx(TARGET_SPEED, abs=0.3)
 
 
+class Swings:
+    """An ego that turns right and left in turn, half a second each."""
+
+    def __init__(self) -> None:
+        self._step = 0
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        self._step += 1
+        return 0.8, 0.6 if self._step // 5 % 2 else -0.6
+
+
+@pytest.mark.parametrize("kind", ["embedded", "native"])
+def test_who_turns_is_hit_as_fast_as_both_were_before_the_step(kind: str) -> None:
+    where = load_simulator(resolve_map("town"), SimulationSettings(simulator=kind))
+    episode = simulate(where, moving("do DrivePath(egoRoute, 3)", ahead=20), scene(), Swings())
+    assert isinstance(episode, Episode)
+    crash, ego = episode.collision, episode.ego_track
+    assert crash is not None
+    other, step = next(track for track in episode.tracks if track.actor == crash.other), crash.step - 1
+    assert ego.heading[step] != ego.heading[step + 1]
+    mine, theirs = (
+        track.speed[step] * np.array((np.cos(track.heading[step]), np.sin(track.heading[step])))
+        for track in (ego, other)
+    )
+    assert crash.impact_speed == pytest.approx(float(np.hypot(*(mine - theirs))), abs=1e-12)
+
+
 def test_an_ego_that_does_nothing_runs_out_of_time(drive: Callable[..., Episode]) -> None:
     episode = drive(program(HEAD + EGO), Coast())
     assert episode.ending is Ending.TIMEOUT

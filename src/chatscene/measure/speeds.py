@@ -152,7 +152,7 @@ def _closing_speed(ego: Track, other: Track, crash: Event) -> float:
     """How much of the impact speed is along the line of contact [m/s]."""
     step, before = crash.step, max(crash.step - 1, 0)
     ways = [
-        np.array((math.cos(track.heading[step]), math.sin(track.heading[step]))) * float(track.speed[before])
+        np.array((math.cos(track.heading[before]), math.sin(track.heading[before]))) * float(track.speed[before])
         for track in (ego, other)
     ]
     return float(np.clip((ways[0] - ways[1]) @ line_of_contact(ego, other, step), 0.0, crash.impact_speed))

@@ -118,7 +118,7 @@ class Between:
     Attributes:
         gaps: Between the boxes [m]; 0 where they overlap.
         times: Until the boxes touch if both keep velocity and heading [s]; inf where they never would.
-        ahead: From the front of the first to what of the second is nearest [m], if that is ahead; else -inf.
+        ahead: From the front of the first to the nearest of what is ahead of the second [m]; -inf if nothing is.
         closing: How fast the first closes in on the second along its own heading [m/s].
         least: The least gap [m].
         nearest: The first step at which it is that.
@@ -164,9 +164,10 @@ def in_numpy(a: Boxes, b: Boxes, speed: Array, other_speed: Array) -> Between:
     # Between two convex shapes that are apart, a corner of one of them is nearest.
     apart = np.minimum(_corner_gaps(a, b), _corner_gaps(b, a))
     along, across = pair.offset[:2]
-    c, s = a.cos * b.cos + a.sin * b.sin, np.abs(a.cos * b.sin - a.sin * b.cos)
-    gap = along - a.half_length - b.half_length * np.abs(c) - b.half_width * s
+    c, turned = a.cos * b.cos + a.sin * b.sin, a.cos * b.sin - a.sin * b.cos
+    s = np.abs(turned)
     beside = np.abs(across) - a.half_width - b.half_length * s - b.half_width * np.abs(c)
+    gap = along - a.half_length - b.half_length * np.abs(c) - b.half_width * s + _beyond_corner(a, b, across, c, turned)
     gaps, times = np.where(pair.touching, 0.0, apart), np.where(meets, np.maximum(begin, 0.0), np.inf)
     ahead, closing = np.where((gap > 0.0) & (beside < 0.0), gap, -np.inf), speed - other_speed * c
     follows = (ahead > 0.0) & (speed > CRAWL)
@@ -182,6 +183,30 @@ def in_numpy(a: Boxes, b: Boxes, speed: Array, other_speed: Array) -> Between:
         headway=float((ahead[follows] / speed[follows]).min(initial=math.inf)),
         braking=float((closing[nears] ** 2 / (2.0 * ahead[nears])).max(initial=0.0)),
     )
+
+
+def _beyond_corner(a: Boxes, b: Boxes, across: Array, c: Array, s: Array) -> Array:
+    """(T,) How much farther than its nearest corner the part of the second is that lies in the corridor [m].
+
+    That corner may lie beside the corridor. Then the edge from it into the corridor is nearest where it enters.
+
+    Args:
+        a: The first, whose corridor it is.
+        b: The second.
+        across: How far to the left of the first its centre is [m].
+        c: Cosine of its heading seen from the first.
+        s: Sine of it.
+    """
+    alike = (c < 0.0) == (s < 0.0)
+    c, s = np.abs(c), np.abs(s)
+    offset = b.half_width * c - b.half_length * s
+    corner = across + np.where(alike, offset, -offset)
+    out = np.abs(corner) - a.half_width
+    short = (corner > 0.0) == alike  # whether the edge into the corridor is one of the two as long as it is wide
+    deep = 2.0 * np.where(short, b.half_width * s, b.half_length * c)
+    wide = 2.0 * np.where(short, b.half_width * c, b.half_length * s)
+    share = np.divide(out, wide, out=np.ones_like(out), where=wide > out)
+    return np.where(out > 0.0, deep * share, 0.0)
 
 
 @lru_cache(maxsize=KEPT)

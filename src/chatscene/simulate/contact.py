@@ -144,6 +144,14 @@ def _at(track: Track, step: int, earlier: float) -> Body:
     return Body(*track.pose(step, earlier), track.length, track.width)
 
 
-def approach_speed(a: Body, b: Body) -> float:
-    """Relative speed [m/s] of two bodies: the magnitude of the difference of their velocities before the step."""
-    return math.hypot(a.before * a.cos - b.before * b.cos, a.before * a.sin - b.before * b.sin)
+def approach_speed(a: Body, b: Body, a_heading: float, b_heading: float) -> float:
+    """Relative speed [m/s] of two bodies: the magnitude of the difference of their velocities before the step.
+
+    Args:
+        a: As it is after the step.
+        b: The same.
+        a_heading: Where it headed before [rad].
+        b_heading: The same.
+    """
+    x = a.before * math.cos(a_heading) - b.before * math.cos(b_heading)
+    return math.hypot(x, a.before * math.sin(a_heading) - b.before * math.sin(b_heading))

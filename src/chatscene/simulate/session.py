@@ -395,7 +395,8 @@ class SteppedSession:
             mine, theirs = ego, other
             if earlier:
                 mine, theirs = between(ego, was[0], 1.0 - earlier), between(other, was[i], 1.0 - earlier)
-            side, speed = contact_side(mine, theirs), approach_speed(ego, other)
+            headed = (was[0][2], was[i][2]) if i < len(was) else (ego.heading, other.heading)
+            side, speed = contact_side(mine, theirs), approach_speed(ego, other, *headed)
             self._contacts.append(self._contact(self.step_number, i, side, speed, earlier))
             if touch(ego, other):
                 self._touching.add(i)

@@ -1075,8 +1075,8 @@ static void look(World *w) {
             contact->step = w->step;
             contact->other = i;
             contact->side = contact_side(&mine, &theirs);
-            contact->speed = hypotenuse(ego->before * ego->cos - o->before * o->cos,
-                                        ego->before * ego->sin - o->before * o->sin);
+            contact->speed = hypotenuse(ego->before * cos(ego->was_heading) - o->before * cos(o->was_heading),
+                                        ego->before * sin(ego->was_heading) - o->before * sin(o->was_heading));
             contact->earlier = earlier;
         }
         if (touch(ego, o)) w->touching |= 1ULL << i; else passed = 1;
@@ -1855,6 +1855,20 @@ static double time_to_collision(const Apart *p, double vx, double vy) {
     return begin <= end && end >= 0.0 ? greater(begin, 0.0) : INFINITY;
 }
 
+/* `boxes._beyond_corner` */
+static double beyond_corner(const Boxes *a, const Boxes *b, double across, double c, double s) {
+    int alike = (c < 0.0) == (s < 0.0);
+    c = fabs(c);
+    s = fabs(s);
+    double offset = b->half_width * c - b->half_length * s;
+    double corner = across + (alike ? offset : -offset), out = fabs(corner) - a->half_width;
+    if (!(out > 0.0)) return 0.0;
+    int is_short = (corner > 0.0) == alike;
+    double deep = 2.0 * (is_short ? b->half_width * s : b->half_length * c);
+    double wide = 2.0 * (is_short ? b->half_width * c : b->half_length * s);
+    return deep * (wide > out ? out / wide : 1.0);
+}
+
 /* `boxes.between`: how two bodies lie to each other at each step; `ahead` is -inf where the second is not ahead. */
 void compare_boxes(int64_t steps, const Boxes *a, const double *speed, const Boxes *b, const double *other, double *found) {
     double *gaps = found, *times = gaps + steps, *ahead = times + steps, *closing = ahead + steps;
@@ -1864,7 +1878,9 @@ void compare_boxes(int64_t steps, const Boxes *a, const double *speed, const Box
         gaps[i] = overlapping(&p) ? 0.0 : lesser(corner_gap(a, b, i), corner_gap(b, a, i));
         times[i] = time_to_collision(
             &p, other[i] * b->cos[i] - speed[i] * a->cos[i], other[i] * b->sin[i] - speed[i] * a->sin[i]);
-        double gap = p.offset[0] - a->half_length - b->half_length * fabs(p.c) - b->half_width * p.s;
+        double turned = a->cos[i] * b->sin[i] - a->sin[i] * b->cos[i];
+        double gap = p.offset[0] - a->half_length - b->half_length * fabs(p.c) - b->half_width * p.s
+            + beyond_corner(a, b, p.offset[1], p.c, turned);
         double beside = fabs(p.offset[1]) - a->half_width - b->half_length * p.s - b->half_width * fabs(p.c);
         ahead[i] = gap > 0.0 && beside < 0.0 ? gap : -INFINITY;
         closing[i] = speed[i] - other[i] * p.c;
