@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, field, fields
+from numbers import Integral, Real
 
 from chatscene.errors import SettingsError, no_such
 
@@ -19,6 +21,37 @@ READ_AS = ("situation", PAPER_READER)
 OFFLINE = "offline"  # the project's own reader, in place of a language model
 
 
+MANY = (1, 1_000_000)
+"""How many of anything that is counted may be asked for."""
+SEEDS = (0, 2**63 - 1)
+SPEEDS = (1.0, 300.0)
+"""What an ego may be asked to drive at [km/h]."""
+
+
+def whole(name: str, value: object, least: int, most: int) -> int:
+    """A whole number that a caller gives, of whatever integer type.
+
+    Raises:
+        SettingsError: It is none, or beyond its range.
+    """
+    number = int(value) if not isinstance(value, bool) and isinstance(value, Integral) else None
+    if number is None or not least <= number <= most:
+        raise SettingsError(f"{name} must be a whole number from {least:,} to {most:,}, not {value!r}")
+    return number
+
+
+def finite(name: str, value: object, least: float, most: float) -> float:
+    """A number that a caller gives, of whatever real type.
+
+    Raises:
+        SettingsError: It is none, or beyond its range.
+    """
+    number = float(value) if not isinstance(value, bool) and isinstance(value, Real) else math.nan
+    if not least <= number <= most:  # NaN is neither
+        raise SettingsError(f"{name} must be a number from {least:,} to {most:,}, not {value!r}")
+    return number
+
+
 def check_settings(settings: object, limits: Mapping[str, tuple[float, float]]) -> None:
     """Hold every field to its kind and every number to its range; a run's record is as good as what a user typed.
 
@@ -29,14 +62,14 @@ def check_settings(settings: object, limits: Mapping[str, tuple[float, float]]) 
         if setting.default is MISSING:  # a mapping, which is looked at where it is used
             continue
         name, value, kind = setting.name, getattr(settings, setting.name), type(setting.default)
-        fits = type(value) is kind or (kind is float and type(value) is int)
-        if name not in limits:
-            if not fits or "\0" in str(value):
-                raise SettingsError(f"{name} must be {_KINDS[kind]}, not {value!r}")
+        if name in limits:
+            given = (whole if kind is int else finite)(name, value, *limits[name])  # type: ignore[arg-type]
+            if type(value) not in (int, float):  # numpy's, which JSON does not know
+                object.__setattr__(settings, name, given)
             continue
-        least, most = limits[name]
-        if not (fits and least <= value <= most):  # NaN is neither
-            raise SettingsError(f"{name} must be {_KINDS[kind]} from {least:,} to {most:,}, not {value!r}")
+        fits = type(value) is kind or (kind is float and type(value) is int)
+        if not fits or "\0" in str(value):
+            raise SettingsError(f"{name} must be {_KINDS[kind]}, not {value!r}")
 
 
 _KINDS: dict[type, str] = {int: "a whole number", float: "a number", bool: "true or false", str: "text"}
@@ -77,16 +110,15 @@ class SearchSettings:
     seed: int = 0
 
     def __post_init__(self) -> None:
-        many = (1, 1_000_000)
         check_settings(
             self,
             {
-                "scenes": many,
-                "block": many,
-                "keep": many,
+                "scenes": MANY,
+                "block": MANY,
+                "keep": MANY,
                 "routes": (1, 1_000),
                 "tries": (1, 10_000),
-                "seed": (0, 2**63 - 1),
+                "seed": SEEDS,
             },
         )
         if self.selection not in SELECTIONS:
@@ -168,7 +200,7 @@ class VerifySettings:
             self,
             {
                 "draws": (1, 1_000),
-                "seed": (0, 2**63 - 1),
+                "seed": SEEDS,
                 "least": (0.0, 1.0),
                 "budget": (0.0, 1e6),
                 "variant": (0, 10**9),

@@ -6,6 +6,7 @@ import contextlib
 import json
 import math
 import zipfile
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -17,7 +18,7 @@ from chatscene.ego.asking import wanting
 from chatscene.ego.files import SAFEBENCH_EVERY, load_file
 from chatscene.ego.network import Network, NetworkEgo, load_network
 from chatscene.ego.observation import ALLOWED, OBSERVATIONS
-from chatscene.ego.policy import EgoPolicy, load_ego, takes_speed
+from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of, takes_speed
 from chatscene.errors import EgoError
 from places import SHARED
 
@@ -234,6 +235,22 @@ def test_a_model_of_stable_baselines_acts_as_it_does_there(
 
 
 @quiet
+def test_a_model_keeps_what_its_environment_showed_it_and_what_its_actions_meant(tmp_path: Path) -> None:
+    pytest.importorskip("torch", reason="the extra 'train' is not installed")
+    sb3 = pytest.importorskip("stable_baselines3", reason="the extra 'train' is not installed")
+    gymnasium = pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
+    pytest.importorskip("chatscene.gym")  # which registers the environment
+
+    asked = {"pedals": "full-brake", "ego_observation": "road"}
+    env = gymnasium.make("chatscene/Drive-v0", **asked)
+    sb3.PPO("MlpPolicy", env, policy_kwargs={"net_arch": [8]}, device="cpu").save(tmp_path / "model.zip")
+    ego = load_file(tmp_path / "model.zip")
+    assert (pedals_of(ego), observation_of(ego)) == ("full-brake", "road")
+    stable_baselines_model("PPO").save(tmp_path / "other.zip")
+    assert pedals_of(load_file(tmp_path / "other.zip")) == "safebench"
+
+
+@quiet
 @pytest.mark.parametrize(
     ("algorithm", "change", "says"),
     [
@@ -242,6 +259,11 @@ def test_a_model_of_stable_baselines_acts_as_it_does_there(
         ("PPO", "picture", r"shape \[2, 2\].*one row of numbers"),
         ("PPO", "parts", "Dict.*one row of numbers"),
         ("SAC", "leaky", "'leakyrelu' layers"),
+        ("SAC", "partial", "layers of functools.partial"),
+        ("PPO", "called", r"layers of <class '.*Tanh'>"),
+        ("PPO", "extractor", r"weights beside those of its layers: features_extractor\.layer\.bias"),
+        ("SAC", "extractor", r"weights beside those of its layers: actor\.features_extractor\.layer\.bias"),
+        ("PPO", "scaling", "code of its own, .*Scaling"),
         ("SAC", "sde", "without use_sde"),
         ("DQN", "discrete", "fully connected layers with two continuous actions"),
     ],
@@ -257,7 +279,22 @@ def test_a_model_that_only_looks_like_an_ego_is_refused(algorithm: str, change: 
         "parts": {"sees": spaces.Dict({"a": pair, "b": pair}), "policy": "MultiInputPolicy"},
         "leaky": {"policy_kwargs": {"net_arch": [8], "activation_fn": torch.nn.LeakyReLU}},
         "sde": {"use_sde": True},
+        "partial": {"policy_kwargs": {"net_arch": [8], "activation_fn": partial(torch.nn.LeakyReLU, 0.3)}},
+        "called": {"policy_kwargs": {"net_arch": [8], "activation_fn": type("Tanh", (torch.nn.ReLU,), {})}},
     }
+    if change in ("extractor", "scaling"):
+        layers = pytest.importorskip("stable_baselines3.common.torch_layers")
+
+        class Scaling(layers.BaseFeaturesExtractor):
+            def __init__(self, space: Any) -> None:
+                super().__init__(space, features_dim=4)
+                if change == "extractor":
+                    self.layer = torch.nn.Linear(4, 4)
+
+            def forward(self, seen: Any) -> Any:
+                return 0.5 * seen
+
+        options[change] = {"policy_kwargs": {"net_arch": [8], "features_extractor_class": Scaling}}
     stable_baselines_model(algorithm, **options[change]).save(tmp_path / "model.zip")
     with pytest.raises(EgoError, match=f"model.zip.*{says}"):
         load_file(tmp_path / "model.zip")

@@ -63,7 +63,7 @@ def test_the_same_seed_gives_the_same_drive(env: DrivingEnv) -> None:
 def test_a_course_and_its_values_can_be_asked_for(env: DrivingEnv) -> None:
     _, info = env.reset(options={"course": 0, "values": CALM})
     assert info["values"] == CALM
-    with pytest.raises(SettingsError, match="there is no course 7"):
+    with pytest.raises(SettingsError, match="course must be a whole number from 0 to"):
         env.reset(options={"course": 7})
 
 
@@ -273,3 +273,16 @@ def test_at_the_speed_of_the_road_no_reward_charges_for_a_speed_that_is_allowed(
     env.close()
     assert rested["too_fast"] == 0.0
     assert hurried[-1]["too_fast"] < 0.0
+
+
+@pytest.mark.parametrize("simulator", ["native", "embedded"])
+def test_no_courses_are_no_ordinary_courses(simulator: str) -> None:
+    settings = SimulationSettings(simulator=simulator)
+    with pytest.raises(SettingsError, match="nothing to drive" if simulator == "native" else "count must be"):
+        vector_env(2 if simulator == "native" else 0, courses=[], settings=settings)
+
+
+@pytest.mark.parametrize("speed", [0, -5, 1000, float("nan")])
+def test_a_speed_that_no_command_takes_is_refused(speed: float) -> None:
+    with pytest.raises(SettingsError, match=r"speed must be a number from 1\.0 to 300\.0"):
+        DrivingEnv(speed=speed)

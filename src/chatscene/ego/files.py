@@ -19,13 +19,16 @@ import numpy as np
 
 from chatscene.ego.network import Network, NetworkEgo, ego_of, layers_of, load_network
 from chatscene.ego.observation import OBSERVATIONS, Observation
-from chatscene.ego.policy import EgoPolicy
+from chatscene.ego.policy import PEDALS, EgoPolicy
 from chatscene.errors import EgoError, MissingExtra
 from chatscene.files.bounded import check_archive, check_file, parse_json
 
 State = Mapping[str, Any]
 _NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?")  # as numpy prints it
 _ESCAPES = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|[\x00-\x08\x0b-\x1f\x7f]")  # colours and the like
+ONLY_LEARNS = ("critic", "actor_target.", "value_net.", "mlp_extractor.value_net.", "log_std", "actor.log_std")
+"""How the weights begin that Stable-Baselines3 keeps beside those of the deterministic policy."""
+OWN_EXTRACTOR = "<class 'stable_baselines3.common.torch_layers.FlattenExtractor'>"  # which leaves a row as it is
 SAFEBENCH_EVERY = 4  # SafeBench v1 trained at a frame skip of 4: a decision each 0.4 s
 
 
@@ -80,9 +83,56 @@ def _stable_baselines(path: Path) -> EgoPolicy:
         raise EgoError(f"{path} squashes state-dependent exploration, which is not read; train without use_sde")
     # PPO and A2C use tanh unless told otherwise, SAC, TD3 and DDPG relu; a choice is written out in plain text.
     default = "tanh" if output == "clip" else "relu"
-    hidden = str(choices.get("activation_fn", default)).lower().rstrip("'>").rpartition(".")[2]
+    hidden = _activation(choices["activation_fn"], path) if "activation_fn" in choices else default
+    _check_parts(about, choices, state, names, path)
     network = _network(state, names, path, hidden=hidden, output=output)
-    return NetworkEgo(network, name=path.stem, observation=_check_size(network.size, path))
+    marked = {
+        key: str(_fields(about, space).get(key))
+        for space, key in (("observation_space", "preset"), ("action_space", "pedals"))
+        if key in _fields(about, space)
+    }
+    observation = _check_size(network.size, path, marked.get("preset"))
+    pedals = marked.get("pedals", "safebench")
+    if pedals not in PEDALS:
+        raise EgoError(f"{path} says that its pedals are {pedals!r}; known: {', '.join(PEDALS)}")
+    return NetworkEgo(network, name=path.stem, observation=observation, pedals=pedals)
+
+
+def _activation(told: object, path: Path) -> str:
+    """What comes after each layer, if it is one of torch's own.
+
+    Raises:
+        EgoError: It is another's, of whatever name.
+    """
+    found = re.fullmatch(r"<class 'torch\.nn\.modules\.activation\.(\w+)'>", str(told))
+    if found is None:
+        raise EgoError(
+            f"{path} has layers of {str(told)[:200]}; of activations, torch.nn's own are read: ReLU or Tanh; wrap "
+            "the policy in a module and give package.module:factory"
+        )
+    return found[1].lower()
+
+
+def _check_parts(
+    about: Mapping[str, Any], choices: Mapping[str, Any], state: State, names: Sequence[str], path: Path
+) -> None:
+    """Refuse a policy that does more than its layers do, which would be left out.
+
+    Raises:
+        EgoError: It has weights that are neither of its layers nor of what only learns, or code of its own.
+    """
+    read = {f"{name}.{part}" for name in names for part in ("weight", "bias")}
+    more = [key for key in sorted(map(str, state)) if key not in read and not key.startswith(ONLY_LEARNS)]
+    if more:
+        raise EgoError(
+            f"{path} holds weights beside those of its layers: {', '.join(more[:4])}; a policy with a features "
+            "extractor or other parts of its own is not read; wrap it in a module and give package.module:factory"
+        )
+    extractor = str(choices.get("features_extractor_class", OWN_EXTRACTOR))
+    policy = str(_fields(about, "policy_class").get("__module__", "stable_baselines3."))
+    if extractor != OWN_EXTRACTOR or not policy.startswith("stable_baselines3."):
+        own = extractor if extractor != OWN_EXTRACTOR else f"a policy of {policy}"
+        raise EgoError(f"{path} has code of its own, {own}; wrap it in a module and give package.module:factory")
 
 
 def _check_spaces(about: Mapping[str, Any], path: Path) -> None:

@@ -24,7 +24,7 @@ from chatscene.maps.loading import load_roads
 from chatscene.maps.network import resolve_map
 from chatscene.maps.picture import NEAR, Camera, draw_frame, draw_ground
 from chatscene.program.ordinary import Course, ordinary_courses
-from chatscene.settings import SimulationSettings
+from chatscene.settings import MANY, SPEEDS, SimulationSettings, finite, whole
 from chatscene.simulate.native.simulator import COLLIDED, Together
 from chatscene.simulate.simulator import Session, Simulator, load_simulator
 from chatscene.terms.episode import Ending, Episode
@@ -98,13 +98,16 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         self._reward = REWARDS[reward]
         self._map_path = resolve_map(str(map_name))
         self._simulator = simulator or load_simulator(self._map_path, settings or SimulationSettings())
-        wanted = None if speed is None else speed / 3.6
+        wanted = None if speed is None else finite("speed", speed, *SPEEDS) / 3.6
         self.courses = tuple(courses) if courses is not None else ordinary_courses(self._simulator, wanted)
         if not self.courses:
             raise SettingsError("there is nothing to drive: give at least one course")
         size = OBSERVATIONS[ego_observation]
         self.observation_space = spaces.Box(-BOUND, BOUND, (size,), np.float32)
         self.action_space = spaces.Box(-1.0, 1.0, (2,), np.float32)
+        # A model that is saved keeps its spaces, and with them what its actions mean (`chatscene.ego.files`).
+        setattr(self.observation_space, "preset", ego_observation)  # noqa: B010 - no attribute of Gymnasium's
+        setattr(self.action_space, "pedals", pedals)  # noqa: B010 - no attribute of Gymnasium's
         self._drive: Session | None = None
         self._scene_id = ""
         self._wanted: float | None = None
@@ -129,8 +132,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         index = options.get("course")
         if index is None:
             index = int(self.np_random.integers(len(self.courses)))
-        if not 0 <= index < len(self.courses):
-            raise SettingsError(f"there is no course {index}; there are {len(self.courses)}, counted from 0")
+        index = whole("course", index, 0, len(self.courses) - 1)
         course = self.courses[index]
         values: Mapping[str, float] | None = options.get("values", course.values)
         self.close()
@@ -369,14 +371,19 @@ def vector_env(
         speed: As of `DrivingEnv`.
         settings: As of `DrivingEnv`.
         arguments: What else `DrivingEnv` takes, but a simulator.
+
+    Raises:
+        SettingsError: As for `DrivingEnv`, or there is to be none.
     """
     settings = settings or SimulationSettings()
+    count = whole("count", count, *MANY)
     if settings.simulator != "native":
         made = partial(DrivingEnv, map_name=map_name, speed=speed, settings=settings, **arguments)
         return gymnasium.vector.AsyncVectorEnv([made] * count, context="spawn")
     simulator = load_simulator(resolve_map(str(map_name)), settings)
-    wanted = None if speed is None else speed / 3.6
-    courses = arguments.pop("courses", None) or ordinary_courses(simulator, wanted)
+    if (courses := arguments.pop("courses", None)) is None:  # each knows them; to find them is work
+        wanted = None if speed is None else finite("speed", speed, *SPEEDS) / 3.6
+        courses = ordinary_courses(simulator, wanted)
     made = partial(DrivingEnv, courses, map_name=map_name, simulator=simulator, **arguments)
     preset, reward = arguments.get("ego_observation", OBSERVED), arguments.get("reward", REWARDED)
     return SideBySide([made] * count, preset=preset, reward=reward)
