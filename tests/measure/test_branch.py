@@ -7,6 +7,7 @@ import pytest
 
 from chatscene.ego.intelligent_driver import IntelligentDriver
 from chatscene.ego.policy import EgoPolicy, load_ego
+from chatscene.errors import SettingsError
 from chatscene.maps.network import resolve_map
 from chatscene.measure.branch import branch
 from chatscene.settings import SimulationSettings
@@ -67,10 +68,9 @@ def test_a_branch_at_the_beginning_is_the_others_own_drive(simulator: Simulator)
     assert same(came, driven(simulator, careful))
 
 
-def test_a_branch_after_the_end_is_the_first_drive(simulator: Simulator) -> None:
+def test_an_ego_cannot_take_over_a_drive_that_is_over(simulator: Simulator) -> None:
     blind = load_ego("sac")
-    whole = driven(simulator, blind)
-    came = branch(PROGRAM, SCENE, blind, IntelligentDriver(), simulator, step=len(whole.ego_track.x))
-    assert isinstance(came, Episode)
-    assert same(came, whole)
-    assert (came.ending, came.events) == (whole.ending, whole.events)
+    last = len(driven(simulator, blind).ego_track.x) - 2  # in which somebody acts
+    assert isinstance(branch(PROGRAM, SCENE, blind, IntelligentDriver(), simulator, step=last), Episode)
+    with pytest.raises(SettingsError, match=rf"take over at {0.1 * (last + 1):.4g} s; the drive .* is over at"):
+        branch(PROGRAM, SCENE, blind, IntelligentDriver(), simulator, step=last + 1)

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -16,10 +20,12 @@ from chatscene.maps.network import resolve_map
 from chatscene.measure.counterfactual import (
     BEYOND,
     FINENESS,
+    Braking,
     Trial,
     _Braking,  # pyright: ignore[reportPrivateUsage]
     _first_of_run,  # pyright: ignore[reportPrivateUsage]
     _Limited,  # pyright: ignore[reportPrivateUsage]
+    _own_braking,  # pyright: ignore[reportPrivateUsage]
     highest_speed,
     last_moment,
     latest_braking,
@@ -29,7 +35,7 @@ from chatscene.measure.counterfactual import (
 from chatscene.measure.minimal import minimal
 from chatscene.program.without import placings, without
 from chatscene.runs import read_scenes
-from chatscene.runs.crash import Contact
+from chatscene.runs.crash import Contact, braking_in_words
 from chatscene.runs.why import MIDDLE, back_of
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
@@ -212,6 +218,29 @@ def test_of_what_the_program_asks_for_elsewhere_nobody_can_tell(simulator: Simul
     body = STANDING.format(aside=0) + PARKED.replace("new Car", "other = new Car") + "require other.x != 0.5\n"
     (told,) = things_needed(trial_in(simulator, program(body)))
     assert (told.actors, told.needed) == (("parked",), None)
+
+
+@pytest.mark.parametrize(
+    ("speeds", "braked", "told"),
+    [
+        ([10.0] * 6, (None, None), "it did not brake"),
+        ([10.0, 10.0, 9.2, 8.4, 8.4, 8.4], (1, 3), "it braked from 0.1 to 0.3 s, and let go"),
+        ([10.0, 10.0, 10.0, 9.2, 8.4, 7.6], (2, None), "0.2 s earlier than it did"),
+    ],
+)
+def test_a_braking_that_ended_before_the_contact_is_no_lack_of_one(
+    speeds: list[float], braked: tuple[int | None, int | None], told: str, simulator: Simulator
+) -> None:
+    trial = trial_in(simulator, program(STANDING.format(aside=0)))
+    ego = trial.episode.ego_track
+    rows = slice(0, len(speeds))
+    short = replace(ego, x=ego.x[rows], y=ego.y[rows], heading=ego.heading[rows], speed=np.array(speeds))
+    episode = replace(trial.episode, tracks=(short, *trial.episode.tracks[1:]))
+    own, let_go = _own_braking(episode, len(speeds) - 1)
+    assert (own, let_go) == braked
+    pace: Any = SimpleNamespace(dt=0.1, at=str)
+    braking = Braking(step=0, own=own, let_go=let_go, deceleration=8.0)
+    assert braking_in_words(braking, 0.5, None, pace).endswith(f"; {told}.")
 
 
 def test_braking_later_than_what_is_found_crashes_and_earlier_does_not(simulator: Simulator) -> None:

@@ -65,6 +65,16 @@ def test_the_hardest_crash_has_its_speed_and_what_a_curve_says_of_it() -> None:
     )
 
 
+def test_a_crash_that_is_faster_than_the_hardest_is_told() -> None:
+    straight = crashed("Pedestrian", 34, other_death_risk=0.021)
+    grazing = crashed("Pedestrian", 45) | {"closing_speed": 20 * KMH}
+    assert (
+        how_fast([straight, grazing])
+        .split(". ")[-1]
+        .startswith("The hardest crash had an impact speed of 34 km/h (the fastest, less straight, one of 45 km/h): ")
+    )
+
+
 def test_a_crash_of_which_no_curve_is_says_so() -> None:
     assert how_fast([crashed("Dog", 30)]).endswith(
         "The crash had an impact speed of 30 km/h: no published injury-risk curve is of such a crash."

@@ -306,12 +306,13 @@ def test_a_folder_without_runs_is_told(tmp_path: Path) -> None:
 
 def test_an_answer_in_json_is_json(one_run: Path) -> None:
     query = (
-        "SELECT 'nan'::DOUBLE n, sum(block) s, 1.5::DECIMAL(4,2) d, '2026-11-24'::DATE AS day, '\\xAA'::BLOB b, "
+        "SELECT 'nan'::DOUBLE n, 1::DOUBLE / 0 i, -1::DOUBLE / 0 j, NULL o, "
+        "sum(block) s, 1.5::DECIMAL(4,2) d, '2026-11-24'::DATE AS day, '\\xAA'::BLOB b, "
         "list(DISTINCT status ORDER BY status) l, map {'a': 1} m, {'x': NULL} t FROM scenes"
     )
     done = told("sql", query, one_run, "--json")
     (row,) = json.loads(done.stdout, parse_constant=pytest.fail)
-    assert row["n"] is None
+    assert (row["n"], row["i"], row["j"], row["o"]) == ("NaN", "Infinity", "-Infinity", None)
     assert row["s"] == 110
     assert row["d"] == 1.5
     assert row["day"] == "2026-11-24"

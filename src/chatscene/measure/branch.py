@@ -5,6 +5,7 @@ from __future__ import annotations
 from chatscene.ego.asking import begin, decide, fitted
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import PEDALS, EgoPolicy, name_of, observation_of, pedals_of
+from chatscene.errors import SettingsError
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -28,13 +29,19 @@ def branch(
         step: The first step of the other; at 0 it drives alone.
 
     Raises:
+        SettingsError: The drive is over before that step.
         EgoError: An ego fails.
         ProgramError: The program's own code fails.
     """
     ego, to = (fitted(one, program) for one in (ego, to))
     first = _Noted(ego)
     driven = simulate(simulator, program, scene, first)
-    return driven if isinstance(driven, Rejected) else simulate(simulator, program, scene, _After(first, to, step))
+    if isinstance(driven, Rejected):
+        return driven
+    if step >= len(first.actions):
+        took, over = (f"{one * driven.dt:.4g} s" for one in (step, len(first.actions)))
+        raise SettingsError(f"an ego cannot take over at {took}; the drive of the first is over at {over}")
+    return simulate(simulator, program, scene, _After(first, to, step))
 
 
 class _Noted:

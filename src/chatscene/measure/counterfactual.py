@@ -170,13 +170,15 @@ class Braking:
 
     Attributes:
         step: When it begins.
-        own: When the ego itself began to brake before the contact; None if it did not.
+        own: When the ego itself began to brake last; None if it did not.
+        let_go: When it ceased to; None if it braked until the contact, or did not.
         deceleration: With how much [m/s²].
     """
 
     step: int
     own: int | None
     deceleration: float
+    let_go: int | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -295,9 +297,11 @@ def latest_braking(trial: Trial) -> Braking | None:
     latest = _first_of_run(range(trial.crash.step - 1, -1, -1), avoided)
     if latest is None:
         return None
+    own, let_go = _own_braking(trial.episode, trial.crash.step)
     return Braking(
         step=latest,
-        own=_own_braking(trial.episode, trial.crash.step),
+        own=own,
+        let_go=let_go,
         deceleration=PEDALS[pedals_of(trial.ego)] * trial.program.ego_limits.brake,
     )
 
@@ -386,16 +390,24 @@ class _Limited:
         return min(acceleration, allowed), steering
 
 
-def _own_braking(episode: Episode, crash: int) -> int | None:
-    """The step at which the braking began that lasted until the contact; None if the ego did not brake then."""
+def _own_braking(episode: Episode, crash: int) -> tuple[int | None, int | None]:
+    """The steps at which the last braking before the contact began and ended; None for an end by the contact.
+
+    Both are None if the ego did not brake.
+    """
     decelerating = -episode.ego_track.acceleration(episode.dt)[: crash + 1]
     step = crash
     while step > 0 and abs(episode.ego_track.speed[step]) < STANDING:
         step -= 1
-    stood = step
+    lasts = step
+    while step > 0 and decelerating[step] < BRAKES:
+        step -= 1
+    let_go = step
     while step > 0 and decelerating[step] >= BRAKES:
         step -= 1
-    return step if step < stood else None
+    if step == let_go:
+        return None, None
+    return step, None if let_go == lasts else let_go
 
 
 def _came(trial: Trial, driven: Episode | Rejected) -> Came:

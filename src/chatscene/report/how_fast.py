@@ -36,7 +36,8 @@ def how_fast(rows: Sequence[Row]) -> str:
     if missed := [row for row in ran if not row["collision"] and row["distance"] is not None]:
         lines.append(f"{_nearest(missed)}.")
     if crashed := [row for row in ran if row["collision"]]:
-        lines.append(f"{_hardest(max(crashed, key=hardness), len(crashed))}.")
+        fastest = max(row["impact_speed"] or 0.0 for row in crashed)
+        lines.append(f"{_hardest(max(crashed, key=hardness), len(crashed), fastest)}.")
     return " ".join(lines)
 
 
@@ -96,10 +97,13 @@ def _within(row: Row) -> str:
     return near_in_words(row["distance"]) + (f", and to {left:.1f} s before a collision" if near else "")
 
 
-def _hardest(row: Row, count: int) -> str:
+def _hardest(row: Row, count: int, fastest: float) -> str:
+    """How hard the hardest of so many crashes was, and how fast [m/s] the fastest, if that was another."""
     hard = f"an impact speed of {in_kmh(row['impact_speed'] or 0.0)}"
     if in_kmh(hardness(row)) != in_kmh(row["impact_speed"] or 0.0):
         hard += f" and a closing speed, straight against each other, of {in_kmh(hardness(row))}"
+    if in_kmh(fastest) != in_kmh(row["impact_speed"] or 0.0):
+        hard += f" (the fastest, less straight, one of {in_kmh(fastest)})"
     crash = f"{'The crash' if count == 1 else 'The hardest crash'} had {hard}"
     worst = max(chain(*harm(row)), key=lambda one: (one.curve.outcome is Outcome.DEATH, one.risk), default=None)
     said = harm_in_words(row) if worst is None else worst.in_words()

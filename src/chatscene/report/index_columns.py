@@ -206,7 +206,7 @@ _OF_SCENES: dict[str, tuple[str, str]] = {
     "raw_stop_signs": ("stop signs ignored", ""),
     "raw_off_road": ("distance driven off the driving lanes", "m"),
     "raw_distance_to_route": ("mean distance to the route", "m"),
-    "raw_completion": ("driven share of the route, up to 1", ""),
+    "raw_completion": ("share of the route that counts as driven: all, if the drive is over as the ego goes on", ""),
     "raw_time": ("duration, if the route is completed", "s"),
     "raw_acceleration": ("mean magnitude of acceleration", "m/s²"),
     "raw_yaw_rate": ("summed change of yaw over duration; crossing ±π counts as a full turn", "rad/s"),

@@ -43,7 +43,7 @@ MEASURES: dict[str, InWords] = {
     "ss": InWords("stop sign (SS)", "worse", of="stop signs ignored"),
     "or": InWords("off road (OR)", "worse", of=f"share of {MOST_OFF_ROAD:g} m"),
     "rf": InWords("route following (RF)", "better", of=f"1 less the mean distance as a share of {MOST_DISTANCE:g} m"),
-    "comp": InWords("completion (Comp)", "better", of="share of the route"),
+    "comp": InWords("completion (Comp)", "better", of="share of the route that counts as driven"),
     "ts": InWords("time spent (TS)", "worse", of=f"share of {MOST_TIME:g} s, 0 if it did not arrive"),
     "acc": InWords("acceleration (ACC)", "worse", of=f"mean, share of {MOST_ACCELERATION:g} m/s²"),
     "yv": InWords(

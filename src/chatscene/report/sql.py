@@ -9,13 +9,13 @@ asks. So a process of its own answers, which the system holds to its bounds.
 from __future__ import annotations
 
 import json
+import math
 import os
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from importlib.util import find_spec
-from math import isfinite
 from typing import TYPE_CHECKING, Any, BinaryIO, cast
 
 import pyarrow as pa
@@ -202,7 +202,7 @@ def _functions(tree: Any) -> Iterator[tuple[str, bool]]:
 
 
 def rows_of(answer: Table) -> list[dict[str, Any]]:
-    """The rows of an answer as JSON has them: what is no number there is null, what JSON has not is text.
+    """The rows of an answer as JSON has them: what JSON has not is text, infinity and NaN among it.
 
     Raises:
         QueryError: Two columns have one name.
@@ -213,11 +213,14 @@ def rows_of(answer: Table) -> list[dict[str, Any]]:
     return [{name: _plain(value) for name, value in row.items()} for row in answer.to_pylist()]
 
 
+_BEYOND = {math.inf: "Infinity", -math.inf: "-Infinity"}
+
+
 def _plain(value: Any) -> Any:
     plain: Any = value
     match value:
         case float():
-            plain = value if isfinite(value) else None
+            plain = value if math.isfinite(value) else _BEYOND.get(value, "NaN")
         case Decimal():
             plain = int(value) if value == value.to_integral_value() else float(value)
         case bytes():

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from numbers import Real
 from pathlib import Path
 
 from chatscene.ego.policy import EgoPolicy, load_ego
@@ -32,11 +34,11 @@ def branch_scene(
     Raises:
         RunError: The run has no such scene, or it was never driven; or it names what must be repeated
             (`chatscene.runs.trust.follow`).
-        SettingsError: The moment is before the beginning.
+        SettingsError: The moment is before the beginning, or when the drive is over.
         SimulationError: The scene cannot be driven again.
     """
-    if not at >= 0.0:
-        raise SettingsError(f"an ego cannot take over at {at:g} s; a scene begins at 0 s")
+    if not isinstance(at, Real) or not 0.0 <= at < math.inf:
+        raise SettingsError(f"an ego cannot take over at {at!r}; give seconds from the beginning of the scene, 0")
     run = open_run(folder, RunRecord)
     follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
     row = next((row for row in read_scenes(run) if row["scene_id"] == scene_id and row["status"] == "ran"), None)

@@ -159,6 +159,8 @@ def braking_in_words(braking: Braking | None, contact: float, risk: float | None
     begins, own = braking.step * dt, braking.own
     if own is None:
         how = "it did not brake"
+    elif braking.let_go is not None:
+        how = f"it braked from {own * dt:.1f} to {braking.let_go * dt:.1f} s, and let go"
     elif own > braking.step:
         how = f"{(own - braking.step) * dt:.1f} s earlier than it did"
     else:
