@@ -10,6 +10,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 from unittest.mock import Mock
 
@@ -22,6 +23,7 @@ from chatscene import api
 from chatscene.commands.main import main
 from chatscene.errors import ChatSceneError, NothingFits, RunError, SettingsError
 from chatscene.report.viewer import write_report
+from chatscene.settings import SearchSettings
 from chatscene.studies.evaluation import Evaluated
 from fake_run import SCENARIO, finished, started
 from plainly import UNREAD
@@ -183,7 +185,7 @@ def test_a_scene_goes_on_with_another_ego_from_a_moment_on(simulated: chatscene.
     whole, came = simulated.best.episode, simulated.best.branch(at=1.0, ego="idm")
     assert came.ego.startswith(f"{whole.ego}, then ")
     assert np.array_equal(came.ego_track.speed[:11], whole.ego_track.speed[:11])
-    with pytest.raises(SettingsError, match="begins at 0 s"):
+    with pytest.raises(SettingsError, match="from the beginning of the scene, 0"):
         simulated.best.branch(at=-0.1, ego="idm")
 
 
@@ -367,3 +369,34 @@ def test_bad_arguments_are_errors_of_ours(simulated: chatscene.Run) -> None:
         chatscene.rate(simulated, scenes=-5)
     with pytest.raises(SettingsError, match="within"):
         chatscene.run(BRAKES, within="x")
+
+
+@pytest.mark.parametrize("speed", [0, -5, float("nan"), 5000, "fast", True])
+def test_a_speed_that_no_command_takes_is_refused_by_functions_too(speed: Any) -> None:
+    with pytest.raises(SettingsError, match=r"speed must be a number from 1\.0 to 300\.0"):
+        chatscene.evaluate("nowhere", ego="idm", speed=speed)
+
+
+@pytest.mark.parametrize("seed", [-1, 1.5, True, 2**63])
+def test_a_seed_is_a_whole_number(seed: Any) -> None:
+    with pytest.raises(SettingsError, match="seed must be a whole number from 0 to"):
+        chatscene.rate("nowhere", scenes=5, seed=seed)
+    with pytest.raises(SettingsError, match="seed must be a whole number from 0 to"):
+        SearchSettings(seed=seed)
+    with pytest.raises(SettingsError, match="scenes must be a whole number"):
+        chatscene.rate("nowhere", scenes=1.5)  # type: ignore[arg-type] # pyright: ignore[reportArgumentType]
+
+
+def test_a_whole_number_of_numpy_is_one() -> None:
+    seed = SearchSettings(seed=np.int64(3)).seed  # type: ignore[arg-type] # pyright: ignore[reportArgumentType]
+    assert (seed, type(seed)) == (3, int)
+
+
+def test_an_ego_that_is_an_object_is_refused_where_a_name_is_taken() -> None:
+    ego: Any = SimpleNamespace(act=None)
+    with pytest.raises(SettingsError, match=r"is no name: give a name, a file or package\.module:factory"):
+        chatscene.evaluate("nowhere", ego=ego)
+    with pytest.raises(SettingsError, match="is no name"):
+        chatscene.run("the car ahead brakes hard", scenes=1, ego=ego)
+    with pytest.raises(SettingsError, match="is not a path"):
+        chatscene.evaluate(ego)

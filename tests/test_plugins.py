@@ -14,7 +14,7 @@ from click.testing import CliRunner
 
 from chatscene import runs
 from chatscene.commands.main import main
-from chatscene.ego.policy import EGOS
+from chatscene.ego.policy import EGOS, load_ego
 from chatscene.errors import ChatSceneError, MissingExtra, SettingsError
 from chatscene.exports.exporter import EXPORTERS
 from chatscene.interpret.readers import is_model
@@ -234,3 +234,15 @@ def test_a_reader_of_another_package_reads_where_a_language_model_may(place: Pat
 def test_a_name_is_of_a_reader_or_of_a_language_model() -> None:
     assert not any(map(is_model, ("offline", "mine", "my_stack:reader", "my_stack.reading:make")))
     assert all(map(is_model, ("openai:gpt-4", "gguf", "opnai:gpt-4", "gguf:a.gguf", "my_stack.models:make:large")))
+
+
+def test_code_that_changes_the_working_folder_leaves_the_users_paths_where_they_are(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "moving_stack.py").write_text(
+        "import os\n\nos.chdir('/')\n\nclass Ego:\n    def __init__(self):\n        os.chdir('/')\n\n"
+        "    def act(self, observation):\n        return 0.0, 0.0\n"
+    )
+    monkeypatch.chdir(tmp_path)
+    load_ego("moving_stack:Ego")
+    assert Path.cwd() == tmp_path

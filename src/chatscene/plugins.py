@@ -84,7 +84,7 @@ def make(kind: Kind[Plugin], name: str, *arguments: Any, **named: Any) -> Plugin
         MissingExtra: A package that its extra brings is not installed.
     """
     entry = _find(kind, name)
-    with nullcontext() if entry.group else _importable_from_here():
+    with _folder_kept(), nullcontext() if entry.group else _importable_from_here():
         factory = _imported(kind, entry)
         try:
             made = factory(*arguments, **named)
@@ -148,6 +148,20 @@ def _imported(kind: Kind[Any], entry: EntryPoint) -> Any:
     if not hasattr(found, entry.attr):
         raise kind.error(f"{of}: module {entry.module!r} has no {entry.attr!r}")
     return getattr(found, entry.attr)
+
+
+@contextmanager
+def _folder_kept() -> Generator[None]:
+    """Let code change the working folder while it runs here: paths of a user are seen from where they were given."""
+    try:
+        here = Path.cwd()
+    except FileNotFoundError:  # it is gone, and so is what lay in it
+        yield
+        return
+    try:
+        yield
+    finally:
+        os.chdir(here)
 
 
 @contextmanager

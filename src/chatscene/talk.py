@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypedDict
 
 from chatscene import api, runs
-from chatscene.errors import EditRefused, NothingFits
+from chatscene.errors import EditRefused, NothingFits, SettingsError
 from chatscene.runs.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -73,6 +73,8 @@ class Talk:
         text, before = self._asked
         if text and (answer := before.further(verb, rest)):
             return self._understand(text, answer, self.edits if text == self._text else [])
+        if self._first is None and not text and _is_command(line, verb, rest):
+            raise SettingsError(f"nothing is said yet that {verb!r} could be done with; describe a situation first")
         if self._first is None or verb == "new":
             return self._understand(rest if verb == "new" else line, Answer(), [])
         now = self._edits[-1][1] if self._edits else self._first
@@ -182,6 +184,12 @@ class Answer:
     def options(self) -> Answered:
         """The same as options of `chatscene.explain` and `chatscene.run`."""
         return {"reading": self.reading, "set": dict(self.facts)}
+
+
+def _is_command(line: str, verb: str, rest: str) -> bool:
+    """Whether a line is one of the words that need something said before, and no situation."""
+    run = verb == "run" and len(rest.split()) <= 1
+    return line in ("undo", "show") or run or Answer().further(verb, rest) is not None
 
 
 class Kept(TypedDict):

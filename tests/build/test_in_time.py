@@ -129,6 +129,16 @@ def test_what_speeds_and_bodies_do_not_give_is_refused_with_what_could_be_said(s
     assert told in str(refused.value)
 
 
+@pytest.mark.parametrize(("kind", "speed"), [("bicycle", 18), ("bicycle", 20), ("bicycle", 40), ("bus", 60)])
+def test_the_speed_that_is_told_for_one_that_is_not_reached_is_built(kind: str, speed: int) -> None:
+    with pytest.raises(NotBuilt) as refused:
+        build(somebody(kind, "driveway", deed("cross", speed=f"{speed} km/h")))
+    most = re.search(r"say (\d+) km/h at most", str(refused.value))
+    assert most
+    assert int(most[1]) < speed
+    assert build(somebody(kind, "driveway", deed("cross", speed=f"{most[1]} km/h")))
+
+
 def test_the_more_is_done_before_the_ego_comes_the_farther_it_is_or_the_slower_is_the_ego() -> None:
     def nearest(one: Built) -> float:
         found = re.search(r"OPT_A_Y = Range\(([\d.]+)|shortOfJunction\(egoRoute, ([\d.]+)", one.program.source)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -55,12 +56,14 @@ def again(**named: Names) -> Repeated:
     return Repeated(**{field: names_of(names) for field, names in named.items()})
 
 
-def path_of(name: Name) -> Path:
+def path_of(name: object) -> Path:
     """A path that a user names.
 
     Raises:
         SettingsError: It can be none.
     """
+    if not isinstance(name, str | os.PathLike):
+        raise SettingsError(f"{name!r} is not a path: give a str or a Path")
     if "\0" in str(name):
         raise SettingsError(f"{str(name)!r} is not a path: it holds a NUL character")
     return Path(name)
@@ -72,8 +75,27 @@ def folder_for(folder: Name | None) -> Path:
 
 
 def names_of(names: Names) -> tuple[str, ...]:
-    """One name, or several, as texts."""
-    return (str(names),) if isinstance(names, str | Path) else tuple(map(str, names))
+    """One name, or several, as texts.
+
+    Raises:
+        SettingsError: One is none.
+    """
+    every: tuple[object, ...] = tuple(names) if isinstance(names, Iterable) else (names,)
+    return tuple(map(name_of, (names,) if isinstance(names, str) else every))
+
+
+def name_of(given: object) -> str:
+    """A name that a user gives, as a text.
+
+    Raises:
+        SettingsError: It is none.
+    """
+    if not isinstance(given, str | Path):
+        raise SettingsError(
+            f"{given!r} is no name: give a name, a file or package.module:factory; an ego that is an object is taken "
+            "by `branch` and `scene` alone"
+        )
+    return str(given)
 
 
 def judging(
@@ -103,7 +125,7 @@ def judging(
     return changed(
         VerifySettings(trust=trust),
         map_name=None if map_name is None else str(map_name),
-        ego=None if ego is None else str(ego),
+        ego=None if ego is None else name_of(ego),
         within=None if within is None else str(path_of(within)),
         **given,
     )

@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from chatscene.api.arguments import Name, Names, judging, path_of
+from chatscene.api.arguments import Name, Names, judging
 from chatscene.api.results import Run, again_of, folder_of, run_again
 
 if TYPE_CHECKING:
@@ -137,13 +137,13 @@ def story(
     return told(path, settings, repeated)
 
 
-def sql(query: str, folder: Name = "runs") -> Table:
+def sql(query: str, folder: Name | Run = "runs") -> Table:
     """The answer to a query over all runs below a folder: an Arrow table. Needs the extra ``sql``.
 
     Args:
         query: A SELECT in DuckDB's SQL over the tables runs, facts, scenes, parameters and events; nothing else can be
             read, and nothing written.
-        folder: A run folder, or one with run folders somewhere below.
+        folder: A run, its folder, or a folder with run folders somewhere below.
 
     Raises:
         MissingExtra: The extra is not installed.
@@ -156,7 +156,7 @@ def sql(query: str, folder: Name = "runs") -> Table:
     from chatscene.report.index import index
     from chatscene.report.sql import ask
 
-    found = index(path_of(folder))
+    found = index(folder_of(folder))
     for one in found.left_out:
         warnings.warn(str(one), RuntimeWarning, stacklevel=2)
     return ask(query, found)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
 from chatscene import runs
-from chatscene.api.arguments import Name, Names, again, changed, folder_for, names_of, path_of, read_by
+from chatscene.api.arguments import Name, Names, again, changed, folder_for, name_of, names_of, path_of, read_by
 from chatscene.errors import SettingsError, no_such
 from chatscene.files.bounded import is_there
 from chatscene.runs.executor import Workers
@@ -164,7 +164,7 @@ def run(
         settings=replace(settings, search=looking, simulation=simulation, retrieval=chosen),
         situation=situation,
         map_name=None if map is None else str(map),
-        ego=str(ego),
+        ego=name_of(ego),
         generator=_generator_of(situation, own, trusted=trust, as_written=as_written),
         edits=edits,
     )

@@ -13,7 +13,7 @@ from chatscene.api.results import Run, again_of, folder_of, folders_of, run_agai
 from chatscene.errors import SettingsError
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
-from chatscene.settings import EXECUTOR, RetrievalSettings
+from chatscene.settings import EXECUTOR, MANY, SEEDS, SPEEDS, RetrievalSettings, finite, whole
 from chatscene.terms.situation import Situation
 
 if TYPE_CHECKING:
@@ -170,8 +170,7 @@ def rate(
     from chatscene.runs.rate import rate as rate_of
     from chatscene.search.exposure import read_exposure
 
-    if scenes < 0:
-        raise SettingsError(f"scenes is {scenes}; draw 0 or more")
+    scenes, seed = whole("scenes", scenes, 0, MANY[1]), whole("seed", seed, *SEEDS)
     repeated = again_of(folder, ego=ego, generator=generator, simulator=simulator, library=library)
     densities = () if exposure is None else read_exposure(path_of(exposure))
     return rate_of(
@@ -228,6 +227,7 @@ def evaluate(
     from chatscene.imports.collection import is_collection
     from chatscene.studies import evaluation
 
+    speed = None if speed is None else finite("speed", speed, *SPEEDS)
     sources = folders_of(scenes)
     if any(map(is_collection, sources)):
         from chatscene.studies.collection import Driving, evaluate_collection

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -397,5 +397,7 @@ def run_again(what: Run | Name, **named: Names) -> tuple[Path, Repeated]:
 
 def folders_of(scenes: Run | Name | Sequence[Run | Name]) -> list[Path]:
     """The folders of one run or of several."""
-    every = [scenes] if isinstance(scenes, Run | str | Path) else scenes
+    given: object = scenes
+    alone = isinstance(scenes, Run | str | Path) or not isinstance(given, Iterable)
+    every: Iterable[Any] = [scenes] if alone else scenes  # type: ignore[assignment] # pyright: ignore[reportAssignmentType]
     return [one.folder if isinstance(one, Run) else path_of(one) for one in every]

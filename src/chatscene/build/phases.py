@@ -30,7 +30,7 @@ from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbered import held_at, of_deed, renamed
 from chatscene.build.opening import Opening
 from chatscene.build.over_lanes import lane_after
-from chatscene.build.paces import CRAWLS, Pace, Paces, paces_of, set_passing_speed
+from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_passing_speed
 from chatscene.build.place import NEXT_LANE, at_roundabout, leaves_by_ramp
 from chatscene.build.reacting import LOCKS, SLOWED, ego_slows, goes_until_ego_slows, swerves_slowed
 from chatscene.build.relations import grip_of
@@ -227,15 +227,27 @@ class Phases:
         gets = self._at(k, f"{MOVE} until {UNDER_WAY}")
         there = course([gets], self.actor.numbers, self.body, here)
         if there.metres - here.metres > RUN_UP:
-            most = self.body.reaches(RUN_UP)
+            most = self._fastest(here)
             at = f"{self.actor.path}.does.{k}.speed: {self.actor.deeds[k].speed}"
             kind = one_of(self.actor.one.kind)
             raise NotBuilt(
-                f"{at} is more than {kind} reaches when it sets off beside our lane; say {3.6 * most:.0f} km/h at most"
+                f"{at} is more than {kind} reaches when it sets off beside our lane; say {most} km/h at most"
             )
         if self.actor.deeds[k].act is Act.ENTER:  # and stops in the lane
             return replace(there, metres=there.metres + there.speed**2 / (2.0 * self.actor.limits.brake))
         return there
+
+    def _fastest(self, here: Course) -> int:
+        """The most whole km/h that it has, and is seen to hold, within `RUN_UP`."""
+
+        def metres(kmh: int) -> float:
+            wish = round(self.body.wish_for(kmh / 3.6), 6)
+            held = self.paces.held(Speed(name="", low=wish, high=wish))
+            gets = f"{MOVE} until {UNDER_WAY}".replace("{held}", f"{held:g}").replace("$SPEED", f"{wish:g}")
+            return course([gets], self.actor.numbers, self.body, here).metres - here.metres
+
+        most = int(3.6 * self.body.reaches(RUN_UP)) + 1
+        return next((kmh for kmh in range(most, 1, -1) if metres(kmh) <= RUN_UP), 1)
 
     def _bodies(self, first: int, go: str) -> Iterator[list[str]]:
         """The phases of each deed."""

@@ -75,6 +75,8 @@ def search(text: str, component: str, top: int, own: str, as_json: bool) -> None
     from chatscene.models.encoders.embedding import load_embedder
     from chatscene.terms.scenario import Component
 
+    if not text.strip():
+        raise click.UsageError("nothing to search for: say what the snippet does")
     found = nearest(text, Component(component), library_with(own), load_embedder(), count=top)
     if as_json:
         say(json.dumps([{"id": s.id, "similarity": similarity} for s, similarity in found]))

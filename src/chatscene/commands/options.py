@@ -15,6 +15,7 @@ from typing import Any, TypedDict
 import click
 from click.core import ParameterSource
 
+from chatscene import settings
 from chatscene.commands.output import only_answers
 from chatscene.errors import ChatSceneError
 from chatscene.plugins import Kind, check_name
@@ -70,9 +71,9 @@ class OneText(click.Command):
         return super().parse_args(ctx, args)
 
 
-MANY = Whole(1, 1_000_000)
-SEEDS = Whole(0, 2**63 - 1)
-KMH = Finite(1.0, 300.0)
+MANY = Whole(*settings.MANY)
+SEEDS = Whole(*settings.SEEDS)
+KMH = Finite(*settings.SPEEDS)
 
 
 NAMES = "{names}"

@@ -143,9 +143,12 @@ def pending(own: Path, as_json: bool) -> None:
     \b
     chatscene library pending --library my-snippets
     """
+    from chatscene.errors import SnippetError
     from chatscene.grow.review import pending as waiting
     from chatscene.grow.shelf import Shelf
 
+    if not own.is_dir():
+        raise SnippetError(f"there is no folder {own}; proposals wait where `library propose --library DIR` put them")
     found = waiting(Shelf(own))
     if as_json:
         say(json.dumps([{**asdict(one), "path": str(one.path)} for one in found], indent=1))
