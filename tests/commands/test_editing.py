@@ -13,9 +13,11 @@ from PIL import Image
 import chatscene
 from chatscene import runs
 from chatscene.commands.main import main
-from chatscene.errors import EditRefused, RunError
+from chatscene.errors import EditRefused, RunError, SettingsError
 from chatscene.report import caption
 from chatscene.report.animation import write_gif
+from chatscene.runs.progress import silent
+from chatscene.talk import Talk
 from chatscene.terms.situation import Start
 from chatscene.terms.vocabulary import Side, Where
 from fake_run import finished
@@ -198,3 +200,18 @@ def test_a_command_that_has_too_little_memory_says_so(monkeypatch: pytest.Monkey
     monkeypatch.setattr("chatscene.explain", explain)
     done = CliRunner().invoke(main, ["explain", "a car ahead brakes hard"])
     assert (done.exit_code, "too little memory" in done.output) == (1, True)
+
+
+@pytest.mark.parametrize("line", ["undo", "show", "run", "run somewhere", "reading 1", "set side=left"])
+def test_a_command_before_anything_is_said_is_no_situation(line: str, tmp_path: Path) -> None:
+    with pytest.raises(SettingsError, match=r"nothing is said yet .*; describe a situation first"):
+        Talk({}, {}, tmp_path).hear(line, silent)
+
+
+def test_where_nothing_can_be_found_is_told_and_not_counted(tmp_path: Path) -> None:
+    missing = CliRunner().invoke(main, ["library", "pending", "--library", str(tmp_path / "nowhere")])
+    assert missing.exit_code == 1
+    assert "there is no folder" in missing.output
+    empty = CliRunner().invoke(main, ["library", "search", " "])
+    assert empty.exit_code == 2
+    assert "nothing to search for" in empty.output
