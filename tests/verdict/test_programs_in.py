@@ -22,6 +22,7 @@ class Fails:
     error: ChatSceneError | None
     rejection: str = ""
     ending: None = None
+    step_number: int = 0
     observation: tuple[float, ...] = ()
 
     def routes(self, _program: ScenicProgram) -> int:

@@ -68,8 +68,9 @@ TO_ANOTHER = by_act(
     }
 )
 """Where from to somebody else."""
-_LEVEL_WITH = _LANES - {Where.ARM} | {Where.KERB, Where.BUS_BAY, Where.ON_RAMP}
-"""Where somebody is with whom the ego can be level."""
+_OURS = {Where.AHEAD, Where.BEHIND, Where.ONCOMING_IN_OUR_LANE}
+_LEVEL_WITH = _LANES - {Where.ARM} - _OURS | {Where.KERB, Where.BUS_BAY, Where.ON_RAMP}
+"""Where somebody is with whom the ego can be level: not in its own lane."""
 _TURNED = acts_of(Heads.ROUND, Heads.BACK, Heads.TURNS, Heads.OFF)
 _STILL = HALTS | acts_of(Tempo.WAITS, Tempo.LIES, Heads.EDGE)
 _MAY_STAND = _STILL | acts_of(Tempo.BRAKES, Tempo.BACKS) | {Act.OPEN_DOOR}
