@@ -189,7 +189,7 @@ class _Bad:
         ("crash", "ZeroDivisionError: no gradient (tests/studies/test_evaluation.py, line "),
         ("nan", "acceleration and steering must be finite, not (nan, 0.0) (tests/studies/test_evaluation.py, line "),
         ("shape", "two finite numbers, not array([0., 0., 0.]) (tests/studies/test_evaluation.py, line "),
-        ("text", "must be finite, not ('0.3', '0.0') ("),
+        ("text", "two finite numbers, not ('0.3', '0.0') ("),
         ("block", "gave no action at step 0 of scene '"),
     ],
 )

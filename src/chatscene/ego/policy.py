@@ -207,12 +207,18 @@ def two_numbers(action: Any) -> tuple[float, float]:
         EgoError: They are not two finite numbers.
     """
     try:
-        acceleration, steering = (math.nan if isinstance(one, str | bytes) else float(one) for one in action)
+        acceleration, steering = map(_number, action)
     except Exception as error:
         raise EgoError(f"an action is acceleration and steering, two finite numbers, not {_shown(action)}") from error
     if not (math.isfinite(acceleration) and math.isfinite(steering)):
         raise EgoError(f"acceleration and steering must be finite, not {_shown(action)}")
     return acceleration, steering
+
+
+def _number(one: Any) -> float:
+    if isinstance(one, str | bytes):
+        raise TypeError(f"{one!r} is a text")
+    return float(one)
 
 
 def _shown(action: Any) -> str:
