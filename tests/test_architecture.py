@@ -70,7 +70,7 @@ def test_the_contracts_name_every_room() -> None:
 
 def test_a_sentence_goes_through_the_doors_that_the_page_tells_and_through_no_more_files() -> None:
     walk = runpy.run_path(str(ROOT / "benchmarks" / "walk.py"))
-    chatscene.explain("A truck ahead brakes hard.")
+    chatscene.explain(walk["SENTENCE"])  # what is made once a process is there
     files: set[str] = set()
     stays = walk["walked"](partial(chatscene.explain, walk["SENTENCE"]), files)
     for room in ("read", "interpret", "build"):
