@@ -221,22 +221,23 @@ def test_of_what_the_program_asks_for_elsewhere_nobody_can_tell(simulator: Simul
 
 
 @pytest.mark.parametrize(
-    ("speeds", "braked", "told"),
+    ("speeds", "risk", "braked", "told"),
     [
-        ([10.0] * 6, (None, None), "it did not brake"),
-        ([10.0, 10.0, 9.2, 8.4, 8.4, 8.4], (1, 3), "it braked from 0.1 to 0.3 s, and let go"),
-        ([10.0, 10.0, 10.0, 9.2, 8.4, 7.6], (2, None), "0.2 s earlier than it did"),
+        ([10.0] * 6, 0, (None, None), "it did not brake"),
+        ([10.0, 10.0, 9.2, 8.4, 8.4, 8.4], 2, (1, 3), "it braked from 0.1 to 0.3 s, and let go"),
+        ([10.0, 10.0, 9.2, 8.4, 8.4, 8.4], 3, (None, None), "it did not brake"),
+        ([10.0, 10.0, 10.0, 9.2, 8.4, 7.6], 0, (2, None), "0.2 s earlier than it did"),
     ],
 )
 def test_a_braking_that_ended_before_the_contact_is_no_lack_of_one(
-    speeds: list[float], braked: tuple[int | None, int | None], told: str, simulator: Simulator
+    speeds: list[float], risk: int, braked: tuple[int | None, int | None], told: str, simulator: Simulator
 ) -> None:
     trial = trial_in(simulator, program(STANDING.format(aside=0)))
     ego = trial.episode.ego_track
     rows = slice(0, len(speeds))
     short = replace(ego, x=ego.x[rows], y=ego.y[rows], heading=ego.heading[rows], speed=np.array(speeds))
     episode = replace(trial.episode, tracks=(short, *trial.episode.tracks[1:]))
-    own, let_go = _own_braking(episode, len(speeds) - 1)
+    own, let_go = _own_braking(episode, len(speeds) - 1, risk)
     assert (own, let_go) == braked
     pace: Any = SimpleNamespace(dt=0.1, at=str)
     braking = Braking(step=0, own=own, let_go=let_go, deceleration=8.0)

@@ -14,7 +14,7 @@ from chatscene.ego.asking import begin, decide
 from chatscene.ego.observation import SPEED_AT, Observation
 from chatscene.ego.policy import PEDALS, EgoPolicy, observation_of, pedals_of
 from chatscene.errors import ProgramError
-from chatscene.measure.avoidability import crashes_braking_from
+from chatscene.measure.avoidability import crashes_braking_from, risk_step
 from chatscene.measure.instead import Driver, drive_instead
 from chatscene.measure.minimal import minimal
 from chatscene.program.without import Placing, placings, without
@@ -170,7 +170,7 @@ class Braking:
 
     Attributes:
         step: When it begins.
-        own: When the ego itself began to brake last; None if it did not.
+        own: When the ego itself began to brake last; None if it did not once the crash could be seen coming.
         let_go: When it ceased to; None if it braked until the contact, or did not.
         deceleration: With how much [m/s²].
     """
@@ -297,7 +297,7 @@ def latest_braking(trial: Trial) -> Braking | None:
     latest = _first_of_run(range(trial.crash.step - 1, -1, -1), avoided)
     if latest is None:
         return None
-    own, let_go = _own_braking(trial.episode, trial.crash.step)
+    own, let_go = _own_braking(trial.episode, trial.crash.step, risk_step(trial.episode, trial.route) or 0)
     return Braking(
         step=latest,
         own=own,
@@ -390,10 +390,10 @@ class _Limited:
         return min(acceleration, allowed), steering
 
 
-def _own_braking(episode: Episode, crash: int) -> tuple[int | None, int | None]:
+def _own_braking(episode: Episode, crash: int, risk: int) -> tuple[int | None, int | None]:
     """The steps at which the last braking before the contact began and ended; None for an end by the contact.
 
-    Both are None if the ego did not brake.
+    Both are None if the ego did not brake, or was done with it before the step at which the crash could be seen coming.
     """
     decelerating = -episode.ego_track.acceleration(episode.dt)[: crash + 1]
     step = crash
@@ -405,7 +405,7 @@ def _own_braking(episode: Episode, crash: int) -> tuple[int | None, int | None]:
     let_go = step
     while step > 0 and decelerating[step] >= BRAKES:
         step -= 1
-    if step == let_go:
+    if step == let_go or let_go <= risk:
         return None, None
     return step, None if let_go == lasts else let_go
 
