@@ -2,9 +2,9 @@
 
     python benchmarks/many_snippets.py [--seed 0] [--keep FOLDER] [0 1000 10000]
 
-A folder of so many snippets is made beside the packaged ones, in their proportions: behaviors composed of acts that are
-drawn, and packaged geometries and starts under other names with ranges that are drawn. Each behavior has four wordings.
-None was looked at, and none was checked by `library lint`: they are there to be many.
+A folder of so many snippets is made beside the packaged ones, in their proportions: packaged snippets under other
+names, with ranges that are drawn. Each behavior has up to four wordings. Nobody looked at them, and `library lint` did
+not check them: they are there to be many.
 
 Times are processor time, that of the first sentence from the start of its process, that of later ones and of retrieval
 the longest of five; memory is the peak of a process; *first* is with an empty cache folder, *later* in another
@@ -22,7 +22,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -34,15 +34,12 @@ from chatscene.errors import NothingFits
 from chatscene.interpret.asked import scenario_of
 from chatscene.interpret.retrieve import retrieve
 from chatscene.interpret.situation_of import in_a_situation
-from chatscene.library.compose import Asked, compose
 from chatscene.library.load import library_with, load_library
 from chatscene.library.snippet_file import ENDING, as_text, wordings_path, wordings_text
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.situations.phrases import Voice
 from chatscene.situations.words import told
-from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.acts import Action
-from chatscene.terms.scenario import Component, Position
+from chatscene.terms.scenario import Component
 from chatscene.terms.snippet import ParameterRange, Snippet
 from chatscene.terms.surroundings import Surroundings
 
@@ -66,19 +63,6 @@ def varied(snippet: Snippet, snippet_id: str, rng: random.Random) -> Snippet:
     return replace(snippet, id=snippet_id, parameters=parameters, source=source)
 
 
-def behaviors(rng: random.Random) -> Iterator[Snippet]:
-    """Behaviors of up to three acts, as far as they can be composed."""
-    while True:
-        asked = Asked(
-            kind=rng.choice(tuple(AdversaryKind)),
-            position=rng.choice(tuple(Position)),
-            actions=tuple(rng.sample(tuple(Action), rng.choice((1, 2, 2, 3)))),
-            junction=rng.random() < 0.3,
-        )
-        if (made := compose(asked)) is not None:
-            yield made
-
-
 def worded(snippet: Snippet) -> tuple[str, ...]:
     """Ways to say what a behavior does, none twice."""
     whose = (replace(snippet.slots, adversary=kind) for kind in snippet.adversaries)
@@ -92,12 +76,11 @@ def worded(snippet: Snippet) -> tuple[str, ...]:
 def make_library(folder: Path, count: int, seed: int) -> None:
     """Write a folder of so many snippets; the same ones for the same seed."""
     rng = random.Random(seed)
-    packaged, composed = load_library(), behaviors(rng)
+    packaged = load_library()
     numbers = [len(packaged.of(component)) for component in Component]
     for number in range(count):
         component = rng.choices(tuple(Component), numbers)[0]
-        model = next(composed) if component is Component.BEHAVIOR else rng.choice(packaged.of(component))
-        snippet = varied(model, f"{component}/many-{number:05}", rng)
+        snippet = varied(rng.choice(packaged.of(component)), f"{component}/many-{number:05}", rng)
         files = {folder / f"{snippet.id}{ENDING}": as_text(snippet)}
         if component is Component.BEHAVIOR:
             files[wordings_path(folder, snippet.id)] = wordings_text(worded(snippet))
