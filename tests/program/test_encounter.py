@@ -153,6 +153,17 @@ def test_a_contact_with_somebody_who_is_not_the_adversary_is_told() -> None:
     assert found("unasked.contact", CROSSES, episode(walker(48.0, 6.0), contact=55)) is None
 
 
+@pytest.mark.parametrize("role", [Plays.SUPPORTING, Plays.HIDES])
+def test_two_others_whose_bodies_are_in_each_other_are_told(role: Plays) -> None:
+    stands = replace(other(Where.AHEAD, Deed(act=Act.STAND), name="B"), role=role)
+    both = one(other(Where.AHEAD, Deed(act=Act.GO_ALONG)), stands)
+    still = replace(moving(50.0, 0.0, (100, 0.0, 0.0)), actor="B")
+    for aside, told in ((0.0, False), (3.5, None)):
+        seen = episode(moving(30.0, aside, (100, 8.0, 0.0), speed=8.0))
+        finding = found("unasked.adversary-B", both, replace(seen, tracks=(*seen.tracks, still)))
+        assert (None if finding is None else finding.shown) is told
+
+
 def test_a_light_or_a_sign_that_the_ego_runs_is_told_if_nobody_gave_it_one() -> None:
     seen = episode(walker(48.0, 6.0))
     for kind, road in ((EventKind.RED_LIGHT, Road(ego_light=EgoLight.RED)), (EventKind.STOP_SIGN, SIGN)):

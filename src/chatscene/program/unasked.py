@@ -111,7 +111,7 @@ def _through_others(situation: Situation, episode: Episode, until: int | None) -
         (one.id, track.actor, Boxes.of(track))
         for one in situation.others
         for track in episode.tracks[1:]
-        if one.role is not Role.HIDES and is_of(track.actor, one.id)
+        if is_of(track.actor, one.id)
     ]
     for (one, actor, a), (other, another, b) in combinations(named, 2):
         if one != other and (step := _in_each_other(a, b, until)):
