@@ -50,6 +50,11 @@ def test_who_passes_is_back_before_who_comes_against_it(seed: int):
     assert not shown(seed, others)
 
 
+@pytest.mark.parametrize("kind", ["animal", "pedestrian"])
+def test_who_stands_ahead_on_foot_and_then_crosses_is_seen_to(kind: str):
+    assert shown(0, [one("A", kind, "ahead", {"act": "stand"}, {"act": "cross"})]) == ()
+
+
 def test_who_drifts_slowly_goes_on_as_fast_as_it_was():
     drifts = one("A", "truck", "beside", {"act": "drift", "to": "left", "manner": "slow"}, side="right")
     road = {"kind": "motorway", "lanes": 3, "ego_lane": 2}

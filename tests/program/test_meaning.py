@@ -14,7 +14,7 @@ from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import MeansSomethingElse
 from chatscene.program.check import check
 from chatscene.program.deeds import ACTIONS, Act
-from chatscene.program.meaning import check_meaning, is_place
+from chatscene.program.meaning import check_meaning, is_place, maneuver_of
 from chatscene.program.watching import watch
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.acts import Action
@@ -339,3 +339,13 @@ def test_a_bend_to_a_side_is_told_as_a_plain_truth(turns: float, place: Place) -
     other = Place.LEFT_CURVE if place is Place.RIGHT_CURVE else Place.RIGHT_CURVE
     assert is_place(place, route) is True  # what is not the truth itself, as of an array, would be counted as not shown
     assert is_place(other, route) is False
+
+
+@pytest.mark.parametrize("over", [25.0, 110.0, 300.0])
+def test_a_change_of_lanes_is_one_however_much_road_it_takes(over: float) -> None:
+    x = np.arange(600.0)
+    y = 3.5 * np.clip((x - 130.0) / over, 0.0, 1.0)
+    route = replace(ROUTE, maneuver=Maneuver.LANE_CHANGE_LEFT, line=Polyline(np.column_stack([x, y])))
+    assert maneuver_of(route) is Maneuver.LANE_CHANGE_LEFT
+    straight = Polyline(np.column_stack([x, 0.0 * x]))
+    assert maneuver_of(replace(route, line=straight)) is Maneuver.STRAIGHT

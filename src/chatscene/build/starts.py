@@ -61,7 +61,7 @@ from chatscene.world.places import lanes_beside
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
 DRIVES = 1.5  # [s] that the ego is longer on its way to whom somebody hides who comes driving and stops there
-EDGE, MEDIAN = 1.2, 1.9  # [m] from the ego's line, in its lane and between the directions
+EDGE, CROSSES_FROM, MEDIAN = 1.2, 1.55, 1.9  # [m] from the ego's line, in its lane and between the directions
 HEADWAY = 0.9, 1.7  # [s] behind whom it follows an ego is, from and to
 STOPPING = 3.0  # [m/s²] that an ego loses at least which comes to a stand
 STOOD = 1.0, 3.0  # [s] that it has stood, from and to, when somebody from behind is there
@@ -97,7 +97,7 @@ def _ahead(asked: Asked) -> Stand:
     if bolts(asked.one):
         return _over(asked, EDGE, Side.RIGHT)
     if asked.walks and (over := next((one for one in asked.one.does if one.act in acts_of(Heads.ACROSS)), None)):
-        return _over(asked, EDGE, Side.LEFT if over.to is Side.RIGHT else Side.RIGHT)
+        return _over(asked, CROSSES_FROM, Side.LEFT if over.to is Side.RIGHT else Side.RIGHT)
     if asked.walks:
         return _ahead_on_foot(asked)
     aside = -0.9 if asked.rides else 0.0

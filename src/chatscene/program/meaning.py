@@ -17,6 +17,7 @@ from chatscene.situations.phrases import ROADS, one_seen
 from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.arrays import Array
+from chatscene.terms.conclusions import LANE_CHANGES
 from chatscene.terms.episode import OTHER, Episode, Role, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import WAITING, EgoState, Maneuver, Occluder, Place, Position, Side, Site, Slots, includes
@@ -113,6 +114,8 @@ def _action_failures(actions: Sequence[Action], seen: Seen, contact: int | None)
 
 _SWINGS = math.radians(3.0)
 """How far who leaves its lane turns at least from a line that bends evenly: a road that bends less leads straight."""
+_LEAVES = (*LANE_CHANGES, Maneuver.BYPASS)
+"""Routes that were found to leave their lane: the more road they do it on, the less they turn."""
 
 
 def maneuver_of(route: Route) -> Maneuver:
@@ -124,7 +127,8 @@ def maneuver_of(route: Route) -> Maneuver:
     if route.junction is not None and abs(turned) > math.radians(45):
         return Maneuver.LEFT_TURN if turned > 0 else Maneuver.RIGHT_TURN
     even = heading[0] + turned * np.linspace(0.0, 1.0, len(heading))
-    if route.junction is None and route.place is not Place.CURVE and np.abs(heading - even).max() > _SWINGS:
+    swings = route.maneuver in _LEAVES or np.abs(heading - even).max() > _SWINGS  # a fast ego changes lanes slantingly
+    if route.junction is None and route.place is not Place.CURVE and swings:
         over = moved_over(route.line)
         if over.max() > 1.5 and abs(over[-1]) < 1.0:
             return Maneuver.BYPASS

@@ -31,8 +31,9 @@ OVER = 5  # [steps] over which somebody is seen to gain speed
 
 
 GAINING = acts_of(Tempo.GAINS, Tempo.SETS_OFF, Heads.FROM_EDGE, Heads.THROUGH, Heads.TURNS)
-_GAPS = acts_of(Heads.BEFORE, Heads.MERGES)
 """By what speed is gained."""
+_GAPS = acts_of(Heads.BEFORE, Heads.MERGES)
+"""Of what the room that is left is measured."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
