@@ -79,6 +79,11 @@ def test_who_is_behind_the_ego_after_a_deed_can_overtake_it(where: str, acts: tu
     [
         ({"act": "stop", "distance": "0 to 1 m"}, {}, "others.A.does.0.distance: 0 to 1 m needs"),
         ({"act": "accelerate", "time": "0 to 0.1 s"}, {}, "others.A.does.0.time: 0 to 0.1 s is more than a car can do"),
+        (
+            {"act": "accelerate", "speed": "80 km/h", "distance": "3 m"},
+            {},
+            "others.A.does.0.distance: 3 m is more than a car can do from 50 to 80 km/h; say ",
+        ),
         ({"act": "brake"}, {"ego": {"speed": "at least 0 km/h"}}, "impossible: ego.speed: at least 0 km/h"),
         (
             {"act": "brake"},
@@ -94,6 +99,13 @@ def test_a_range_or_a_bound_that_begins_at_0_is_refused_by_its_path(
     with pytest.raises(NotBuilt) as refused:
         build(from_plain({"others": [one], **more}))
     assert str(refused.value).startswith(told)
+
+
+def test_a_rate_that_was_said_of_what_follows_is_named_where_it_is_refused() -> None:
+    does: list[dict[str, str]] = [{"act": "pull-out"}, {"act": "accelerate", "acceleration": "6 m/s²"}]
+    one: dict[str, Any] = {"id": "A", "kind": "truck", "starts": {"where": "kerb"}, "does": does}
+    with pytest.raises(NotBuilt, match=r"does\.1\.acceleration: 6 m/s² is more than a truck can do"):
+        build(from_plain({"others": [one]}))
 
 
 def test_an_act_can_be_begun_from_somewhere() -> None:

@@ -68,6 +68,23 @@ def test_an_ego_that_overtakes_goes_that_way_or_is_faster_than_who_is_beside_it(
         built(fast, ego={"speed": "50 km/h", "does": [said]})
 
 
+def test_what_is_chosen_for_who_was_said_in_another_form_is_told() -> None:
+    walks = built(one("pedestrian", "oncoming", "go-along"))
+    assert "A is beside the road, on the left" in walks.assumed
+    crosses = built(one("pedestrian", {"where": "arm", "side": "left"}, "cross"))
+    assert "A is at our road before the junction, which it crosses to meet us" in crosses.assumed
+    slow = one("bicycle", "ahead", "go-along", id="B", role="supporting")
+    assert "B is ahead of A, which hides it until it moves out" in built(one("car", "ahead", "cut-out"), slow).assumed
+
+
+@pytest.mark.parametrize("act", ["swerve", "brake"])
+def test_for_whom_a_deed_is_that_has_its_own_time_is_told_to_be_left_out(act: str) -> None:
+    stands = one("car", "ahead", "stand", id="B", role="supporting")
+    said = {"act": act, "whom": "B", "when": {"ego_within": "30 m"}}
+    made = built(one("car", {"where": "ahead-beside", "side": "left"}, said), stands)
+    assert f"A's {act} comes when it was said to, and is not timed by B" in made.assumed
+
+
 def test_who_crosses_at_a_side_road_that_the_ego_turns_into_is_at_its_crosswalk() -> None:
     said = from_plain(
         {"ego": {"route": "left-turn"}, "others": [one("child", {"where": "arm", "side": "left"}, "cross")]}

@@ -11,6 +11,7 @@ from chatscene.build.contact import touches
 from chatscene.build.naming import name_of
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.relations import grip_of
+from chatscene.build.restated import untimed
 from chatscene.terms.situation import EGO, Other
 from chatscene.terms.vocabulary import LOSES, SIDEWAYS, Act, Facing, Part, Side, Striker, Where
 
@@ -45,8 +46,11 @@ def goes_round(actor: Actor, k: int) -> str:
     if (before := avoids(actor, k)) is not None:
         actor.ledger.take(*(f"{actor.path}.does.{k}.when.{name}" for name in ("after", "during")))
         return must_avoid(actor, before)
-    named = deed.whom not in (None, EGO, actor.one.id) and deed.when is None
+    named = deed.whom not in (None, EGO, actor.one.id)
     if not named or deed.act not in SIDEWAYS or deed.act.row.whom:
+        return ""
+    if deed.when is not None:
+        actor.ledger.assume(untimed(actor.one, deed))
         return ""
     one = actor.ledger.situation[str(deed.whom)]
     room = 0.5 * (actor.limits.length + _across(one)) + NEAR

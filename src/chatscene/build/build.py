@@ -129,14 +129,16 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
     said = situation
     situation = replace(made.situation, others=tuple(along_the_road(wrong_way(one)) for one in made.situation.others))
     situation = in_queue(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation)))))
-    situation = at_a_corner(revealed(situation))
+    situation, hidden = revealed(situation)
+    situation = at_a_corner(situation)
     check_met(situation)
     every, refused = speeds_to_try(situation), list[NotBuilt]()
     speeds = tuple(speed for speed in every if speed <= at_most) or every[-1:]
     for speed in speeds:
         try:
             slow = at_most < every[0]
-            said_so = Ledger(situation, told=said, slow=slow, built=set(made.taken), assumed=list(made.assumed))
+            assumed = [*made.assumed, *hidden]
+            said_so = Ledger(situation, told=said, slow=slow, built=set(made.taken), assumed=assumed)
             program = _built(said_so, speed, name)
         except NotBuilt as error:  # at a speed that was not said; a slower ego may do
             refused.append(error)

@@ -125,15 +125,18 @@ def throttles_by(actor: Actor, k: int, body: Body, before: Speed, after: Speed, 
     _settle(actor, before, after)
     then = max((held if off else 1.0) * 0.5 * (after.low + after.high), was + LEAST_GAINED)
     usual = [max(_mean(body, was, then, pedal), SLOWEST) for pedal in actor.numbers.range_of("THROTTLE")[:2]]
+    changes = GETS * (then - was), 0.5 * (then * then - was * was)
     if deed.time is not None and deed.acceleration is None:
-        rates, path = _rates(deed.time, GETS * (then - was), usual), f"{actor.path}.does.{k}.time"
+        said, path = deed.time, f"{actor.path}.does.{k}.time"
+        rates = _rates(deed.time, changes[0], usual)
     elif deed.distance is not None and deed.acceleration is None:
-        rates = _rates(deed.distance, 0.5 * (then * then - was * was), usual)
-        path = f"{actor.path}.does.{k}.distance"
+        said, path = deed.distance, f"{actor.path}.does.{k}.distance"
+        rates = _rates(deed.distance, changes[1], usual)
     else:
-        said = rate_of(actor, k)
-        assert said is not None
-        rates, path = said[0].drawn(usual[0], usual[1]), said[1]
+        rate = rate_of(actor, k)
+        assert rate is not None
+        said, path = rate
+        rates = said.drawn(usual[0], usual[1])
     if not after.said and after.name and deed.act is Act.ACCELERATE:  # to a speed at which it still can
         while then > was + LEAST_GAINED and _mean(body, was, then, 1.0) < rates[0]:
             then = max(was + LEAST_GAINED, then - 1.0)
@@ -141,10 +144,14 @@ def throttles_by(actor: Actor, k: int, body: Body, before: Speed, after: Speed, 
     pedals = [_pedal(body, was, then, rate) for rate in rates]
     if pedals[0] > 1.0:
         most = _mean(body, was, then, 1.0)
-        said_so = f"{rates[0]:.3g} m/s²" if deed.acceleration is not None else deed.time or deed.distance
+        say = f"{most:.2g} m/s² at most"
+        if isinstance(said, Duration):
+            say = f"{math.ceil(10 * changes[0] / most) / 10:g} s at least"
+        elif isinstance(said, Length):
+            say = f"{math.ceil(changes[1] / most)} m at least"
         raise NotBuilt(
-            f"{path}: {said_so} is more than {one_of(actor.one.kind)} can do from {3.6 * was:.0f} to {3.6 * then:.0f} "
-            f"km/h: {most:.2g} m/s² at most"
+            f"{path}: {said} is more than {one_of(actor.one.kind)} can do from {3.6 * was:.0f} to {3.6 * then:.0f} "
+            f"km/h; say {say}"
         )
     name = f"THROTTLE_{k}"
     actor.numbers.measure(name, pedals[0], min(pedals[1], 1.0), "1", "how far the pedal is pressed", path)

@@ -30,8 +30,8 @@ from chatscene.terms.vocabulary import (
     Where,
 )
 
-_AGAINST = {Where.ONCOMING_IN_OUR_LANE: None, Where.ONCOMING: Side.LEFT}
-"""Where somebody on foot comes the other way, and on which side of the lane that it then walks in."""
+_AGAINST = frozenset((Where.ONCOMING_IN_OUR_LANE, Where.ONCOMING))
+"""Where somebody comes the other way."""
 FROM_LINE, EGO_FIRST = 8.0, 1.0  # [m] from its line to the ego's way; [s] that the ego may be there first
 _IN_LINE = frozenset((Where.AHEAD, Where.ONCOMING_IN_OUR_LANE))
 """Where somebody is met by the ego's front along its lane."""
@@ -62,9 +62,7 @@ def restated(situation: Situation) -> Restated:
     made = Restated(situation)
     _go_past(made)
     _met_at_a_point(made)
-    others = tuple(map(_on_foot_against, made.situation.others))
-    made.situation = replace(made.situation, others=others)
-    for rule in (_on_foot_at_arm, _at_its_first_speed, _for_whom, _comes_into_view):
+    for rule in (_on_foot_against, _on_foot_at_arm, _at_its_first_speed, _for_whom, _comes_into_view):
         made.each(rule)
     return made
 
@@ -78,13 +76,14 @@ def _at_its_first_speed(made: Restated, one: Other) -> Other:
     return replace(one, does=(replace(first, speed=None), *one.does[1:]))
 
 
-def _on_foot_against(one: Other) -> Other:
+def _on_foot_against(made: Restated, one: Other) -> Other:
     """Who comes the other way on foot is ahead, and faces the ego."""
     start = one.starts
     if one.kind.moves is not Moves.WALKS or start.where not in _AGAINST or start.facing not in (None, Facing.AGAINST):
         return one
     if start.where is Where.ONCOMING:  # beside the road, where people walk who are not said to be in a lane
         start = replace(start, where=Where.ROADSIDE, side=start.side or Side.LEFT, facing=Facing.AGAINST)
+        made.assumed.append(f"{one.id} is beside the road, on the {start.side}")
     else:
         start = replace(start, where=Where.AHEAD, facing=Facing.AGAINST)
     return replace(one, starts=start)
@@ -99,6 +98,7 @@ def _on_foot_at_arm(made: Restated, one: Other) -> Other:
     if route is not None and route in _TO_SIDE and start.side in (None, _TO_SIDE[route]):
         return replace(one, starts=replace(start, where=Where.EXIT_CROSSING, side=None))
     if one.role is Role.ADVERSARY:
+        made.assumed.append(f"{one.id} is at our road before the junction, which it crosses to meet us")
         return replace(one, starts=replace(start, where=Where.CROSSING))
     does = tuple(replace(deed, act=Act.GO_ALONG) if deed.act is Act.CROSS else deed for deed in one.does)
     if crosses:
@@ -121,7 +121,14 @@ def _for_whom(made: Restated, one: Other) -> Other:
         does.append(replace(deed, whom=None, when=deed.when if reference is None else When(during=reference)))
         if reference is None and deed.when is None and deed.whom != EGO:
             made.assumed.append(f"{one.id}'s {deed.act} comes in its order, and is not timed by {deed.whom}")
+        elif deed.when is not None and deed.whom not in (EGO, one.id):
+            made.assumed.append(untimed(one, deed))
     return replace(one, does=tuple(does))
+
+
+def untimed(one: Other, deed: Deed) -> str:
+    """That somebody does something when it was said to, and not by whom it does it for, in words."""
+    return f"{one.id}'s {deed.act} comes when it was said to, and is not timed by {deed.whom}"
 
 
 def _comes_into_view(made: Restated, one: Other) -> Other:

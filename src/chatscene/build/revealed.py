@@ -10,15 +10,22 @@ from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, Where
 
 
-def revealed(situation: Situation) -> Situation:
-    """The same; who is slow or stands ahead is hidden by who is to cut out before it, if nothing else was said."""
+def revealed(situation: Situation) -> tuple[Situation, tuple[str, ...]]:
+    """The same; who is slow or stands ahead is hidden by who is to cut out before it, if nothing else was said.
+
+    Returns:
+        The situation, and what was chosen for it, in words.
+    """
     free = [one for one in situation.others if one.starts.where is Where.AHEAD and one.starts.distance is None]
     leaves = [one for one in free if one.does and one.does[0].act is Act.CUT_OUT and one.does[0].when is None]
     if len(leaves) != 1 or any(one.hidden_by == leaves[0].id for one in situation.others):
-        return situation
+        return situation, ()
     first = next((one.id for one in free if one is not leaves[0] and _is_slow(one) and one.hidden_by is None), None)
+    if first is None:
+        return situation, ()
     others = (replace(one, hidden_by=leaves[0].id) if one.id == first else one for one in situation.others)
-    return replace(situation, others=tuple(others))
+    told = f"{first} is ahead of {leaves[0].id}, which hides it until it moves out"
+    return replace(situation, others=tuple(others)), (told,)
 
 
 def shows_slow(one: Other, hidden: Other) -> bool:
