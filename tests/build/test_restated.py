@@ -82,7 +82,7 @@ def test_for_whom_a_deed_is_that_has_its_own_time_is_told_to_be_left_out(act: st
     stands = one("car", "ahead", "stand", id="B", role="supporting")
     said = {"act": act, "whom": "B", "when": {"ego_within": "30 m"}}
     made = built(one("car", {"where": "ahead-beside", "side": "left"}, said), stands)
-    assert f"A's {act} comes when it was said to, and is not timed by B" in made.assumed
+    assert f"A's {act} comes when it was said to and does not wait for B" in made.assumed
 
 
 def test_who_crosses_at_a_side_road_that_the_ego_turns_into_is_at_its_crosswalk() -> None:
@@ -134,7 +134,7 @@ def test_who_comes_the_other_way_hides_who_comes_from_the_left_until_it_has_gone
     hidden = one("bicycle", start, {"act": "go-straight", "when": {"ego_within": "10 m"}}, hidden_by="B")
     bus = one("bus", "oncoming", "go-straight", id="B", role="hides")
     made = built(hidden, bus, ego={"speed": "45 km/h"})
-    assert "A comes driving from the first, and B hides it until late" in made.assumed
+    assert "A drives from the start, and B hides it until late" in made.assumed
 
 
 def test_an_ego_that_drifts_leaves_its_line_by_what_an_overlap_with_who_comes_there_asks_for() -> None:

@@ -103,7 +103,7 @@ VIRTUAL = '<road name="" length="20" id="7" junction="9"><link><predecessor elem
 
 def test_a_virtual_junction_is_told_to_be_left_out_and_its_road_goes_on(tmp_path: Path) -> None:
     said = told(tmp_path, road().replace("</OpenDRIVE>", VIRTUAL.format(LANE.format(-1))))
-    assert said == "junction '9' is virtual, and such are not read; it is left out with its roads: '7'"
+    assert said == "junction '9' is virtual, which is not supported; it is left out with its roads: '7'"
     assert len(load_network(tmp_path / "theirs.xodr").lanes) == 4
 
 

@@ -92,8 +92,8 @@ def name_of(given: object) -> str:
     """
     if not isinstance(given, str | Path):
         raise SettingsError(
-            f"{given!r} is no name: give a name, a file or package.module:factory; an ego that is an object is taken "
-            "by `branch` and `scene` alone"
+            f"{given!r} is no name: give a name, a file or package.module:factory; only `branch` and `scene` take an "
+            "ego object"
         )
     return str(given)
 

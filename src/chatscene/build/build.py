@@ -167,7 +167,7 @@ def _slow_enough(situation: Situation, speed: float, name: str) -> str:
         with suppress(NotBuilt):
             _built(Ledger(replace(situation, ego=ego)), speed, name)
             return f"say ego.speed: {slower} km/h"
-    return "no slower ego does; leave out one of the deeds"
+    return "a slower ego does not help; leave out one of the deeds"
 
 
 def _built(said: Ledger, usual: float, name: str) -> Built:

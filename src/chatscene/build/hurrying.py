@@ -38,6 +38,4 @@ def goes_faster(actor: Actor) -> None:
     if high <= numbers.range_of("SPEED")[0]:
         return
     numbers.narrow("SPEED", low, high)
-    actor.ledger.assume(
-        f"{actor.one.id} goes as fast as {one_of(actor.one.kind)} does that hurries, to be there in time"
-    )
+    actor.ledger.assume(f"{actor.one.id} goes as fast as {one_of(actor.one.kind)} in a hurry, to be there in time")

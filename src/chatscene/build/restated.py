@@ -120,7 +120,7 @@ def _for_whom(made: Restated, one: Other) -> Other:
         reference = _seen_of(made.situation, one, deed) if deed.when is None else None
         does.append(replace(deed, whom=None, when=deed.when if reference is None else When(during=reference)))
         if reference is None and deed.when is None and deed.whom != EGO:
-            made.assumed.append(f"{one.id}'s {deed.act} comes in its order, and is not timed by {deed.whom}")
+            made.assumed.append(f"{one.id}'s {deed.act} comes in its order and does not wait for {deed.whom}")
         elif deed.when is not None and deed.whom not in (EGO, one.id):
             made.assumed.append(untimed(one, deed))
     return replace(one, does=tuple(does))
@@ -128,7 +128,7 @@ def _for_whom(made: Restated, one: Other) -> Other:
 
 def untimed(one: Other, deed: Deed) -> str:
     """That somebody does something when it was said to, and not by whom it does it for, in words."""
-    return f"{one.id}'s {deed.act} comes when it was said to, and is not timed by {deed.whom}"
+    return f"{one.id}'s {deed.act} comes when it was said to and does not wait for {deed.whom}"
 
 
 def _comes_into_view(made: Restated, one: Other) -> Other:
@@ -145,7 +145,7 @@ def _comes_into_view(made: Restated, one: Other) -> Other:
     if Body(row.limits, walks=False).covers(FROM_LINE + 0.5 * row.limits.length, wish.most) - EGO_FIRST <= has:
         return one
     made.taken.append(f"others.{one.id}.does.0.when.ego_within")
-    made.assumed.append(f"{one.id} comes driving from the first, and {one.hidden_by} hides it until late")
+    made.assumed.append(f"{one.id} drives from the start, and {one.hidden_by} hides it until late")
     does = (replace(first, when=None, speed=None), *one.does[1:])
     made.taken += [f"others.{one.id}.does.0.speed"] * (first.speed is not None)
     return replace(one, starts=replace(one.starts, speed=wish), does=does)

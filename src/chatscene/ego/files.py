@@ -107,7 +107,7 @@ def _activation(told: object, path: Path) -> str:
     found = re.fullmatch(r"<class 'torch\.nn\.modules\.activation\.(\w+)'>", str(told))
     if found is None:
         raise EgoError(
-            f"{path} has layers of {str(told)[:200]}; of activations, torch.nn's own are read: ReLU or Tanh; wrap "
+            f"{path} has layers of {str(told)[:200]}; of activations, only ReLU and Tanh of torch.nn are read; wrap "
             "the policy in a module and give package.module:factory"
         )
     return found[1].lower()

@@ -169,7 +169,7 @@ class Conditions:
         for one in times:
             rule = self._given.text(one, "rule", "greaterThan")
             if _RULES.get(rule) not in (">", ">=", "=="):
-                raise Refused(one, f"it holds {rule}, before a time and no longer")
+                raise Refused(one, f"a plan cannot wait for a time by the rule {rule}")
             value = self._given.sum(one, "value")
             for end in (*(phase.end for phase in self._state.phases), *act, *ends):
                 if isinstance(end, After):
@@ -204,7 +204,7 @@ class Conditions:
                 return Comparison(Call("speed", (actor,)), ((self._rule(one), g.sum(one, "value").expression),))
             case "StandStillCondition":
                 if g.number(one, "duration", "0") > 0.0:
-                    raise Refused(one, "it waits for a stand of some time; write a SpeedCondition and a delay")
+                    raise Refused(one, "it waits for a stand with a duration; write a SpeedCondition and a delay")
                 return Comparison(Call("speed", (actor,)), (("<", Number(STANDS)),))
             case "RelativeDistanceCondition":
                 if self._other(one) not in (self._player.ego, self._player.name) or self._other(one) == who:
@@ -252,8 +252,8 @@ class Conditions:
         if other is None or self._other(other) != whom or self._given.flag(one, "freespace"):
             raise Refused(one, "it asks for another time to a collision than that of this actor with the ego")
         if not self._player.toward:
-            raise Refused(one, "a plan has a time to a collision of two who come straight toward each other")
-        self._given.note(one, "it is the time of two who come straight toward each other")
+            raise Refused(one, "a plan has a time to collision only for two that come straight toward each other")
+        self._given.note(one, "it is read as the time to collision of two that come straight toward each other")
         speeds = Arithmetic("+", Call("speed", (own,)), Call("speed", (ego,)))
         bound = Arithmetic("*", speeds, self._given.sum(one, "value").expression)
         return Comparison(Call("gap", (own, ego)), ((self._rule(one), bound),))
@@ -267,7 +267,7 @@ class Conditions:
             raise Refused(one, f"the rule {rule[:40]!r} is not known")
         if _RULES[rule] in ("==", "!="):
             raise Refused(
-                one, f"it holds {rule} what is measured, which comes between two steps; write less or greater"
+                one, f"the rule {rule} can miss a measured value between two steps; write lessThan or greaterThan"
             )
         return _RULES[rule]
 

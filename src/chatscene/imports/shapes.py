@@ -76,7 +76,7 @@ def shape_of(trajectory: Element, given: Given, place: Places) -> Shape:
         if times is None:
             points, faces = (*points, points[0]), (*faces, faces[0]) if faces else faces
         else:
-            given.note(trajectory, "it is closed, and no time is told for its way back; it ends at its last place")
+            given.note(trajectory, "it is closed, but has no time for the way back; it ends at its last point")
     closed = times is None and given.flag(trajectory, "closed")
     return Shape(points, times, line_through(inner, points), faces, closed=closed)
 

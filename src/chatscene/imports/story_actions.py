@@ -266,7 +266,7 @@ class StoryActions:
         if timing is not None and shape.times is None:
             if any(part.attributes.keys() & _TIMES for part in trajectory.walk()):
                 raise Refused(trajectory, "some of its times are missing; give a time wherever one may stand, or none")
-            self._given.note(timing, "its line tells no times; it is gone along at the speed that is told")
+            self._given.note(timing, "its line has no times; it is followed at the stated speed")
         if timing is None or shape.times is None:
             faces = _faces(shape, _gone(shape.points))
             return ("line", line, (), start, *((faces or (None,)) if shape.closed else faces), *[True] * shape.closed)

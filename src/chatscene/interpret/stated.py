@@ -90,7 +90,7 @@ def with_named(situation: Situation, facts: Mapping[str, Any]) -> Situation:
         return situation
     parties = parties_of(situation)
     if parties is None:
-        raise SettingsError("nobody meets the ego here, so that there is nobody of whom a fact could be stated")
+        raise SettingsError("nobody meets the ego here, so no fact about another road user can be stated")
     was = facts_of(situation, parties)
     before = replace(was, slots=concluded(was.slots))
     after = _stated(before, facts)

@@ -27,7 +27,7 @@ def set_virtual_aside(root: Xml.Element) -> list[str]:
                 link.remove(end)
         named = ", ".join(repr(_name(road)) for road in roads) or "none"
         found.append(
-            f"junction {_name(junction)!r} is virtual, and such are not read; it is left out with its roads: {named}"
+            f"junction {_name(junction)!r} is virtual, which is not supported; it is left out with its roads: {named}"
         )
     return found
 

@@ -73,7 +73,7 @@ def is_not_there(error: BaseException) -> bool:
 def not_there(error: BaseException) -> str:
     """In words, what is not there."""
     if isinstance(error, AttributeError):
-        return f"the map has nothing there of which .{error.name} could be read"
+        return f"the map has nothing there with the attribute .{error.name}"
     return "a place that the program asks for is not there"
 
 

@@ -28,7 +28,7 @@ from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Evidence, Situation
 
 YOU_ON_FOOT = (
-    "you are on foot in it, and the ego drives or rides; tell it as whoever meets you sees it, as in 'a pedestrian "
+    "you are on foot in it, but the ego drives or rides; write it as the driver who meets you, as in 'a pedestrian "
     "crosses from the right while we turn left'"
 )
 _SURE, _IMPOSSIBLE = 1.0 - 1e-6, 1e-6

@@ -355,15 +355,15 @@ def _meant(name: str, sites: list[_Site], cast: _Cast) -> Undefined:
         wanted = _Wanted.WAY if _words(name)[-1:] and _words(name)[-1] in ways else _Wanted.USER
     if wanted is _Wanted.USER:
         found = list(_users(owners, cast))
-        why = "a road user is wanted there, and nobody else is placed but the ego and who has the behavior"
+        why = "a road user is wanted there, and only one is placed besides the ego and the behavior's owner"
     elif wanted is _Wanted.WAY:
         found = list(_whose_way(name, sites, owners, cast))
-        why = "a list of lanes is wanted there, and by its name or who follows it, it is that one's"
+        why = "a list of lanes is wanted there, and its name or the road user that follows it points to this one"
     else:
         found, why = list[tuple[str, str]](), ""
     alike = [one for one in cast.named if _words(one) == _words(name)]
     if len(alike) == 1:
-        found, why = [(alike[0], alike[0])], "but for capitals and underscores it is spelled so"
+        found, why = [(alike[0], alike[0])], "only capitals and underscores differ"
     if len(found) == 1:
         return Undefined(name, line, found[0], why, (), within)
     return Undefined(name, line, None, "", tuple(value for value, _ in found), within)
