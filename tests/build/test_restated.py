@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import pytest
@@ -111,6 +112,28 @@ def test_an_ego_that_stopped_goes_back_as_far_as_was_said() -> None:
     van = one("van", "oncoming-in-our-lane", "go-along")
     source = built(van, ego=ego).program.source
     assert "back=1.5" in source
+
+
+@pytest.mark.parametrize(
+    ("more", "told"),
+    [
+        ({"speed": "30 km/h"}, "ego.does.1.speed: 30 km/h: the ego cannot back up so fast; say 21 km/h at most"),
+        ({"speed": "18 km/h", "distance": "2 m"}, "2 m is too short to back up at 18 km/h; say 5 m at least"),
+    ],
+)
+def test_an_ego_that_cannot_go_back_so_is_refused(more: dict[str, str], told: str) -> None:
+    van = one("van", "oncoming-in-our-lane", "go-along")
+    with pytest.raises(NotBuilt, match=re.escape(told)):
+        built(van, ego={"does": [{"act": "stop"}, {"act": "reverse", **more}]})
+
+
+@pytest.mark.parametrize(("side", "aside"), [("left", "aside=1.7"), ("right", "aside=-1.7")])
+def test_an_ego_drifts_to_the_side_of_its_lane_that_was_said(side: str, aside: str) -> None:
+    drifts = {"act": "drift", "lateral": {"side": side}}
+    assert aside in built(one("car", "oncoming", "go-along"), ego={"does": [drifts]}).program.source
+    with pytest.raises(NotBuilt, match=r"ego\.does\.0\.lateral\.side"):
+        other = {"left": "right", "right": "left"}[side]
+        built(one("car", "oncoming", "go-along"), ego={"does": [drifts | {"to": other}]})
 
 
 def test_who_is_to_be_in_the_way_soon_begins_at_the_edge_of_the_road() -> None:

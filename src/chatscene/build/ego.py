@@ -276,17 +276,29 @@ def backs_up(situation: Situation, deed: Deed) -> bool:
 
 
 def _backs_up(ledger: Ledger, deeds: tuple[Deed, ...], k: int, stop: float, speed: float) -> Iterator[Order]:
-    """An ego that comes to a stand, goes back for some time or some way, and stands there or drives on."""
+    """An ego that comes to a stand, goes back for some time or some way, and stands there or drives on.
+
+    Raises:
+        NotBuilt: It cannot go back so fast, or on so short a way.
+    """
     deed, at, before = deeds[k], f"ego.does.{k}", deeds[k - 1] if k else None
     ledger.take(f"{at}.whom", f"{at}.manner", *_in_a_row(deed, at))
     back = UP if deed.manner is not Manner.SLIGHT else 0.5 * UP
     if deed.speed is not None:
         ledger.take(f"{at}.speed")
-        back = min(deed.speed.near(UP), REVERSE_SPEED)
+        back = deed.speed.near(UP)
+        if back > REVERSE_SPEED:
+            most = math.floor(3.6 * REVERSE_SPEED)
+            raise NotBuilt(f"{at}.speed: {deed.speed}: the ego cannot back up so fast; say {most} km/h at most")
     lasts = UP_FOR
     if deed.distance is not None:
         ledger.take(f"{at}.distance")
         far = deed.distance.near(UP * UP_FOR)
+        if deed.speed is not None and far < back:
+            raise NotBuilt(
+                f"{at}.distance: {deed.distance} is too short to back up at {deed.speed}; say"
+                f" {math.ceil(10 * back) / 10:g} m at least"
+            )
         back = min(back, max(0.5, far))  # a short way slowly
         lasts = far / back + back / UP_GAIN
     elif deed.time is not None:

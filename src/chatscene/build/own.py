@@ -125,9 +125,11 @@ def own_orders(
 def _aside(
     ledger: Ledger, deed: Deed, at: str, begins: Near, lasts: float, speed: float, sides: Mapping[str, Side]
 ) -> Iterator[Order]:
-    far, aside = _far(ledger.situation, deed, sides), _comes_aside(deed)
-    ledger.take(f"{at}.distance", f"{at}.lateral")
-    left = far if _side_of(ledger.situation, deed, sides) is Side.LEFT else -far
+    far, aside, side = _far(ledger.situation, deed, sides), _comes_aside(deed), _side_of(ledger.situation, deed, sides)
+    ledger.take(f"{at}.distance", *(f"{at}.lateral.{name}" for name in LATERALS))
+    if deed.lateral is not None and deed.lateral.side is side:
+        ledger.take(f"{at}.lateral.side")
+    left = far if side is Side.LEFT else -far
     if aside is not None:  # how fast it comes aside, and not along
         lasts = max(lasts, far / aside.high)
     since, over = round(begins.since, 2), min(_OVER[deed.act] if aside is None else far / aside.high, lasts)
@@ -324,6 +326,8 @@ def _is_ahead(one: Other) -> bool:
 
 def _side_of(situation: Situation, deed: Deed, sides: Mapping[str, Side]) -> Side:
     """To which side the ego goes by a deed: if none was said, to where somebody is met beside its lane."""
+    if deed.to is None and deed.lateral is not None and deed.lateral.side is not None:
+        return deed.lateral.side
     usual = _SIDES.get(deed.act, Side.LEFT)
     round_another = any(_is_ahead(one) and stands_first(one) for one in situation.others)
     if deed.to is not None or not (deed.act is Act.DRIFT or (deed.act is Act.SWERVE and round_another)):
