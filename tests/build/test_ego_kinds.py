@@ -225,6 +225,6 @@ def test_the_page_of_the_world_says_what_engines_hold_and_what_a_car_may_begin_w
     )
     holds = [3.6 * Body(kind.row.limits, walks=False).fastest for kind in kinds]
     assert all(abs(float(one) - own) <= 1.5 for one, own in zip(told, holds, strict=True))
-    (most,) = re.findall(r"up to (\d+) km/h of a car", page)
+    (most,) = re.findall(r"a car at up to (\d+) km/h", page)
     with pytest.raises(NotBuilt, match=rf"more than a car can do: at most {most} km/h"):
         build(stops_ahead(speed="180 km/h"))

@@ -187,7 +187,7 @@ def _between(kind: str, who: Entity, told: list[Any], world: World) -> Callable[
         case "apart":
             return Measured(rule, far, value)
         case "headway":  # to somebody behind there is none
-            holds = Measured(rule, lambda: seconds(who.speed), value)
-            return lambda: not is_behind() and holds()
+            holds = Measured(rule, lambda: math.nan if is_behind() else seconds(who.speed), value)
+            return lambda: holds() and not is_behind()
         case _:
             return Measured(rule, lambda: seconds(closing(who, motion(), how, frame)), value)

@@ -83,10 +83,11 @@ class Trigger:
 class _Condition:
     def __init__(self, told: tuple[Any, ...], story: Story) -> None:
         self._edge, self._delay, *what = told
-        self._story, self._truth = story, truth_of(tuple(what), story)
+        self._what, self._story = tuple(what), story
         self.forgets()
 
     def forgets(self) -> None:
+        self._truth = truth_of(self._what, self._story)  # which knows what was measured before
         self._before: bool | None = None
         self._since: list[tuple[float, bool]] = []
 
