@@ -180,6 +180,14 @@ def test_what_no_such_body_can_do_is_refused(ego: dict[str, Any], why: str) -> N
         build(stops_ahead(**ego))
 
 
+@pytest.mark.parametrize("kind", ["car", "van", "tram", "e-scooter", "emergency-vehicle"])
+def test_the_speed_that_is_told_for_one_that_a_body_cannot_do_is_built(kind: str) -> None:
+    with pytest.raises(NotBuilt) as refused:
+        build(stops_ahead(kind=kind, speed="300 km/h"))
+    (most,) = re.findall(r"at most (\d+) km/h", str(refused.value))
+    assert build(stops_ahead(kind=kind, speed=f"{most} km/h"))
+
+
 def test_a_cyclist_of_whom_no_speed_is_said_is_as_slow_as_cyclists_are() -> None:
     assert build(stops_ahead(kind="bicycle")).program.wanted_speed == pytest.approx(4.6, abs=0.1)
     assert build(stops_ahead(kind="bus")).program.wanted_speed == build(stops_ahead()).program.wanted_speed

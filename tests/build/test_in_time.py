@@ -139,6 +139,18 @@ def test_the_speed_that_is_told_for_one_that_is_not_reached_is_built(kind: str, 
     assert build(somebody(kind, "driveway", deed("cross", speed=f"{most[1]} km/h")))
 
 
+@pytest.mark.parametrize(("kind", "speed"), [("pedestrian", "3 km/h"), ("pedestrian", "4 km/h"), ("child", "5 km/h")])
+def test_the_time_that_is_told_for_one_that_is_too_late_is_built(kind: str, speed: str) -> None:
+    def crosses(within: str) -> Situation:
+        return somebody(kind, "roadside", deed("cross", speed=speed) | {"when": {"ego_within": within}})
+
+    with pytest.raises(NotBuilt) as refused:
+        build(crosses("0.3 s"))
+    least = re.search(r"say ([\d.]+) s at least", str(refused.value))
+    assert least
+    assert build(crosses(f"{least[1]} s"))
+
+
 def test_the_more_is_done_before_the_ego_comes_the_farther_it_is_or_the_slower_is_the_ego() -> None:
     def nearest(one: Built) -> float:
         found = re.search(r"OPT_A_Y = Range\(([\d.]+)|shortOfJunction\(egoRoute, ([\d.]+)", one.program.source)

@@ -103,7 +103,8 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     if ego.speed is not None:
         if ego.speed.low > (most := MOST * body.top_speed):
             what = one_of(ego.kind or UserKind.CAR)
-            raise NotBuilt(f"ego.speed: {ego.speed} is more than {what} can do: at most {3.6 * most:.0f} km/h")
+            holds = math.floor(3.6 * most + 1e-9)
+            raise NotBuilt(f"ego.speed: {ego.speed} is more than {what} can do: at most {holds} km/h")
         ledger.take("ego.speed")
     ledger.take("ego.kind")
     keeps = keeps_limits(situation)

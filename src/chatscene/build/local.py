@@ -98,7 +98,7 @@ def check_round(actor: Actor, k: int) -> None:
     fastest = 1.1 * allowed  # who cuts the bend is faster
     if said.low > fastest:
         at = f"{actor.path}.does.{k}.speed: {said}"
-        raise NotBuilt(f"{at} is too fast for the roundabout: at most {3.6 * fastest:.0f} km/h")
+        raise NotBuilt(f"{at} is too fast for the roundabout: at most {math.floor(3.6 * fastest + 1e-9)} km/h")
 
 
 def check_turn(actor: Actor, k: int) -> None:

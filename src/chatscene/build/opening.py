@@ -104,7 +104,7 @@ class Opening(UnderWay):
                 takes = self._until_there()
         least = takes - EGO_FIRST
         if least > has and actor.one.role is Role.ADVERSARY:
-            say = f"{math.ceil(least * actor.ego_speed)} m" if metres else f"{least:.1f} s"
+            say = f"{math.ceil(least * actor.ego_speed)} m" if metres else f"{math.ceil(10 * least) / 10:g} s"
             raise NotBuilt(
                 f"impossible: {actor.path}.does.{self.first}.when.ego_within: {when.ego_within}: {actor.one.id} needs"
                 f" {takes:.1f} s from its start into our way, and by then we have passed;"
