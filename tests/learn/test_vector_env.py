@@ -81,3 +81,19 @@ def test_what_is_no_action_is_refused_as_by_one_alone_and_a_drive_begun_by_hand_
     assert np.array_equal(alone.reset(seed=9)[0], seen)
     action = np.array([0.5, 0.1], np.float32)
     assert np.array_equal(envs.step(np.array([action, action]))[0][1], alone.step(action)[0])
+
+
+def test_a_drive_that_was_driven_to_its_end_by_hand_is_stepped_no_further() -> None:
+    envs = vector_env(2, courses=COURSES, settings=NATIVE)
+    envs.reset(seed=0)
+    actions = np.zeros((2, 2), np.float32)
+    envs.step(actions)
+    assert isinstance(envs, SideBySide)
+    first, second = (env.unwrapped for env in envs.envs)
+    assert isinstance(first, DrivingEnv)
+    assert isinstance(second, DrivingEnv)
+    while not any(second.step(actions[1])[2:4]):
+        pass
+    with pytest.raises(EgoError, match="is over: begin another"):
+        envs.step(actions)
+    assert [env.drive.step_number for env in (first, second) if env.drive] == [1, 15]

@@ -1208,8 +1208,11 @@ void copy_world(const World *from, World *to, char *room, double *row, double *o
     to->offsets = memcpy(offsets, from->offsets, sizeof(double) * (from->step + 1));
 }
 
-/* Scenes that are each stepped with an action of its own: what `told` and `seen` say of each is then in rows. */
-void step_worlds(World **worlds, int64_t count, const double *action, double *told, double *seen, int64_t size) {
+/* Scenes that are each stepped with an action of its own: what `told` and `seen` say of each is then in rows. The number
+ * of one that is over, whose states have no room for more: then none is stepped; else -1. */
+int64_t step_worlds(World **worlds, int64_t count, const double *action, double *told, double *seen, int64_t size) {
+    for (int64_t i = 0; i < count; i++)
+        if (worlds[i]->ending != GOES_ON) return i;
     for (int64_t i = 0; i < count; i++, action += 2, told += 6, seen += size) {
         World *w = worlds[i];
         told[0] = w->along;
@@ -1221,6 +1224,7 @@ void step_worlds(World **worlds, int64_t count, const double *action, double *to
         told[5] = w->fault;
         memcpy(seen, w->seen, size * sizeof(double));
     }
+    return -1;
 }
 
 /* chatscene.ego.intelligent_driver.pressed */

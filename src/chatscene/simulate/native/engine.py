@@ -25,6 +25,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.errors import EgoError
 from chatscene.files.caches import cache_folder, keep, only_mine
 from chatscene.simulate.native.building import NoEngine, compile_engine, source_digest
 
@@ -335,7 +336,7 @@ class Engine:
         library.room_of.argtypes = (POINTER(World),)
         library.copy_world.restype = None
         library.copy_world.argtypes = (POINTER(World), POINTER(World), *[c_void_p] * 3)
-        library.step_worlds.restype = None
+        library.step_worlds.restype = c_int64
         library.step_worlds.argtypes = (c_void_p, c_int64, *[c_void_p] * 3, c_int64)
         library.run_world.restype = c_int64
         library.run_world.argtypes = (POINTER(World), POINTER(Policy), c_int64)
@@ -420,13 +421,18 @@ class Engine:
         Returns:
             (N, 6) how far along the ego was before the step and is after it, its offset and its speed, how the scene
             ended and whether it failed; and (N, size) what the ego sees.
+
+        Raises:
+            EgoError: A scene is over; then none is stepped.
         """
         actions = np.ascontiguousarray(actions, np.float64)
         if actions.shape != (len(worlds), 2) or not 0 < size <= SEEN:
             raise ValueError(f"{actions.shape} are no actions of {len(worlds)} scenes, or {size} numbers are not seen")
         told, seen = np.empty((len(worlds), 6)), np.empty((len(worlds), size))
         columns = (column.ctypes.data for column in (actions, told, seen))
-        self._library.step_worlds(worlds.ctypes.data, len(worlds), *columns, size)
+        over = self._library.step_worlds(worlds.ctypes.data, len(worlds), *columns, size)
+        if over >= 0:
+            raise EgoError(f"drive {over} of {len(worlds)} is over: begin another")
         return told, seen
 
     def run(self, world: World, policy: Policy, until: int = END) -> int:
