@@ -1,18 +1,17 @@
 """Whether the simulator `native` gives the embedded one's numbers: every number of every drive, and how fast.
 
     python benchmarks/native_gate.py [--programs 240] [--scenes 3] [--seed 0] [--ego rule-based] [--speed 0]
-        [--beside 0] [--budget 480] [--in-turn] [--situations FILE] [--drawn]
+        [--budget 480] [--in-turn] [--situations FILE] [--drawn]
 
 Each program is a behavior of the library with a geometry and a spawn that are drawn among those it can be joined with,
-every behavior in turn; `--beside` says of how many in a hundred another road user acts beside the adversary. Each is
-driven in scenes drawn from its ranges, on a route of its geometry that is drawn too, by every ego; with `--in-turn`,
-each scene by one of the egos in turn. `--situations FILE` takes programs that are built of the situations of a file
-(`tests/build/written.yaml`) instead; `--drawn` takes `--programs` that are built of random situations, which
-`building.py` draws by the seed, without those that cannot be or are not built. The first scene of a program is placed
-by Scenic, the others by what was learned of it where that can be, which is counted. Both episodes must agree in every
-number of every track, every event, signal, offset, flag and the ending. What took the embedded path in `native` is not
-compared, and is counted by reason. At the end, the processor time of both in this process, from the opened scene to its
-end, of the drives that were compared.
+every behavior in turn. Each is driven in scenes drawn from its ranges, on a route of its geometry that is drawn too, by
+every ego; with `--in-turn`, each scene by one of the egos in turn. `--situations FILE` takes programs that are built of
+the situations of a file (`tests/build/written.yaml`) instead; `--drawn` takes `--programs` that are built of random
+situations, which `building.py` draws by the seed, without those that cannot be or are not built. The first scene of a
+program is placed by Scenic, the others by what was learned of it where that can be, which is counted. Both episodes
+must agree in every number of every track, every event, signal, offset, flag and the ending. What took the embedded path
+in `native` is not compared, and is counted by reason. At the end, the processor time of both in this process, from the
+opened scene to its end, of the drives that were compared.
 """
 
 from __future__ import annotations
@@ -29,7 +28,6 @@ import click
 import numpy as np
 import yaml
 from building import drawn
-from chatscene.library.beside import placed_again
 from differing import differences
 
 from chatscene.build.build import build
@@ -52,12 +50,6 @@ from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
-BESIDE = (
-    "ahead-in-lane-far=car.ahead.stand",
-    "ahead-in-lane-far=truck.ahead.slow",
-    "roadside-right=pedestrian.right.cross",
-    "roadside-left=pedestrian.left.cross.stop",
-)
 MAPS = ("town", "outskirts", "region")
 
 
@@ -81,7 +73,7 @@ class Tally:
     differing: list[str] = field(default_factory=list)
 
 
-def programs(count: int, beside: int, rng: np.random.Generator) -> Iterator[ScenicProgram]:
+def programs(count: int, rng: np.random.Generator) -> Iterator[ScenicProgram]:
     """Programs of the library, every behavior in turn."""
     joint = compatibility(library_with())
     order = [int(b) for b in rng.permutation(len(joint.behaviors)) if joint.mask[b].any()]
@@ -97,13 +89,7 @@ def programs(count: int, beside: int, rng: np.random.Generator) -> Iterator[Scen
             kind: AdversaryKind = kinds[rng.integers(len(kinds))]
             parts = SubDescriptions(behavior=behavior.id, geometry=geometry.id, spawn=spawn.id)
             scenario = Scenario(id=f"gate-{made}", text="gate", base=None, parts=parts, slots=Slots())
-            who = BESIDE[rng.integers(len(BESIDE))] if rng.integers(100) < beside else ""
-            try:
-                if who:
-                    spawn = placed_again(f"{spawn.id}+{who}", library_with().get)
-                yield assemble(scenario, (behavior, geometry, spawn), kind)
-            except ChatSceneError:
-                continue  # a part that does not fit who is beside
+            yield assemble(scenario, (behavior, geometry, spawn), kind)
 
 
 def built(path: Path) -> Iterator[ScenicProgram]:
@@ -215,7 +201,6 @@ def show(name: str, tally: Tally) -> None:
 @click.option("--seed", default=0)
 @click.option("--ego", "egos", multiple=True, default=("rule-based",))
 @click.option("--speed", default=0.0, help="What is wanted of each ego [km/h]; 0 leaves each at its own.")
-@click.option("--beside", default=0, help="Of how many programs in a hundred somebody else acts too.")
 @click.option("--in-turn", is_flag=True, help="Each scene by one of the egos, in turn, and not by all.")
 @click.option("--situations", type=click.Path(path_type=Path), help="A file of situations, instead of the library.")
 @click.option("--drawn", "at_random", is_flag=True, help="Programs of situations at random, instead of the library.")
@@ -226,7 +211,6 @@ def main(
     seed: int,
     egos: tuple[str, ...],
     speed: float,
-    beside: int,
     in_turn: bool,
     situations: Path | None,
     at_random: bool,
@@ -241,7 +225,7 @@ def main(
     tallies: dict[str, Tally] = defaultdict(Tally)
     failed: Counter[str] = Counter()
     tried, driven_scenes, why = 0, 0, ""
-    asked = programs(count, beside, np.random.default_rng(seed))
+    asked = programs(count, np.random.default_rng(seed))
     if situations or at_random:
         asked = built(situations) if situations else built_of_drawn(count, seed)
     for program in asked:

@@ -90,7 +90,7 @@ def main(count: int, copies: int, seed: int, egos: tuple[str, ...], rounds: int)
     embedded, native = (load_simulator(town, SimulationSettings(simulator=name)) for name in ("embedded", "native"))
     for ego in map(load_ego, egos):
         found = Scenes()
-        for program in programs(count, 0, np.random.default_rng(seed)):
+        for program in programs(count, np.random.default_rng(seed)):
             with suppress(ChatSceneError, NotCovered):
                 for scene in scenes(program, embedded, 1, seed):
                     found.take(embedded, program, scene, ego)

@@ -35,7 +35,7 @@ def main(count: int, seed: int, egos: tuple[str, ...], name: str) -> None:
     simulator = load_simulator(resolve_map("town"), SimulationSettings(simulator=name))
     found = [
         (program, scene)
-        for program in programs(count, 0, np.random.default_rng(seed))
+        for program in programs(count, np.random.default_rng(seed))
         for scene in _scenes(program, simulator, seed)
     ]
     for ego in map(load_ego, egos):

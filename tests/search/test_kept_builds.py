@@ -85,5 +85,6 @@ def test_code_is_another_once_a_file_of_it_changes(tmp_path: Path, monkeypatch: 
         found.append(builds._code.__wrapped__())
     (tmp_path / "__pycache__").mkdir()
     (tmp_path / "__pycache__" / "one.pyc").write_bytes(b"0")
+    (tmp_path / ".#one.py").symlink_to("nobody@nowhere.1")  # by which an editor locks a file
     assert len({*found}) == len(found)
     assert builds._code.__wrapped__() == found[-1]

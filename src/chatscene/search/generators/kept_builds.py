@@ -11,6 +11,7 @@ import json
 import os
 import sys
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import asdict
 from functools import cache
 from importlib.metadata import version
@@ -72,5 +73,6 @@ def _files() -> Iterator[str]:
     for folder, inner, names in os.walk(Path(__file__).parents[2]):
         inner[:] = [name for name in inner if name != "__pycache__"]
         for name in names:
-            state = os.stat(path := os.path.join(folder, name))  # noqa: PTH116, PTH118 - of a thousand files
-            yield f"{path} {state.st_size} {state.st_mtime_ns}"
+            with suppress(FileNotFoundError):  # an editor's, such as a link to nothing by which it locks a file
+                state = os.stat(path := os.path.join(folder, name))  # noqa: PTH116, PTH118 - of a thousand files
+                yield f"{path} {state.st_size} {state.st_mtime_ns}"
