@@ -16,6 +16,7 @@ BAY = someone("bus-bay", "pull-out", kind="bus")
 CROSSWALK = someone("crossing", "cross", kind="pedestrian", side="right")
 BLOCKED = someone("ahead", "stand", kind="truck") | {"ego": {"route": "bypass"}}
 PARKED = someone("kerb", "stand", side="right") | {"ego": {"route": "bypass"}}
+NARROW = BAY | {"road": {"lanes": 1, "two_way": True}}
 _NAMED = re.compile(r"say (\d+) m|is (\d+) to (\d+) m ahead")
 
 
@@ -31,7 +32,9 @@ def test_somebody_is_as_far_ahead_as_was_said_where_the_road_has_something(said:
     _at(said, metres)
 
 
-@pytest.mark.parametrize("said", [BAY, CROSSWALK, BLOCKED, PARKED], ids=["bay", "crosswalk", "ahead", "kerb"])
+@pytest.mark.parametrize(
+    "said", [BAY, NARROW, CROSSWALK, BLOCKED, PARKED], ids=["bay", "narrow", "crosswalk", "ahead", "kerb"]
+)
 @pytest.mark.parametrize("metres", [3, 12, 300])
 def test_a_refused_distance_names_one_that_is_built(said: dict[str, Any], metres: int) -> None:
     try:

@@ -17,7 +17,7 @@ from chatscene.build.bays import out_of_bay
 from chatscene.build.coming import speeds_to_try, wanted_by
 from chatscene.build.contact import at_a_corner, parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of, ordered
-from chatscene.build.finding import find, nearer, started, without_one_fact
+from chatscene.build.finding import find, started, without_one_fact
 from chatscene.build.keeping import as_kept, take_kept
 from chatscene.build.lane_order import check_hidden, cross_before_who_brakes, leaves_row, set_in_order
 from chatscene.build.ledger import Ledger, as_written
@@ -156,7 +156,7 @@ def _instead(refused: NotBuilt, situation: Situation, speed: float, name: str) -
     if isinstance(refused, RoadTooShort):
         return _slow_enough(situation, speed, name)
     if isinstance(refused, NoSuchPlace):
-        return without_one_fact(situation, speed) or nearer(situation, speed)
+        return without_one_fact(situation, speed)
     return ""
 
 

@@ -146,7 +146,7 @@ def _is_somewhere(situation: Situation, more: float, load: _Load) -> bool:
 
 
 def without_one_fact(situation: Situation, speed: float) -> str:
-    """Which facts, each left out alone, would let a place be found, in words; or that none of the road would.
+    """Which facts, each left out alone, would let a place be found, in words; else which distance, or that none would.
 
     They are the facts of the road, the ego's route, and everybody but who is met or hides somebody.
 
@@ -170,10 +170,11 @@ def without_one_fact(situation: Situation, speed: float) -> str:
     helps = [told for told, one in less.items() if _found(one, speed, 1.0, 0.0, _Lacking(), {}, load)]
     if helps:
         return f"leave out {' or '.join(helps)}, and a place is found"
-    return "leaving out one fact of the road is not enough: leave out several" if len(said) > 1 else ""
+    several = "leaving out one fact of the road is not enough: leave out several"
+    return _nearer(situation, speed) or (several if len(said) > 1 else "")
 
 
-def nearer(situation: Situation, speed: float) -> str:
+def _nearer(situation: Situation, speed: float) -> str:
     """Which distance that was said, said shorter, would let a place be found, in words; empty if none would.
 
     Args:
@@ -185,7 +186,7 @@ def nearer(situation: Situation, speed: float) -> str:
         if (said := one.starts.distance) is None:
             continue
         for share in _SHORTER:
-            far = math.floor(share * said.least)
+            far = max(1, math.floor(share * said.least))
             starts = replace(one.starts, distance=Length(far, far))
             others = (*situation.others[:n], replace(one, starts=starts), *situation.others[n + 1 :])
             if _found(replace(situation, others=others), speed, 1.0, 0.0, _Lacking(), {}, load):
