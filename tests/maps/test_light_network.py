@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ from chatscene.maps.network import load_network, map_digest, resolve_map
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import load_simulator
 from chatscene.terms.scene import Scene, ScenicProgram
+from chatscene.world import compilation
 from chatscene.world.compilation import compile_program
 
 TOWN = resolve_map("town")
@@ -52,6 +54,9 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> list[Path]:
         return LightNetwork(Path(path), map_digest(Path(path)))
 
     monkeypatch.setattr(module, "light_network", light)
+    monkeypatch.setattr(
+        compilation, "_models", OrderedDict()
+    )  # a world model holds the network that it was loaded with
     return made
 
 

@@ -70,6 +70,8 @@ def restated(situation: Situation) -> Restated:
 def _at_its_first_speed(made: Restated, one: Other) -> Other:
     """A speed at the start is the speed that the first deed begins with; of one that keeps it, it is said once."""
     first = one.does[0] if one.does else None
+    if one.starts.where is Where.ROADSIDE and one.kind.moves is not Moves.WALKS:
+        return one  # who rides over the road is built to come at a speed and to keep it
     if first is None or first.speed is None or first.act not in AT_ONE_SPEED or first.speed != one.starts.speed:
         return one
     made.taken.append(f"others.{one.id}.does.0.speed")

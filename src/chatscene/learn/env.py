@@ -169,9 +169,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
             EgoError: The action is not two finite numbers, no drive is in progress, or something else was
                 simulated in this process meanwhile.
         """
-        drive = self._in_progress()
-        if drive.ending is not None:
-            raise EgoError("no drive is in progress: call reset first")
+        drive = self._going_on()
         before, desired = drive.along, self._desired(drive)
         drive.step(action)
         if is_cut_off(action):
@@ -228,6 +226,11 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         """The speed [m/s] that the ego is not to exceed: what its program wants, and no more than it is shown."""
         shown = self._shown(drive)[ALLOWED:].tolist() if OBSERVATIONS[self._preset] > ALLOWED else ()
         return min([self.wanted, *shown])
+
+    def _going_on(self) -> Session:
+        if self._in_progress().ending is not None:
+            raise EgoError("no drive is in progress: call reset first")
+        return self._in_progress()
 
     def _in_progress(self) -> Session:
         if self._drive is None:

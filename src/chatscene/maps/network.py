@@ -16,6 +16,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache, partial
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 from xml.etree import ElementTree as Xml
 
@@ -139,7 +140,7 @@ def _parse(content: MapContent) -> Any:
     root = check_opendrive(path)
     copy = _private_copy(path, digest)
     if takes_seconds(root) or digest in _packaged():
-        return furnished(path, root, lambda: _kept(path, copy) or parsed(copy or path, cached=copy is not None))
+        return furnished(path, root, lambda: _kept(path, copy) or _made(path, copy))
     network = _kept(path, copy) or read_apart(path, root, partial(_taken, copy))
     return furnished(path, root, lambda: network)
 
@@ -193,19 +194,32 @@ def furnished(path: Path, root: Xml.Element, make: Callable[[], Any]) -> Any:
 
 def _kept(path: Path, copy: Path | None) -> Any:
     """The network that was made of a map before, if it is still there and whole."""
-    from scenic.core.serialization import deterministicHash
     from scenic.domains.driving.roads import Network
 
     if copy is None:
         return None
+    original, options = marks_of(path)
     try:
-        return Network.fromPickle(
-            copy.with_suffix(Network.pickledExt),
-            originalDigest=hashlib.blake2b(path.read_bytes()).digest(),
-            optionsDigest=deterministicHash({"form": FORM}, digest_size=8),
-        )
+        return Network.fromPickle(copy.with_suffix(Network.pickledExt), originalDigest=original, optionsDigest=options)
     except (OSError, pickle.UnpicklingError, Network.DigestMismatchError):
         return None
+
+
+def marks_of(path: Path) -> tuple[bytes, bytes]:
+    """By what a kept network is known to be of a map, and of how maps are read now."""
+    from scenic.core.serialization import deterministicHash
+
+    return hashlib.blake2b(path.read_bytes()).digest(), deterministicHash({"form": FORM}, digest_size=8)
+
+
+def _made(path: Path, copy: Path | None) -> Any:
+    """The network of a map, made in this process and kept beside the copy of the map."""
+    network = parsed(copy or path)
+    with suppress(OSError), TemporaryDirectory() as folder:
+        if copy is not None:
+            network.dumpPickle(made := Path(folder, "made" + network.pickledExt), *marks_of(path))
+            write_whole(copy.with_suffix(network.pickledExt), made.read_bytes())
+    return network
 
 
 def _taken(copy: Path | None, made: Path) -> Any:
@@ -229,12 +243,11 @@ def _remember_union(network: Any) -> None:
     road.union = union
 
 
-def parsed(path: Path, *, cached: bool) -> Any:
-    """What Scenic makes of a file, without its warnings about shoulders it leaves out, and of a cache that fails.
+def parsed(path: Path) -> Any:
+    """What Scenic makes of a file, without its warnings about shoulders it leaves out.
 
     Args:
         path: OpenDRIVE that has been checked.
-        cached: Whether Scenic may keep the network beside it, and take it from there.
     """
     from scenic.formats.opendrive.xodr_parser import OpenDriveWarning
 
@@ -242,12 +255,7 @@ def parsed(path: Path, *, cached: bool) -> Any:
     parse = _scenic_from_file()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", OpenDriveWarning)
-        try:
-            return parse(str(path), useCache=cached, writeCache=cached)
-        except OSError:
-            if not cached:
-                raise
-            return parse(str(path), useCache=False, writeCache=False)
+        return parse(str(path), useCache=False, writeCache=False)
 
 
 def check_opendrive(path: Path) -> Xml.Element:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import hashlib
 import json
 import math
 import os
@@ -44,12 +43,10 @@ def main() -> None:
 
 
 def _make(path: Path, made: Path, within: int, tell: Any) -> None:
-    from scenic.core.serialization import deterministicHash
     from scenic.formats.opendrive import xodr_parser
 
     from chatscene.maps import network
     from chatscene.maps.apart import JOINING
-    from chatscene.maps.plain_form import FORM
 
     of_road = xodr_parser.Road.calculate_geometry
 
@@ -62,11 +59,10 @@ def _make(path: Path, made: Path, within: int, tell: Any) -> None:
     road_type: Any = xodr_parser.Road
     road_type.calculate_geometry = calculate_geometry
     root = network.check_opendrive(path)
-    digest = hashlib.blake2b(path.read_bytes()).digest()
 
     def make() -> Any:
-        made_of_it = network.parsed(path, cached=False)
-        made_of_it.dumpPickle(made, digest, deterministicHash({"form": FORM}, digest_size=8))
+        made_of_it = network.parsed(path)
+        made_of_it.dumpPickle(made, *network.marks_of(path))
         return made_of_it
 
     _hold(within)

@@ -84,7 +84,7 @@ def test_none_that_says_one_of_two_opposites_is_served_by_what_does_the_other(te
 def test_they_are_served_as_those_of_the_papers_sentences_are_that_are_served() -> None:
     pairs = {base: zip(OURS[base], published()[base], strict=True) for base in BaseScenario}
     same = [sum(alike(ours, theirs) for ours, theirs in both) for both in pairs.values()]
-    assert min(same) >= 1  # of five
+    assert sum(one >= 1 for one in same) >= 7  # of eight; nothing is composed any more (decision 0178)
     assert sum(same) >= 14  # of the paper's forty, of which the reader is sure of 18
 
 
