@@ -86,6 +86,18 @@ def test_a_refusal_tells_what_was_understood_and_the_likeliest_readings_in_sente
     assert error.readings[0].probability >= error.readings[1].probability
 
 
+def test_a_refusal_that_has_no_reading_to_choose_says_why_the_likeliest_is_not_built() -> None:
+    away = with_fact(RANKED[0].situation, "others.A.does.0.speed", "90 km/h")
+    read_as = SituationReading(
+        text=TEXT, reader="offline", verdict=Verdict.SITUATION, ranked=(replace(RANKED[0], situation=away),)
+    )
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(LearnedReader, "read", lambda _reader, _text: read_as)  # pyright: ignore[reportUnknownLambdaType]
+        error = refusal(TEXT)
+    assert error.readings == ()
+    assert "as it is read it cannot be built: others.A.does.0.speed: 90 km/h" in str(error)
+
+
 @pytest.mark.parametrize("number", [1, 2])
 def test_a_reading_that_is_taken_is_what_was_offered_and_is_not_doubted_again(number: int) -> None:
     offered = refusal(TEXT).readings[number - 1]

@@ -228,9 +228,10 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         return min([self.wanted, *shown])
 
     def _going_on(self) -> Session:
-        if self._in_progress().ending is not None:
+        drive = self._in_progress()
+        if drive.ending is not None:
             raise EgoError("no drive is in progress: call reset first")
-        return self._in_progress()
+        return drive
 
     def _in_progress(self) -> Session:
         if self._drive is None:

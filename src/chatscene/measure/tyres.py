@@ -16,6 +16,7 @@ from chatscene.simulate.native.lines import engine
 from chatscene.terms.actors import AIR_DRAG, BY_CLASS, LIMITS
 from chatscene.terms.arrays import Array, changes, fixed
 from chatscene.terms.episode import Episode, Track
+from chatscene.terms.situation import EGO
 from chatscene.terms.surroundings import DRY, GRAVITY
 
 FAST = 50.0 / 3.6  # [m/s]
@@ -40,7 +41,7 @@ def beyond_tyres(episode: Episode) -> tuple[str, ...]:
     who = [actor for actor, (most, lags) in zip(wheeled, did(episode), strict=True) if lags or most > held]
     if not who:
         return ()
-    names = " and ".join("the ego" if one == "ego" else one for one in who)
+    names = " and ".join("the ego" if one == EGO else one for one in who)
     return (
         f"{names}: braking, speeding up or turning harder or sooner than tyres do; compare with `--physics lagged`",
     )

@@ -16,12 +16,11 @@ from chatscene.read.clause_words import (
     AUXILIARIES,
     BE,
     DETERMINERS,
-    PREPOSITIONS,
-    PRONOUNS,
     RELATIVES,
     TOUCH,
     Token,
     clause_after,
+    in_spans,
     noun_after,
     subject_is_ego,
     tokens_of,
@@ -64,14 +63,9 @@ def striker_in(text: str, verbs: Sequence[Span]) -> Striker | None:
         verbs: Where the words stand that tell of the contact.
     """
     tokens = tokens_of(text)
-    for at, token in enumerate(tokens):
-        if not any(low < token.span[1] and token.span[0] < high for low, high in verbs):
-            continue
-        if token.ego or token.is_part or token.word in AUXILIARIES | PREPOSITIONS | DETERMINERS | PRONOUNS:
-            continue
-        if (striker := _by_passive(tokens, at) or _by_active(tokens, at)) is not None:
-            return striker
-    return None
+    told = (at for at in in_spans(tokens, verbs) if tokens[at].may_be_verb)
+    strikers = (_by_passive(tokens, at) or _by_active(tokens, at) for at in told)
+    return next((striker for striker in strikers if striker is not None), None)
 
 
 def _by_passive(tokens: Sequence[Token], verb: int) -> Striker | None:
@@ -153,10 +147,8 @@ def _owner(text: str, spans: Sequence[Span], striker: Striker | None) -> str | N
     """Whose a part is: ``ego`` or ``other``; None if the words do not say."""
     tokens = tokens_of(text)
     strikes, struck = ("ego", "other") if striker is Striker.EGO else ("other", "ego")
-    for at, token in enumerate(tokens):
-        if not any(low < token.span[1] and token.span[0] < high for low, high in spans):
-            continue
-        before = tokens[at - 1].word if at else ""
+    for at in in_spans(tokens, spans):
+        token, before = tokens[at], tokens[at - 1].word if at else ""
         if token.word.startswith("rear-end") or (token.word == "behind" and before == "from"):
             return struck
         if token.is_part and not (token.word == "front" and before == "in"):

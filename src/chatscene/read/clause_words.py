@@ -61,6 +61,12 @@ class Token:
         return self.word in _PARTS or self.word.removesuffix("s") in _PARTS
 
     @property
+    def may_be_verb(self) -> bool:
+        """Whether it may tell a deed: it names neither the ego nor a part, and is of no closed class."""
+        closed = AUXILIARIES | PREPOSITIONS | DETERMINERS | PRONOUNS
+        return not self.ego and not self.is_part and self.word not in closed
+
+    @property
     def is_bound(self) -> bool:
         """Whether a clause ends with it, or begins behind it."""
         return self.word in _ENDS or self.word == "," or self.word in _JOINS or self.word in _BEGINS
@@ -77,6 +83,13 @@ def tokens_of(text: str) -> tuple[Token, ...]:
     return tuple(
         Token(one[0].lower().replace("\u2019", "'"), one.span(), of_ego(one.span())) for one in _TOKEN.finditer(text)
     )
+
+
+def in_spans(tokens: Sequence[Token], spans: Sequence[Span]) -> Iterator[int]:
+    """The words of a text that lie in some spans, wholly or in part."""
+    for at, token in enumerate(tokens):
+        if any(low < token.span[1] and token.span[0] < high for low, high in spans):
+            yield at
 
 
 def word_before(tokens: Sequence[Token], at: int) -> int:

@@ -30,10 +30,12 @@ class Naming:
         spans: Where each begins and ends, in the order of the text.
         unit: What the unit is called that is taken for the ego, where units are numbered and no narrator and no name
             of the ego is there; else empty.
+        others: Where the other units are named, each by its number; empty where no unit is taken for the ego.
     """
 
     spans: tuple[Span, ...]
     unit: str = ""
+    others: tuple[tuple[str, Span], ...] = ()
 
 
 @lru_cache(maxsize=32)
@@ -49,7 +51,8 @@ def ego_named(text: str) -> Naming:
     first = [found for which, found in units if which in ("1", "A")]
     if not first or len(numbers) < 2:
         return Naming(())
-    return Naming(tuple(found.span() for found in first), first[0][0])
+    others = tuple((which, found.span()) for which, found in units if found not in first)
+    return Naming(tuple(found.span() for found in first), first[0][0], others)
 
 
 def owned_kind(text: str) -> tuple[UserKind, str] | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from chatscene.read.ego_named import ego_named
+from chatscene.read.ego_named import Span, ego_named
 from chatscene.read.kinds import is_named
 from chatscene.read.learned.words import tells
 from chatscene.read.without_effect import without_effect
@@ -65,9 +65,9 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
     Words that stand in the text several times are read wherever they stand: nobody says which of them was meant.
     """
     read = bytearray(len(text))
-    for words in situation.evidence.quoted.values():
-        for start, end in spans_of(words, text):
-            read[start:end] = b"\1" * (end - start)
+    quoted = (span for words in situation.evidence.quoted.values() for span in spans_of(words, text))
+    for start, end in (*quoted, *_units_read(situation, text)):
+        read[start:end] = b"\1" * (end - start)
     prepositions = _prepositions(text)
     runs: list[tuple[int, int]] = []
     open_run = False  # whether all words since the last run are unread and only white space lies between
@@ -91,6 +91,15 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
     return tuple(sorted(told, key=lambda run: -max(tells(word) for word in run.split())))
 
 
+def _units_read(situation: Situation, text: str) -> tuple[Span, ...]:
+    """Where a text names numbered units that are in a situation: its ego, and the others if there are as many."""
+    named = ego_named(text)
+    if not named.unit:
+        return ()
+    all_there = len({which for which, _ in named.others}) <= len(situation.others)
+    return (*named.spans, *(span for _, span in named.others if all_there))
+
+
 def words_of(situation: Situation, text: str) -> tuple[Word, ...]:
     """What became of each word of a text: the path of the fact that it gave, or why it is without effect."""
     facts: dict[int, str] = {}
@@ -98,11 +107,13 @@ def words_of(situation: Situation, text: str) -> tuple[Word, ...]:
     quotes = [(span, path) for path, words in situation.evidence.quoted.items() for span in spans_of(words, text)]
     for (start, end), path in sorted(quotes, key=lambda one: one[0][0] - one[0][1]):  # the longest first
         facts |= {at: path for at in range(start, end) if at not in facts or within(path, (facts[at],))}
+    units = [at for start, end in _units_read(situation, text) for at in range(start, end)]
     told: list[Word] = []
     for word in _WORD.finditer(text):
         start, end = word.span()
         idle = says_nothing(word[0]) or start in prepositions
         besides = without_effect(text, (start, end)) or ("says nothing alone" if idle else "")
+        besides = "names who it is" if start in units else besides
         fact = facts.get(start, "")
         told.append(Word(text=word[0], start=start, end=end, fact=fact, besides="" if fact else besides))
     return tuple(told)

@@ -263,9 +263,12 @@ def _unsure(
     sure = ranked[0].probability
     said = f"the reading is too uncertain (confidence {sure:.0%}; {settings.refuse_below:.0%} is needed)"
     unread = (f"no fact was read in {', '.join(map(repr, read.unread))}",) if read.unread else ()
-    reasons = (*unread, *otherwise_named(ranked[0].situation))
+    readings, likeliest = offered(ranked, settings, cannot_build), ranked[0].situation
+    why = "" if readings else cannot_build(likeliest)  # else nothing says why there is no reading to choose
+    unbuilt = (f"as it is read it cannot be built: {why}",) if why else ()
+    reasons = (*unread, *otherwise_named(likeliest), *unbuilt)
     told_so = NothingFits("; ".join((said, *reasons)), reasons=reasons or (said,), confidence=sure)
-    return _with_what_was_read(told_so, read, ranked[0], offered(ranked, settings, cannot_build))
+    return _with_what_was_read(told_so, read, ranked[0], readings)
 
 
 def _with_what_was_read(

@@ -7,7 +7,9 @@ import pytest
 from chatscene.read.ego_named import owned_kind
 from chatscene.read.learned.narrator import clauses, of_somebody
 from chatscene.read.learned.reader import YOU_ON_FOOT, LearnedReader
-from chatscene.read.quotes import not_in_words
+from chatscene.read.quotes import not_in_words, words_of
+from chatscene.read.quotes import unread as unread_in
+from chatscene.situations.form import from_plain
 from chatscene.terms.reading import Verdict
 from chatscene.terms.vocabulary import UserKind
 
@@ -72,6 +74,19 @@ def test_who_is_on_foot_and_meets_nobody_on_foot_is_told_so(text: str) -> None:
 )
 def test_who_is_who_is_told(text: str, line: str) -> None:
     assert line in not_in_words(LearnedReader().read(text).ranked[0].situation)
+
+
+@pytest.mark.parametrize(("others", "unread"), [(1, {"sat"}), (0, {"2", "sat"})])
+def test_units_that_are_in_a_situation_are_read(others: int, unread: set[str]) -> None:
+    text = "Unit 1 was struck by unit 2. In unit 1 nobody sat."
+    struck = {"id": "A", "kind": "car", "starts": {"where": "behind"}}
+    said = from_plain(
+        {"about": text, "others": [struck] * others, "evidence": {"quoted": {"contact": "was struck by"}}}
+    )
+    assert {word for run in unread_in(said, text) for word in run.split()} & {"1", "2", "sat"} == unread
+    named = [one.text for one in words_of(said, text) if one.besides == "names who it is"]
+    assert named.count("1") == 2
+    assert named.count("2") == others
 
 
 def test_who_drives_is_the_ego() -> None:

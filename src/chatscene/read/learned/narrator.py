@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from chatscene.read.clause_words import AUXILIARIES, BE, DETERMINERS, PREPOSITIONS, PRONOUNS, Token, tokens_of
+from chatscene.read.clause_words import AUXILIARIES, BE, DETERMINERS, PREPOSITIONS, Token, in_spans, tokens_of
 from chatscene.read.ego_named import Span
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Moves, UserKind
@@ -78,12 +78,10 @@ def told_by(situation: Situation, text: str, marked: Mapping[str, Sequence[Span]
 def _subject_of(text: str, spans: Sequence[Span]) -> str:
     """The word of the first person that is the subject of an active verb among some words; empty if none is."""
     tokens = tokens_of(text)
-    for at, token in enumerate(tokens):
-        if not any(low < token.span[1] and token.span[0] < high for low, high in spans):
+    for at in in_spans(tokens, spans):
+        token, before = tokens[at], [one for one in tokens[:at] if not one.is_adverb]
+        if not token.may_be_verb:
             continue
-        if token.ego or token.is_part or token.word in AUXILIARIES | PREPOSITIONS | DETERMINERS | PRONOUNS:
-            continue
-        before = [one for one in tokens[:at] if not one.is_adverb]
         passive = bool(before) and before[-1].word in BE and not token.word.endswith("ing")
         subject = next((one for one in reversed(before) if one.word not in AUXILIARIES), None)
         if subject is not None and subject.word in SUBJECTS and not passive and not token.word.endswith("n't"):
