@@ -50,3 +50,13 @@ def test_the_ego_is_slower_for_who_cannot_keep_up_and_that_is_told() -> None:
 def test_a_speed_that_was_said_of_the_ego_stays() -> None:
     built = beside("bicycle", "behind-beside", "right", "right-turn", speed="20 km/h")
     assert built.program.wanted_speed == pytest.approx(20 / 3.6, abs=0.01)
+
+
+def test_the_ego_comes_as_fast_as_who_slows_down_to_a_speed_ahead_of_it() -> None:
+    one = {"id": "A", "kind": "car", "starts": {"where": "ahead"}}
+    built = build(from_plain({"others": [one | {"does": [{"act": "brake", "manner": "hard", "speed": "100 km/h"}]}]}))
+    assert built.program.wanted_speed is not None
+    assert built.program.wanted_speed > 110 / 3.6
+    episode = drive(built)
+    assert isinstance(episode, Episode), episode
+    assert next(one for one in episode.tracks if one.actor == "A").speed.min() == pytest.approx(100 / 3.6, rel=0.1)

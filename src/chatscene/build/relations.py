@@ -19,9 +19,10 @@ from chatscene.maps.open_road import PASSING, SWING
 from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.pace import NOMINAL
+from chatscene.terms.seeing import SHARE_LOST
 from chatscene.terms.situation import EGO, Deed, Other, Situation
 from chatscene.terms.surroundings import FOLLOWS, Surface, Surroundings
-from chatscene.terms.vocabulary import PLAIN, SLOWS, Act, EgoRoute, Heads, Role, Where, acts_of
+from chatscene.terms.vocabulary import PLAIN, SLOWS, Act, EgoRoute, Heads, Role, Tempo, Where, acts_of
 
 PASSES = 1.5  # [m/s] that somebody is faster at least than whom it passes
 GAINS = (3.0, 5.5)  # [m/s] by which it is, where that was not said, so that it is past before the road ends
@@ -30,6 +31,7 @@ AGAINST = frozenset((Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE))
 AHEAD = frozenset((Where.AHEAD, Where.AHEAD_BESIDE))
 BEHIND = frozenset((Where.BEHIND, Where.BEHIND_BESIDE))
 ALONG = NEXT_LANE | {Where.AHEAD, Where.BEHIND, Where.ON_RAMP}
+_SLOWS_TO = acts_of(Tempo.BRAKES, Tempo.SLOWS)
 _GOES = PLAIN | acts_of(Heads.BEHIND)
 _WITH = acts_of(Heads.LEVEL, Heads.BEHIND, Heads.CLOSE)
 _BESIDE = 0.38  # of a swing, at its end, in which the ego is as far aside as it must be to pass
@@ -173,11 +175,19 @@ def speed_of_traffic(situation: Situation) -> float:
         if one.starts.where not in ALONG or relation in (None, Relation.CAUGHT_UP, Relation.PASSED):
             continue
         passes = any(deed.act is Act.OVERTAKE and deed.whom in (None, EGO) for deed in one.does)
-        said = [one.starts.speed, *(deed.speed for deed in one.does if deed.act in acts_of(Heads.ALONG, Heads.BY))]
-        fastest = max((speed.least for speed in said if speed is not None and not speed.than_ego), default=0.0)
+        goes = (deed.speed for deed in one.does if deed.act in acts_of(Heads.ALONG, Heads.BY))
+        said = [speed.least for speed in (one.starts.speed, *goes) if speed is not None and not speed.than_ego]
+        fastest = max((*said, *map(_had_before, one.does)), default=0.0)
         faster = passes or relation in (Relation.COMES_UP, Relation.HAS_PASSED)
         most = max(most, fastest - GAINS[0] if faster else fastest)
     return most
+
+
+def _had_before(deed: Deed) -> float:
+    """The speed [m/s] from which somebody clearly slows down to a speed that was said; 0 for other deeds."""
+    if deed.act not in _SLOWS_TO or deed.speed is None or deed.speed.than_ego or deed.speed.least <= 0.0:
+        return 0.0
+    return deed.speed.least / (1.0 - SHARE_LOST)
 
 
 def speed_of(situation: Situation, name: str, ego: float) -> float:
