@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from chatscene.measure.criticality import criticality
-from chatscene.measure.speeds import risks, speeds, whom_it_meets
+from chatscene.measure.speeds import risks, speeds
+from chatscene.measure.sums import sums
 from chatscene.terms.arrays import Array
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 
@@ -112,9 +113,9 @@ def test_whom_it_meets_is_whom_it_strikes_else_the_adversary_that_comes_nearest(
     near = replace(track("adversary", 7.0, y=4.0), actor="B")
     parked = track("background", 0.0, x=60.0)
     ego = track("ego", 10.0)
-    assert whom_it_meets(episode(ego, far, near, parked)) is near
+    assert sums(episode(ego, far, near, parked)).meets is near
     struck = crash(ego, parked)
-    assert whom_it_meets(struck) is parked
+    assert sums(struck).meets is parked
     assert (speeds(struck).other_kind, speeds(struck).other_speed_before) == ("Car", 0.0)
 
 

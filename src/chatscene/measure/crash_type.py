@@ -3,20 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
-
-import numpy as np
 
 from chatscene.measure.criticality import fault, part_struck, severity_of
-from chatscene.simulate.boxes import least_gap
+from chatscene.measure.sums import sums
 from chatscene.terms.arrays import paces
-from chatscene.terms.braking import STANDSTILL
-from chatscene.terms.episode import QUIET, Ending, Episode, Track
+from chatscene.terms.episode import Episode
 
 PLACE = 10.0  # [m] of the ego's way within which two crashes are in one place
 HEADED = ("same way", "to the left", "oncoming", "to the right")  # the other, as the ego sees it, by quarter turns
-BEHIND = 10.0  # [m] of gap within which one waits behind another
-STANDING = 0.1  # [m/s]
 
 
 def crash_type(episode: Episode) -> str:
@@ -44,21 +38,4 @@ def waits(episode: Episode) -> bool:
 
     It is no crash, and no near miss: a drive whose time ran out in front of a blocker tells nothing of the ego.
     """
-    if episode.collision is not None:
-        return False
-    rows = math.ceil((QUIET if episode.ending is Ending.OVER else STANDSTILL) / episode.dt) + 1
-    if not _stands(episode.ego_track, rows):
-        return False
-    ego = _last(episode.ego_track, rows)
-    others = (_last(track, rows) for track in episode.tracks[1:] if _stands(track, rows))
-    return any(least_gap(ego, other) < BEHIND for other in others)
-
-
-def _last(track: Track, rows: int) -> Track:
-    x, y, heading, speed = (column[-rows:] for column in (track.x, track.y, track.heading, track.speed))
-    return replace(track, x=x, y=y, heading=heading, speed=speed)
-
-
-def _stands(track: Track, rows: int) -> bool:
-    """Whether somebody stands in so many rows at the end."""
-    return bool((np.abs(track.speed[-rows:]) < STANDING).all())
+    return sums(episode).waits

@@ -9,13 +9,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
-import numpy as np
-
-from chatscene.simulate.boxes import CRAWL, between, post_encroachment
+from chatscene.measure.sums import sums
+from chatscene.simulate.boxes import post_encroachment
 from chatscene.simulate.contact import side_touched
 from chatscene.simulate.striking import strike
 from chatscene.terms.actors import BY_CLASS, LIMITS
-from chatscene.terms.arrays import Array
 from chatscene.terms.criticality import Criticality, Fault, Severity
 from chatscene.terms.episode import Episode, Event, Role, Track
 
@@ -27,16 +25,16 @@ SEVERITY_OCCUPANT = (7 / 3.6, 35 / 3.6, 52.5 / 3.6)
 def criticality(episode: Episode) -> Criticality:
     """The measures of a drive; None where one does not apply."""
     ego, others, crash = episode.ego_track, episode.adversaries, episode.collision
-    pairs = [between(ego, other) for other in others]
+    pairs = sums(episode).pairs
     touched = crash is not None and any(other.actor == crash.other for other in others)  # be it between two steps
     return Criticality(
-        time_to_collision=0.0 if touched else _least(pair.soonest for pair in pairs),
+        time_to_collision=0.0 if touched else _least(soonest for _, _, soonest, *_ in pairs),
         post_encroachment_time=0.0
         if touched
         else _least(post_encroachment(ego, other) * episode.dt for other in others),
-        time_headway=_least(pair.headway for pair in pairs),
-        deceleration_required=max((pair.braking for pair in pairs if pair.braking > 0.0), default=None),
-        distance=0.0 if touched else _least(pair.least for pair in pairs),
+        time_headway=_least(headway for *_, headway, _ in pairs),
+        deceleration_required=max((braking for *_, braking in pairs if braking > 0.0), default=None),
+        distance=0.0 if touched else _least(gap for gap, *_ in pairs),
         impact_speed=None if crash is None else crash.impact_speed,
         severity=None if crash is None else severity_of(crash.impact_speed, _struck(episode, crash)),
     )
@@ -78,24 +76,3 @@ def severity_of(speed: float, other: Track) -> Severity:
 
 def _least(values: Iterable[float]) -> float | None:
     return min((value for value in values if math.isfinite(value)), default=None)
-
-
-def headways(ego: Track, other: Track, *, lately: int | None = None) -> Array:
-    """(T,) Time headway [s] behind another ahead; inf where nobody is, or the ego stands.
-
-    Args:
-        ego: The ego.
-        other: The other.
-        lately: In how many steps at most the other has come before the ego, if the ego comes no nearer to it; else
-            there is none. None asks for neither.
-    """
-    found = between(ego, other)
-    ahead = found.ahead > 0.0
-    if not ahead.any():
-        return np.full(len(ahead), math.inf)
-    moves = ahead & (ego.speed > CRAWL)
-    if lately is not None:
-        steps = np.arange(len(ahead))
-        since = steps - np.maximum.accumulate(np.where(ahead, -lately - 1, steps))
-        moves &= (found.closing > CRAWL) | (since <= lately)
-    return np.where(moves, found.ahead / np.where(moves, ego.speed, 1.0), math.inf)

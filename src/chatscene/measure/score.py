@@ -13,8 +13,8 @@ from itertools import combinations
 import numpy as np
 
 from chatscene.errors import SettingsError
-from chatscene.simulate.boxes import Boxes
-from chatscene.terms.arrays import Array, changes, paces
+from chatscene.measure.sums import mean, sums
+from chatscene.terms.arrays import paces
 from chatscene.terms.episode import Episode, EventKind, Track
 from chatscene.terms.metrics import Measurements, Metrics, Mode
 
@@ -33,19 +33,20 @@ def measure(episode: Episode) -> Measurements:
     yaw are taken over the steps, the distance to the route over the rows. Of a drive that was over before the ego
     arrived, rates are those of what was driven, and how long the rest would have taken is not known.
     """
-    ego, duration = episode.ego_track, episode.duration
+    found, duration = sums(episode), episode.duration
+    steps = len(episode.ego_track.x) - 1
     kinds = [event.kind for event in episode.events]
     return Measurements(
         collided=EventKind.COLLISION in kinds,
         red_lights=kinds.count(EventKind.RED_LIGHT),
         stop_signs=kinds.count(EventKind.STOP_SIGN),
         off_road=_metres_off_road(episode),
-        distance_to_route=float(episode.distance_to_route.mean()),
+        distance_to_route=mean(episode.distance_to_route),
         completion=episode.completion,
         time=duration if episode.route_completion >= 1.0 else None,
-        acceleration=_mean_acceleration(ego, episode.dt),
-        yaw_rate=_turned(_reference_yaw(ego.heading)) / duration if duration else 0.0,
-        yaw_rate_unwrapped=_turned(ego.heading) / duration if duration else 0.0,
+        acceleration=found.paces / steps / episode.dt if steps else 0.0,  # of the velocity, so that cornering counts
+        yaw_rate=found.turned[0] / duration if duration else 0.0,
+        yaw_rate_unwrapped=found.turned[1] / duration if duration else 0.0,
         lane_invasions=kinds.count(EventKind.LANE_INVASION),
         duration=duration,
     )
@@ -59,30 +60,6 @@ def _metres_off_road(episode: Episode) -> float:
         return 0.0
     steps = paces(ego.x, ego.y)
     return float(steps[beside].sum())
-
-
-def _mean_acceleration(ego: Track, dt: float) -> float:
-    """Mean magnitude [m/s²] of the change of the velocity vector per step, so that cornering counts."""
-    if len(ego.speed) < 2:
-        return 0.0
-    way = Boxes.of(ego)
-    vx, vy = ego.speed * way.cos, ego.speed * way.sin
-    return float(paces(vx, vy).mean() / dt)
-
-
-def _turned(heading: Array) -> float:
-    """Sum [rad] of the changes of heading."""
-    return float(np.abs(changes(heading)).sum())
-
-
-def _reference_yaw(heading: Array) -> Array:
-    """Our heading [rad] as the reference sees it: CARLA's yaw, clockwise from the same +x, in (-π, π].
-
-    CARLA keeps yaw in degrees in single precision. So do we, because a car that drives due west leaves ±180° by
-    1e-11 rad and back in double precision, and each time would count as a full turn.
-    """
-    yaw = 180.0 - (np.degrees(heading).astype(np.float32) + 180.0) % 360.0
-    return np.radians(yaw.astype(np.float64))
 
 
 def score(measurements: Sequence[Measurements], *, mode: Mode = Mode.PAPER) -> Metrics:

@@ -6,53 +6,33 @@ import math
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from chatscene.measure.criticality import part_struck
 from chatscene.measure.severity import Found, Hurt, curves_for
-from chatscene.simulate.boxes import between, least_gap
-from chatscene.simulate.native.lines import engine
+from chatscene.measure.sums import lost, sums
 from chatscene.simulate.striking import line_of_contact
 from chatscene.terms.actors import BY_CLASS, LOOSE
-from chatscene.terms.arrays import Array, changes, changes_at
 from chatscene.terms.episode import Episode, Event, Track
 from chatscene.terms.speeds import Speeds
-
-REACTS = 1.0  # [m/s²] of speed that is lost: more than rolling out
-PAUSE = 2.0  # [s] without, after which a braking is another
-GAINS = 1.0  # [m/s]
-SAME_WAY = math.cos(math.radians(45))
-STILL = 0.1  # [m/s]
-
-
-def whom_it_meets(episode: Episode) -> Track | None:
-    """Whom or what the ego collides with first, else the adversary that comes nearest; None where there is neither."""
-    if (crash := episode.collision) is not None:
-        return next(track for track in episode.tracks if track.actor == crash.other)
-    others = episode.adversaries
-    return min(others, key=lambda other: least_gap(episode.ego_track, other)) if others else None
 
 
 def speeds(episode: Episode) -> Speeds:
     """How fast the ego and whom it meets were, and how hard they met."""
-    ego, other, crash, dt = episode.ego_track, whom_it_meets(episode), episode.collision, episode.dt
-    if other is None:
+    found, ego, dt = sums(episode), episode.ego_track, episode.dt
+    if (other := found.meets) is None:
         mine = np.abs(ego.speed)
         return Speeds(
             ego_kind=ego.kind,
             ego_speed_before=float(mine.max()),
             ego_speed_most=float(mine.max()),
-            ego_braking_most=_hardest(mine, dt),
+            ego_braking_most=lost(mine) / dt,
         )
-    nearest = max(crash.step - 1, 0) if crash is not None else between(ego, other).nearest
-    mine, theirs = ego.speed[: nearest + 1], other.speed[: nearest + 1]
-    turned = float(other.heading[nearest] - ego.heading[nearest])
-    before = _before(mine, theirs, dt, same_way=math.cos(turned) > SAME_WAY)
-    begins, (ego_before, other_before, ego_most, other_most, ego_lost, other_lost) = before
+    ego_before, other_before, ego_most, other_most, ego_lost, other_lost = found.fast
+    crash = episode.collision
     return Speeds(
         ego_kind=ego.kind,
         other_kind=other.kind,
-        encounter_time=round(begins * dt, 6),
+        encounter_time=round(found.begins * dt, 6),
         ego_speed_before=ego_before,
         other_speed_before=other_before,
         ego_speed_most=ego_most,
@@ -65,7 +45,7 @@ def speeds(episode: Episode) -> Speeds:
 
 def risks(episode: Episode) -> tuple[list[Found], list[Found]]:
     """The injury-risk curves that hold of the first collision: of the ego, and of whom or what it struck."""
-    crash, other = episode.collision, whom_it_meets(episode)
+    crash, other = episode.collision, sums(episode).meets
     if crash is None or other is None:
         return [], []
     ego, before = episode.ego_track, max(crash.step - 1, 0)
@@ -80,52 +60,6 @@ def risks(episode: Episode) -> tuple[list[Found], list[Found]]:
     )
     told = {"impact_speed": crash.impact_speed, "closing_speed": closing}
     return list(curves_for(one, two, **told)), list(curves_for(two, one, **told))
-
-
-def _before(mine: Array, theirs: Array, dt: float, *, same_way: bool) -> tuple[int, tuple[float, ...]]:
-    """The step at which an encounter begins (`_begins`), and how fast both were.
-
-    Of the ego and the other in turn: the speed at that step, the most, and the most that is lost over a step [m/s].
-    """
-    if (native := engine()) is not None:
-        return native.braking_begins(mine, theirs, REACTS * dt, STILL, round(PAUSE / dt), GAINS, same_way=same_way)
-    mine, theirs = np.abs(mine), np.abs(theirs)
-    begins = _begins(mine, theirs, dt, same_way=same_way)
-    both = (mine, theirs)
-    most = tuple(float(one.max()) for one in both)
-    return begins, (float(mine[begins]), float(theirs[begins]), *most, *map(_lost, both))
-
-
-def _begins(mine: Array, theirs: Array, dt: float, *, same_way: bool) -> int:
-    """The step before the first of the last braking, of either, before the nearest moment; that one if neither does.
-
-    What is parted by no more than `PAUSE` is one braking, and so is it of two that go the same way while the ego has
-    not become faster again by `GAINS`; who stands after having moved still brakes. Else it had another reason.
-    """
-    reacts = _brakes(mine, dt) | _brakes(theirs, dt)
-    pause = round(PAUSE / dt)
-    begins = last = len(mine) - 1
-    for step in np.flatnonzero(reacts)[::-1].tolist():
-        follows = same_way and float(mine[step : last + 1].max() - mine[step]) < GAINS
-        if last - step > pause and not follows:
-            break
-        begins, last = max(step - 1, 0), step
-    return begins
-
-
-def _brakes(speed: Array, dt: float) -> NDArray[np.bool_]:
-    """(T,) Whether somebody loses speed in the step that led to each row, or stands there after having moved."""
-    loses = -changes_at(speed) > REACTS * dt
-    return loses | ((speed < STILL) & (np.maximum.accumulate(speed) >= STILL))
-
-
-def _hardest(speed: Array, dt: float) -> float:
-    """The hardest loss of speed over a step [m/s²]; 0 of who loses none."""
-    return _lost(speed) / dt
-
-
-def _lost(speed: Array) -> float:
-    return abs(float(changes(speed).min(initial=0.0)))
 
 
 def _impact(episode: Episode, other: Track, crash: Event) -> dict[str, float | None]:

@@ -227,6 +227,9 @@ def post_encroachment(ego: Track, other: Track) -> float:
     long; around those found, the ego's step is cut into parts, and the other moves on straight and evenly in its own.
     """
     b = Boxes.of(other)
+    if (native := engine()) is not None:
+        a = Boxes.of(ego)
+        return native.encroached(_told(a), ego.heading, _told(b), _square(a, b), FINENESS)
     i, j = overlaps(Boxes.of(ego), b, np.arange(len(other.x)), max(len(ego.x), len(other.x)))
     if not i.size:
         return math.inf
@@ -237,9 +240,7 @@ def post_encroachment(ego: Track, other: Track) -> float:
     toward = np.sign(j - i)
     parts = np.arange(FINENESS + 1)[:, None]
     moments = i * FINENESS + toward * parts
-    mine, native = Boxes.within(ego, moments / FINENESS), engine()
-    if native is not None:
-        return native.parted(i, j, FINENESS, _told(mine), _told(b))
+    mine = Boxes.within(ego, moments / FINENESS)
     back = j - toward
     pair = Pair.of(mine, b.at(np.broadcast_to(j, moments.shape)))
     enter, leave = pair.overlap(b.x[back] - b.x[j], b.y[back] - b.y[j])
@@ -263,11 +264,10 @@ def overlaps(a: Boxes, b: Boxes, at: Steps, most: int) -> tuple[Steps, Steps]:
     Returns:
         The numbers of those of `a`, row after row, and of those of `b`.
     """
-    reach = math.hypot(a.half_length, a.half_width) + math.hypot(b.half_length, b.half_width) + ROUNDING
     width = a.x.shape[-1]
     native = engine()
     if native is not None:
-        return native.overlaps(_told(a), (a.x.size // max(width, 1), width), _told(b), at, most, reach * reach)
+        return native.overlaps(_told(a), (a.x.size // max(width, 1), width), _told(b), at, most, _square(a, b))
     rows = Boxes(a.x.ravel(), a.y.ravel(), a.cos.ravel(), a.sin.ravel(), a.half_length, a.half_width)
     found, least = [(at[:0], at[:0])], most
     for lag in range(most + 1):
@@ -278,6 +278,12 @@ def overlaps(a: Boxes, b: Boxes, at: Steps, most: int) -> tuple[Steps, Steps]:
             least = min(least, lag)
     i, j = zip(*found, strict=True)
     return np.concatenate(i), np.concatenate(j)
+
+
+def _square(a: Boxes, b: Boxes) -> float:
+    """Of how far [m] the centres of boxes that overlap are from each other at most."""
+    reach = math.hypot(a.half_length, a.half_width) + math.hypot(b.half_length, b.half_width) + ROUNDING
+    return reach * reach
 
 
 def _overlaps_at(a: Boxes, width: int, b: Boxes, at: Steps, lag: int) -> tuple[Steps, Steps]:

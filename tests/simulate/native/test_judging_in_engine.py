@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from types import ModuleType
 
 import numpy as np
@@ -13,7 +14,9 @@ from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.loading import load_roads
 from chatscene.maps.network import resolve_map
 from chatscene.maps.routes import find_routes
-from chatscene.measure import avoidability, speeds, tyres
+from chatscene.measure import avoidability
+from chatscene.measure.sums import Sums, sums
+from chatscene.measure.sums_in_numpy import sums_in_numpy
 from chatscene.simulate import boxes, cells, roadside
 from chatscene.simulate.cells import Cells
 from chatscene.simulate.native.engine import Engine, NoEngine, load_engine
@@ -64,11 +67,9 @@ def _both(monkeypatch: pytest.MonkeyPatch, modules: tuple[ModuleType, ...], of: 
     with monkeypatch.context() as without:
         for module in modules:
             without.setattr(module, "engine", lambda: None)
-        for kept in (boxes.between, tyres.did):
-            kept.cache_clear()
+        boxes.between.cache_clear()
         assert repr(of()) == repr(found)
-    for kept in (boxes.between, tyres.did):
-        kept.cache_clear()
+    boxes.between.cache_clear()
     return found
 
 
@@ -83,29 +84,33 @@ def test_when_a_crash_becomes_a_risk_is_the_same(monkeypatch: pytest.MonkeyPatch
     assert {None, 0} < {*found}
 
 
-def test_when_an_encounter_begins_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_sums_of_a_drive_are_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     rng = np.random.default_rng(1)
-    begins: set[float] = set()
-    for _ in range(60):
-        steps = int(rng.integers(2, 80))
-        episode = _drive(_track(rng, steps), _track(rng, steps, actor="adversary"), int(rng.integers(0, steps)))
-        found = _both(monkeypatch, (speeds, boxes), lambda of=episode: speeds.speeds(of))
-        assert isinstance(found, speeds.Speeds)
-        begins.add(found.encounter_time or 0.0)
-    assert len(begins) > 10
-
-
-def test_what_tyres_did_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    rng = np.random.default_rng(2)
-    told: set[object] = set()
-    for _ in range(40):
-        steps = int(rng.integers(1, 60))
-        episode = _drive(_track(rng, steps), _track(rng, steps, actor="adversary", kind="Bicycle"), steps - 1)
-        told.add(
-            repr(_both(monkeypatch, (tyres,), lambda of=episode: (tyres.friction_demand(of), tyres.beyond_tyres(of))))
-        )
-        tyres.friction_demand.cache_clear()
-    assert len(told) > 10
+    found: list[Sums] = []
+    for number in range(300):
+        steps = int(rng.integers(1, 160))
+        ego, one = _track(rng, steps), _track(rng, steps, actor="adversary", kind="Bicycle")
+        two = replace(_track(rng, steps, actor="leader"), role=Role.BACKGROUND)
+        drive = _drive(ego, one, int(rng.integers(0, steps)))
+        if number % 3:
+            more = {1: (one, two, _track(rng, steps, actor="other", kind="Pedestrian")), 2: (two,)}[number % 3]
+            ending = Ending.OVER if number % 2 else Ending.TIMEOUT
+            drive = replace(drive, tracks=(ego, *more), events=(), ending=ending)
+        drive = replace(drive, distance_to_route=np.abs(rng.normal(0.0, 1.0, steps)))
+        for track in drive.tracks:
+            track.speed[:] *= 3.0 if not number % 5 else 1.0
+        if not number % 4:  # at the end all of them stand
+            for track in drive.tracks:
+                track.speed[-25:] = 0.0
+        found.append(sums(drive))
+        with monkeypatch.context() as without:
+            without.setattr(boxes, "engine", lambda: None)
+            boxes.between.cache_clear()
+            assert sums_in_numpy(drive) == found[-1]
+        boxes.between.cache_clear()
+    assert {one.waits for one in found} == {True, False}
+    assert any(much for one in found for _, much in one.tyres)
+    assert len({one.begins for one in found}) > 10
 
 
 def test_who_leaves_a_place_before_the_other_comes_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:

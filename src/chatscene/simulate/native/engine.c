@@ -7,6 +7,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #ifndef SOURCE_DIGEST
@@ -199,6 +200,12 @@ typedef struct {
     double half_length, half_width;
 } Boxes;
 
+/* What `sum_up` looks for; `measure.sums` has where each is said. */
+typedef struct {
+    int64_t lately, over, within, pause, rows;
+    double dt, crawl, as_near, reacts, still, gains, same_way, air, across, fast, standing, behind;
+} Habits;
+
 /* A course: the points of a line by arc length, how x and y change along each piece, and where each leads. */
 typedef struct {
     int64_t points;
@@ -218,6 +225,7 @@ int64_t size_of(int64_t what) {
     case 8: return sizeof(Foot);
     case 9: return sizeof(Boxes);
     case 10: return sizeof(Course);
+    case 11: return sizeof(Habits);
     default: return -1;
     }
 }
@@ -1831,7 +1839,8 @@ static double corner_gap(const Boxes *a, const Boxes *b, int64_t i) {
         double dx = a->x[i] + along * ac - across * as - b->x[i], dy = a->y[i] + along * as + across * ac - b->y[i];
         double beyond_x = greater(fabs(dx * bc + dy * bs) - b->half_length, 0.0);
         double beyond_y = greater(fabs(dy * bc - dx * bs) - b->half_width, 0.0);
-        least = lesser(hypot(beyond_x, beyond_y), least);
+        if (beyond_x * beyond_x + beyond_y * beyond_y > least * least * (1.0 + 1e-9)) continue; /* it is farther */
+        least = lesser(beyond_x == 0.0 ? beyond_y : beyond_y == 0.0 ? beyond_x : hypot(beyond_x, beyond_y), least);
     }
     return least;
 }
@@ -1891,12 +1900,40 @@ void compare_boxes(int64_t steps, const Boxes *a, const double *speed, const Box
     }
 }
 
+/* Where the places of each row are, in parts of so many: least and greatest x, least and greatest y of a part. */
+#define PART 16
+static double *extents_of(int64_t rows, int64_t width, const Boxes *a) {
+    int64_t parts = (width + PART - 1) / PART;
+    double *extents = malloc(sizeof(double) * 4 * (size_t)(rows * parts + 1));
+    for (int64_t part = 0; extents && part < rows * parts; part++) {
+        double *e = extents + 4 * part;
+        e[0] = e[2] = INFINITY;
+        e[1] = e[3] = -INFINITY;
+        int64_t first = part % parts * PART, row = part / parts * width;
+        for (int64_t step = first; step < first + PART && step < width; step++) {
+            double x = a->x[row + step], y = a->y[row + step];
+            if (x < e[0]) e[0] = x;
+            if (x > e[1]) e[1] = x;
+            if (y < e[2]) e[2] = y;
+            if (y > e[3]) e[3] = y;
+        }
+    }
+    return extents;
+}
+
+/* Whether a point is farther than the root of `square` from wherever somebody is in a part, more than rounding makes. */
+static int far_from(const double *e, double x, double y, double square) {
+    double dx = x < e[0] ? e[0] - x : x > e[1] ? x - e[1] : 0.0, dy = y < e[2] ? e[2] - y : y > e[3] ? y - e[3] : 0.0;
+    return dx * dx + dy * dy > square * (1.0 + 1e-9);
+}
+
 /* `boxes.overlaps`: at which moments of the first, in rows of so many, and of the second boxes overlap, of those
  * nearest to the same moment and one step farther; how many there are. */
 int64_t overlaps(int64_t rows, int64_t width, const Boxes *a, int64_t count, const Boxes *b, const int64_t *at,
                  int64_t most, double square, int64_t *first, int64_t *second) {
-    int64_t least = most, found = 0, any = 0;
-    for (int pass = 0; pass < 2; pass++) {
+    int64_t least = most, found = 0, any = 0, parts = (width + PART - 1) / PART;
+    double *extents = extents_of(rows, width, a);
+    for (int pass = 0; pass < 2 && (!pass || any); pass++) {
         int64_t lags = pass ? least + 1 < most ? least + 1 : most : least;
         for (int64_t row = 0; row < rows; row++) {
             for (int64_t j = 0; j < count; j++) {
@@ -1905,6 +1942,11 @@ int64_t overlaps(int64_t rows, int64_t width, const Boxes *a, int64_t count, con
                 int64_t low = at[j] - lags, high = at[j] + lags;
                 for (int64_t step = low < 0 ? 0 : low; step <= high && step < width; step++) {
                     int64_t i = row * width + step;
+                    int begins = step % PART == 0 || step == low || step == 0;
+                    if (begins && extents && far_from(extents + 4 * (row * parts + step / PART), x, y, square)) {
+                        step = step / PART * PART + PART - 1;
+                        continue;
+                    }
                     double dx = a->x[i] - x, dy = a->y[i] - y;
                     if (!(dx * dx + dy * dy <= square)) continue;
                     Apart p;
@@ -1916,8 +1958,8 @@ int64_t overlaps(int64_t rows, int64_t width, const Boxes *a, int64_t count, con
                 }
             }
         }
-        if (!any) return 0;
     }
+    free(extents);
     return found;
 }
 
@@ -1975,6 +2017,32 @@ double parted(int64_t pairs, const int64_t *i, const int64_t *j, int64_t parts, 
     return least > 0.0 ? least : 0.0;
 }
 
+/* What `boxes.post_encroachment` asks of the engine first: the pairs of moments at which one is where the other is,
+ * nearest in time, and where the first is at parts of its step on the way to the other moment. `pairs` and `moments`
+ * have room for 8 and for 12 * (parts + 1) numbers of each step. Returns how many pairs there are; -1 if two moments
+ * are the same. */
+int64_t shared_places(int64_t steps, const Boxes *a, const double *heading, const Boxes *b, double square,
+                      int64_t parts, int64_t *pairs, double *moments) {
+    int64_t *at = pairs, *first = pairs + steps, *second = first + 4 * steps;
+    for (int64_t i = 0; i < steps; i++) at[i] = i;
+    int64_t count = overlaps(1, steps, a, steps, b, at, steps, square, first, second), all = count * (parts + 1);
+    for (int64_t n = 0; n < count; n++) if (first[n] == second[n]) return -1;
+    const double *columns[3] = {a->x, a->y, heading};
+    for (int64_t part = 0; part <= parts; part++) {
+        for (int64_t n = 0; n < count; n++) {
+            int64_t toward = second[n] > first[n] ? 1 : -1;
+            double moment = (double)(first[n] * parts + toward * part) / (double)parts;
+            int64_t before = (int64_t)moment;
+            for (int k = 0; k < 3; k++) {
+                double now = columns[k][before];
+                if ((double)before != moment) now = (columns[k][before + 1] - now) * (moment - (double)before) + now;
+                moments[k * all + part * count + n] = now;
+            }
+        }
+    }
+    return count;
+}
+
 /* `measure.avoidability.risk_step`: the first of so many steps in a row from each of which the ego, going on along its
  * course, and the other, going straight on, will touch, where it is seen; -1 if there are none. */
 int64_t first_risk(int64_t steps, int64_t moments, const double *ahead, const Course *course, const double *along,
@@ -2025,7 +2093,7 @@ int64_t first_risk(int64_t steps, int64_t moments, const double *ahead, const Co
 /* `measure.speeds`: when the last braking of either begins before the last step, and how fast both were: at that step,
  * at most, and how much speed each lost at most over a step. A braking that is over for longer than `pause` was another,
  * unless both go the same way and the first gained less than `gains` since. `room` is for three numbers of each step. */
-int64_t braking_begins(int64_t steps, const double *speed, const double *other, double least, double still,
+static int64_t braking_begins(int64_t steps, const double *speed, const double *other, double least, double still,
                        int64_t pause, int32_t same_way, double gains, double *room, double *told) {
     double *fast[2] = {room, room + steps}, *reacts = room + 2 * steps;
     for (int64_t i = 0; i < steps; i++) reacts[i] = 0.0;
@@ -2056,7 +2124,7 @@ int64_t braking_begins(int64_t steps, const double *speed, const double *other, 
 
 /* `measure.tyres`: the most that tyres did along and across together over a step, -1 without a step; and whether they
  * did more than `across` in one that was faster than `fast`. */
-double tyres_did(int64_t steps, const double *speed, const double *heading, double dt, double rolling, double air,
+static double tyres_did(int64_t steps, const double *speed, const double *heading, double dt, double rolling, double air,
                  double across, double fast, int32_t *beyond) {
     double most = -1.0;
     *beyond = 0;
@@ -2096,4 +2164,105 @@ int64_t crosses(int64_t steps, const double *x, const double *y, double x0, doub
         if (-0.1 <= along && along <= 1.1) return i + 1;
     }
     return -1;
+}
+
+/* By how much something rises at most in so many steps, and the step at which it has. */
+static void most_in(int64_t steps, const double *values, double sign, int64_t within, double *told) {
+    told[0] = 0.0;
+    told[1] = (double)(steps - 1);
+    for (int64_t i = within; i < steps; i++) {
+        double change = sign * fabs(values[i]) - sign * fabs(values[i - within]);
+        if (i > within && !(change > told[0])) continue;
+        told[0] = change;
+        told[1] = (double)i;
+    }
+}
+
+/* CARLA's yaw of a heading (`measure.score`): degrees in single precision, clockwise, in (-180, 180]; in radians. */
+static double reference_yaw(double heading) {
+    float turned = (float)(heading * (180.0 / PI)) + 180.0f, rest = fmodf(turned, 360.0f);
+    if (rest < 0.0f) rest += 360.0f;
+    else if (rest == 0.0f) rest = 0.0f;
+    return (double)(180.0f - rest) * (PI / 180.0);
+}
+
+/* Every number that `chatscene.measure` takes from the tracks of a drive; `measure.sums` has what each is. Of each of
+ * `tracks`, the ego's first: `states`, its x, y, heading and speed at each step; `cos` and `sin` of the heading; `who`,
+ * half its length and width, 1 for an adversary, and what rolls off its speed, not a number of who has no wheels. */
+void sum_up(int64_t steps, int64_t tracks, int64_t crash, int64_t struck, const double *states, const double *cosines,
+            const double *sines, const double *who, const double *aside, const Habits *h, double *found, double *room,
+            double *told, double *all) {
+    Boxes ego = {states, states + steps, cosines, sines, who[0], who[1]};
+    const double *speed = states + 3 * steps, *heading = states + 2 * steps;
+    double *apart = room + 3 * steps, *seconds = apart + steps, least = INFINITY;
+    int64_t meets = struck, adversary = 0, until = crash < 0 || crash > steps ? steps : crash > 1 ? crash : 1;
+    int64_t pace = steps - 1;
+    for (int64_t i = 0; i < steps; i++) apart[i] = seconds[i] = INFINITY;
+    for (int64_t k = 0; k < tracks; k++) {
+        const double *state = states + 4 * k * steps, *w = who + 4 * k;
+        double *t = told + 8 * k;
+        int32_t beyond = 0;
+        t[5] = -1.0;
+        if (!isnan(w[3])) {
+            t[5] = tyres_did(until, state + 3 * steps, state + 2 * steps, h->dt, w[3], h->air, h->across, h->fast, &beyond);
+        }
+        t[6] = beyond;
+        if (w[2] == 0.0) continue;
+        Boxes other = {state, state + steps, cosines + k * steps, sines + k * steps, w[0], w[1]};
+        double *f = found + 4 * steps * adversary++, *ahead = f + 2 * steps, *closing = f + 3 * steps;
+        compare_boxes(steps, &ego, speed, &other, state + 3 * steps, f);
+        closest(steps, f, speed, h->crawl, t);
+        if (crash < 0 && t[0] < least) { least = t[0]; meets = k; }
+        int64_t not_ahead = -h->lately - 1;
+        for (int64_t i = 0; i < steps; i++) {
+            if (f[i] < apart[i]) apart[i] = f[i];
+            if (f[steps + i] < seconds[i]) seconds[i] = f[steps + i];
+            if (!(ahead[i] > 0.0)) { not_ahead = i; continue; }
+            if (!(speed[i] > h->crawl && (closing[i] > h->crawl || i - not_ahead <= h->lately))) continue;
+            if (ahead[i] / speed[i] < seconds[i]) seconds[i] = ahead[i] / speed[i];
+        }
+    }
+    double near = INFINITY;
+    int64_t soonest = 0, nearest = 0;
+    for (int64_t i = 0; i < steps; i++) {
+        if (apart[i] < near) near = apart[i];
+        if (seconds[i] < seconds[soonest]) soonest = i;
+    }
+    for (int64_t i = 0; i < steps; i++) if (apart[i] <= near + h->as_near) nearest = i;
+    all[0] = near; all[1] = (double)nearest; all[2] = seconds[soonest]; all[3] = (double)soonest;
+    most_in(steps, speed, -1.0, h->over, all + 4);
+    most_in(steps, aside, 1.0, h->within, all + 6);
+    all[8] = (double)meets;
+    for (int k = 9; k < 16; k++) all[k] = 0.0;
+    if (meets >= 0) {
+        const double *state = states + 4 * meets * steps;
+        int64_t last = crash < 0 ? (int64_t)told[8 * meets + 1] : until > 1 ? until - 1 : 0;
+        int32_t same_way = cos(state[2 * steps + last] - heading[last]) > h->same_way;
+        all[9] = (double)braking_begins(last + 1, speed, state + 3 * steps, h->reacts, h->still, h->pause, same_way,
+                                        h->gains, room, all + 10);
+    }
+    for (int64_t i = 0; i < pace; i++) {
+        double vx = speed[i + 1] * cosines[i + 1] - speed[i] * cosines[i];
+        double vy = speed[i + 1] * sines[i + 1] - speed[i] * sines[i];
+        room[i] = hypot(vx, vy);
+        room[pace + i] = fabs(reference_yaw(heading[i + 1]) - reference_yaw(heading[i]));
+        room[2 * pace + i] = fabs(heading[i + 1] - heading[i]);
+    }
+    /* Whether the ego stands at the end, and somebody who stands as well is as near as one who waits for him. */
+    int64_t since = h->rows < steps ? steps - h->rows : 0;
+    all[16] = 0.0;
+    for (int64_t k = 0; crash < 0 && k < tracks; k++) {
+        const double *state = states + 4 * k * steps;
+        int stands = 1;
+        for (int64_t i = steps - 1; i >= since && stands; i--) stands = fabs(state[3 * steps + i]) < h->standing;
+        if (!k && !stands) break;
+        if (!k || !stands) continue;
+        Boxes other = {state, state + steps, cosines + k * steps, sines + k * steps, who[4 * k], who[4 * k + 1]};
+        for (int64_t i = steps - 1; i >= since && all[16] == 0.0; i--) {
+            Apart p;
+            apart_at(&ego, i, &other, i, &p);
+            double gap = overlapping(&p) ? 0.0 : lesser(corner_gap(&ego, &other, i), corner_gap(&other, &ego, i));
+            if (gap < h->behind) all[16] = 1.0;
+        }
+    }
 }

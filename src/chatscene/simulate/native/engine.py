@@ -285,6 +285,16 @@ def boxes_of(x: Array, y: Array, cos: Array, sin: Array, half_length: float, hal
     return found
 
 
+class Habits(Structure):
+    """What `sum_up` looks for; `chatscene.measure.sums` has each."""
+
+    _fields_ = (
+        *((name, c_int64) for name in ("lately", "over", "within", "pause", "rows")),
+        *((name, c_double) for name in ("dt", "crawl", "as_near", "reacts", "still", "gains", "same_way")),
+        *((name, c_double) for name in ("air", "across", "fast", "standing", "behind")),
+    )
+
+
 class Course(Structure):
     """A line by arc length: how its points change along each piece, and where each leads.
 
@@ -361,18 +371,18 @@ class Engine:
         library.closest.argtypes = (c_int64, c_void_p, c_void_p, c_double, c_void_p)
         library.parted.restype = c_double
         library.parted.argtypes = (c_int64, c_void_p, c_void_p, c_int64, POINTER(Boxes), POINTER(Boxes))
+        library.shared_places.restype = c_int64
+        library.shared_places.argtypes = (
+            *(c_int64, POINTER(Boxes), c_void_p, POINTER(Boxes)),
+            *(c_double, c_int64, c_void_p, c_void_p),
+        )
+        library.sum_up.restype = None
+        library.sum_up.argtypes = (*[c_int64] * 4, *[c_void_p] * 5, POINTER(Habits), *[c_void_p] * 4)
         library.first_risk.restype = c_int64
         library.first_risk.argtypes = (
             *(c_int64, c_int64, c_void_p, POINTER(Course), c_void_p, c_void_p),
             *(c_double, c_double, POINTER(Boxes), c_void_p, c_void_p, c_int64),
         )
-        library.braking_begins.restype = c_int64
-        library.braking_begins.argtypes = (
-            *(c_int64, c_void_p, c_void_p, c_double, c_double),
-            *(c_int64, c_int32, c_double, c_void_p, c_void_p),
-        )
-        library.tyres_did.restype = c_double
-        library.tyres_did.argtypes = (c_int64, c_void_p, c_void_p, *[c_double] * 5, POINTER(c_int32))
         library.in_cells.restype = c_int64
         library.in_cells.argtypes = (
             *(c_int64, c_void_p, c_void_p, c_double, c_double, c_double),
@@ -381,7 +391,7 @@ class Engine:
         library.crosses.restype = c_int64
         library.crosses.argtypes = (c_int64, c_void_p, c_void_p, *[c_double] * 4)
         self._library = library
-        structures = (Line, Body, Instruction, Phase, Agent, World, Layer, Policy, Foot, Boxes, Course)
+        structures = (Line, Body, Instruction, Phase, Agent, World, Layer, Policy, Foot, Boxes, Course, Habits)
         for i, structure in enumerate(structures):
             if library.size_of(i) != ctypes.sizeof(structure):
                 raise NoEngine(f"its {structure.__name__} has another size than is expected")
@@ -496,15 +506,85 @@ class Engine:
         )
         return found[0, :count], found[1, :count]
 
-    def parted(self, i: NDArray[np.int64], j: NDArray[np.int64], parts: int, a: Boxes, b: Boxes) -> float:
-        """The least time [steps] between two that are somewhere; see `chatscene.simulate.boxes.post_encroachment`."""
-        if len(i) != len(j) or a.kept[0].size != len(i) * (parts + 1) or j.max(initial=0) >= b.kept[0].size:
-            raise ValueError(f"{a.kept[0].size} boxes are no {parts} parts of {len(i)} pairs")
-        i, j = np.ascontiguousarray(i, np.int64), np.ascontiguousarray(j, np.int64)
+    def encroached(self, a: Boxes, heading: Array, b: Boxes, square: float, parts: int) -> float:
+        """The least time [steps] between one leaving a place and the other coming to it; see `boxes`.
+
+        Args:
+            a: One at each step.
+            heading: Of that one [rad].
+            b: The other at each step.
+            square: Of how far [m] the centres are from each other at most where boxes overlap.
+            parts: Into how many parts a step is cut.
+        """
+        steps, heading = len(heading), np.ascontiguousarray(heading, np.float64)
+        if not steps == a.kept[0].size == b.kept[0].size:
+            raise ValueError(
+                f"boxes at {a.kept[0].size}, {steps} and {b.kept[0].size} moments are not beside each other"
+            )
+        pairs, moments = np.empty(9 * steps, np.int64), np.empty(12 * (parts + 1) * steps)
+        places, at = pairs.ctypes.data, moments.ctypes.data
+        count: int = self._library.shared_places(
+            *(steps, ctypes.byref(a), heading.ctypes.data, ctypes.byref(b), square, parts, places, at)
+        )
+        if count <= 0:
+            return 0.0 if count else math.inf
+        every = (parts + 1) * count
+        turned = moments[2 * every : 3 * every]
+        cos, sin = np.cos(turned), np.sin(turned)
+        mine = Boxes(at, at + 8 * every, cos.ctypes.data, sin.ctypes.data, a.half_length, a.half_width)
+        first = places + 8 * steps
         least: float = self._library.parted(
-            len(i), i.ctypes.data, j.ctypes.data, parts, ctypes.byref(a), ctypes.byref(b)
+            *(count, first, first + 32 * steps, parts, ctypes.byref(mine), ctypes.byref(b))
         )
         return least
+
+    def sum_up(
+        self,
+        states: Array,
+        cos: Array,
+        sin: Array,
+        who: Array,
+        aside: Array,
+        habits: Habits,
+        *,
+        crash: int,
+        struck: int,
+        others: int,
+    ) -> tuple[list[list[float]], list[float], list[float]]:
+        """The numbers of a drive; see `chatscene.measure.sums`.
+
+        Args:
+            states: (tracks, 4, T) x, y, heading and speed, the ego's first.
+            cos: (tracks, T) of the headings.
+            sin: (tracks, T) of the headings.
+            who: (tracks, 4) half the length and width [m], 1 for an adversary, and by what rolling slows it [m/s²]; not
+                a number of who has no wheels.
+            aside: (T,) how far the ego is from its route [m].
+            habits: What is looked for.
+            crash: The step of the ego's first collision; -1 without one.
+            struck: The number of the track that it collides with; -1 without one.
+            others: How many adversaries there are.
+
+        Returns:
+            Eight numbers of each track, seventeen of the drive, and three sums over its steps.
+        """
+        tracks, _, steps = states.shape
+        states, cos, sin, who, aside = (np.ascontiguousarray(of, np.float64) for of in (states, cos, sin, who, aside))
+        if not (states.size == 4 * cos.size == 4 * sin.size == 4 * tracks * steps and who.shape == (tracks, 4)):
+            raise ValueError(f"states of {states.shape} and directions of {cos.shape} are no drive")
+        if len(aside) != steps or struck >= tracks or int(who[:, 2].sum()) != others:
+            raise ValueError(f"{len(aside)} distances are none of {steps} steps, or there is no track {struck}")
+        own = 8 * tracks
+        work = np.empty(own + 17 + (5 + 4 * others) * steps)
+        at = work.ctypes.data
+        room = at + 8 * (own + 17)
+        self._library.sum_up(
+            *(steps, tracks, crash, struck, states.ctypes.data, cos.ctypes.data, sin.ctypes.data, who.ctypes.data),
+            *(aside.ctypes.data, ctypes.byref(habits), room + 40 * steps, room, at, at + 8 * own),
+        )
+        first, paces = own + 17, steps - 1
+        totals = np.add.reduce(work[first : first + 3 * paces].reshape(3, paces), axis=1)
+        return work[:own].reshape(tracks, 8).tolist(), work[own:first].tolist(), totals.tolist()
 
     def first_risk(
         self,
@@ -529,33 +609,6 @@ class Engine:
             *(ctypes.byref(other), three, seen.ctypes.data, lasting),
         )
         return None if found < 0 else found
-
-    def braking_begins(
-        self, speed: Array, other: Array, least: float, still: float, pause: int, gains: float, *, same_way: bool
-    ) -> tuple[int, tuple[float, ...]]:
-        """When the last braking of either begins, and how fast they were; see `chatscene.measure.speeds`."""
-        if len(speed) != len(other) or not len(speed):
-            raise ValueError("columns of other lengths, or of none, are no drive")
-        one, two = np.ascontiguousarray(speed, np.float64), np.ascontiguousarray(other, np.float64)
-        room, told = np.empty(3 * len(one)), (c_double * 6)()
-        begins: int = self._library.braking_begins(
-            *(len(one), one.ctypes.data, two.ctypes.data, least, still, pause, same_way, gains),
-            *(room.ctypes.data, told),
-        )
-        return begins, tuple(told)
-
-    def tyres_did(
-        self, speed: Array, heading: Array, dt: float, rolling: float, air: float, across: float, fast: float
-    ) -> tuple[float, bool]:
-        """How much tyres did at most, and whether too much at speed; see `chatscene.measure.tyres`."""
-        if len(speed) != len(heading):
-            raise ValueError("columns of other lengths are no drive")
-        one, two = np.ascontiguousarray(speed, np.float64), np.ascontiguousarray(heading, np.float64)
-        beyond = c_int32()
-        most: float = self._library.tyres_did(
-            *(len(one), one.ctypes.data, two.ctypes.data, dt, rolling, air, across, fast), ctypes.byref(beyond)
-        )
-        return most, bool(beyond.value)
 
     def in_cells(
         self, x: Array, y: Array, low: tuple[float, float], side: float, known: NDArray[np.int32]
