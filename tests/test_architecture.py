@@ -84,6 +84,7 @@ def test_a_sentence_goes_through_the_doors_that_the_page_tells_and_through_no_mo
 
 HEAVY = (
     "scenic", "trimesh", "scipy", "shapely", "PIL", "pyarrow", "matplotlib", "jinja2", "networkx", "torch", "onnx",
+    "pydantic",
 )  # fmt: skip
 TEXT = "A cyclist rides out from the left and stops in front of us."
 READS = f"from chatscene.read.learned.reader import LearnedReader; LearnedReader().read({TEXT!r})"

@@ -421,7 +421,7 @@ _RESUMES = {
     "training": "chatscene.learn.train",
 }
 """Whose `resume` goes on with each kind of folder (`chatscene.runs.Kind`); loaded when it does."""
-_ONE_PROCESS = frozenset((runs.Kind.FINETUNING, runs.Kind.TRAINING))
+_ONE_PROCESS = frozenset(("finetuning", "training"))  # kinds by name, so that who reads a sentence loads no records
 
 
 def _reads(library: Name | None, embedder: str | None, language_model: str | None, reader: str | None) -> str:

@@ -26,61 +26,124 @@ CROSSED = 8.0  # [m] behind the entry of a junction: nobody who is farther is be
 
 @dataclass(frozen=True)
 class Seen:
-    """One adversary as a watcher sees it.
+    """One adversary as a watcher sees it. What is seen of it is worked out when somebody asks, once.
 
     Attributes:
         track: Its track.
         ego: The ego's track.
-        along: (T,) [m], position along the ego's start heading, from the ego's start.
-        across: (T,) [m], to the left of it.
-        offset: (T,) [m], signed lateral offset from the ego's route.
-        aside: (T,) [m], signed lateral offset from the lane that the ego starts in; as `offset` where it keeps it.
-        beyond: (T,) [m], how far along the route it is past the end of the turn at the route's junction; on open road,
-            past the route's event.
-        at: (T,) [m], how far along the route it is; before its start the route is taken to come straight.
-        line: The route's.
-        drift: (T,) [m], to the left of the line on which the adversary itself began; NaN where no such line is known.
-        acceleration: (T,) [m/s²].
-        bearing: (T,) [rad], heading against the ego's start heading, in (-pi, pi].
-        facing: (T,) [rad], heading against the route where it is; on open road, which may bend, else as `bearing`.
+        route: The ego's route.
         dt: Step [s].
         signals: At the junction on the route.
         grip: The largest acceleration that the road lets anybody have [m/s²].
+        whole: What is seen of it from its beginning, and the step from which this is a part of that (`since`); None of
+            the whole.
     """
 
     track: Track
     ego: Track
-    along: Array
-    across: Array
-    offset: Array
-    aside: Array
-    beyond: Array
-    at: Array
-    line: Polyline
-    drift: Array
-    acceleration: Array
-    bearing: Array
-    facing: Array
+    route: Route
     dt: float
     signals: tuple[SignalTrack, ...]
     grip: float
+    whole: tuple[Seen, int] | None = None
 
     def since(self, first: int) -> Seen:
         """What is seen from a step on, as if it began there."""
-        rows = ("along", "across", "offset", "aside", "beyond", "at", "acceleration", "bearing", "facing")
-        return replace(
-            self,
-            track=_from(self.track, first),
-            ego=_from(self.ego, first),
-            drift=fixed(self.drift[first:] - self.drift[first]),
-            signals=tuple(replace(one, state=one.state[first:]) for one in self.signals),
-            **{name: getattr(self, name)[first:] for name in rows},
-        )
+        signals = tuple(replace(one, state=one.state[first:]) for one in self.signals)
+        track, ego = _from(self.track, first), _from(self.ego, first)
+        return replace(self, track=track, ego=ego, signals=signals, whole=(self, first))
+
+    @property
+    def line(self) -> Polyline:
+        """The route's."""
+        return self.route.line
+
+    @cached_property
+    def _in_frame(self) -> tuple[Array, Array]:
+        return in_frame(self.track, self.ego.x[0], self.ego.y[0], self.ego.heading[0])
+
+    @cached_property
+    def _on_line(self) -> tuple[Array, Array]:
+        return follow(self.line, self.track.x, self.track.y)
+
+    @cached_property
+    def along(self) -> Array:
+        """(T,) [m], position along the ego's start heading, from the ego's start."""
+        return self._in_frame[0] if self.whole is None else self._of_whole("along")
+
+    @cached_property
+    def across(self) -> Array:
+        """(T,) [m], to the left of it."""
+        return self._in_frame[1] if self.whole is None else self._of_whole("across")
+
+    @cached_property
+    def offset(self) -> Array:
+        """(T,) [m], signed lateral offset from the ego's route."""
+        return self._on_line[1] if self.whole is None else self._of_whole("offset")
+
+    @cached_property
+    def at(self) -> Array:
+        """(T,) [m], how far along the route it is; before its start the route is taken to come straight."""
+        if self.whole is not None:
+            return self._of_whole("at")
+        at = self._on_line[0]
+        if float(at.min()) > 0.0:
+            return at
+        behind, _ = in_frame(self.track, *self.line.point_at(0.0), self.route.start_heading)
+        return np.where(at > 0.0, at, np.minimum(behind, 0.0))
+
+    @cached_property
+    def aside(self) -> Array:
+        """(T,) [m], signed lateral offset from the lane that the ego starts in; as `offset` where it keeps it."""
+        return self.offset + _left_by_route(self.route, self.at) if self.whole is None else self._of_whole("aside")
+
+    @cached_property
+    def beyond(self) -> Array:
+        """(T,) [m], how far along the route it is past the end of the turn at the route's junction.
+
+        On open road, past the route's event.
+        """
+        return self.at - _turned_at(self.route) if self.whole is None else self._of_whole("beyond")
+
+    @cached_property
+    def drift(self) -> Array:
+        """(T,) [m], to the left of the line on which it itself began; NaN where no such line is known."""
+        if self.whole is not None:
+            whole, first = self.whole
+            return fixed(whole.drift[first:] - whole.drift[first])
+        return _drift(self.track, self.route, self.at, self.offset, self.aside, float(self.facing[0]))
+
+    @cached_property
+    def acceleration(self) -> Array:
+        """(T,) [m/s²]."""
+        return self.track.acceleration(self.dt) if self.whole is None else self._of_whole("acceleration")
+
+    @cached_property
+    def bearing(self) -> Array:
+        """(T,) [rad], heading against the ego's start heading, in (-pi, pi]."""
+        if self.whole is not None:
+            return self._of_whole("bearing")
+        return (self.track.heading - self.ego.heading[0] + math.pi) % (2 * math.pi) - math.pi
+
+    @cached_property
+    def facing(self) -> Array:
+        """(T,) [rad], heading against the route where it is; on open road, which may bend, else as `bearing`."""
+        if self.whole is not None:
+            return self._of_whole("facing")
+        if self.route.junction is not None:
+            return self.bearing
+        return (self.track.heading - self.line.headings_at(self.at) + math.pi) % (2 * math.pi) - math.pi
 
     @cached_property
     def lead(self) -> Array:
         """(T,) [m], how far along the route it is ahead of the ego."""
         return fixed(self.at - follow(self.line, self.ego.x, self.ego.y)[0])
+
+    def _of_whole(self, name: str) -> Array:
+        """What is seen of it, from the step on from which this is seen."""
+        assert self.whole is not None
+        found: Array = getattr(self.whole[0], name)[self.whole[1] :]
+        return found
 
 
 def _from(track: Track, first: int) -> Track:
@@ -98,30 +161,10 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
         until: The last step that is seen.
         of: Who is in the place of the ego, to see what is done to somebody else.
     """
-    ego, track = _until(of or episode.ego_track, until), _until(track, until)
-    along, across = in_frame(track, ego.x[0], ego.y[0], ego.heading[0])
-    at, offset = follow(route.line, track.x, track.y)
-    behind, _ = in_frame(track, *route.line.point_at(0.0), route.start_heading)
-    at = np.where(at > 0.0, at, np.minimum(behind, 0.0))
-    bearing = (track.heading - ego.heading[0] + math.pi) % (2 * math.pi) - math.pi
-    facing = bearing
-    if route.junction is None:
-        facing = (track.heading - route.line.headings_at(at) + math.pi) % (2 * math.pi) - math.pi
-    aside = offset + _left_by_route(route, at)
     return Seen(
-        track=track,
-        ego=ego,
-        along=along,
-        across=across,
-        offset=offset,
-        aside=aside,
-        beyond=at - _turned_at(route),
-        at=at,
-        line=route.line,
-        drift=_drift(track, route, at, offset, aside, float(facing[0])),
-        acceleration=track.acceleration(episode.dt),
-        bearing=bearing,
-        facing=facing,
+        track=_until(track, until),
+        ego=_until(of or episode.ego_track, until),
+        route=route,
         dt=episode.dt,
         signals=episode.signals,
         grip=episode.surroundings.grip,
@@ -135,14 +178,13 @@ def _drift(track: Track, route: Route, at: Array, offset: Array, aside: Array, f
     a junction its road may leave the ego's. On a ramp the way itself leads over. In a roundabout nobody goes straight
     on, and of who comes by another way than the ego no line is known (NaN); nor is it before or beyond the ego's way.
     """
-    _, straight = in_frame(track, track.x[0], track.y[0], track.heading[0])
     if abs(math.sin(facing)) >= math.sin(ALONG):
-        return np.full_like(straight, math.nan) if route.site is Site.ROUNDABOUT else straight
+        return np.full_like(offset, math.nan) if route.site is Site.ROUNDABOUT else _straight(track)
     way = math.copysign(1.0, math.cos(facing))
     beside = (aside - aside[0]) * way
     if route.site is Site.ROUNDABOUT:
-        return beside if way > 0.0 else np.full_like(straight, math.nan)
-    lines = [beside] if includes(Place.CURVE, route.place) else [beside, straight]
+        return beside if way > 0.0 else np.full_like(offset, math.nan)
+    lines = [beside] if includes(Place.CURVE, route.place) else [beside, _straight(track)]
     if route.site in LEADS_OVER:
         lines.append((offset - offset[0]) * way)
     drift = min(lines, key=lambda line: float(np.abs(line).max()))
@@ -150,6 +192,11 @@ def _drift(track: Track, route: Route, at: Array, offset: Array, aside: Array, f
     if there.size:
         drift[there[-1] + 1 :] = drift[there[-1]]
     return drift
+
+
+def _straight(track: Track) -> Array:
+    """(T,) [m], how far somebody is to the left of where it headed at first."""
+    return in_frame(track, track.x[0], track.y[0], track.heading[0])[1]
 
 
 @lru_cache(maxsize=64)

@@ -12,7 +12,6 @@ from chatscene.files.caches import cache_folder
 from chatscene.interpret.known import SURE, WithFacts, offered, taken
 from chatscene.interpret.readers import is_model, reader_of
 from chatscene.interpret.stated import FACTS, facts_stated, in_text, with_named
-from chatscene.library.load import library_with
 from chatscene.read.quotes import otherwise_named, words_of
 from chatscene.report.stated import Editor, Stated, built_of, stated, with_edits
 from chatscene.report.understood import NO_EDITS, Understood, understand
@@ -152,6 +151,8 @@ def _by_snippets(text: str, settings: Settings, facts: Mapping[str, object] | No
         if reading.reader == PAPER_READER:
             raise
         return None
+    from chatscene.library.load import library_with  # the library is read with pydantic, which takes a while to load
+
     packaged, chosen = {snippet.id for snippet in library_with("")}, understood.retrieval
     own = chosen is None or not packaged.issuperset(snippet.id for snippet in chosen.snippets)
     return understood if own or reading.reader == PAPER_READER else None

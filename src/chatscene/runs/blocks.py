@@ -11,7 +11,7 @@ from __future__ import annotations
 import shutil
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import lru_cache
 from itertools import groupby
 from pathlib import Path
@@ -37,6 +37,7 @@ from chatscene.runs.tables import (
     route_id,
     route_index,
     rows_by,
+    rows_of,
     scenes_table,
     signals_table,
     write_table,
@@ -123,13 +124,13 @@ def _ran_row(ran: Ran) -> SceneRow:
         ending=ran.episode.ending.value,
         route_completion=float(ran.episode.route_completion),
         dt=ran.episode.dt,
-        **asdict(ran.episode.surroundings),
+        **_plain(ran.episode.surroundings),
         metrics={name: float(value) for name, value in ran.metrics.items()},
-        measurements=asdict(ran.measurements),
+        measurements=_plain(ran.measurements),
         criticality={
-            name: value for name, value in asdict(ran.criticality).items() if name not in ("impact_speed", "severity")
+            name: value for name, value in _plain(ran.criticality).items() if name not in ("impact_speed", "severity")
         },
-        speeds={name: value for name, value in asdict(ran.speeds).items() if not name.endswith("_kind")},
+        speeds={name: value for name, value in _plain(ran.speeds).items() if not name.endswith("_kind")},
         ego_kind=ran.speeds.ego_kind,
         other_kind=ran.speeds.other_kind,
         severity=ran.criticality.severity,
@@ -146,6 +147,11 @@ def _ran_row(ran: Ran) -> SceneRow:
         instead=ran.episode.stepped.instead,
         unplayed=list(ran.unplayed),
     )
+
+
+def _plain(noun: Any) -> dict[str, Any]:
+    """A noun of numbers and words by its fields; `asdict` copies each of them."""
+    return {name: getattr(noun, name) for name in noun.__slots__}
 
 
 def _rejected_row(rejected: Rejected) -> SceneRow:
@@ -270,14 +276,15 @@ def _outcomes(part: Part) -> list[Outcome]:
 def finish(
     run: Workspace,
     *,
-    selected: Mapping[str, bool],
+    selected: Mapping[str, bool] | Callable[[Sequence[Part]], Mapping[str, bool]],
     expected: Iterable[tuple[str, int, int]],
 ) -> Record:
     """Fold the blocks into the tables and set the status to ``done``. Safe to call again after a kill.
 
     Args:
         run: Which run.
-        selected: The scenes kept, by id; True for a fill-in, which was kept although nothing collided.
+        selected: The scenes kept, by id, or what chooses them of the blocks; True for a fill-in, which was kept
+            although nothing collided.
         expected: Scenario, route and number of every block that there has to be.
 
     Raises:
@@ -289,7 +296,7 @@ def finish(
         _require(run, parts, list(expected))
         for name, fold in _TABLES.items():
             write_table(run.file(name), fold(parts))
-        scenes = scenes_table(parts, selected)
+        scenes = scenes_table(parts, selected(parts) if callable(selected) else selected)
         write_table(run.file("scenes.parquet"), scenes)
         files = digests(run.path, (*KEPT, *DRAWN))
         with writing(run.path):
@@ -347,7 +354,8 @@ def _drop_parts(run: Workspace) -> None:
 
 
 def _counts(scenes: Table, parts: Sequence[Part]) -> dict[str, int]:
-    rows, events = scenes.to_pylist(), [row.model_dump() for part in parts for row in part.events]
+    rows = rows_of(scenes.drop_columns(["meaning_failures"]))
+    events = [{"scene_id": row.scene_id, "ego": row.ego, "kind": row.kind} for part in parts for row in part.events]
     waiting = sum(scene.waits for part in parts for scene in part.scenes)
     return counts_of(rows, events) | {"waiting": waiting}
 
@@ -384,9 +392,14 @@ def read_counts(run: Workspace) -> dict[str, int]:
     return counts_of(read_scenes(run), read_events(run))
 
 
-def read_scenes(run: Workspace) -> list[dict[str, Any]]:
-    """A row per scene with the columns of `scenes.parquet`; of an unfinished run, those done so far."""
-    return _rows(run, "scenes.parquet", SCENES, scenes_table)
+def read_scenes(run: Workspace, *, selected: bool = False) -> list[dict[str, Any]]:
+    """A row per scene with the columns of `scenes.parquet`; of an unfinished run, those done so far.
+
+    Args:
+        run: Which run.
+        selected: Whether to read those alone that were kept.
+    """
+    return _rows(run, "scenes.parquet", SCENES, scenes_table, "selected" if selected else "")
 
 
 def read_events(run: Workspace) -> list[dict[str, Any]]:
@@ -404,11 +417,13 @@ def read_ranges(run: Workspace) -> list[dict[str, Any]]:
     return _rows(run, "ranges.parquet", RANGES, ranges_table)
 
 
-def _rows(run: Workspace, name: str, columns: Any, fold: Callable[[list[Part]], Table]) -> list[dict[str, Any]]:
+def _rows(
+    run: Workspace, name: str, columns: Any, fold: Callable[[list[Part]], Table], where: str = ""
+) -> list[dict[str, Any]]:
     record = read_record(run, Record)
     folded = record.status is Status.DONE or record.files
     table: Table = read_table(run.file(name), columns) if folded else fold(read_parts(run))
-    return table.to_pylist()
+    return rows_of(table.filter(table.column(where)) if where else table)
 
 
 def read_episode(run: Workspace, scene_id: str) -> Episode:

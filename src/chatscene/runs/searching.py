@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 from chatscene.ego.policy import EgoPolicy, load_ego
@@ -175,7 +176,7 @@ class Search:
     def _fold(self) -> None:
         assert self.prepared is not None
         expected = [(self.prepared.scenario.id, route, n) for route in self._history for n in range(self._per_route)]
-        finish(self.run, selected=selected(self.run, self.settings), expected=expected)
+        finish(self.run, selected=partial(selected, settings=self.settings), expected=expected)
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from chatscene.runs.blocks import read_parts
-from chatscene.runs.workspace import Workspace
+from collections.abc import Sequence
+
+from chatscene.runs.rows import Part
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings
 from chatscene.terms.criticality import Happening
 
 
-def selected(run: Workspace, settings: SearchSettings) -> dict[str, bool]:
-    """Step 7 for every scenario and route of a run that is not finished: scene id to whether it is a fill-in."""
+def selected(parts: Sequence[Part], settings: SearchSettings) -> dict[str, bool]:
+    """Step 7 for every scenario and route of some blocks: scene id to whether it is a fill-in."""
     jobs: dict[tuple[str, int], list[Candidate]] = {}
-    for part in read_parts(run):
+    for part in parts:
         for scene in part.scenes:
             if scene.reason is None:
                 candidate = Candidate(

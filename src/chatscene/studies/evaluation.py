@@ -339,8 +339,8 @@ def _kept(
     run: runs.Workspace, source: runs.SourceRecord, record: runs.EvaluationRecord
 ) -> list[tuple[int, dict[str, object]]]:
     """The rows of a source that are to be driven, each with its route."""
-    rows = runs.read_scenes(runs.Workspace(source.path_from(run.path)))
     every = record.scenes is runs.Driven.EVERY
+    rows = runs.read_scenes(runs.Workspace(source.path_from(run.path)), selected=not every)
     return [
         (runs.route_index(row["route_id"]), row)
         for row in rows
