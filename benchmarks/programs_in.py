@@ -8,6 +8,9 @@ names where that is at hand, else on the first of those given; the table says wh
 program's own with `--as-written`. `--given` is a file of JSON that gives the parameters that a program is to be told,
 by a pattern of its path: {"scenario_1/*": {"town": "Town05", "spawnPt": [96.5, -188.0]}}.
 
+`--on MAP` runs every program on one map in place of its own. `--said` is a file of JSON with what programs are to show,
+as situations: [{"programs": ["scenario_1/b_1"], "situation": {...}}]; without it, their own docstrings are read.
+
 Columns: how many changes make it Scenic 3; whether it compiles, can be drawn and is driven to an end; and, with
 `--judge`, what of its own description (the docstring at its beginning) the judge sees in that many drives.
 """
@@ -35,7 +38,9 @@ from chatscene.search.generators.foreign import ForeignProgram, foreign_files, r
 from chatscene.settings import EGO, RetrievalSettings, SimulationSettings, VerifySettings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import drive
+from chatscene.situations.form import parsed
 from chatscene.terms.scene import Rejected, Scene
+from chatscene.terms.situation import Situation
 from chatscene.verdict.said import asked
 from chatscene.verdict.verdict import Answer
 from chatscene.verdict.verify import weighed
@@ -88,11 +93,11 @@ def row_of(file: Path, name: str, given: Mapping[str, object], run: Running) -> 
         row.end = short(str(error).rpartition(f"{file.name}: ")[2])
         return row
     row.changes = len(own.rewritten.changes)
-    for where in maps_of(own, run.maps):
+    for where in [run.on] if run.on else maps_of(own, run.maps):
         row = replace(row, where=where.stem)
         drives = driven(own, where, row, run)
         if row.runs:
-            row.judged = judged(own, drives) if run.judge else ""
+            row.judged = judged(own, drives, run.said.get(name)) if run.judge else ""
             break
     return row
 
@@ -109,6 +114,8 @@ class Running:
         tries: How many scenes at most, each with values of its own, until there are so many drives.
         seed: Of what is drawn.
         judge: Whether they are judged by their descriptions.
+        on: The map that all run on; None for the one of each.
+        said: What programs are to show, by their paths; of others their own descriptions are read.
         simulators: Those that are open, by map.
     """
 
@@ -119,6 +126,8 @@ class Running:
     tries: int
     seed: int
     judge: bool
+    on: Path | None
+    said: Mapping[str, Situation]
     simulators: dict[Path, Any]
 
 
@@ -168,9 +177,9 @@ def driven(own: ForeignProgram, where: Path, row: Row, run: Running) -> list[Wat
     return drives
 
 
-def judged(own: ForeignProgram, drives: Sequence[Watched]) -> str:
-    """What of a program's own description its drives show."""
-    said = description(own.program.source)
+def judged(own: ForeignProgram, drives: Sequence[Watched], told: Situation | None) -> str:
+    """What its drives show of what is told of a program, else of its own description."""
+    said = told or description(own.program.source)
     if not said:
         return "says nothing"
     try:
@@ -195,6 +204,12 @@ def description(source: str) -> str:
     return " ".join(text.split())
 
 
+def told_in(file: Path) -> dict[str, Situation]:
+    """What programs are to show, by their paths."""
+    rows = json.loads(file.read_text(encoding="utf-8"))
+    return {name: parsed(row["situation"]) for row in rows for name in row["programs"]}
+
+
 def short(reason: object) -> str:
     """A reason that fits into a table."""
     words = " ".join(str(reason).replace("|", "/").split())
@@ -211,6 +226,9 @@ def short(reason: object) -> str:
 @click.option("--draws", default=1, show_default=True, help="Drives of each program.")
 @click.option("--tries", default=1, show_default=True, help="Scenes that are tried for them, at most.")
 @click.option("--judge", is_flag=True, help="Judge the drives by the program's own description.")
+@click.option("--on", default=None, help="Run every program on this map in place of its own.")
+@click.option("--said", "said_file", type=click.Path(path_type=Path, exists=True), help="What programs are to show.")
+@click.option("--only", multiple=True, default=("*",), help="A pattern of the paths of programs; repeat.")
 @click.option("--seed", default=0, show_default=True, help="What everything is drawn by.")
 def main(
     folder: Path,
@@ -222,6 +240,9 @@ def main(
     draws: int,
     tries: int,
     judge: bool,
+    on: str | None,
+    said_file: Path | None,
+    only: tuple[str, ...],
     seed: int,
 ) -> None:
     """Print the table."""
@@ -230,13 +251,24 @@ def main(
         return
     given: dict[str, dict[str, object]] = json.loads(given_file.read_text()) if given_file else {}
     run = Running(
-        [resolve_map(one) for one in names], load_ego(driver), as_written, draws, max(draws, tries), seed, judge, {}
+        [resolve_map(one) for one in names],
+        load_ego(driver),
+        as_written,
+        draws,
+        max(draws, tries),
+        seed,
+        judge,
+        resolve_map(on) if on else None,
+        told_in(said_file) if said_file else {},
+        {},
     )
     count = Counter[str]()
     print(f"{collection}\n\n| program | map | changes | compiles | drawn | runs | end | judged |")
     print("|---|---|---:|---|---:|---:|---|---|")
     for file in (one for one in foreign_files(folder) if not any(part.startswith(".") for part in one.parts)):
         name = str(file.relative_to(folder).with_suffix(""))
+        if not any(fnmatch.fnmatch(name, pattern) for pattern in only):
+            continue
         told = {k: v for pattern, values in given.items() if fnmatch.fnmatch(name, pattern) for k, v in values.items()}
         row = row_of(file, name, told, run)
         print(row, flush=True)

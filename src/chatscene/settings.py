@@ -169,7 +169,8 @@ class VerifySettings:
         seed: What their values are drawn by.
         least: The share of the drives that must show a fact, of those that came to it.
         ego: Who drives a program; empty for its own ego, or the usual one where it has none.
-        map_name: The map of a program that names none; empty for the first packaged one that has what it asks for.
+        map_name: The map of a program, in place of the one that it names; empty for that one, or else for the first
+            packaged one that has what it asks for.
         trust: Whether a program may use all of Scenic and Python, in this process.
         as_written: Whether a program's own ego drives, of an imported scenario as its file says.
         ego_id: Whose track of a recording is the ego's; empty for the one that is marked.

@@ -77,7 +77,7 @@ def test_how_far_a_program_came_is_told_by_what_was_done(
     bench = importlib.import_module("programs_in")
     (tmp_path / "x.scenic").write_text("model scenic.domains.driving.model\nego = new Car\n")
     own, row = read_foreign(tmp_path / "x.scenic"), bench.Row("x")
-    run = bench.Running([], _Still(), False, 1, 1, 0, False, {tmp_path: Fails(at, error)})
+    run = bench.Running([], _Still(), False, 1, 1, 0, False, None, {}, {tmp_path: Fails(at, error)})
     assert bench.driven(own, tmp_path, row, run) == []
     assert (row.compiles, row.samples, row.runs) == stages
 

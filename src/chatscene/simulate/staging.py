@@ -274,7 +274,7 @@ class Stage:
     def _without(self, scene: Scene, none: str, spent: float) -> Rejected:
         """A scene that the map has no place for, and why."""
         why = f"{self._map_path.stem} has no such place: {none}; another map may have one"
-        return Rejected(scene=scene, reason=why, draws=NEVER, spent=spent)
+        return Rejected(scene=scene, reason=why, draws=NEVER, spent=spent, without=True)
 
     def _drawn(self, program: ScenicProgram, scenario: Any, scene: Scene) -> tuple[Any | Rejected, int]:
         """The first scene that Scenic draws and that meets the requirements, its ego with a route; how many it drew."""

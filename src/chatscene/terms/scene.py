@@ -148,9 +148,11 @@ class Rejected:
         reason: Why, in words.
         draws: How many draws of its places were tried.
         spent: The processor time [s] that they took.
+        without: Whether its map has no such place, so that no scene of the program can be run there.
     """
 
     scene: Scene
     reason: str
     draws: int = 1
     spent: float = field(default=0.0, compare=False)
+    without: bool = False

@@ -109,8 +109,8 @@ def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:
         )
         left = made.count - len(made.programs) - len(made.refused)
         variants = _Variants() if settings.variant or not made.count else _Variants(made.count, left)
-        # Within, since the map of a file without roads lies in this folder.
-        return _watched(parts, "OpenSCENARIO file", settings, notes, variants)
+        # Within, since the map of a file without roads lies in this folder; each part has its map by now.
+        return _watched(parts, "OpenSCENARIO file", replace(settings, map_name=""), notes, variants)
 
 
 def _as_written(settings: VerifySettings) -> bool | None:

@@ -106,7 +106,7 @@ def test_a_parameter_that_names_the_town_names_the_map(tmp_path: Path) -> None:
     assert read_foreign(written(tmp_path, text)).map_path == tmp_path / "a" / "T3.xodr"
 
 
-def test_the_map_of_a_program_is_its_own_then_the_users_then_carlas_and_what_stands_in_is_said(
+def test_the_map_of_a_program_is_its_users_then_its_own_then_carlas_and_what_stands_in_is_said(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     gone = tmp_path / "Town05.xodr"
@@ -135,7 +135,21 @@ def test_the_map_of_a_program_is_its_own_then_the_users_then_carlas_and_what_sta
         "the program's map mine.xodr does not exist; it runs on town",
     )
     gone.write_text("")
-    assert their_map(gone, "a.xodr") == (str(gone), ())
+    assert their_map(gone, None) == (str(gone), ())
+    assert their_map(gone, "a.xodr") == ("a.xodr", ("the program names the map Town05.xodr; it runs on a.xodr",))
+    assert their_map(gone, str(gone)) == (str(gone), ())  # which is its own
+    assert their_map(tmp_path / "b" / "Town05.xodr", "Town05") == ("Town05", ())
+
+
+def test_the_towns_at_hand_are_those_of_the_package_and_large_ones_are_told_apart(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(carla_towns, "distribution", absent)
+    assert carla_towns.towns_at_hand() == ((), ())
+    packed(tmp_path, monkeypatch)
+    assert carla_towns.towns_at_hand() == (("Town05",), ())
+    monkeypatch.setattr(carla_towns, "LARGE", 3)
+    assert carla_towns.towns_at_hand() == ((), ("Town05",))
 
 
 @pytest.mark.parametrize("name", ["Town05", "Town05.xodr", "../maps/Town05.xodr", "C:\\maps\\Town05.xodr"])

@@ -225,7 +225,8 @@ class _Confined:
             self._loaded(), scene_from_json(scene), observation=observation, pedals=pedals, through_collisions=through
         )
         if isinstance(session, Rejected):
-            return {"rejected": session.reason, "draws": session.draws, "spent": session.spent}
+            told = {"draws": session.draws, "spent": session.spent, "without": session.without}
+            return {"rejected": session.reason, **told}
         self._session = session
         return {**_state(session), "draws": getattr(session, "draws", 1)}
 

@@ -130,7 +130,8 @@ class ConfinedSimulator:
         )
         if "rejected" in state:
             draws, spent = int(number(state, "draws")), number(state, "spent")
-            return Rejected(scene=scene, reason=words(state["rejected"]), draws=draws, spent=spent)
+            reason, without = words(state["rejected"]), state.get("without") is True
+            return Rejected(scene=scene, reason=reason, draws=draws, spent=spent, without=without)
         return ConfinedSession(confined, state, size, self._settings)
 
     def _at(self, program: ScenicProgram) -> Confined:
