@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from itertools import islice
 from types import SimpleNamespace
 from typing import Any
 
@@ -22,6 +23,8 @@ from chatscene.read.reader import READERS, check_text
 from chatscene.runs.executor import EXECUTORS
 from chatscene.search.generator import GENERATORS
 from chatscene.search.sampler import SAMPLERS, Proposal
+from chatscene.search.samplers.grid import grid
+from chatscene.search.samplers.unit_cube import UnitCube
 from chatscene.situations.form import from_plain
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.scene import AS_WRITTEN
@@ -200,6 +203,17 @@ class Sampler:
 def test_a_sampler_that_breaks_a_rule_is_told_which(draw: Callable[[Any, int], float], rule: str) -> None:
     with pytest.raises(ContractBroken, match=rule):
         check_sampler(lambda: Sampler(draw))
+
+
+def test_a_sampler_that_walks_a_sequence_and_forgets_what_could_not_be_placed_is_told_how_to_go_on() -> None:
+    class Walks:
+        def propose(self, declared: Sequence[ParameterRange], done: Any, *, count: int, seed: int) -> Proposal:
+            cube = UnitCube(tuple(declared))
+            walk = islice(grid(len(cube.free)), sum(map(len, done)), None)
+            return Proposal(ranges=cube.declared, draw=lambda _: cube.values(next(walk)))
+
+    with pytest.raises(ContractBroken, match=r"of 40 scenes \d\d differ; .*unit_cube\.walk_on"):
+        check_sampler(Walks)
 
 
 def test_no_test_runner_is_needed() -> None:

@@ -31,7 +31,11 @@ class Proposal:
 
 
 class Sampler(Protocol):
-    """Says where to look next."""
+    """Says where to look next.
+
+    One that walks a sequence in place of drawing at random cannot know from `done` alone how far it came, since draws
+    that could not be placed leave no outcome: `chatscene.search.samplers.unit_cube.walk_on` goes on behind them.
+    """
 
     def propose(
         self, declared: Sequence[ParameterRange], done: Sequence[Sequence[Outcome]], *, count: int, seed: int

@@ -91,6 +91,15 @@ def _check_blocks(make: Callable[[], Sampler]) -> None:
         others = len({tuple(values.values()) for values in drawn})
         # It may come back to a bound.
         require(others > 30, "a scene that cannot be placed is followed by another", f"{others} of 40 differ")
+    for every in (2, 3):
+        found: list[list[Outcome]] = []
+        for block in range(4):  # of so many draws, one can be placed
+            proposal = make().propose(_DECLARED, found, count=10, seed=scene_seed(0, f"block-{block}"))
+            found.append([_outcome(values) for values in _drawn(proposal, block, 10 * every)[every - 1 :: every]])
+        others = len({tuple(outcome.values.values()) for block in found for outcome in block})
+        rule = "a block does not draw again what was drawn before, where some draws could not be placed"
+        how = "a sampler that walks a sequence goes on by chatscene.search.samplers.unit_cube.walk_on"
+        require(others > 30, rule, f"of 40 scenes {others} differ; {how}")
 
 
 def _searched(

@@ -10,16 +10,15 @@ which is what a grid costs.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain, count, islice, repeat, takewhile
+from collections.abc import Iterator, Sequence
+from itertools import chain, count, repeat
 
 from chatscene.search.sampler import Proposal
-from chatscene.search.samplers.unit_cube import UnitCube
+from chatscene.search.samplers.unit_cube import UnitCube, walk_on
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
 GOLDEN = (math.sqrt(5) - 1) / 2
-FARTHEST = 100  # points tried per scene that was driven, as the default of `SearchSettings.tries`
 
 
 class Grid:
@@ -31,11 +30,11 @@ class Grid:
         done: Sequence[Sequence[Outcome]],
         *,
         count: int,
-        seed: int,  # noqa: ARG002 - nothing is random
+        seed: int,
     ) -> Proposal:
         """The points after the last one that was driven."""
         cube = UnitCube(tuple(declared))
-        walk = map(cube.values, islice(grid(len(cube.free)), _passed(cube, done, count), None))
+        walk = walk_on(cube, done, count, grid)
         return Proposal(ranges=cube.declared, draw=lambda _: next(walk))
 
 
@@ -76,13 +75,3 @@ def _design(dimensions: int) -> list[list[int]]:
         [i for i in range(fast) if j >> i & 1] + [fast + j - j.bit_length() - 1] * (j.bit_count() > 1)
         for j in range(1, dimensions + 1)
     ]
-
-
-def _passed(cube: UnitCube, done: Sequence[Sequence[Outcome]], count: int) -> int:
-    """How many points to leave behind: not only those that were driven, also those that could not be placed."""
-    driven: list[Mapping[str, float]] = [outcome.values for block in done for outcome in block]
-    # Blocks since then in which nothing could be placed have left no trace, but have tried `count` points or more.
-    traceless = sum(1 for _ in takewhile(lambda block: not block, reversed(done)))
-    points = islice(map(cube.values, grid(len(cube.free))), FARTHEST * max(map(len, done), default=0) * len(done))
-    last = (number for number, values in enumerate(points, start=1) if values == driven[-1])
-    return next(last, len(driven)) + traceless * count

@@ -26,8 +26,8 @@ class Paper:
         declared: Sequence[ParameterRange],
         done: Sequence[Sequence[Outcome]],
         *,
-        count: int,  # noqa: ARG002 - every scene is drawn by itself
-        seed: int,  # noqa: ARG002
+        count: int,
+        seed: int,
     ) -> Proposal:
         """Uniform in ranges around what collided."""
         ranges = refine(declared, [outcome.values for block in done for outcome in block if outcome.crashed])

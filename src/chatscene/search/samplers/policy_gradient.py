@@ -77,7 +77,7 @@ class PolicyGradient:
         declared: Sequence[ParameterRange],
         done: Sequence[Sequence[Outcome]],
         *,
-        count: int,  # noqa: ARG002 - every scene is drawn by itself
+        count: int,
         seed: int,
     ) -> Proposal:
         """Draws of the policy after an update per block."""

@@ -25,7 +25,7 @@ class TreeParzen:
         declared: Sequence[ParameterRange],
         done: Sequence[Sequence[Outcome]],
         *,
-        count: int,  # noqa: ARG002 - the next scene can always be asked for
+        count: int,
         seed: int,
     ) -> Proposal:
         """What Optuna asks for, given all outcomes; draws of the block that have no outcome yet are kept clear of."""

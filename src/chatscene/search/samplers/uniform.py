@@ -16,10 +16,10 @@ class Uniform:
     def propose(
         self,
         declared: Sequence[ParameterRange],
-        done: Sequence[Sequence[Outcome]],  # noqa: ARG002 - nothing is learned
+        done: Sequence[Sequence[Outcome]],
         *,
-        count: int,  # noqa: ARG002
-        seed: int,  # noqa: ARG002
+        count: int,
+        seed: int,
     ) -> Proposal:
         """The declared ranges."""
         ranges = tuple(declared)
