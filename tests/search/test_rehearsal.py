@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Any
 
@@ -9,16 +10,20 @@ import pytest
 
 from chatscene.build.build import Built, build
 from chatscene.build.coming import speeds_to_try
-from chatscene.ego.policy import EgoPolicy, name_of
+from chatscene.ego.policy import EgoPolicy, load_ego, name_of
 from chatscene.errors import ProgramError
+from chatscene.maps.network import resolve_map
+from chatscene.program.sample import scene_at
+from chatscene.program.together import apart
 from chatscene.report.stated import explain_stated
 from chatscene.search import rehearsal
 from chatscene.search.generators.situated import Situated
 from chatscene.search.rehearsal import declared, rehearsed, with_range
-from chatscene.settings import RetrievalSettings
-from chatscene.simulate.simulator import simulate
+from chatscene.settings import RetrievalSettings, SimulationSettings
+from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.situations.file import to_yaml
 from chatscene.situations.form import from_plain
+from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.situation import Situation
 from chatscene.terms.snippet import ParameterRange
@@ -185,6 +190,58 @@ def test_numbers_that_were_said_are_bound() -> None:
         }
     )
     assert {"OPT_A_SPEED", "OPT_A_Y"} <= build(walks).bound
+
+
+TOGETHER = "so that it is there when others meet"
+
+
+def stops_for_a_dog(**start: str) -> Situation:
+    """A dog crosses, and a car that comes the other way stops."""
+    dog = {"id": "A", "kind": "dog", "starts": {"where": "roadside"}, "does": [{"act": "cross", "manner": "fast"}]}
+    comes = {"id": "C", "kind": "car", "starts": {"where": "oncoming", **start}, "does": [{"act": "stop"}]}
+    return from_plain({"ego": {"speed": "30 mph"}, "others": [dog, comes | {"role": "supporting"}]})
+
+
+def test_who_stops_on_its_way_against_the_ego_does_so_short_of_who_crosses() -> None:
+    situation = stops_for_a_dog()
+    built = build(situation)
+    assert "C does its stop for A" in built.assumed
+    shifted = rehearsed(built, situation)
+    assert ranges(shifted)["OPT_C_Y"].low > ranges(built)["OPT_C_Y"].high
+    assert any(one.startswith("OPT_C_Y") and one.endswith(TOGETHER) for one in shifted.assumed)
+    episode = driven(shifted)
+    dog, comes = (next(one for one in episode.tracks if one.actor == name) for name in ("A", "C"))
+    sets_out = next(k for k, speed in enumerate(dog.speed) if speed > 0.5)
+    nose = comes.x[-1] + math.cos(comes.heading[-1]) * comes.length / 2
+    nose = nose, comes.y[-1] + math.sin(comes.heading[-1]) * comes.length / 2
+    ahead = (dog.x[sets_out] - nose[0]) * math.cos(comes.heading[-1])
+    ahead += (dog.y[sets_out] - nose[1]) * math.sin(comes.heading[-1])
+    assert comes.speed[-1] < 0.5
+    assert 0.0 < ahead < 25.0
+    assert not apart(situation, episode)
+
+
+def test_who_was_said_to_come_from_a_distance_is_not_shifted_for_a_meeting() -> None:
+    situation = stops_for_a_dog(distance="100 m")
+    assert not any(TOGETHER in one for one in rehearsed(build(situation), situation).assumed)
+
+
+def test_who_comes_the_other_way_is_level_with_who_pulls_out_as_the_ego_is_there() -> None:
+    out = {"id": "A", "kind": "van", "starts": {"where": "kerb", "side": "right"}, "does": [{"act": "pull-out"}]}
+    bus = {"id": "B", "kind": "bus", "starts": {"where": "oncoming"}, "does": [{"act": "go-along"}]}
+    situation = from_plain({"ego": {"speed": "30 mph"}, "others": [out, bus | {"role": "supporting"}]})
+    late = apart(situation, driven(build(situation)))
+    assert late["B"].seconds > 0.0
+    assert late["B"].metres > 8.0 * late["B"].seconds
+    assert not apart(situation, driven(rehearsed(build(situation), situation)))
+
+
+def driven(built: Built) -> Episode:
+    """A drive in the middle of all ranges."""
+    simulator = load_simulator(resolve_map(built.map), SimulationSettings(simulator="native"))
+    episode = simulate(simulator, built.program, scene_at(built.program, 0, 0.5, name="middle"), load_ego("planner"))
+    assert isinstance(episode, Episode)
+    return episode
 
 
 def test_a_program_is_the_same_whoever_asks_for_it() -> None:

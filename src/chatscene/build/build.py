@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 from chatscene.build.actor import Actor
 from chatscene.build.anchors import anchor_of
+from chatscene.build.answering import answering
 from chatscene.build.asked import ROOM, SOME, Meets, between, passes_with, stands_first
 from chatscene.build.awaiting import in_phases, met_by
 from chatscene.build.backing import check_met
@@ -30,6 +31,7 @@ from chatscene.build.relations import check_kept_up, check_passed_by_ego
 from chatscene.build.restated import restated
 from chatscene.build.revealed import revealed
 from chatscene.build.roadside import beside_road
+from chatscene.build.run_up import run_up
 from chatscene.build.screening import from_its_lane
 from chatscene.build.standing_before import in_queue
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, room_kept, screens
@@ -130,6 +132,7 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
     situation = replace(made.situation, others=tuple(along_the_road(wrong_way(one)) for one in made.situation.others))
     situation = in_queue(as_it_backs(as_it_rolls(out_of_bay(over_rails(situation)))))
     situation, hidden = revealed(situation)
+    situation, answers = answering(situation)
     situation = at_a_corner(situation)
     check_met(situation)
     every, refused = speeds_to_try(situation), list[NotBuilt]()
@@ -137,7 +140,7 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
     for speed in speeds:
         try:
             slow = at_most < every[0]
-            assumed = [*made.assumed, *hidden]
+            assumed = [*made.assumed, *hidden, *answers]
             said_so = Ledger(situation, told=said, slow=slow, built=set(made.taken), assumed=assumed)
             program = _built(said_so, speed, name)
         except NotBuilt as error:  # at a speed that was not said; a slower ego may do
@@ -201,7 +204,8 @@ def _built(said: Ledger, usual: float, name: str) -> Built:
     declared = [f"param {one.name} = Range({one.low}, {one.high})" for one in numbers]
     query = ", ".join(f"{key}={value!r}" for key, value in (found.query | ego.query).items())
     about = ", 3.14159" if backs(situation) else ""
-    orders = ordered(in_phases(ego.orders, situation, {actor.one.id: actor for actor, _ in everybody}))
+    actors = {actor.one.id: actor for actor, _ in everybody}
+    orders = ordered((*in_phases(ego.orders, situation, actors), *run_up(ledger, ego.coming.speed, actors)))
     placed = (
         f"at startOf(egoRoute), facing directionOn(egoRoute, 0{about}), with route egoRoute{ego.properties}{orders}"
     )

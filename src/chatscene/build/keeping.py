@@ -26,7 +26,7 @@ def as_kept(situation: Situation, speed: float) -> Situation:
     for deed in situation.ego.does:
         kept = _in_metres(deed, speed)
         if kept.act is Act.FOLLOW and kept.distance is not None:
-            others = [_at(one, kept.distance) if one.id == _followed(situation, deed) else one for one in others]
+            others = [_at(one, kept.distance) if one.id == followed(situation, deed) else one for one in others]
         elif (room := deed.lateral) is not None and room.clearance is not None and deed.act is Act.GO_ALONG:
             others = [_aside(one, room) if one.id == _passed(situation) else one for one in others]
     return replace(situation, others=tuple(others))
@@ -44,7 +44,7 @@ def take_kept(ledger: Ledger) -> None:
 
 
 def _kept(situation: Situation, name: str, deed: Deed, at: str) -> Iterator[str]:
-    if deed.act is Act.FOLLOW and name == EGO and _followed(situation, deed):
+    if deed.act is Act.FOLLOW and name == EGO and followed(situation, deed):
         yield from (f"{at}.distance", f"{at}.time")
     elif deed.act is Act.FOLLOW and name != EGO and deed.distance is None:
         if situation[name].starts.where is not Where.BEHIND and deed.whom in (None, EGO):
@@ -65,7 +65,7 @@ def _in_metres(deed: Deed, speed: float) -> Deed:
     return replace(deed, distance=Length(deed.time.low * speed, deed.time.high * speed), time=None)
 
 
-def _followed(situation: Situation, deed: Deed) -> str:
+def followed(situation: Situation, deed: Deed) -> str:
     """The id of whom the ego follows; empty if there is nobody before it."""
     ahead = [one.id for one in situation.others if one.starts.where is Where.AHEAD and one.role is not Role.HIDES]
     return deed.whom if deed.whom in ahead else next(iter(ahead), "")

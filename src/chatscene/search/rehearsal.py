@@ -2,15 +2,17 @@
 
 A builder computes by rule when somebody is due, on a road that nobody else is on. What that comes to is seen when
 everybody drives. So a few drives are judged; where too few show all that was said, the ranges of what was not said are
-shifted or halved, one after the other, until most do. What was said stays, and so does a program that shows it.
+shifted or halved, one after the other, until most do. Then who is too early or too late for the meeting that it belongs
+to is shifted alone. What was said stays, and so does a program that shows it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from statistics import median
 
 from chatscene.build.build import Built, build
 from chatscene.build.coming import speeds_to_try
@@ -20,6 +22,7 @@ from chatscene.interpret.scenario_names import STATED
 from chatscene.maps.network import MapContent, resolve_map
 from chatscene.program.judge import failures, judge
 from chatscene.program.sample import drawn_scene, scene_at
+from chatscene.program.together import Late, apart
 from chatscene.settings import EGO, SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.route import Route
@@ -42,6 +45,7 @@ STEPS: dict[str, tuple[float, ...]] = {"s": (0.5, 1.0, 2.0, 3.0, 4.0), "m": (2.0
 """By how much more or less ranges are shifted, by their units: when somebody acts first, then where it is."""
 NEARER = (0.5, 0.25, 2.0)
 """By which factors places are moved, too: a road may be long."""
+HELPS = 0.8  # of what somebody misses its meeting by, that is left at most of a shift that helps
 SHARES = (0.15, 0.3)
 """By which share of its middle a range of another unit is shifted: how somebody does it."""
 
@@ -70,10 +74,16 @@ def rehearsed(built: Built, situation: Situation) -> Built:
             slow = _best(slowly, situation, DRIVES[1])
             if slow.share > best.share:
                 built, best = slowly, slow
+    shown = best.program
+    with suppress(ChatSceneError):
+        best = _together(_Stage.of(built, situation, DRIVES[1]), best, built.bound)
     unseen = tuple(best.unseen())
     if best.program is built.program:
         return replace(built, unseen=unseen) if unseen else built
-    told = tuple(_told(built.program.parameters, best.program.parameters))
+    told = (
+        *_told(built.program.parameters, shown.parameters, "since drives show what was said only then"),
+        *_told(shown.parameters, best.program.parameters, "so that it is there when others meet"),
+    )
     return replace(built, program=best.program, assumed=(*built.assumed, *told), unseen=unseen)
 
 
@@ -117,6 +127,28 @@ def _shifted_best(stage: _Stage, best: _Tried, bound: Iterable[str]) -> _Tried:
     return best
 
 
+def _together(stage: _Stage, best: _Tried, bound: Iterable[str]) -> _Tried:
+    """A program with those shifted who miss the meeting that they belong to in most drives, as far as that helps."""
+    stage.drawn = len(best.missing) // len(EGOS) - 1
+    for who in best.apart():
+        start = None
+        while start is not best and stage.left > 0 and who in best.apart():
+            start = best
+            for one in _its_own(best.program, bound, who):
+                for by in best.shifts(who, one.unit):
+                    program = with_range(best.program, replace(one, low=one.low + by, high=one.high + by))
+                    if (nearer := stage.nearer(program, best, who)) is not None:
+                        best = nearer
+                        break
+    return best
+
+
+def _its_own(program: ScenicProgram, bound: Iterable[str], who: str) -> Iterator[ParameterRange]:
+    """The free ranges of somebody's time and place, places first."""
+    own = [_named(program, name) for name in _free(program, bound) if f"_{who}_" in name]
+    yield from sorted((one for one in own if one.unit in STEPS), key=lambda one: one.unit)
+
+
 def _narrowed(stage: _Stage, best: _Tried, bound: Iterable[str]) -> _Tried:
     """The program with parts of ranges in which fewer drives miss something, as long as that helps."""
     helps = True
@@ -144,6 +176,8 @@ def _promising(tried: _Tried, bound: Iterable[str]) -> Iterator[ScenicProgram]:
 
 Missing = tuple[tuple[str, ...], ...]
 """What each drive does not show, a sentence each."""
+_Drive = tuple[tuple[str, ...], Mapping[str, Late]]
+"""What a drive does not show, and who is too late or too early in it for the meeting that it belongs to."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -154,11 +188,24 @@ class _Tried:
         program: Which.
         missing: What each drive does not show.
         values: What each was driven with.
+        late: Who is too late or too early for the meeting that it belongs to, in each.
     """
 
     program: ScenicProgram
     missing: Missing
     values: tuple[Mapping[str, float], ...]
+    late: tuple[Mapping[str, Late], ...] = ()
+
+    def apart(self) -> list[str]:
+        """Those who miss the meeting that they belong to in more than half of the drives."""
+        names = sorted({name for late in self.late for name in late})
+        return [name for name in names if 2 * sum(name in late for late in self.late) > len(self.late)]
+
+    def shifts(self, who: str, unit: str) -> tuple[float, float]:
+        """By how much its time [s] or its place [m] is shifted, and the other way: as much as it is late."""
+        found = [late[who] for late in self.late if who in late]
+        by = median(one.seconds if unit == "s" else -one.metres for one in found)
+        return by, -by
 
     @property
     def count(self) -> int:
@@ -228,8 +275,35 @@ class _Stage:
             ChatSceneError: It cannot be driven.
         """
         drives = self._drives(program)
-        missing = tuple(self._missing(program, *one) for one in drives)
-        return _Tried(program=program, missing=missing, values=tuple(scene.values for scene, _ in drives))
+        return self._tried(program, drives, [self._missing(program, *one) for one in drives])
+
+    def nearer(self, program: ScenicProgram, than: _Tried, who: str) -> _Tried | None:
+        """What drives show of a program in which somebody is nearer to its meeting; None of one that shows less.
+
+        The first drives tell whether it helps.
+        """
+        drives, found = self._drives(program), list[_Drive]()
+        for k, one in enumerate(drives):
+            if not self.left:
+                return None
+            try:
+                found.append(self._missing(program, *one))
+            except ChatSceneError:
+                return None
+            missed = sum(bool(missing) for missing, _ in found)
+            late, before = (_seconds(who, row) for row in ([one for _, one in found], than.late[: k + 1]))
+            if missed > max(than.missed, ONE_OFF) or (len(found) == FIRST and late >= before):
+                return None
+        tried = self._tried(program, drives, found)
+        helps = _seconds(who, tried.late) < HELPS * _seconds(who, than.late)
+        return tried if helps else None
+
+    def _tried(
+        self, program: ScenicProgram, drives: Sequence[tuple[Scene, EgoPolicy]], found: Sequence[_Drive]
+    ) -> _Tried:
+        values = tuple(scene.values for scene, _ in drives)
+        missing, late = tuple(one for one, _ in found), tuple(late for _, late in found)
+        return _Tried(program=program, missing=missing, values=values, late=late)
 
     def better(self, program: ScenicProgram, than: _Tried) -> _Tried | None:
         """What drives of a program show; None if it does not run, misses as much as another, or none are left.
@@ -238,7 +312,7 @@ class _Stage:
         """
         drives = self._drives(program)
         order = sorted(range(len(drives)), key=lambda k: not than.missing[k])
-        found, before = dict[int, tuple[str, ...]](), 0
+        found, before = dict[int, _Drive](), 0
         for k in order if than.count else ():
             if not self.left:
                 return None
@@ -247,13 +321,12 @@ class _Stage:
             except ChatSceneError:
                 return None
             before += len(than.missing[k])
-            now = sum(map(len, found.values()))
+            now = sum(len(missing) for missing, _ in found.values())
             if now >= than.count or (len(found) == FIRST and now >= before):
                 return None
         if not found:
             return None
-        missing = tuple(found[k] for k in range(len(drives)))
-        return _Tried(program=program, missing=missing, values=tuple(scene.values for scene, _ in drives))
+        return self._tried(program, drives, [found[k] for k in range(len(drives))])
 
     def _drives(self, program: ScenicProgram) -> list[tuple[Scene, EgoPolicy]]:
         called = replace(program, scenario_id=STATED)  # values are drawn by the name, which is not to count
@@ -261,12 +334,17 @@ class _Stage:
         scenes = (scene_at(called, 0, 0.5, name="middle"), *drawn)
         return [(scene, load_ego(ego)) for scene in scenes for ego in EGOS]
 
-    def _missing(self, program: ScenicProgram, scene: Scene, ego: EgoPolicy) -> tuple[str, ...]:
+    def _missing(self, program: ScenicProgram, scene: Scene, ego: EgoPolicy) -> _Drive:
         self.left -= 1
         episode = simulate(self.simulator, program, scene, ego)
         if isinstance(episode, Rejected):
-            return (episode.reason,)
-        return failures(judge(self.situation, episode, self.route))
+            return (episode.reason,), {}
+        return failures(judge(self.situation, episode, self.route)), apart(self.situation, episode)
+
+
+def _seconds(who: str, drives: Iterable[Mapping[str, Late]]) -> float:
+    """By how many seconds [s] somebody misses the meeting that it belongs to, in all of some drives together."""
+    return sum(abs(late[who].seconds) for late in drives if who in late)
 
 
 def _is_reason(missed: str) -> bool:
@@ -326,13 +404,10 @@ def declared(one: ParameterRange) -> str:
     return f"param {one.name} = Range({one.low}, {one.high})"
 
 
-def _told(before: Iterable[ParameterRange], after: Iterable[ParameterRange]) -> Iterator[str]:
-    """Which ranges are others, for a person."""
+def _told(before: Iterable[ParameterRange], after: Iterable[ParameterRange], why: str) -> Iterator[str]:
+    """Which ranges are others, and why, for a person."""
     for was, now in zip(before, after, strict=True):
         if was != now:
             unit = "" if was.unit == "1" else f" {was.unit}"
             name = f"{was.name} ({was.meaning})" if was.meaning else was.name
-            yield (
-                f"{name} is {now.low:.3g} to {now.high:.3g}{unit}, not {was.low:.3g} to {was.high:.3g}{unit}, since"
-                " drives show what was said only then"
-            )
+            yield (f"{name} is {now.low:.3g} to {now.high:.3g}{unit}, not {was.low:.3g} to {was.high:.3g}{unit}, {why}")
