@@ -348,3 +348,24 @@ def test_who_turns_off_across_us_has_slowed_down_to_what_it_turns_with(kind: str
     assert turned.max() > np.radians(60.0)
     assert across.speed[turned > np.radians(10.0)].max() < 6.0
     assert beyond_tyres(episode) == ()
+
+
+def test_who_stopped_on_foot_turns_back_where_it_stands() -> None:
+    runs = deed("cross") | {"manner": "fast"}
+    episode = driven(somebody("dog", "roadside", runs, deed("stop"), deed("turn-back")))
+    dog = track(episode)
+    stands = np.flatnonzero((dog.speed < 0.1) & (np.hypot(dog.x - dog.x[0], dog.y - dog.y[0]) > 1.0))
+    before, after = dog.heading[stands[0]], dog.heading[stands[-1] + 1 :]
+    on = (dog.x[stands[-1] :] - dog.x[stands[-1]]) * np.cos(before)
+    on += (dog.y[stands[-1] :] - dog.y[stands[-1]]) * np.sin(before)
+    assert on.max() < 0.3  # and goes no farther first
+    assert np.abs(after[-1] - before) > 3.0
+
+
+def test_a_bus_that_stands_against_us_stands_behind_who_crosses_before_it() -> None:
+    child = {"id": "A", "kind": "child", "starts": {"where": "roadside", "side": "left"}, "does": [deed("cross")]}
+    for seed in range(4):
+        episode = driven(others(child, car("B", "oncoming", deed("stand"), kind="bus")), seed)
+        bus, walks = track(episode, "B"), track(episode)
+        ahead = (walks.x[0] - bus.x[0]) * np.cos(bus.heading[0]) + (walks.y[0] - bus.y[0]) * np.sin(bus.heading[0])
+        assert 0.5 * bus.length + 1.0 < ahead < 0.5 * bus.length + 3.0

@@ -277,3 +277,11 @@ def test_what_no_shift_helps_stays_as_it_was_built() -> None:
     )
     built = build(cannot)
     assert rehearsed(built, cannot).program is built.program
+
+
+def test_who_turns_across_our_way_may_act_after_the_moment_at_which_the_two_would_meet() -> None:
+    truck = {"id": "A", "kind": "truck", "starts": {"where": "oncoming"}, "does": [{"act": "turn-left"}]}
+    road, wet = {"kind": "road", "lanes": 2}, {"surface": "wet"}
+    situation = from_plain({"ego": {"speed": "110 km/h"}, "road": road, "around": wet, "others": [truck]})
+    shifted = rehearsed(build(situation), situation)
+    assert ranges(shifted)["OPT_A_LEAD_TIME"].low < 0.0

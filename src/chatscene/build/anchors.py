@@ -9,7 +9,7 @@ from chatscene.build.place import NEXT_LANE
 from chatscene.build.relations import AGAINST, AHEAD, BEHIND
 from chatscene.build.towards import passes
 from chatscene.terms.situation import Other
-from chatscene.terms.vocabulary import COMES_IN, Act, Heads, Role, Where, acts_of
+from chatscene.terms.vocabulary import COMES_IN, Act, Heads, Role, Side, Where, acts_of
 
 OUT = (2.0, 6.0)  # [m] between who has swung out and whom it passes, from and to
 _CLEAR = 1.5  # [m] between who crosses and who stands before it
@@ -32,7 +32,8 @@ def anchor_of(one: Other, others: Sequence[Other]) -> tuple[Other, float] | None
         if passed_at_distance(one, other):
             return other, -0.5 * (length + body.length) - 0.5 * sum(OUT)
         if _lets_across(one, other):
-            return other, -0.5 * (length + body.width) - _CLEAR
+            room = 0.5 * (length + body.width) + _CLEAR  # before its nose
+            return other, room if one.starts.where in AGAINST else -room
     return None
 
 
@@ -58,6 +59,7 @@ def _keeps_level(one: Other, other: Other, others: Sequence[Other]) -> bool:
 def _lets_across(one: Other, other: Other) -> bool:
     """Whether somebody stands in the next lane for another who comes across that lane."""
     start, there = one.starts, other.starts
-    beside = start.where in NEXT_LANE and stands_first(one) and len(one.does) <= 1 and one.role is not Role.ADVERSARY
+    stands = stands_first(one) and len(one.does) <= 1 and one.role is not Role.ADVERSARY
     crosses = any(deed.act in _COMES_ACROSS for deed in other.does) and there.where in _FROM_SIDE
-    return beside and crosses and start.side is there.side and other.hidden_by in (None, one.id)
+    lane = start.side if start.where in NEXT_LANE else Side.LEFT if start.where is Where.ONCOMING else None
+    return stands and crosses and lane is not None and lane is there.side and other.hidden_by in (None, one.id)

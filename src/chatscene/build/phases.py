@@ -292,6 +292,8 @@ class Phases:
         if twice and self.actor.stand.meets is not Meets.ACROSS:
             return True
         backs = k > 0 and self.actor.deeds[k - 1].act is Act.REVERSE and self.actor.deeds[k].act in ENDS
+        if still and k > 0 and self.actor.walks and self.actor.deeds[k].act in acts_of(Heads.BACK):  # where it stands
+            return False
         if self.goes_on_braking(k) or backs or not steps.going or (steps.pace is Pace.GAINS and before.high <= CRAWLS):
             return False
         return still or (bool(before.name) and steps.pace is not Pace.GAINS)

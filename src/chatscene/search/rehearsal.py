@@ -43,6 +43,8 @@ PARTS = (0.0, 0.75), (0.25, 1.0), (0.0, 0.5), (0.5, 1.0)
 """From and to which share of a range a part of it is."""
 STEPS: dict[str, tuple[float, ...]] = {"s": (0.5, 1.0, 2.0, 3.0, 4.0), "m": (2.0, 5.0, 10.0, 20.0)}
 """By how much more or less ranges are shifted, by their units: when somebody acts first, then where it is."""
+MOMENTS = ("OFFSET", "LEAD_TIME")
+"""How the names of parameters end that are by how much somebody is sooner, and no sizes."""
 NEARER = (0.5, 0.25, 2.0)
 """By which factors places are moved, too: a road may be long."""
 HELPS = 0.8  # of what somebody misses its meeting by, that is left at most of a shift that helps
@@ -383,7 +385,7 @@ def _moved(one: ParameterRange) -> Iterator[tuple[float, float]]:
     steps = STEPS.get(one.unit) or tuple(share * abs(middle) for share in SHARES)
     for by in (way * step for step in steps for way in (1.0, -1.0)):
         low, high = one.low + by, one.high + by
-        if low > 0.0 or one.low <= 0.0:  # what is a size stays one
+        if low > 0.0 or one.low <= 0.0 or one.name.endswith(MOMENTS):  # what is a size stays one
             yield low, high
     if one.unit == "m" and one.low > 0.0:
         yield from ((factor * one.low, factor * one.high) for factor in NEARER)
