@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from test_building import drive, simulator
+from test_towards import car, deed, others, track
 
 from chatscene.build.build import Built, build
 from chatscene.errors import NotBuilt
@@ -152,3 +153,16 @@ def test_a_truck_on_whom_a_fast_ego_closes_in_leaves_the_gap_that_was_said() -> 
     room, closing = room_over_the_line(built, 1)
     assert 6.0 < room < 11.0
     assert closing > 0.0
+
+
+def test_who_was_said_how_near_the_ego_is_as_it_cuts_in_does_so_then() -> None:
+    when = {"when": {"ego_within": "40 m"}}
+    comes = car("A", "ahead-beside", deed("cut-in") | when, side="right", speed="95 km/h")
+    said = others(comes, ego={"speed": "130 km/h"}, road={"kind": "motorway", "lanes": 3, "ego_lane": 3})
+    for seed in range(3):
+        episode = drive(build(said), seed=seed)
+        assert isinstance(episode, Episode)
+        one, ego = track(episode, "A"), episode.ego_track
+        gap = np.hypot(one.x - ego.x, one.y - ego.y) - 0.5 * (one.length + ego.length)
+        turns = int(np.flatnonzero(np.abs(one.heading - one.heading[0]) > 0.015)[0])
+        assert 32.0 < gap[turns] < 42.0

@@ -279,6 +279,15 @@ def test_what_no_shift_helps_stays_as_it_was_built() -> None:
     assert rehearsed(built, cannot).program is built.program
 
 
+def test_nobody_is_shifted_so_near_that_the_drive_is_over_before_all_is_done() -> None:
+    comes = {"id": "A", "kind": "van", "starts": {"where": "oncoming-in-our-lane"}, "does": [{"act": "go-along"}]}
+    rides = {"id": "B", "kind": "bicycle", "starts": {"where": "behind"}, "does": [{"act": "follow"}]}
+    ego = {"speed": "25 km/h", "does": [{"act": "stop"}, {"act": "reverse", "distance": "15 m"}]}
+    situation = from_plain({"ego": ego, "others": [comes, rides]})
+    built = build(situation)
+    assert ranges(rehearsed(built, situation))["OPT_A_Y"].low > 0.7 * ranges(built)["OPT_A_Y"].low
+
+
 def test_who_turns_across_our_way_may_act_after_the_moment_at_which_the_two_would_meet() -> None:
     truck = {"id": "A", "kind": "truck", "starts": {"where": "oncoming"}, "does": [{"act": "turn-left"}]}
     road, wet = {"kind": "road", "lanes": 2}, {"surface": "wet"}

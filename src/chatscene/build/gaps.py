@@ -58,7 +58,8 @@ def falls_back(actor: Actor, k: int) -> bool:
     over = deed.act in _OVER | {Act.CUT_IN} and (
         deed.act is not Act.LANE_CHANGE or lane_after(actor.one, actor.deeds, k) == 0
     )
-    return over and done_to(deed) == EGO and ahead and slower and not gap_is_said(deed)
+    begins = deed.when is not None and deed.when.ego_within is not None  # so near that it was said when
+    return over and done_to(deed) == EGO and ahead and slower and not (begins or gap_is_said(deed))
 
 
 def _is_slow(actor: Actor, k: int) -> bool:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from statistics import median
 
@@ -20,7 +20,8 @@ from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import ChatSceneError, NotBuilt
 from chatscene.interpret.scenario_names import STATED
 from chatscene.maps.network import MapContent, resolve_map
-from chatscene.program.judge import failures, judge
+from chatscene.program.finding import UNTOLD, failures
+from chatscene.program.judge import judge
 from chatscene.program.sample import drawn_scene, scene_at
 from chatscene.program.together import Late, apart
 from chatscene.settings import EGO, SimulationSettings
@@ -47,6 +48,7 @@ MOMENTS = ("OFFSET", "LEAD_TIME")
 """How the names of parameters end that are by how much somebody is sooner, and no sizes."""
 NEARER = (0.5, 0.25, 2.0)
 """By which factors places are moved, too: a road may be long."""
+CUT = 4  # drives, in one of which a fact more may not be come to, since it is over before
 HELPS = 0.8  # of what somebody misses its meeting by, that is left at most of a shift that helps
 SHARES = (0.15, 0.3)
 """By which share of its middle a range of another unit is shifted: how somebody does it."""
@@ -178,8 +180,21 @@ def _promising(tried: _Tried, bound: Iterable[str]) -> Iterator[ScenicProgram]:
 
 Missing = tuple[tuple[str, ...], ...]
 """What each drive does not show, a sentence each."""
-_Drive = tuple[tuple[str, ...], Mapping[str, Late]]
-"""What a drive does not show, and who is too late or too early in it for the meeting that it belongs to."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Drive:
+    """What comes of a drive.
+
+    Attributes:
+        missing: What it does not show.
+        late: Who is too late or too early for the meeting that it belongs to.
+        cut: How many facts it did not come to, since it was over before.
+    """
+
+    missing: tuple[str, ...] = ()
+    late: Mapping[str, Late] = field(default_factory=dict[str, Late])
+    cut: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -191,12 +206,14 @@ class _Tried:
         missing: What each drive does not show.
         values: What each was driven with.
         late: Who is too late or too early for the meeting that it belongs to, in each.
+        cut: How many facts each did not come to.
     """
 
     program: ScenicProgram
     missing: Missing
     values: tuple[Mapping[str, float], ...]
     late: tuple[Mapping[str, Late], ...] = ()
+    cut: tuple[int, ...] = ()
 
     def apart(self) -> list[str]:
         """Those who miss the meeting that they belong to in more than half of the drives."""
@@ -292,8 +309,8 @@ class _Stage:
                 found.append(self._missing(program, *one))
             except ChatSceneError:
                 return None
-            missed = sum(bool(missing) for missing, _ in found)
-            late, before = (_seconds(who, row) for row in ([one for _, one in found], than.late[: k + 1]))
+            missed = sum(bool(drive.missing) for drive in found)
+            late, before = (_seconds(who, row) for row in ([drive.late for drive in found], than.late[: k + 1]))
             if missed > max(than.missed, ONE_OFF) or (len(found) == FIRST and late >= before):
                 return None
         tried = self._tried(program, drives, found)
@@ -304,8 +321,8 @@ class _Stage:
         self, program: ScenicProgram, drives: Sequence[tuple[Scene, EgoPolicy]], found: Sequence[_Drive]
     ) -> _Tried:
         values = tuple(scene.values for scene, _ in drives)
-        missing, late = tuple(one for one, _ in found), tuple(late for _, late in found)
-        return _Tried(program=program, missing=missing, values=values, late=late)
+        missing, late = tuple(one.missing for one in found), tuple(one.late for one in found)
+        return _Tried(program=program, missing=missing, values=values, late=late, cut=tuple(one.cut for one in found))
 
     def better(self, program: ScenicProgram, than: _Tried) -> _Tried | None:
         """What drives of a program show; None if it does not run, misses as much as another, or none are left.
@@ -323,8 +340,9 @@ class _Stage:
             except ChatSceneError:
                 return None
             before += len(than.missing[k])
-            now = sum(len(missing) for missing, _ in found.values())
-            if now >= than.count or (len(found) == FIRST and now >= before):
+            now = sum(len(drive.missing) for drive in found.values())
+            cut = sum(drive.cut - than.cut[n] for n, drive in found.items())
+            if CUT * cut > len(drives) or now >= than.count or (len(found) == FIRST and now >= before):
                 return None
         if not found:
             return None
@@ -340,8 +358,11 @@ class _Stage:
         self.left -= 1
         episode = simulate(self.simulator, program, scene, ego)
         if isinstance(episode, Rejected):
-            return (episode.reason,), {}
-        return failures(judge(self.situation, episode, self.route)), apart(self.situation, episode)
+            return _Drive(missing=(episode.reason,))
+        findings = judge(self.situation, episode, self.route)
+        ends = self.situation.contact is not None and self.situation.contact.happens  # by what was said
+        cut = 0 if ends else sum(one.shown is None and one.told != UNTOLD for one in findings)
+        return _Drive(missing=failures(findings), late=apart(self.situation, episode), cut=cut)
 
 
 def _seconds(who: str, drives: Iterable[Mapping[str, Late]]) -> float:
