@@ -8,8 +8,9 @@ the same table, so that what a situation has no place for counts against nobody;
 (`chatscene.studies.facts.differing`). Prints how many are right, how many are right when as many are refused as leaves
 six of a hundred wrong, and how often what is right is trusted more than what is wrong (AUC).
 Of texts with situations that a language model filled: how many facts are read that it has, how many of those read it
-has not, how many texts have the same main facts (`chatscene.situations.main_facts`), and how many if as many are
-refused as leaves six of a hundred wrong. Others are matched as suits best.
+has not, how many texts have the same main facts (`chatscene.situations.main_facts`), how many if as many are refused as
+leaves six of a hundred wrong, and how many of those that are served, whole or in part, have the same main facts, only
+such, and others; whether what is served can be built is not looked at. Others are matched as suits best.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ import click
 from labelled import TEXTS, auc, labelled
 
 from chatscene.errors import ChatSceneError
+from chatscene.interpret.known import taken_in_part
 from chatscene.interpret.situation_of import in_a_situation
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.read.by_model import situation_in
@@ -33,9 +35,10 @@ from chatscene.read.learned.reader import LearnedReader
 from chatscene.read.learned.sequence import with_plain_names
 from chatscene.read.learned.weights import PACKAGED
 from chatscene.read.reader import Reader
+from chatscene.settings import RetrievalSettings
 from chatscene.situations.facts import said_in
 from chatscene.situations.faults import Malformed
-from chatscene.situations.main_facts import same_in_the_main
+from chatscene.situations.main_facts import same_in_the_main, within_the_main
 from chatscene.studies.facts import differing
 from chatscene.terms.amount import Acceleration, Duration, Length, Share, Speed
 from chatscene.terms.conclusions import concluded
@@ -142,10 +145,11 @@ def field_of(path: str) -> str:
 def of_situations(reader: Reader, name: str, limit: int) -> None:
     """Compare with situations."""
     both = wanted = has = right = texts = kept_out = refused = 0
-    sure, wrong = list[tuple[float, bool]](), Counter[str]()
+    sure, wrong, given = list[tuple[float, bool]](), Counter[str](), Counter[str]()
     for text, said in filled(name, limit):
         made = read(reader, text)
         first = made.ranked[0] if made is not None and made.ranked else None
+        given[graded(said, served(made) if made is not None else None)] += 1
         if said is None:
             kept_out, refused = kept_out + 1, refused + (first is None)
             continue
@@ -163,9 +167,28 @@ def of_situations(reader: Reader, name: str, limit: int) -> None:
     click.echo(
         f"{name}: of {wanted} facts {both} read ({both / wanted:.1%}), of {has} read {both} right ({both / has:.1%}); "
         f"F1 {2 * both / (wanted + has):.3f}; main facts right {main} of {texts}, at {WRONG:.0%} wrong "
-        f"{at_wrong(sure)}, AUC {auc(sure) if 0 < main < texts else 0.0:.2f}; all right {right}; "
+        f"{at_wrong(sure)}, AUC {auc(sure) if 0 < main < texts else 0.0:.2f}; served {given['right']} right, "
+        f"{given['in part']} in part, {given['wrong']} wrong; all right {right}; "
         f"no situation {kept_out}, refused {refused}; differing {dict(wrong.most_common(14))}"
     )
+
+
+def served(made: SituationReading) -> Situation | None:
+    """What of a reading is served, as far as that depends on how sure it is."""
+    settings = RetrievalSettings()
+    if made.ranked and made.ranked[0].probability >= settings.refuse_below:
+        return made.ranked[0].situation
+    part = taken_in_part(made, lambda situation: situation, settings)
+    return part.situation if part is not None else None
+
+
+def graded(said: Situation | None, found: Situation | None) -> str:
+    """How the main facts of what is served are those of what was said."""
+    if found is None:
+        return "refused"
+    if said is None or not within_the_main(found, said):
+        return "wrong"
+    return "right" if same_in_the_main(found, said) else "in part"
 
 
 def filled(name: str, limit: int) -> Iterator[tuple[str, Situation | None]]:

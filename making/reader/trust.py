@@ -1,4 +1,4 @@
-"""How sure the learned reader may be: two numbers, fitted on texts of writers that it did not learn from."""
+"""How sure the learned reader may be, of readings and parts of them: fitted on texts that it did not learn from."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize
 
 from chatscene.read.learned.reader import LearnedReader
-from chatscene.read.learned.weights import load, save
-from chatscene.situations.main_facts import same_in_the_main
+from chatscene.read.learned.weights import AS_IT_IS, load, save
+from chatscene.situations.main_facts import same_in_the_main, within_the_main
 from making.reader.texts import told_in
 
 _RIDGE = 1e-2
@@ -23,21 +23,25 @@ _LEAST = 1e-6  # of a probability
 def calibrate(weights: Path, texts: Sequence[Path]) -> tuple[int, int]:
     """Fit how sure the reader is on situations with texts, and write it into its file.
 
+    A part of a reading is right if it has no main fact that the situation has not.
+
     Returns:
         How many texts there were, and of how many the main facts were read rightly.
     """
-    save(replace(load(weights), scale=1.0, offset=0.0), weights)
+    save(replace(load(weights), trust=AS_IT_IS, trust_in_parts=AS_IT_IS), weights)
     load.cache_clear()
-    sure: list[tuple[float, bool]] = []
+    sure, in_parts = list[tuple[float, bool]](), list[tuple[float, bool]]()
     reader = LearnedReader(weights)
     for path in texts:
         for text, _, said in told_in(path):
-            ranked = reader.read(text).ranked
-            if ranked:
-                right = said is not None and same_in_the_main(said, ranked[0].situation)
-                sure.append((ranked[0].probability, right))
-    scale, offset = trust_of(sure)
-    save(replace(load(weights), scale=scale, offset=offset), weights)
+            read = reader.read(text)
+            if read.ranked:
+                right = said is not None and same_in_the_main(said, read.ranked[0].situation)
+                sure.append((read.ranked[0].probability, right))
+            for part in read.parts:
+                right = said is not None and within_the_main(part.situation, said)
+                in_parts.append((part.probability, right))
+    save(replace(load(weights), trust=trust_of(sure), trust_in_parts=trust_of(in_parts)), weights)
     load.cache_clear()
     return len(sure), sum(right for _, right in sure)
 

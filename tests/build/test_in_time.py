@@ -209,3 +209,8 @@ def test_who_is_beside_the_road_without_a_deed_crosses_or_stands(role: str, does
 
 def test_what_only_lies_there_holds_no_speed() -> None:
     assert Body(UserKind.OBJECT.row.body.row.limits, walks=False).fastest == 0.0
+
+
+@pytest.mark.parametrize("speed", [12, 20, 30])
+def test_who_rides_over_the_road_at_a_speed_comes_at_it(speed: int) -> None:
+    assert unseen(somebody("bicycle", "roadside", deed("cross", speed=f"{speed} km/h"))) == ()

@@ -24,7 +24,7 @@ from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.scenario import Maneuver, Position, Scenario, Side, Slots
-from chatscene.terms.situation import Situation
+from chatscene.terms.situation import Ego, Evidence, Situation
 from chatscene.terms.surroundings import Light, Surroundings
 from chatscene.terms.vocabulary import Act
 
@@ -42,7 +42,7 @@ def _meant(where: str, acts: str, likely: float) -> Ranked:
 
 RANKED = (
     _meant("roadside", "cross", 0.6),
-    _meant("exit-crossing", "cross", 0.25),
+    _meant("driveway", "cross", 0.25),
     _meant("roadside", "cross stop", 0.1),
 )
 
@@ -115,6 +115,31 @@ def test_of_what_is_served_only_the_other_of_the_two_likeliest_is_told() -> None
     made = filled(TEXT, RetrievalSettings())
     assert made.told == told_of(first.situation)
     assert [(one.number, one.told) for one in made.readings] == [(2, told_of(second.situation))]
+
+
+def _in_part(likely: float) -> SituationReading:
+    """`TEXT` with one part of the first reading, of which what the ego does is left open."""
+    part = replace(RANKED[2].situation, ego=Ego(), evidence=Evidence(open=("We turn right.",)))
+    parts = (Ranked(situation=part, probability=likely),)
+    return SituationReading(text=TEXT, reader="offline", verdict=Verdict.SITUATION, ranked=RANKED, parts=parts)
+
+
+def test_a_part_that_is_sure_enough_is_served_with_what_is_left_open_and_with_the_whole_to_take() -> None:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(LearnedReader, "read", lambda _reader, _text: _in_part(0.8))  # pyright: ignore[reportUnknownLambdaType]
+        made = filled(TEXT, RetrievalSettings(refuse_below=0.7))
+        assert made.situation.ego.route is None
+        assert "left open, since it is not sure enough: “We turn right.”" in made.told_first
+        assert [one.told for one in made.readings] == [told_of(one.situation) for one in RANKED[:2]]
+        assert filled(TEXT, RetrievalSettings(reading=1)).told == told_of(RANKED[0].situation)
+        assert refusal(TEXT, RetrievalSettings(refuse_below=0.85)).confidence == RANKED[0].probability
+        assert filled(TEXT, RetrievalSettings()).told == told_of(RANKED[0].situation)
+
+
+def test_no_part_is_served_that_has_otherwise_what_the_user_states() -> None:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(LearnedReader, "read", lambda _reader, _text: _in_part(0.8))  # pyright: ignore[reportUnknownLambdaType]
+        refusal(TEXT, RetrievalSettings(refuse_below=0.75), **{"others.A.starts.side": "right"})
 
 
 def test_what_cannot_be_built_is_not_offered() -> None:

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from chatscene.situations.form import from_plain
-from chatscene.situations.main_facts import same_in_the_main
+from chatscene.situations.main_facts import same_in_the_main, within_the_main
 
 
 def situation(*others: dict[str, Any], **ego: Any) -> Any:
@@ -85,3 +85,20 @@ def test_who_where_and_what_are_the_main_facts(other: Any) -> None:
 def test_the_way_of_the_ego_is_a_main_fact() -> None:
     assert not same_in_the_main(situation(VAN, route="left-turn"), situation(VAN, route="straight"))
     assert same_in_the_main(situation(VAN, route="left-turn"), situation(VAN))
+
+
+def test_where_who_crosses_our_way_does_so_is_a_detail_and_where_who_waits_there_is_not() -> None:
+    at_crossing = CHILD | {"starts": {"where": "exit-crossing", "side": "right"}}
+    assert same_in_the_main(situation(CHILD), situation(at_crossing))
+    waits = {"does": [{"act": "stand"}]}
+    assert not same_in_the_main(situation(CHILD | waits), situation(at_crossing | waits))
+
+
+def test_a_part_has_no_fact_that_the_whole_has_not() -> None:
+    cuts_in = VAN | {"starts": {"where": "beside", "side": "left"}, "does": [{"act": "cut-in"}, {"act": "brake"}]}
+    whole = situation(cuts_in, CHILD, does=[{"act": "brake"}])
+    assert within_the_main(situation(cuts_in | {"does": [{"act": "cut-in"}]}), whole)
+    assert within_the_main(situation(CHILD), whole)
+    assert not within_the_main(situation(cuts_in | {"does": [{"act": "brake"}]}), whole)
+    assert not within_the_main(situation(CHILD, does=[{"act": "stop"}]), whole)
+    assert not within_the_main(whole, situation(CHILD))

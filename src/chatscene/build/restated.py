@@ -71,11 +71,21 @@ def _at_its_first_speed(made: Restated, one: Other) -> Other:
     """A speed at the start is the speed that the first deed begins with; of one that keeps it, it is said once."""
     first = one.does[0] if one.does else None
     if one.starts.where is Where.ROADSIDE and one.kind.moves is not Moves.WALKS:
-        return one  # who rides over the road is built to come at a speed and to keep it
+        return _over_the_road(one)
     if first is None or first.speed is None or first.act not in AT_ONE_SPEED or first.speed != one.starts.speed:
         return one
     made.taken.append(f"others.{one.id}.does.0.speed")
     return replace(one, does=(replace(first, speed=None), *one.does[1:]))
+
+
+def _over_the_road(one: Other) -> Other:
+    """Who rides over the road is built to come at a speed and to keep it: the speed at which it is said to cross."""
+    first = one.does[0] if one.does else None
+    if first is None or first.act is not Act.CROSS or first.speed is None or one.starts.speed is not None:
+        return one
+    if first.speed.than_ego or first.speed.low > one.kind.row.body.row.limits.top_speed:
+        return one  # which is refused as it was said
+    return replace(one, starts=replace(one.starts, speed=first.speed))
 
 
 def _on_foot_against(made: Restated, one: Other) -> Other:

@@ -14,6 +14,7 @@ from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Situation
 
 SURE = 0.75  # of a text as likely to be read rightly as this, no other readings are told
+SURE_IN_PART = 0.7  # from here on a part of a text is served where the whole is not sure enough
 FAINTEST = 0.005  # a reading less likely than this is not offered
 
 WithFacts = Callable[[Situation], Situation]
@@ -79,6 +80,31 @@ def taken(
     if settings.reading > len(ranked):
         raise SettingsError(f"there is no reading {settings.reading} of this text; {read.reader} gives {len(ranked)}")
     return ranked[max(settings.reading, 1) - 1], ranked
+
+
+def taken_in_part(
+    read: SituationReading,
+    with_facts: WithFacts,
+    settings: RetrievalSettings,
+    cannot_build: Callable[[Situation], str] = lambda _: "",
+) -> Ranked | None:
+    """The most of what a text says that is sure enough to be served without the rest; None if nothing is.
+
+    Args:
+        read: What a reader gave.
+        with_facts: Sets what the user stated: nothing that a part has otherwise, or else it is none.
+        settings: Below which probability nothing is served.
+        cannot_build: Why a situation cannot be built; empty if it can.
+    """
+    least = max(settings.refuse_below, SURE_IN_PART)
+    for one in read.parts:
+        try:
+            is_so = with_facts(one.situation) == one.situation
+        except (SettingsError, SituationError):
+            continue
+        if is_so and one.probability >= least and not cannot_build(one.situation):
+            return one
+    return None
 
 
 def offered(

@@ -143,10 +143,12 @@ def left_over(situation: Situation) -> tuple[str, ...]:
 def not_in_words(situation: Situation) -> tuple[str, ...]:
     """What a situation lacks of its text, and what it has beyond it, in lines for a person."""
     over = ", ".join(map(repr, left_over(situation)))
+    besides = " ".join(situation.evidence.open)
     facts = ", ".join(f"{path}: {value}" for path, value in said_in(situation) if path in situation.evidence.assumed)
     return (
         *([MIRRORED] if situation.evidence.mirrored else []),
         *_who_is_who(situation),
+        *([f"left open, since it is not sure enough: “{besides}”"] if besides else []),
         *([f"not read: {over}"] if over else []),
         *otherwise_named(situation),
         *([f"no words of the text say {facts}"] if facts else []),

@@ -9,7 +9,7 @@ from typing import Any
 from chatscene.build.build import Built, build
 from chatscene.errors import EditRefused, NotBuilt, NothingFits, OfferedReading, SettingsError, SituationError, no_such
 from chatscene.files.caches import cache_folder
-from chatscene.interpret.known import SURE, WithFacts, offered, taken
+from chatscene.interpret.known import SURE, WithFacts, offered, taken, taken_in_part
 from chatscene.interpret.readers import is_model, reader_of
 from chatscene.interpret.stated import FACTS, facts_stated, in_text, with_named
 from chatscene.read.quotes import otherwise_named, words_of
@@ -51,7 +51,7 @@ def filled(
     cannot_build = _unbuilt(map_name, speed)
     read, one, ranked = _read(text, settings, with_facts, cannot_build)
     made = stated(one.situation, None, map_name, speed)
-    doubted = not settings.reading and one.probability < SURE
+    doubted = not settings.reading and (one.probability < SURE or bool(one.situation.evidence.open))
     try:
         built = built_of(made)
     except NotBuilt as error:
@@ -228,7 +228,10 @@ def _read(
     read = reader_of(settings, cannot_build_so).read(text)
     one, ranked = taken(read, with_facts, settings)
     if not settings.reading and one.probability < settings.refuse_below:
-        raise _unsure(read, ranked, settings, cannot_build)
+        part = taken_in_part(read, with_facts, settings, cannot_build)
+        if part is None:
+            raise _unsure(read, ranked, settings, cannot_build)
+        return read, part, ranked
     return read, one, ranked
 
 

@@ -397,7 +397,9 @@ _ACTS: Mapping[Act, Doing] = {
     Act.SWERVE: Doing(does="[swerve/swerves/swerving]", whom=" round {whom}", time=_OVER, distance=_BY),
     Act.WEAVE: Doing(does="[weave/weaves/weaving] from side to side"),
     Act.KEEP_LEVEL: Doing(does="[stay/stays/staying] level with {whom}"),
-    Act.FOLLOW: Doing(does="[follow/follows/following] {whom}", distance=" at a distance of {distance}"),
+    Act.FOLLOW: Doing(
+        does="[follow/follows/following] {whom}", distance=" at a distance of {distance}", time=_GAP_IN_TIME
+    ),
     Act.TAILGATE: Doing(does="[tailgate/tailgates/tailgating] {whom}", distance=" at a distance of {distance}"),
     Act.TURN_BACK: Doing(does="[turn/turns/turning] back"),
     Act.PARK: Doing(does="[park/parks/parking]"),

@@ -30,11 +30,11 @@ _SAID = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ranked:
-    """A situation that a text may tell.
+    """A situation that a text may tell, or a part of one.
 
     Attributes:
         situation: The situation, with the words that gave each fact as its evidence.
-        probability: That every fact of it is right.
+        probability: That every fact of it is right; of a part, whatever else the text tells.
     """
 
     situation: Situation
@@ -51,6 +51,8 @@ class SituationReading:
         verdict: Whether it tells a situation.
         reason: Why it tells none, in the reader's own words, if it has any.
         ranked: The situations that it may tell, the likeliest first; none unless the verdict is `Verdict.SITUATION`.
+        parts: What is left of one of these if what is less sure is left open: the fullest first, each surer than those
+            before it.
         unread: The words that gave no fact of the likeliest one, those first that most often tell one.
         tells: How likely it is that the text tells a situation at all, in [0, 1].
     """
@@ -60,5 +62,6 @@ class SituationReading:
     verdict: Verdict
     reason: str = ""
     ranked: tuple[Ranked, ...] = ()
+    parts: tuple[Ranked, ...] = ()
     unread: tuple[str, ...] = ()
     tells: float = 1.0

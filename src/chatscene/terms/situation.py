@@ -266,12 +266,14 @@ class Evidence(_Closed):
     Attributes:
         quoted: By the path of a fact, as ``others.A.kind``, or of a whole, as ``others.A``, the words that give it.
         assumed: The paths of facts that no words give.
+        open: What the text may tell besides, of which its reader was not sure enough, in sentences.
         mirrored: Whether left and right of the text are swapped, as it is of left-hand traffic.
         keeps_left: Whether sides are as on a map that keeps to the left: those of the kerb are swapped for it already.
     """
 
     quoted: Mapping[str, str] = field(default_factory=dict[str, str])
     assumed: tuple[str, ...] = ()
+    open: tuple[str, ...] = ()
     mirrored: bool = False
     keeps_left: bool = False
 

@@ -61,7 +61,9 @@ def _check_reading(found: SituationReading, name: str, text: str) -> None:
     require(likely == sorted(likely, reverse=True), "the likeliest situation comes first", likely)
     rightly = all(0.0 <= one <= 1.0 for one in likely) and sum(likely) <= 1.0 + ROUNDING
     require(rightly, "probabilities are in [0, 1], and all of them together", likely)
-    for one in found.ranked:
+    in_parts = [one.probability for one in found.parts]
+    require(in_parts == sorted(in_parts), "what is left of a situation is surer, the more is left open", in_parts)
+    for one in (*found.ranked, *found.parts):
         wrong = [str(fault) for fault in faults_of(one.situation)]
         require(not wrong, "a situation is not against itself", wrong)
         unsaid = list(faults_of_quotes(one.situation, text))

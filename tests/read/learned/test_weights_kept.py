@@ -21,7 +21,7 @@ def _read() -> Weights:
 
 
 def _told(read: Weights) -> tuple[object, ...]:
-    return read.changes, read.text, read.following, read.tokens, read.places, read.scale, read.offset
+    return read.changes, read.text, read.following, read.tokens, read.places, read.trust, read.trust_in_parts
 
 
 def test_it_is_unpacked_once(monkeypatch: pytest.MonkeyPatch) -> None:

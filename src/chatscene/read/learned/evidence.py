@@ -13,7 +13,7 @@ from chatscene.read.learned.grammar import Token, grammar
 from chatscene.read.learned.numbers import Found
 from chatscene.read.learned.sequence import path_of
 from chatscene.read.learned.text import Read
-from chatscene.read.learned.words import is_learned
+from chatscene.read.learned.words import is_learned, stems_in
 from chatscene.read.quotes import says_nothing
 from chatscene.situations.facts import GAP, within
 
@@ -47,6 +47,7 @@ def marked_in(read: Read, written: Written) -> Mapping[str, tuple[tuple[int, int
     of_amounts = taken_up | _within(spans, figures)
     new = {i for i, word in enumerate(spans) if not (is_learned(word[2]) or says_nothing(word[2]))}
     marked: dict[str, dict[int, float]] = {}
+    names: dict[str, frozenset[str]] = {}
     for at, marks in enumerate(written.marks):
         if not written.steps[at].place or at == 0:
             continue
@@ -61,8 +62,31 @@ def marked_in(read: Read, written: Written) -> Mapping[str, tuple[tuple[int, int
         mine = {i: float(likely[i]) for i in range(len(spans)) if i not in other}
         likeliest = max((float(likely[i]) for i in range(len(spans)) if i not in taken_up), default=0.0)
         marked[path] = _marked(mine, likeliest, path in copied)
+        names[path] = frozenset(stems_in(token[1].replace("-", " ")) if token is not None else ())
     idle = frozenset(i for i, word in enumerate(spans) if says_nothing(word[2]))
-    return {path: tuple(spans[i][:2] for i in _own(path, marked, idle)) for path in marked}
+    own = {path: _own(path, marked, idle) for path in marked}
+    nobodys = set(range(len(spans))) - of_amounts - {i for words in own.values() for i in words}
+    of_names = {i: set(stems_in(spans[i][2])) for i in nobodys if i not in idle}
+    own = {path: [*words, *_beside(words, names[path], of_names, idle)] for path, words in own.items()}
+    return {path: tuple(spans[i][:2] for i in sorted(words)) for path, words in own.items()}
+
+
+def _beside(
+    words: Sequence[int], names: frozenset[str], of_names: Mapping[int, set[str]], idle: Container[int]
+) -> Iterator[int]:
+    """The words next to those of a fact that name what it is.
+
+    Args:
+        words: The numbers of its words.
+        names: The stems of what it is.
+        of_names: The stems of each word that no fact has.
+        idle: The words that are passed over.
+    """
+    for i in {*words}:
+        for way in (-1, 1):
+            there = next(k for k in count(i + way, way) if k not in idle)
+            if of_names.get(there) and of_names[there] <= names:
+                yield there
 
 
 def _within(spans: Sequence[_Word], amounts: Iterable[Found]) -> set[int]:

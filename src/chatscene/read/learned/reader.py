@@ -23,7 +23,8 @@ from chatscene.read.reader import check_text
 from chatscene.settings import OFFLINE
 from chatscene.situations.facts import is_said
 from chatscene.situations.faults import Malformed
-from chatscene.situations.main_facts import same_in_the_main
+from chatscene.situations.main_facts import same_in_the_main, within_the_main
+from chatscene.situations.parts import fullness, left_open, parts_of
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Evidence, Situation
 
@@ -31,6 +32,8 @@ YOU_ON_FOOT = (
     "you are on foot in it, but the ego drives or rides; write it as the driver who meets you, as in 'a pedestrian "
     "crosses from the right while we turn left'"
 )
+_LEFT = 3
+"""Readings of which parts are looked at."""
 _SURE, _IMPOSSIBLE = 1.0 - 1e-6, 1e-6
 
 
@@ -78,12 +81,13 @@ class LearnedReader:
                 text=text, reader=self.name, verdict=Verdict.OUT_OF_REACH, reason=YOU_ON_FOOT, tells=tells
             )
         trust = load(self.weights)
-        sure = tuple(replace(one, probability=_trusted(one.probability, trust.scale, trust.offset)) for one in ranked)
+        sure = _trusted(ranked, *trust.trust)
         return SituationReading(
             text=text,
             reader=self.name,
             verdict=Verdict.SITUATION,
             ranked=sure,
+            parts=_trusted(parts_read(ranked), *trust.trust_in_parts),
             unread=unread(sure[0].situation, text),
             tells=tells,
         )
@@ -207,6 +211,35 @@ def _is_met_on_foot(situation: Situation) -> bool:
     return any(one.kind in ON_FOOT for one in situation.adversaries)
 
 
-def _trusted(probability: float, scale: float, offset: float) -> float:
-    sure = min(max(probability, _IMPOSSIBLE), _SURE)
-    return 1 / (1 + math.exp(-(scale * math.log(sure / (1 - sure)) + offset)))
+def parts_read(ranked: Sequence[Ranked]) -> tuple[Ranked, ...]:
+    """What is left of the likeliest readings if some of each is left open: the fullest first, each surer than before.
+
+    A part is as likely as all readings together that have its facts.
+    """
+    found: list[Ranked] = []
+    for one in ranked[:_LEFT]:
+        for part in parts_of(one.situation):
+            likely = sum(each.probability for each in ranked if within_the_main(part, each.situation))
+            found.append(Ranked(situation=part, probability=likely))
+    surest: list[Ranked] = []
+    for one in sorted(found, key=lambda one: (-fullness(one.situation), -one.probability)):
+        if not surest or one.probability > surest[-1].probability:
+            surest.append(one)
+    return tuple(replace(one, situation=_told_in_part(one.situation, ranked[0].situation)) for one in surest)
+
+
+def _told_in_part(part: Situation, whole: Situation) -> Situation:
+    """A part with its own evidence, and with what else the whole tells as left open."""
+    quoted = {path: words for path, words in part.evidence.quoted.items() if is_said(part, path)}
+    made = replace(part, evidence=Evidence(quoted=quoted, open=left_open(part, whole)))
+    return replace(made, evidence=replace(made.evidence, assumed=without_words(made)))
+
+
+def _trusted(ranked: Sequence[Ranked], scale: float, offset: float) -> tuple[Ranked, ...]:
+    """Readings whose probabilities are as often right as they say."""
+
+    def of(likely: float) -> float:
+        sure = min(max(likely, _IMPOSSIBLE), _SURE)
+        return 1 / (1 + math.exp(-(scale * math.log(sure / (1 - sure)) + offset)))
+
+    return tuple(replace(one, probability=of(one.probability)) for one in ranked)

@@ -21,6 +21,8 @@ from chatscene.read.learned.grammar import Place, Token
 
 NAME = "reader.npz"
 PACKAGED = Path(__file__).parent / NAME
+Trust = tuple[float, float]
+AS_IT_IS: Trust = (1.0, 0.0)
 _FILES = 4  # that are kept unpacked
 
 
@@ -34,8 +36,9 @@ class Weights:
         following: The graph of what comes next.
         tokens: Those that it was trained for, in their order.
         places: The places that it was trained for, in their order.
-        scale: What the log-odds of a reading are multiplied with, so that it is as often right as it says.
-        offset: What is added then.
+        trust: What the log-odds of a reading are multiplied with, so that it is as often right as it says, and what is
+            added then.
+        trust_in_parts: The same for a part of a reading.
     """
 
     changes: Mapping[int, bytes]
@@ -43,8 +46,8 @@ class Weights:
     following: bytes
     tokens: tuple[Token, ...]
     places: tuple[Place, ...]
-    scale: float = 1.0
-    offset: float = 0.0
+    trust: Trust = AS_IT_IS
+    trust_in_parts: Trust = AS_IT_IS
 
 
 def save(weights: Weights, path: Path) -> None:
@@ -60,7 +63,7 @@ def save(weights: Weights, path: Path) -> None:
         following=np.frombuffer(weights.following, np.uint8),
         tokens=np.array("\n".join("\t".join(token) for token in weights.tokens)),
         places=np.array("\n".join(weights.places)),
-        trust=np.array([weights.scale, weights.offset]),
+        trust=np.array([weights.trust, weights.trust_in_parts]),
     )
 
 
@@ -77,14 +80,15 @@ def load(path: Path = PACKAGED) -> Weights:
         ends = np.cumsum(arrays["lengths"]).tolist()
         changes = arrays["changes"].tobytes()
         places = zip(arrays["at"].tolist(), [0, *ends[:-1]], ends, strict=False)
+        whole, in_parts = arrays["trust"].tolist()
         return Weights(
             changes={at: changes[low:high] for at, low, high in places},
             text=arrays["text"].tobytes(),
             following=arrays["following"].tobytes(),
             tokens=tuple(_token(line) for line in str(arrays["tokens"]).split("\n")),
             places=tuple(str(arrays["places"]).split("\n")),
-            scale=float(arrays["trust"][0]),
-            offset=float(arrays["trust"][1]),
+            trust=tuple(whole),
+            trust_in_parts=tuple(in_parts),
         )
     except (OSError, ValueError, KeyError, TypeError, MemoryError, zipfile.BadZipFile, zlib.error) as error:
         raise SnippetError(f"the learned reader {path} cannot be read ({error}); install chatscene again") from error
