@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from benchmarks.differing import differences
 from chatscene.build.build import Built, build
-from chatscene.build.deeds import ACROSS, ALONG, TOWARD
+from chatscene.build.deeds import ACROSS, ALONG, TOWARD, UNDER_WAY, Steps, over_the_road
 from chatscene.build.ledger import LEFT_OUT
 from chatscene.build.numbers import RANGES, Numbers
 from chatscene.build.parts import BUILT_AS
@@ -125,9 +125,27 @@ def test_steps_read_no_parameter_that_has_no_range() -> None:
     for table in (ALONG, TOWARD, ACROSS):
         for act, steps in table.items():
             read = {name for text in (*steps.does, *steps.last) for name in re.findall(r"\$([A-Z_]+)", text)}
-            assert read <= {*RANGES, *speeds}, act
+            assert read <= {*RANGES, *speeds}, f"{act}: give each parameter a range in build/numbers.py"
             assert set(steps.binds) <= set(AMOUNTS), act
             assert set(steps.binds.values()) <= read, act
+
+
+def test_every_act_has_its_steps() -> None:
+    assert not set(Act) - set(ALONG), "give each act a row of steps, ALONG in build/deeds.py"
+
+
+def test_an_act_that_only_changes_speed_is_done_over_the_road_by_the_row_of_who_goes_along_it() -> None:
+    along = Steps(
+        does=("BrakeOnPath({p}, $BRAKE) for $BRAKE_TIME seconds", "DrivePath({p}, $SPEED) until " + UNDER_WAY),
+        binds={"acceleration": "BRAKE", "time": "BRAKE_TIME"},
+        going=True,
+    )
+    across = over_the_road(along)
+    assert across is not None
+    assert across.does == ("Halt() for $BRAKE_TIME seconds", "MoveAhead($SPEED) until " + UNDER_WAY)
+    assert across.binds == {"time": "BRAKE_TIME"}
+    assert across.going
+    assert over_the_road(ALONG[Act.WEAVE]) is over_the_road(ALONG[Act.YIELD]) is None
 
 
 def test_a_number_that_was_said_is_a_number_of_the_program() -> None:

@@ -6,6 +6,9 @@ import re
 
 import pytest
 
+from chatscene.errors import ChatSceneError
+from chatscene.program import doing
+from chatscene.program.measured import MEASURED
 from chatscene.situations.inflection import inflected
 from chatscene.situations.phrases import ACTS
 from chatscene.terms.vocabulary import LETS_GO, LOSES, SLOWS, Act, Heads, Tempo, acts_of, by_act
@@ -22,7 +25,6 @@ ELSEWHERE = {
     "build/waiting.py": "what is seen of a body that was let go of",
     "interpret/situation_rows.py": "which act of a situation each act of a snippet is",
     "interpret/slots_of.py": "which act of a snippet each of these is, for an edit",
-    "program/amounts.py": "what is measured of an amount of each",
     "program/doing.py": "a test on tracks for each",
     "program/own.py": "what is seen of an ego that was told to",
     "situations/phrases.py": "the phrases of those that are not said as they are named",
@@ -30,6 +32,14 @@ ELSEWHERE = {
     "verdict/moves.py": "which of those that look alike is told",
 }
 """Where acts are listed, and why no trait could give the list."""
+UNMEASURED = {
+    "go-straight.time": "how long before the ego meets it, which is a time of two",
+    "turn-left.time": "the same",
+    "turn-right.time": "the same",
+    "accelerate.distance": "the way over which speed is gained has no test yet",
+    "lane-change.distance": "the way within which lanes are changed has no test yet",
+}
+"""Amounts that an act may have and no test on tracks tells."""
 EITHER_SIDE = frozenset(("TURN_LEFT", "TURN_RIGHT"))
 
 every_act = pytest.mark.parametrize("act", Act)
@@ -85,3 +95,21 @@ def test_a_phrase_begins_with_a_verb_in_its_three_forms(act: Act) -> None:
     assert verb or ACTS[act].does.startswith("{goes}")
     if verb is not None:
         assert verb.groups() == inflected(verb[1]), "write its phrase in phrases.py"
+
+
+@every_act
+def test_an_act_has_a_test_on_tracks(act: Act) -> None:
+    doing.seen_by(act)
+
+
+def test_an_act_without_a_test_on_tracks_is_refused_with_the_place_of_its_row(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(doing, "ACTS", {act: sees for act, sees in doing.ACTS.items() if act is not Act.WEAVE})
+    with pytest.raises(ChatSceneError, match=r"does weave: give ACTS in program/doing\.py a row"):
+        doing.seen_by(Act.WEAVE)
+
+
+@every_act
+def test_an_amount_that_an_act_may_have_is_measured_on_tracks_or_said_not_to_be(act: Act) -> None:
+    unmeasured = {f"{act}.{name}" for name in act.row.takes if act not in MEASURED[name]}
+    said = "give its act or its trait a row in LONG (time) or FAR (distance), program/amounts.py, or name it here"
+    assert unmeasured == {one for one in UNMEASURED if one.startswith(f"{act}.")}, said

@@ -1,13 +1,23 @@
-"""What is done for each act, by how somebody comes to meet the ego: the tables of steps, a row for each act."""
+"""What is done for each act, by how somebody comes to meet the ego: the tables of steps, a row for each act.
+
+A new act has a row in `ALONG`. The others are made from that, but for the acts that they do in another way:
+
+- `TOWARD` and `BESIDE`, of who comes against the ego and of who is in the next lane;
+- `ACROSS`, of who heads over the road, on foot or riding (`ACROSS_RIDING`): the row of an act that only changes speed
+  is told in its words, if its phases are nothing but ``DrivePath``, ``ThrottleOnPath``, ``BrakeOnPath`` and ``Halt``.
+
+An act that no table has in a place is refused there by name.
+"""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 from chatscene.build.asked import Meets
 from chatscene.build.paces import Pace
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.vocabulary import Act, Heads, Tempo
 
 BACKS_AT, BACKS_GAIN = 1.5, 2.0  # [m/s], and [m/s²] about with which it gets there: who turns round in three backs so
 TURNED_ROUND = 2.9  # [rad] of turning round, after which it drives along the lane it is in
@@ -25,11 +35,17 @@ def _none() -> dict[str, str]:
 class Steps:
     """How an act is done.
 
-    In texts ``{p}`` is the line it goes along, ``$NAME`` a parameter, ``{meets}`` where on the ego's route it meets it.
+    In texts ``$NAME`` is a parameter, whose range is in `chatscene.build.numbers`. What stands in braces is filled in:
+
+    - lines: ``{p}``, which it goes along; ``{beside}``, of the lane beside that; ``{next}``, of one farther off;
+      ``{ours}``, the ego's; ``{home}``, of its own side of the road; ``{exit}``, of a ramp;
+    - numbers: ``{held}``, the share of a speed that its pedals hold; ``{aside}``, 1 or -1 for the side; ``{meets}``,
+      where on the ego's route it meets it; ``{period}`` and ``{weaves}`` of weaving; ``{drift}``, ``{back}`` and
+      ``{round}``, for how long it drifts, goes back, turns to the road.
 
     Attributes:
-        does: The phases, where something else follows.
-        last: The phases where nothing does; empty for the same, and going on then.
+        does: The phases, where something else follows, or it is said for how long it does this.
+        last: The phases where neither is so; empty for the same, and going on then.
         way: The line it goes along from then on; empty for the same.
         binds: For each amount that a deed may have, the parameter it binds.
         lasting: Whether it is what somebody does who only goes on.
@@ -408,7 +424,38 @@ _AROUND = "TurnOff(3.1 if offsetFrom(egoRoute, self) > 0 else -3.1, $SLOW, 2)"
 ROUND, ROUND_ON_FOOT = "TurnOff(3.1, $SLOW, 2)", "MoveAhead($SPEED, 3.14159) for {round} seconds"
 """Turns to the road again."""
 _BACK = "MoveAhead($SPEED, 3.14159)"
+_IN_ITS_WORDS = (
+    (re.compile(r"DrivePath\(\{p\}, (\$\w+)\)"), r"MoveAhead(\1)"),
+    (re.compile(r"ThrottleOnPath\(\{p\}, \$THROTTLE, 0, (\$\w+)\)"), r"MoveAhead(\1)"),
+    (re.compile(r"BrakeOnPath\(\{p\}, [$\w.]+\)"), "Halt()"),
+)
+_ITS_PHASE = re.compile(r"(?:MoveAhead|Halt)\((?:(?!\{(?!held\})).)*")
+
+
+def over_the_road(steps: Steps) -> Steps | None:
+    """The row of who goes along the road as somebody does it who heads over that; None if it cannot be told so."""
+
+    def told(text: str) -> str:
+        for along, across in _IN_ITS_WORDS:
+            text = along.sub(across, text)
+        return text
+
+    does, last = tuple(map(told, steps.does)), tuple(map(told, steps.last))
+    if steps.way or not all(_ITS_PHASE.fullmatch(text) for text in does + last):
+        return None
+    read = set(re.findall(r"\$(\w+)", " ".join(does + last)))
+    binds = {amount: name for amount, name in steps.binds.items() if name in read}
+    return replace(steps, does=does, last=last, binds=binds)
+
+
+def _as_along() -> dict[Act, Steps]:
+    """The acts that only change speed, told in the words of who heads over the road."""
+    paces = (act for act in ALONG if act.row.heads is Heads.ANY and act.row.tempo is not Tempo.ANY)
+    return {act: steps for act in paces if (steps := over_the_road(ALONG[act])) is not None}
+
+
 ACROSS: dict[Act, Steps] = {
+    **_as_along(),
     **_each((Act.CROSS, Act.GO_STRAIGHT), _OVER),
     Act.SET_OFF: Steps(does=(f"{MOVE} until {UNDER_WAY}",), last=(MOVE,), binds={"speed": "SPEED"}),
     Act.ENTER: Steps(does=_OVER.does, last=(RESTS, "Halt()"), binds={"speed": "SPEED"}, still=True, comes_in=True),

@@ -11,7 +11,7 @@ from chatscene.program.deeds import STANDING, Act, runs
 from chatscene.program.watching import Seen
 from chatscene.terms.arrays import Array, changes
 from chatscene.terms.seeing import loss_of
-from chatscene.terms.vocabulary import GOES_ON, Heads, acts_of
+from chatscene.terms.vocabulary import GOES_ON, Heads, Tempo, acts_of, by_act
 from chatscene.terms.vocabulary import Act as Said
 
 ROLLS = 0.5  # [m/s²] up to which speed is lost by rolling out, or gained by a hill
@@ -163,21 +163,28 @@ def over_the_line(seen: Seen, once: Act) -> int:
     return int(before[-1]) + 1 if before.size else once.began
 
 
-FAR: Mapping[Said, tuple[Values, str]] = {
-    Said.STOP: (_stops_in, "stops within"),
-    Said.OVERTAKE: (_is_ahead_by, "is ahead by"),
-    Said.FOLLOW: (_keeps_behind, "keeps behind by"),
-    Said.TAILGATE: (_keeps_behind, "keeps behind by"),
-}
+FAR: Mapping[Said, tuple[Values, str]] = by_act(
+    {
+        Tempo.HALTS: (_stops_in, "stops within"),
+        Heads.BY: (_is_ahead_by, "is ahead by"),
+        Heads.BEHIND: (_keeps_behind, "keeps behind by"),
+        Heads.CLOSE: (_keeps_behind, "keeps behind by"),
+    }
+)
 """How far, of acts of which the distance has no other test: what is seen, and how that is told."""
-LONG: Mapping[Said, tuple[Values, str]] = {
-    **dict.fromkeys((Said.SLOW_DOWN, Said.BRAKE), (_loses_for, "loses speed for")),
-    Said.ACCELERATE: (_gains_for, "gains speed for"),
-    **dict.fromkeys((Said.LANE_CHANGE, Said.CUT_OUT), (_goes_over_for, "takes")),
-    **dict.fromkeys((Said.DRIFT, Said.SWERVE), (_goes_aside_for, "takes")),
-    Said.REVERSE: (_backs_for, "backs up for"),
-    Said.WEAVE: (_swings_for, "swings for"),
-}
+LONG: Mapping[Said, tuple[Values, str]] = by_act(
+    {
+        Tempo.SLOWS: (_loses_for, "loses speed for"),
+        Tempo.BRAKES: (_loses_for, "loses speed for"),
+        Tempo.GAINS: (_gains_for, "gains speed for"),
+        Tempo.BACKS: (_backs_for, "backs up for"),
+        Heads.OVER: (_goes_over_for, "takes"),
+        Heads.OUT: (_goes_over_for, "takes"),
+        Heads.DRIFTS: (_goes_aside_for, "takes"),
+        Heads.ASIDE: (_goes_aside_for, "takes"),
+        Heads.SWINGS: (_swings_for, "swings for"),
+    }
+)
 """The same of how long."""
 LASTS = GOES_ON | acts_of(Heads.CLOSE, Heads.LEVEL)
 """What is done until something else begins, so that it is seen only how long it was done at least."""

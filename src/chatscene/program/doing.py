@@ -6,11 +6,12 @@ What is said in a sentence's slots is seen by `chatscene.program.deeds`, of whic
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
 
+from chatscene.errors import ChatSceneError
 from chatscene.program.amounts import EVEN, KEPT
 from chatscene.program.deeds import (
     ACTIONS,
@@ -32,6 +33,7 @@ from chatscene.terms.acts import Action
 from chatscene.terms.arrays import Array, changes, changes_at
 from chatscene.terms.seeing import gain_of, loss_of
 from chatscene.terms.vocabulary import Act as Said
+from chatscene.terms.vocabulary import Heads, Tempo, by_act
 
 DRIFTED = 0.8  # [m]
 BACK = 0.5  # [m]
@@ -346,43 +348,62 @@ def follows(s: Seen) -> Iterator[Act]:
         yield Act(int(run[0]), None)
 
 
-ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
-    Said.STAND: _stands_at_first,
-    Said.GO_ALONG: _moves_on,
-    Said.GO_STRAIGHT: _goes_straight,
-    Said.FOLLOW: follows,
-    Said.EXIT: lambda s: _turns_once(s, _exits(s)),
-    Said.TURN_LEFT: lambda s: _turns_once(s, ACTIONS[Action.TURN_LEFT](s)),
-    Said.TURN_RIGHT: lambda s: _turns_once(s, ACTIONS[Action.TURN_RIGHT](s)),
-    Said.U_TURN: _turns_round,
-    Said.CROSS: _crosses,
-    Said.ENTER: enters,
-    Said.SET_OFF: _sets_off,
-    Said.ACCELERATE: accelerates,
-    Said.SLOW_DOWN: _slows_down,
-    Said.BRAKE: _brakes,
-    Said.STOP: ACTIONS[Action.STOP],
-    Said.HESITATE: ACTIONS[Action.HESITATE],
-    Said.REVERSE: ACTIONS[Action.REVERSE],
-    Said.PULL_OUT: ACTIONS[Action.PULL_OUT],
-    Said.CUT_IN: _cuts_in,
-    Said.LANE_CHANGE: lambda s: _not_turning_off(s, _any_change(s)),
-    Said.CUT_OUT: lambda s: _not_turning_off(s, ACTIONS[Action.CHANGE_LANE](s)),
-    Said.MERGE: _any_change,
-    Said.OVERTAKE: ACTIONS[Action.OVERTAKE],
-    Said.DRIFT: drifts,
-    Said.SWERVE: lambda s: _not_turning_off(s, ACTIONS[Action.SWERVE](s)),
-    Said.WEAVE: lambda s: _not_turning_off(s, ACTIONS[Action.WEAVE](s)),
-    Said.KEEP_LEVEL: _keeps_level,
-    Said.TAILGATE: ACTIONS[Action.TAILGATE],
-    Said.TURN_BACK: _turns_back,
-    Said.PARK: _parks,
-    Said.YIELD: ACTIONS[Action.STOP],
-    Said.FALL: ACTIONS[Action.STOP],  # that it lies then, no track tells
-    Said.OPEN_DOOR: _opens,
-    Said.DROP_LOAD: ACTIONS[Action.STOP],
-}
-"""When somebody is seen to do something; for those that are not here, no track tells."""
+ACTS: Mapping[Said, Callable[[Seen], Iterable[Act]]] = by_act(
+    {
+        Tempo.STANDS: _stands_at_first,
+        Tempo.WAITS: ACTIONS[Action.STOP],
+        Tempo.HALTS: ACTIONS[Action.STOP],
+        Tempo.LIES: ACTIONS[Action.STOP],  # that it lies then, no track tells
+        Tempo.BRAKES: _brakes,
+        Tempo.SLOWS: _slows_down,
+        Tempo.PAUSES: ACTIONS[Action.HESITATE],
+        Tempo.BACKS: ACTIONS[Action.REVERSE],
+        Tempo.GAINS: accelerates,
+        Tempo.SETS_OFF: _sets_off,
+        Heads.ALONG: _moves_on,
+        Heads.THROUGH: _goes_straight,
+        Heads.BEHIND: follows,
+        Heads.CLOSE: ACTIONS[Action.TAILGATE],
+        Heads.LEVEL: _keeps_level,
+        Heads.BY: ACTIONS[Action.OVERTAKE],
+        Heads.ACROSS: _crosses,
+        Heads.IN: enters,
+        Heads.FROM_EDGE: ACTIONS[Action.PULL_OUT],
+        Heads.BEFORE: _cuts_in,
+        Heads.MERGES: _any_change,
+        Heads.OVER: lambda s: _not_turning_off(s, _any_change(s)),
+        Heads.OUT: lambda s: _not_turning_off(s, ACTIONS[Action.CHANGE_LANE](s)),
+        Heads.OFF: lambda s: _turns_once(s, _exits(s)),
+        Heads.EDGE: _parks,
+        Heads.ASIDE: lambda s: _not_turning_off(s, ACTIONS[Action.SWERVE](s)),
+        Heads.DRIFTS: drifts,
+        Heads.SWINGS: lambda s: _not_turning_off(s, ACTIONS[Action.WEAVE](s)),
+        Heads.ROUND: _turns_round,
+        Heads.BACK: _turns_back,
+        Said.TURN_LEFT: lambda s: _turns_once(s, ACTIONS[Action.TURN_LEFT](s)),
+        Said.TURN_RIGHT: lambda s: _turns_once(s, ACTIONS[Action.TURN_RIGHT](s)),
+        Said.OPEN_DOOR: _opens,
+        Said.DROP_LOAD: ACTIONS[Action.STOP],
+    }
+)
+"""When somebody is seen to do something: as all acts of its trait are seen, or as its own row says, which comes first.
+
+Each act has one; `seen_by` is told of one that has not.
+"""
+
+
+def seen_by(act: Said) -> Callable[[Seen], Iterable[Act]]:
+    """What sees an act.
+
+    Raises:
+        ChatSceneError: Nothing does yet: it is a new act, whose trait has no row.
+    """
+    if act not in ACTS:
+        raise ChatSceneError(
+            f"no test on tracks tells whether somebody does {act}: give ACTS in program/doing.py a row for it, or its"
+            " row in terms/vocabulary.py a trait that has one"
+        )
+    return ACTS[act]
 
 
 def passes(s: Seen) -> Iterator[Act]:
@@ -402,12 +423,14 @@ def passes(s: Seen) -> Iterator[Act]:
         yield Act(lowest, None)
 
 
-TO_SOMEBODY: dict[Said, Callable[[Seen], Iterable[Act]]] = {
-    Said.FOLLOW: follows,
-    Said.TAILGATE: ACTIONS[Action.TAILGATE],
-    Said.KEEP_LEVEL: _keeps_level,
-    Said.OVERTAKE: passes,
-}
+TO_SOMEBODY: Mapping[Said, Callable[[Seen], Iterable[Act]]] = by_act(
+    {
+        Heads.BEHIND: follows,
+        Heads.CLOSE: ACTIONS[Action.TAILGATE],
+        Heads.LEVEL: _keeps_level,
+        Heads.BY: passes,
+    }
+)
 """What is done to another than the ego, seen with that one in the place of the ego."""
 
 

@@ -26,6 +26,7 @@ from chatscene.program.doing import (
     exits,
     moved_left,
     passes,
+    seen_by,
     since,
     standing,
 )
@@ -397,7 +398,7 @@ class _Judge:
             return partial(tailgates, within=(far.high if math.isfinite(far.high) else far.low) + SLACK_LENGTH)
         if act is Said.DRIFT and (far := deed.distance) is not None:
             return partial(drifts, by=MOST_OF * (far.low if math.isfinite(far.low) else far.high))
-        return exits if act is Said.EXIT and self.situation.ego.route in _EXITS else ACTS[act]
+        return exits if act is Said.EXIT and self.situation.ego.route in _EXITS else seen_by(act)
 
     def _lets_go(self, one: Other, k: int) -> tuple[Seen, ...]:
         """What somebody lets go by a deed: one body, or none if there is no more of them."""

@@ -34,6 +34,14 @@ GAINING = acts_of(Tempo.GAINS, Tempo.SETS_OFF, Heads.FROM_EDGE, Heads.THROUGH, H
 """By what speed is gained."""
 _GAPS = acts_of(Heads.BEFORE, Heads.MERGES)
 """Of what the room that is left is measured."""
+_BACKS, _ALONG, _LEVEL = acts_of(Tempo.BACKS), acts_of(Heads.ALONG), acts_of(Heads.LEVEL)
+MEASURED = {
+    "speed": frozenset(Said),
+    "acceleration": frozenset(Said),
+    "time": LASTS | RESTS | _GAPS | LONG.keys(),
+    "distance": _ALONG | _BACKS | ASIDE | _GAPS | FAR.keys(),
+}
+"""Of which acts tracks tell an amount, by its name in a deed; of all others it is told as not in tracks."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -110,7 +118,7 @@ class Yardstick:
 
     def way(self, path: str, deed: Deed, once: Act, seen: Seen, toward: Seen) -> Finding | None:
         """The room that is left or the way that is covered, if that was said."""
-        if deed.act is Said.REVERSE and deed.distance is not None:
+        if deed.act in _BACKS and deed.distance is not None:
             return self.number(f"{path}.distance", deed.distance, gone_back(seen, once), BACK_SLACK, "covers")
         if deed.act in ASIDE and deed.distance is not None:
             aside = gone_aside(seen, once)
@@ -142,13 +150,13 @@ class Yardstick:
             return
         until = len(seen.track.speed) - 1 if ends is None else ends
         seconds = max(until - began, 0) * seen.dt
-        if deed.act is Said.KEEP_LEVEL:
+        if deed.act in _LEVEL:
             level = np.abs(toward.lead[:until]) < (toward.ego.length + toward.track.length) / 2
             seconds = float(level.sum()) * seen.dt
         covered = float(np.abs(seen.track.speed[began:until]).sum()) * seen.dt
         for name, said, value, least in (
             ("time", deed.time, seconds, SLACK_TIME),
-            ("distance", deed.distance if deed.act is Said.GO_ALONG else None, covered, SLACK_LENGTH),
+            ("distance", deed.distance if deed.act in _ALONG else None, covered, SLACK_LENGTH),
         ):
             if said is None:
                 continue

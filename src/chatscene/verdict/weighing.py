@@ -141,11 +141,12 @@ def _seen_of(name: str, situation: Situation, played: Played, route: Route) -> I
     crash = episode.collision
     seen = watch(episode, route, tracks[0], crash.step if crash else None)
     moves = situation[name].kind.moves
+    may = [(act, sees) for act, sees in ACTS.items() if moves in act.row.by and act not in GENERAL]
+    first_of = {sees: act for act, sees in reversed(may)}  # of acts that tracks do not tell apart
     began: Mapping[str, int] = {
         act.value: first.began
-        for act, sees in ACTS.items()
-        if moves in act.row.by
-        and act not in GENERAL
+        for act, sees in may
+        if first_of[sees] is act
         and (first := next((one for one in sees(seen) if crash or one.done is not None), None)) is not None
     }
     for act, step in sorted(began.items(), key=lambda one: one[1])[:_MOST_INSTEAD]:
