@@ -8,13 +8,17 @@ road user can have, half of the deeds with a number that the body can do; counts
 each of the others, drives it with drawn values and judges the tracks.
 `--as-said` draws them of parts that people said together (`as_said.py`); else any word is as likely as another.
 `--act NAME` takes one act in their place: from each place, by each kind that moves in its own way, alone, after another
-deed and before one; `--files FOLDER` takes the situations of a folder (`.yaml`, `.json`). Prints the shares, the
-commonest reasons, and with `--each` a line per situation, and below it when what was said is seen.
+deed and before one, `--count` of these (200 take about a minute of one idle core; with `--count 1000` all);
+`--files FOLDER` takes the situations of a folder (`.yaml`, `.json`). Prints the shares, the commonest reasons with `#`
+for numbers and the name of a situation of each, and with `--each` a line per situation, and below it when what was said
+is seen. `--examples FOLDER` writes the situation of each reason there, so that `--files` drives these alone.
 """
 
 from __future__ import annotations
 
 import random
+import re
+import time
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from functools import cache
@@ -40,7 +44,7 @@ from chatscene.search.rehearsal import rehearsed
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.situations.check import faults_of
-from chatscene.situations.file import read_file
+from chatscene.situations.file import read_file, to_yaml
 from chatscene.terms.actors import Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Speed
@@ -59,6 +63,7 @@ MEETS = {
 } | dict.fromkeys(
     (Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.EXIT_CROSSING, Where.MEDIAN), Meets.ACROSS
 )  # fmt: skip
+TELLS = 10.0  # [s] between two lines that say how far it is
 SHARE = 0.9  # of what a body can do, up to which numbers are drawn
 GAINS = (Act.ACCELERATE, Act.SET_OFF)
 
@@ -201,8 +206,16 @@ def situations(count: int, seed: int, files: Path | None, as_said: bool) -> Iter
             yield str(made), one
 
 
+def sampled(act: Act, count: int, seed: int) -> list[tuple[str, Situation]]:
+    """So many of those of an act, drawn by a seed, in their order; all where there are no more."""
+    found = list(of_act(act))
+    chosen = sorted(random.Random(seed).sample(range(len(found)), min(count, len(found))))
+    click.echo(f"{len(chosen)} of {len(found)} situations of {act}", err=True)
+    return [found[n] for n in chosen]
+
+
 @click.command()
-@click.option("--count", default=200, show_default=True)
+@click.option("--count", default=200, show_default=True, help="How many situations, of those of an act as well.")
 @click.option("--seed", default=7, show_default=True)
 @click.option("--drives", default=4, show_default=True)
 @click.option("--ego", default="idm", show_default=True)
@@ -210,15 +223,32 @@ def situations(count: int, seed: int, files: Path | None, as_said: bool) -> Iter
 @click.option("--as-said", is_flag=True)
 @click.option("--act", type=click.Choice([str(one) for one in Act]), default=None)
 @click.option("--each", is_flag=True)
+@click.option("--examples", type=click.Path(path_type=Path, file_okay=False), default=None)
 def main(
-    count: int, seed: int, drives: int, ego: str, files: Path | None, as_said: bool, act: str | None, each: bool
+    count: int,
+    seed: int,
+    drives: int,
+    ego: str,
+    files: Path | None,
+    as_said: bool,
+    act: str | None,
+    each: bool,
+    examples: Path | None,
 ) -> None:
     """Build, drive and judge situations."""
-    became, why = Counter[str](), Counter[str]()
-    for name, one in situations(count, seed, files, as_said) if act is None else of_act(Act(act)):
+    became, why, example = Counter[str](), Counter[str](), dict[str, tuple[str, Situation]]()
+    begun = told = time.monotonic()
+    chosen = situations(count, seed, files, as_said) if act is None else sampled(Act(act), count, seed)
+    for number, (name, one) in enumerate(chosen):
+        if (now := time.monotonic()) - told > TELLS:
+            told = now
+            click.echo(f"{number} situations in {now - begun:.0f} s: {dict(became)}", err=True)
         what, reasons, times = outcome(one, drives, ego)
         became[what] += 1
-        why.update({f"{what}: {_general(reason)}" for reason in reasons})
+        general = {f"{what}: {_general(reason)}" for reason in reasons}
+        why.update(general)
+        for reason in general:
+            example.setdefault(reason, (name, one))
         if each and what != "impossible":
             who = "; ".join(f"{o.kind} {o.starts.where}: {', '.join(d.act for d in o.does)}" for o in one.others)
             click.echo(f"{name}\t{what}\t{one.ego.route or 'straight'}; {who}\t{'; '.join(sorted(set(reasons)))[:200]}")
@@ -227,19 +257,21 @@ def main(
     total = sum(became.values()) - became["impossible"]
     click.echo(f"impossible: {became['impossible']}, which are not counted below")
     for what in ("refused", "not placed", "not shown", "in part", "shown"):
-        click.echo(f"{what}: {became[what]} of {total} ({became[what] / total:.1%})")
+        click.echo(f"{what}: {became[what]} of {total} ({became[what] / max(total, 1):.1%})")
     if tried := total - became["refused"]:
         click.echo(f"shown of what is not refused: {became['shown']} of {tried} ({became['shown'] / tried:.1%})")
-    for reason, number in why.most_common(25):
-        click.echo(f"  {number}  {reason}")
+    for place, (reason, number) in enumerate(why.most_common(25), 1):
+        name, one = example[reason]
+        click.echo(f"  {number}  {reason}  (such as {name})")
+        if examples is not None:
+            examples.mkdir(parents=True, exist_ok=True)
+            (examples / f"{place:02}.yaml").write_text(f"# {reason}\n{to_yaml(one)}", encoding="utf-8")
 
 
 def _general(reason: str) -> str:
-    """A reason without names and numbers."""
-    import re
-
-    words = re.sub(r"others\.\w+\.does\.\d+\.", "", reason)
-    return re.sub(r"others\.\w+\.|\d+(?:\.\d+)?", "", words)[:90]
+    """A reason without names, and with ``#`` for each number."""
+    words = re.sub(r"others\.\w+\.(?:does\.\d+\.)?", "", reason)
+    return re.sub(r"\d+(?:\.\d+)?", "#", words)[:120]
 
 
 if __name__ == "__main__":

@@ -28,7 +28,6 @@ ELSEWHERE = {
     "program/doing.py": "a test on tracks for each",
     "program/own.py": "what is seen of an ego that was told to",
     "situations/phrases.py": "the phrases of those that are not said as they are named",
-    "terms/act_amounts.py": "what an amount says where the usual words do not fit",
     "verdict/moves.py": "which of those that look alike is told",
 }
 """Where acts are listed, and why no trait could give the list."""

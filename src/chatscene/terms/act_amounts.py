@@ -1,13 +1,14 @@
 """What each amount of each act says: the table from which the page and messages are made.
 
-`Act.row.takes` says which amounts an act takes; a new one needs a row here only where the usual words do not fit.
+`Act.row.takes` says which amounts an act takes; what they say is the same of all acts of a trait. A new act needs a row
+here only where that does not fit.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.vocabulary import Act, Heads, Tempo, by_act
 
 AMOUNTS = ("speed", "acceleration", "distance", "time")
 """The amounts of a deed, in the order in which they are told."""
@@ -26,28 +27,29 @@ _GAP = {
     "time": "that gap, as the time that whoever is behind needs for it",
 }
 _THROUGH = {"time": "how long it still needs to where it meets the ego, when that comes to the junction"}
-_MEANS: Mapping[Act, Mapping[str, str]] = {
-    Act.STAND: {"time": "how long it stands"},
-    Act.SET_OFF: _GAINS,
-    Act.ACCELERATE: _GAINS | {"distance": "over what distance"},
-    Act.SLOW_DOWN: _LOSES,
-    Act.BRAKE: _LOSES,
-    Act.STOP: {"distance": "in what distance", "time": "how long it then stands"},
-    Act.HESITATE: {"time": "how long it pauses"},
-    Act.REVERSE: {"distance": "how far back"},
-    Act.CUT_IN: _GAP,
-    Act.MERGE: _GAP,
-    Act.GO_STRAIGHT: _THROUGH,
-    Act.TURN_LEFT: _THROUGH,
-    Act.TURN_RIGHT: _THROUGH,
-    Act.LANE_CHANGE: {"time": "how long it takes", "distance": "within what distance"},
-    Act.CUT_OUT: {"time": "how long it takes"},
-    Act.OVERTAKE: {"distance": "how far ahead it is before it comes back"},
-    Act.DRIFT: _ASIDE,
-    Act.SWERVE: _ASIDE,
-    Act.FOLLOW: _BEHIND | {"time": "the same, as the time that it needs for that"},
-    Act.TAILGATE: _BEHIND,
-}
+_MEANS: Mapping[Act, Mapping[str, str]] = by_act(
+    {
+        Tempo.STANDS: {"time": "how long it stands"},
+        Tempo.SETS_OFF: _GAINS,
+        Tempo.GAINS: _GAINS | {"distance": "over what distance"},
+        Tempo.SLOWS: _LOSES,
+        Tempo.BRAKES: _LOSES,
+        Tempo.HALTS: {"distance": "in what distance", "time": "how long it then stands"},
+        Tempo.PAUSES: {"time": "how long it pauses"},
+        Tempo.BACKS: {"distance": "how far back"},
+        Heads.BEFORE: _GAP,
+        Heads.MERGES: _GAP,
+        Heads.THROUGH: _THROUGH,
+        Heads.TURNS: _THROUGH,
+        Heads.OVER: {"time": "how long it takes", "distance": "within what distance"},
+        Heads.OUT: {"time": "how long it takes"},
+        Heads.BY: {"distance": "how far ahead it is before it comes back"},
+        Heads.DRIFTS: _ASIDE,
+        Heads.ASIDE: _ASIDE,
+        Heads.BEHIND: _BEHIND | {"time": "the same, as the time that it needs for that"},
+        Heads.CLOSE: _BEHIND,
+    }
+)
 
 
 def amounts_of(act: Act) -> dict[str, str]:
