@@ -24,8 +24,7 @@ def write_whole(path: Path, content: bytes, *, mode: int = 0o666, lasting: bool 
     Raises:
         OSError: The file system refuses.
     """
-    temporary = path.with_name(f".{path.name}.{threading.get_native_id()}.tmp")  # two threads may write one file
-    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = temporary_of(path)
     try:
         with os.fdopen(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, mode), "wb") as stream:
             stream.write(content)
@@ -38,6 +37,12 @@ def write_whole(path: Path, content: bytes, *, mode: int = 0o666, lasting: bool 
         raise
     if lasting:
         _sync_folder(path.parent)
+
+
+def temporary_of(path: Path) -> Path:
+    """What a file is called beside its place until it is whole; its folder is made as needed."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    return path.with_name(f".{path.name}.{threading.get_native_id()}.tmp")  # two threads may write one file
 
 
 def make_lasting(paths: Iterable[Path]) -> None:

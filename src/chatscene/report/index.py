@@ -18,11 +18,12 @@ import pyarrow as pa
 from chatscene import runs
 from chatscene.errors import ChatSceneError, RunError
 from chatscene.report.index_columns import TABLES, schema_of
-from chatscene.runs.tables import EVENTS, RANGES, SCENES, Table, read_table
+from chatscene.runs.tables import EVENTS, RANGES, SCENES, Table, read_table, rows_of
 from chatscene.runs.workspace import RECORD
 from chatscene.terms.scenario import Slots
 
 _BLOCK = ("scenario_id", "route_id", "block")
+_AT_ONCE = 20_000  # scenes whose parameters are made rows at a time
 _COUNTS = ("scenes", "ran", "rejected", "collided", "off_road", "timeout", "waiting", "selected", "fill_in")
 OTHERWISE_CALLED = {"distance": "start_distance", "group": "in_group", "ego": "ego_state"}
 """Slots whose names are words of SQL, or columns of `scenes`, by their columns in `facts`."""
@@ -127,7 +128,7 @@ def _read(run: runs.Workspace, record: runs.RunRecord, name: str) -> Mapping[str
         "runs": _table("runs", [{"run": name, **_run_row(run.path, record), **_speeds(scenes)}]),
         "facts": _table("facts", [{"run": name, **row} for row in _facts(run, scenes)]),
         "scenes": _of_run(name, scenes.drop_columns(parameters)),
-        "parameters": _table("parameters", [{"run": name, **row} for row in _parameters(scenes, ranges, parameters)]),
+        "parameters": _parameters(name, scenes, ranges, parameters),
         "events": _of_run(name, events),
     }
 
@@ -199,10 +200,20 @@ def _slots_row(slots: Slots) -> dict[str, Any]:
     return {OTHERWISE_CALLED.get(name, name): value for name, value in told.items()} | {"others": len(slots.others)}
 
 
-def _parameters(scenes: Table, ranges: Table, names: list[str]) -> Iterator[dict[str, Any]]:
+def _parameters(run: str, scenes: Table, ranges: Table, names: list[str]) -> Table:
     """A row per scene and parameter, with what the scene's block drew from."""
-    drawn = {tuple(row[key] for key in (*_BLOCK, "parameter")): row for row in ranges.to_pylist()}
-    for scene in scenes.select(["scene_id", *_BLOCK, *names]).to_pylist():
+    drawn = {tuple(row[key] for key in (*_BLOCK, "parameter")): row for row in rows_of(ranges)}
+    own = scenes.select(["scene_id", *_BLOCK, *names])
+    parts = (own.slice(first, _AT_ONCE) for first in range(0, max(own.num_rows, 1), _AT_ONCE))
+    return pa.concat_tables(
+        [_table("parameters", [{"run": run, **row} for row in _in_rows(part, drawn, names)]) for part in parts]
+    )
+
+
+def _in_rows(
+    scenes: Table, drawn: Mapping[tuple[Any, ...], Mapping[str, Any]], names: list[str]
+) -> Iterator[dict[str, Any]]:
+    for scene in rows_of(scenes):
         block = tuple(scene[key] for key in _BLOCK)
         for name in names:
             if scene[name] is not None:

@@ -90,8 +90,8 @@ def ranked(scenes: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
 
 
 def _page(run: Workspace, *, followed: bool) -> str:
-    record, scenes, ranges = read_record(run), read_scenes(run), read_ranges(run)
-    explanation = read_explanation(run)
+    record, scenes, ranges = read_record(run), read_scenes(run, some=True), read_ranges(run)
+    explanation, every = read_explanation(run), read_counts(run)["scenes"]
     order = ranked(scenes)
     kept = [row for row in order if row["selected"]]
     beside = drive_beside(run, kept, followed=followed)
@@ -121,6 +121,7 @@ def _page(run: Workspace, *, followed: bool) -> str:
         heading=sections.heading(record, explanation, _around(run, order)),
         verdict=sections.verdict(scenes, read_counts(run), read=bool(sections.facts_of(explanation))),
         fast=fill_section("fast", told) if (told := how_fast(scenes)) else "",
+        some=fill_section("some", len(scenes), every) if len(scenes) < every else "",
         left_out=fill_section("left_out", len(replays), len(order)) if len(replays) < len(order) else "",
         senses=egos_in_words(record)[0],
         beside=sections.beside(beside, kept),

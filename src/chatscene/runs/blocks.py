@@ -11,6 +11,7 @@ from __future__ import annotations
 import shutil
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import groupby
@@ -30,9 +31,12 @@ from chatscene.runs.tables import (
     RANGES,
     SCENES,
     SIGNALS,
+    Names,
     Table,
     events_table,
+    names_in,
     ranges_table,
+    read_some,
     read_table,
     route_id,
     route_index,
@@ -41,6 +45,7 @@ from chatscene.runs.tables import (
     scenes_table,
     signals_table,
     write_table,
+    writing_table,
 )
 from chatscene.runs.tracks import EPISODES, episode_of, episodes_table, tracks_of
 from chatscene.runs.workspace import Workspace, read_record, update
@@ -54,11 +59,7 @@ if TYPE_CHECKING:
     from chatscene.measure.drive import Ran
     from chatscene.search.explore import Block
 
-_TABLES = {
-    "events.parquet": events_table,
-    "signals.parquet": signals_table,
-    "ranges.parquet": ranges_table,
-}
+AT_ONCE = 20_000  # scenes that are folded at a time, and read for a page
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -276,7 +277,7 @@ def _outcomes(part: Part) -> list[Outcome]:
 def finish(
     run: Workspace,
     *,
-    selected: Mapping[str, bool] | Callable[[Sequence[Part]], Mapping[str, bool]],
+    selected: Mapping[str, bool] | Callable[[Iterable[Part]], Mapping[str, bool]],
     expected: Iterable[tuple[str, int, int]],
 ) -> Record:
     """Fold the blocks into the tables and set the status to ``done``. Safe to call again after a kill.
@@ -292,51 +293,104 @@ def finish(
     """
     record = read_record(run, Record)
     if record.status is not Status.DONE and not record.files:
-        parts = read_parts(run)
-        _require(run, parts, list(expected))
-        for name, fold in _TABLES.items():
-            write_table(run.file(name), fold(parts))
-        scenes = scenes_table(parts, selected(parts) if callable(selected) else selected)
-        write_table(run.file("scenes.parquet"), scenes)
-        files = digests(run.path, (*KEPT, *DRAWN))
-        with writing(run.path):
-            make_lasting(run.file(name) for name in files if name.endswith(".parquet"))
-        stepped, instead = _stepped(parts)
-        record = update(
-            run,
-            status=Status.DONE,
-            counts=_counts(scenes, parts),
-            stepped=stepped,
-            instead=instead,
-            unplayed=_unplayed(parts),
-            files=files,
-        )
+        kept = _Kept(run)
+        _require(run, kept.there, list(expected))
+        record = update(run, status=Status.DONE, **_fold(run, kept, selected))
     _drop_parts(run)
     return record
 
 
-def _stepped(parts: Sequence[Part]) -> tuple[dict[str, int], dict[str, list[str]]]:
-    """How many drives each simulator stepped, and which scenes were stepped by another than was asked for, by why."""
-    driven = [scene for part in parts for scene in part.scenes if scene.stepped]
-    instead: dict[str, list[str]] = {}
-    for scene in driven:
-        if scene.instead and scene.scene_id not in (named := instead.setdefault(scene.instead, [])):
-            named.append(scene.scene_id)
-    return dict(sorted(Counter(scene.stepped for scene in driven).items())), instead
+class _Kept:
+    """The blocks of a run in order, read again each time that they are asked for, unless they are few.
+
+    Args:
+        run: Which run.
+
+    Attributes:
+        there: Scenario, route and number of each.
+        names: The parameters of their scenes, sorted; and the metrics, in the order in which they come.
+    """
+
+    def __init__(self, run: Workspace) -> None:
+        self._run = run
+        self._few: list[Part] | None = []
+        names, scenes, told = list[Names](), 0, list[tuple[str, int, int]]()
+        for part in _parts(run):
+            if isinstance(part, Damaged):
+                continue
+            told.append((part.scenario_id, part.route, part.block))
+            scenes += len(part.scenes)
+            if (own := names_in([part])) not in names:
+                names.append(own)
+            if self._few is not None:
+                self._few.append(part)
+                self._few = self._few if scenes <= AT_ONCE else None
+        self.there = sorted(told)
+        if self._few is not None:
+            self._few.sort(key=lambda part: (part.scenario_id, part.route, part.block))
+            names = [names_in(self._few)]
+        parameters, metrics = (dict.fromkeys(name for own in names for name in own[of]) for of in (0, 1))
+        self.names: Names = sorted(parameters), list(metrics)
+
+    def __iter__(self) -> Iterator[Part]:
+        if self._few is not None:
+            return iter(self._few)
+        paths = (self._run.part(*place) for place in self.there)
+        return (Part.model_validate(json_of(path, read_bytes(path))) for path in paths)
+
+    def some(self) -> Iterator[list[Part]]:
+        """They, so many at a time that they hold `AT_ONCE` scenes; at least once."""
+        some, scenes, none = list[Part](), 0, True
+        for part in self:
+            some.append(part)
+            scenes += len(part.scenes)
+            if scenes >= AT_ONCE:
+                yield some
+                some, scenes, none = [], 0, False
+        if some or none:
+            yield some
 
 
-def _unplayed(parts: Sequence[Part]) -> dict[str, list[str]]:
-    """The scenes in which something did not take place, by what it is."""
-    found: dict[str, list[str]] = {}
-    for scene in (scene for part in parts for scene in part.scenes):
-        for what in scene.unplayed:
-            found.setdefault(what, []).append(scene.scene_id)
-    return found
+def _fold(
+    run: Workspace, kept: _Kept, selected: Mapping[str, bool] | Callable[[Iterable[Part]], Mapping[str, bool]]
+) -> dict[str, Any]:
+    """Write the tables, some blocks at a time; what the record says of them."""
+    chosen = selected(kept) if callable(selected) else selected
+    counts, stepped = Counter[str](), Counter[str]()
+    instead, unplayed = dict[str, dict[str, None]](), dict[str, list[str]]()
+    with ExitStack() as open_tables:
+        tables = [open_tables.enter_context(writing_table(run.file(f"{name}.parquet"))) for name in _TABLES]
+        for parts in kept.some():
+            scenes = scenes_table(parts, chosen, kept.names)
+            for table, rows in zip(
+                tables, (events_table(parts), signals_table(parts), ranges_table(parts), scenes), strict=True
+            ):
+                table(rows)
+            counts.update(_counts(scenes, parts))
+            for scene in (scene for part in parts for scene in part.scenes):
+                stepped.update([scene.stepped] if scene.stepped else [])
+                if scene.stepped and scene.instead:
+                    instead.setdefault(scene.instead, {})[scene.scene_id] = None
+                for what in scene.unplayed:
+                    unplayed.setdefault(what, []).append(scene.scene_id)
+    files = digests(run.path, (*KEPT, *DRAWN))
+    with writing(run.path):
+        make_lasting(run.file(name) for name in files if name.endswith(".parquet"))
+    return {
+        "counts": dict(counts),
+        "stepped": dict(sorted(stepped.items())),
+        "instead": {why: list(scenes) for why, scenes in instead.items()},
+        "unplayed": unplayed,
+        "files": files,
+    }
 
 
-def _require(run: Workspace, parts: Sequence[Part], expected: Sequence[tuple[str, int, int]]) -> None:
-    there = {(part.scenario_id, part.route, part.block) for part in parts}
-    missing = [place for place in expected if place not in there]
+_TABLES = ("events", "signals", "ranges", "scenes")
+
+
+def _require(run: Workspace, there: Sequence[tuple[str, int, int]], expected: Sequence[tuple[str, int, int]]) -> None:
+    done = set(there)
+    missing = [place for place in expected if place not in done]
     if missing:
         scenario_id, route, block = missing[0]
         raise RunError(
@@ -392,13 +446,17 @@ def read_counts(run: Workspace) -> dict[str, int]:
     return counts_of(read_scenes(run), read_events(run))
 
 
-def read_scenes(run: Workspace, *, selected: bool = False) -> list[dict[str, Any]]:
+def read_scenes(run: Workspace, *, selected: bool = False, some: bool = False) -> list[dict[str, Any]]:
     """A row per scene with the columns of `scenes.parquet`; of an unfinished run, those done so far.
 
     Args:
         run: Which run.
         selected: Whether to read those alone that were kept.
+        some: Whether to read, of a run with more than `AT_ONCE` scenes, those that were kept and as many of the others,
+            evenly over the run.
     """
+    if some and (every := -(-read_record(run, MapRecord).counts.get("scenes", 0) // AT_ONCE)) > 1:
+        return rows_of(read_some(run.file("scenes.parquet"), SCENES, every=every, always="selected"))
     return _rows(run, "scenes.parquet", SCENES, scenes_table, "selected" if selected else "")
 
 

@@ -32,6 +32,7 @@ from chatscene.runs.workspace import Workspace, update
 from chatscene.search.climb import climb, simulator_of
 from chatscene.search.explore import Block, outcomes
 from chatscene.search.generator import Generator, Written, load_generator
+from chatscene.search.sampler import looks_back
 from chatscene.settings import SearchSettings, Settings
 from chatscene.simulate.simulator import Simulator, routes_of, telling
 from chatscene.terms.outcome import Outcome
@@ -137,7 +138,7 @@ class Search:
     def keep(self, number: int, block: Block) -> list[_Task]:
         """Keep a block; what comes next."""
         write_block(self.run, block)
-        self._history[block.route].append(outcomes(block))
+        self._history[block.route].append(outcomes(block) if looks_back(self.settings.sampler) else [])
         if self.is_over:
             self._fold()
         return self._next(number, block.route)

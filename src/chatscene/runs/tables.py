@@ -8,16 +8,19 @@ from __future__ import annotations
 import hashlib
 import io
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import MISSING, asdict, fields
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 
 from chatscene.errors import RunError
-from chatscene.runs.atomic import write_bytes
+from chatscene.files.atomic import temporary_of
+from chatscene.runs.atomic import write_bytes, writing
 from chatscene.runs.rows import Part, SceneRow
 from chatscene.terms.criticality import CRITICALITY
 from chatscene.terms.metrics import Measurements
@@ -153,18 +156,46 @@ _NEEDED = frozenset(
 _MOST_VALUES = 50_000_000  # of a table: a few hundred MB of numbers. What is a few kB on disk may unpack to any size.
 
 
+_AS_WRITTEN: dict[str, Any] = {
+    "compression": "zstd",
+    "compression_level": 3,
+    "version": "2.6",
+    "write_page_checksum": True,
+}
+Names = tuple[Sequence[str], Sequence[str]]
+"""The parameters and the metrics of scenes."""
+
+
+@contextmanager
+def writing_table(path: Path) -> Generator[Callable[[Table], None]]:
+    """Write a Parquet file some rows at a time, whole or not at all, without waiting for the disk.
+
+    Yields:
+        What adds rows to it.
+    """
+    temporary, writer = temporary_of(path), list[Any]()
+
+    def add(rows: Table) -> None:
+        if not writer:
+            writer.append(pq.ParquetWriter(temporary, rows.schema, **_AS_WRITTEN))
+        writer[0].write_table(rows, row_group_size=1 << 20)
+
+    with writing(path):
+        try:
+            yield add
+            writer[0].close()
+            temporary.replace(path)
+        except BaseException:
+            for one in writer:
+                one.close()
+            temporary.unlink(missing_ok=True)
+            raise
+
+
 def write_table(path: Path, table: Table) -> str:
     """Write a Parquet file, whole or not at all, without waiting for the disk; the SHA-256 of what was written."""
     sink = io.BytesIO()
-    pq.write_table(
-        table,
-        sink,
-        compression="zstd",
-        compression_level=3,
-        version="2.6",
-        row_group_size=1 << 20,
-        write_page_checksum=True,
-    )
+    pq.write_table(table, sink, row_group_size=1 << 20, **_AS_WRITTEN)
     write_bytes(path, sink.getvalue(), lasting=False)
     return hashlib.sha256(sink.getvalue()).hexdigest()
 
@@ -184,7 +215,7 @@ def read_table(path: Path, columns: Any, **filters: str) -> Table:
     """
     try:
         with pq.ParquetFile(path, page_checksum_verification=True) as file:
-            _check_size(file.metadata)
+            _check_size(file.metadata, path.stat().st_size)
             table = file.read()
         for name, value in filters.items():
             table = rows_with(table, name, value)
@@ -195,6 +226,27 @@ def read_table(path: Path, columns: Any, **filters: str) -> Table:
         for field in columns:
             if field.name not in there:
                 table = table.append_column(field, _as_before(field, table))
+    except (OSError, ValueError, KeyError, pa.ArrowException) as error:
+        raise RunError(f"cannot read {path}: {error}; it is missing or was changed or damaged") from error
+    return table
+
+
+def read_some(path: Path, columns: Any, *, every: int, always: str) -> Table:
+    """Of a large Parquet file, every so manieth row, and those in which a column is true; read part by part.
+
+    Raises:
+        RunError: As for `read_table`.
+    """
+    try:
+        with pq.ParquetFile(path, page_checksum_verification=True) as file:
+            found, before = list[Table](), 0
+            for batch in file.iter_batches(batch_size=1 << 14):
+                rows = pa.Table.from_batches([batch])
+                numbers = np.arange(before, before + rows.num_rows) % every == 0
+                found.append(rows.filter(pa.array(numbers | rows.column(always).to_numpy())))
+                before += rows.num_rows
+        table = pa.concat_tables(found)
+        _check_columns(table, columns)
     except (OSError, ValueError, KeyError, pa.ArrowException) as error:
         raise RunError(f"cannot read {path}: {error}; it is missing or was changed or damaged") from error
     return table
@@ -241,9 +293,9 @@ def _of_numbers(table: Table, numbers: list[int]) -> Table:
     return table.take(numbers)
 
 
-def _check_size(told: Any) -> None:
-    """Refuse a table that would not fit into memory, before it is unpacked."""
-    if told.num_rows * told.num_columns > _MOST_VALUES:
+def _check_size(told: Any, packed: int) -> None:
+    """Refuse a table that unpacks to far more than its bytes on disk, before it is unpacked."""
+    if told.num_rows * told.num_columns > max(_MOST_VALUES, packed):
         raise ValueError(f"it unpacks to {told.num_rows:,} rows, more than any work leaves")
 
 
@@ -295,19 +347,20 @@ def route_index(name: str) -> int:
         raise RunError(f"{name!r} is not a route; the folder was changed or damaged after it was written") from error
 
 
-def scenes_table(parts: Sequence[Part], selected: Mapping[str, bool] | None = None) -> Table:
+def scenes_table(
+    parts: Sequence[Part], selected: Mapping[str, bool] | None = None, names: Names | None = None
+) -> Table:
     """One row per scene.
 
     Args:
         parts: The finished blocks, in order.
         selected: The scenes kept, by id; whether it is a fill-in (kept although nothing collided).
+        names: What the parameters and metrics are called of all blocks of which these are some; None for those here.
 
     Raises:
         RunError: A metric has the name of another column.
     """
-    scenes = [scene for part in parts for scene in part.scenes]
-    parameters = sorted({name for scene in scenes for name in scene.values})
-    metrics = list(dict.fromkeys(name for scene in scenes for name in scene.metrics if name != "overall_score"))
+    parameters, metrics = names_in(parts) if names is None else names
     if taken := sorted(_FIXED.intersection(metrics)):
         raise RunError(f"a metric may not have the name of another column of scenes.parquet: {', '.join(taken)}")
     numbers = [(name, pa.float64()) for name in (*parameters, *metrics)]
@@ -323,6 +376,13 @@ def scenes_table(parts: Sequence[Part], selected: Mapping[str, bool] | None = No
     )
     rows = [_scene_row(part, scene, selected or {}) for part in parts for scene in part.scenes]
     return pa.Table.from_pylist(rows, schema=schema)
+
+
+def names_in(parts: Sequence[Part]) -> Names:
+    """What the parameters, sorted, and the metrics of the scenes of some blocks are called."""
+    scenes = [scene for part in parts for scene in part.scenes]
+    metrics = dict.fromkeys(name for scene in scenes for name in scene.metrics if name != "overall_score")
+    return sorted({name for scene in scenes for name in scene.values}), list(metrics)
 
 
 def metrics_of(row: Mapping[str, Any]) -> dict[str, float]:

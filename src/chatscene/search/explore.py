@@ -13,7 +13,7 @@ from itertools import islice
 from chatscene.ego.policy import EgoPolicy
 from chatscene.measure.drive import Ran, drive
 from chatscene.program.sample import scene_seed
-from chatscene.search.sampler import Proposal, load_sampler
+from chatscene.search.sampler import Proposal, load_sampler, looks_back
 from chatscene.settings import SearchSettings
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.outcome import Outcome
@@ -69,7 +69,7 @@ def explore(
     Yields:
         The blocks still to be done.
     """
-    sampler = load_sampler(settings.sampler)
+    sampler, told = load_sampler(settings.sampler), looks_back(settings.sampler)
     history = list(done)
     for number in range(len(done), -(-settings.scenes // settings.block)):
         places = [
@@ -77,10 +77,10 @@ def explore(
             for index in range(number * settings.block, min((number + 1) * settings.block, settings.scenes))
         ]
         seed = scene_seed(settings.seed, f"{program.scenario_id}/route-{route:02d}/block-{number:03d}")
-        asked = [[_asked(outcome, settings.objective) for outcome in block] for block in history]
+        asked = [[_asked(outcome, settings.objective) for outcome in block] for block in history] if told else []
         proposal = sampler.propose(program.parameters, asked, count=len(places), seed=seed)
         block = _run_block(program, said, places, proposal, simulator, ego, settings)
-        history.append(outcomes(block))
+        history.append(outcomes(block) if told else [])
         yield block
 
 

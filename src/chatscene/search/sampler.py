@@ -68,6 +68,14 @@ SAMPLERS: Kind[Sampler] = Kind(
 )
 
 
+def looks_back(name: str) -> bool:
+    """Whether what the sampler of a name proposes follows from what came of the blocks before.
+
+    One that has a `looks_back` of False is told of empty blocks, and nobody keeps for it what came of a million scenes.
+    """
+    return bool(getattr(load_sampler(name), "looks_back", True))
+
+
 def load_sampler(name: str) -> Sampler:
     """A sampler by its name (`chatscene.plugins`).
 

@@ -16,6 +16,7 @@ from chatscene.terms.arrays import Array
 from chatscene.terms.route import Route
 
 SIDE = 0.5  # [m] of a square
+KEPT = 20_000  # points of which it is kept where they lie
 BESIDE = 10.0  # [m] around the box of a route, beyond which each point is asked for
 _WIDER = 1e-6  # [m] by which a square is taken to be larger on each side: more than rounding makes of a place
 _UNKNOWN, _EDGE = 0, -1
@@ -32,6 +33,7 @@ class Cells:
     def __init__(self, lane_map: LaneMap, route: Route) -> None:
         self._lane_map = lane_map
         self._along = route.lane_ids
+        self._points: dict[tuple[float, float], int] = {}
         low, high = (route.line.points.min(axis=0) - BESIDE), (route.line.points.max(axis=0) + BESIDE)
         self._low: tuple[float, float] = (float(low[0]), float(low[1]))
         wide, tall = np.ceil((high - low) / SIDE).astype(int).tolist()
@@ -54,9 +56,20 @@ class Cells:
                 self._learn(x[found == _UNKNOWN], y[found == _UNKNOWN])
                 found, _ = native.in_cells(x, y, self._low, SIDE, self._known)
             at = np.flatnonzero(found == _EDGE)
-            xy = np.array((x[at], y[at])).T
-            found[at] = _code(self._lane_map.lane_index(xy, self._along), self._lane_map.off_road(xy))
+            found[at] = self._of_points(x[at].tolist(), y[at].tolist())
         return (found >> 1) - 2, (found & 1).astype(np.bool_)
+
+    def _of_points(self, x: list[float], y: list[float]) -> list[int]:
+        """Of points by themselves: an ego comes to the very same ones in one scene after another."""
+        points = list(zip(x, y, strict=True))
+        if new := [point for point in points if point not in self._points]:
+            if len(self._points) > KEPT:
+                self._points.clear()
+                new = points
+            xy = np.array(new)
+            codes = _code(self._lane_map.lane_index(xy, self._along), self._lane_map.off_road(xy))
+            self._points.update(zip(new, codes.tolist(), strict=True))
+        return [self._points[point] for point in points]
 
     def _learn(self, x: Array, y: Array) -> None:
         """Ask of the squares of some points, none of them beside the map."""

@@ -175,9 +175,9 @@ class RouteSurroundings:
         changed = np.flatnonzero((lane[1:] != lane[:-1]) & (lane[:-1] >= 0))
         if not changed.size:
             return []
-        inside = [shapely.contains_xy(self._junctions, ego.x[at], ego.y[at]) for at in (changed, changed + 1)]
-        left = changed[~np.logical_or(*inside)].tolist()
-        return [Event(kind=EventKind.LANE_INVASION, step=step + 1) for step in left]
+        both = np.concatenate((changed, changed + 1))
+        inside = shapely.contains_xy(self._junctions, ego.x[both], ego.y[both]).reshape(2, -1).any(axis=0)
+        return [Event(kind=EventKind.LANE_INVASION, step=step + 1) for step in changed[~inside].tolist()]
 
     def _stop_signs(self, ego: Track) -> list[Event]:
         events: list[Event] = []

@@ -13,6 +13,8 @@ from chatscene.terms.snippet import ParameterRange
 class Uniform:
     """Uniform in the declared ranges; see `chatscene.search.sampler.Sampler` for the contract."""
 
+    looks_back = False
+
     def propose(
         self,
         declared: Sequence[ParameterRange],

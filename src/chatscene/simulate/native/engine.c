@@ -1681,7 +1681,7 @@ static void planner(const Policy *policy, const double *seen, double *accelerati
 
 /* chatscene.ego.network: products added one after the other, in the order of the inputs. Those that are zero are left
  * out, since they add zero; a block of outputs at a time, so that their sums stay at hand. */
-#define BLOCK 64
+#define BLOCK 128
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
 /* With as wide registers as the machine has. Each sum is of the same products in the same order, none fused. */
 #define WIDE __attribute__((target_clones("avx512f", "avx2", "default")))

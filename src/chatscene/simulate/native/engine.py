@@ -277,11 +277,12 @@ class Boxes(Structure):
 
 def boxes_of(x: Array, y: Array, cos: Array, sin: Array, half_length: float, half_width: float) -> Boxes:
     """Boxes by the columns of their moments; cosine and sine are of the heading."""
-    kept = [np.ascontiguousarray(column, np.float64) for column in (x, y, cos, sin)]
     if not x.size == y.size == cos.size == sin.size:
-        raise ValueError(f"columns of {[column.size for column in kept]} moments are no boxes")
-    found = Boxes(*(column.ctypes.data for column in kept), half_length, half_width)
-    found.kept = kept
+        raise ValueError(f"columns of {x.size}, {y.size}, {cos.size} and {sin.size} moments are no boxes")
+    kept = np.array((x, y, cos, sin), np.float64)
+    at, size = kept.ctypes.data, 8 * x.size
+    found = Boxes(at, at + size, at + 2 * size, at + 3 * size, half_length, half_width)
+    found.kept = [kept[0]]
     return found
 
 
