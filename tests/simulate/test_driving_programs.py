@@ -332,3 +332,23 @@ def test_an_ego_goes_along_a_line_of_points_that_begins_where_it_stands(simulato
     assert simulator.route_in(along, scene_of(along)).line.length == pytest.approx(35, abs=0.5)
     other = foreign_program("other", text.replace("way.start,", "way.end,"))
     assert simulator.route_in(other, scene_of(other)).line.length > 36
+
+
+def test_a_series_gives_another_number_in_each_step_and_the_same_ones_for_the_same_seed(simulator: Simulator) -> None:
+    behavior = "behavior Moves():\n    while True:\n        take SetThrottleAction(series.getSample())\n"
+    text = f"model scenic.domains.driving.model\nseries = TimeSeries(VerifaiRange(0, 1))\n{behavior}"
+    program = foreign_program("series", text + "ego = new Car on road, with behavior Moves\n", as_written=True)
+    assert program.parameters == ()  # it is no value of a search
+    first, again = (driven(simulator, program, scene_of(program)) for _ in range(2))
+    gains = np.diff(np.asarray(first.ego_track.speed))
+    assert len(set(np.round(gains[1:20], 6))) > 10
+    assert list(first.ego_track.speed) == list(again.ego_track.speed)
+
+
+def test_a_sub_scenario_at_the_top_level_is_begun_in_one_scene_after_another(simulator: Simulator) -> None:
+    sub = "scenario Others():\n    setup:\n        one = new Car ahead of ego by 20, with requireVisible False\n"
+    main = "scenario Main():\n    setup:\n        ego = new Car on road\n    compose:\n        do others\n"
+    text = f"model scenic.domains.driving.model\n{sub}others = Others()\n{main}terminate after 1 seconds\n"
+    program = foreign_program("again", text)
+    for seed in (1, 2):
+        assert len(driven(simulator, program, scene_of(program, seed=seed)).tracks) == 2

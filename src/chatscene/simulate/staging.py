@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 from scenic.core.distributions import RejectionException, needsSampling
+from scenic.core.dynamics.scenarios import DynamicScenario
 from scenic.core.sample_checking import SampleChecker
 
 from chatscene.errors import MapError, ProgramError
@@ -198,6 +199,10 @@ class Stage:
             ProgramError: The scene has not a value for every parameter, or the program cannot be evaluated.
         """
         scenario = self.compiled(program, scene.route)
+        if program.drawn and _is_spent(scenario):
+            del _kept_with(program)[0][self._key_of(program, scene.route)]
+            self._placed.clear()
+            scenario = self.compiled(program, scene.route)
         declared = {name for name in scenario.params if name.startswith("OPT_")}
         if declared != set(scene.values):
             raise ProgramError(
@@ -300,6 +305,14 @@ class Stage:
         reason = f"none of {reasons.total()} draws in {spent:.0f} s of processor time meets the requirements ({why})"
         rejected = Rejected(scene=scene, reason=reason, draws=reasons.total(), spent=spent)
         return rejected, rejected.draws
+
+
+def _is_spent(scenario: Any) -> bool:
+    """Whether a drive has begun a sub-scenario that stands at a program's top level; it can be begun once."""
+    first = scenario.dynamicScenario
+    names = getattr(first._setup or first._compose, "__globals__", {})
+    subs: list[Any] = [one for one in names.values() if isinstance(one, DynamicScenario) and one is not first]
+    return any(one._prepared and not one._dummyNamespace for one in subs)
 
 
 class _Drawn(dict[str, Any]):

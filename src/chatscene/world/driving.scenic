@@ -15,6 +15,7 @@ from chatscene.world.places import wheelbase_of as _wheelbase_of
 from chatscene.world.stock import stock_simulator as _stock_simulator
 
 from chatscene.world.searched import parameter as chatscene_parameter
+from chatscene.world.series import TimeSeries
 
 VerifaiRange, VerifaiDiscreteRange, VerifaiOptions = Range, DiscreteRange, Options  # whose package is not needed
 

@@ -71,6 +71,40 @@ def test_a_name_that_nothing_defines_is_given_as_a_parameter_is(tmp_path: Path) 
         read_foreign(file, given={"somebody": "ego ego"})
 
 
+def test_a_program_without_an_ego_is_told_who_it_is(tmp_path: Path) -> None:
+    main = "scenario Main():\n    setup:\n        lead = new Car on road\n        spot = new OrientedPoint on road\n"
+    file = written(
+        tmp_path, f"model scenic.domains.driving.model\nscenario Sub():\n    setup:\n        other = new Car\n{main}"
+    )
+    with pytest.raises(ForeignCodeRefused, match=r"say which road user it is: --param ego=NAME takes one of: lead$"):
+        read_foreign(file)
+    own = read_foreign(file, given={"ego": "lead"})
+    assert "        ego = new Car on road\n        lead = ego\n" in own.program.source
+    assert own.changed()[1] == "line 7: nothing is the ego; it is `lead`, as you say"
+    with pytest.raises(SettingsError, match="no ego=other can be: --param ego=NAME takes one of: lead"):
+        read_foreign(file, given={"ego": "other"})
+
+
+READS = "a = Sub()\nx = a.cars\n"
+
+
+@pytest.mark.parametrize(
+    ("sets", "reads", "refused"),
+    [
+        ("cars = [1]", READS, ""),
+        ("cars = [1]", f"a = 3\n{READS}", ".cars"),  # it may be something else
+        ("cars = [1]", "x = ego.cars\n", ".cars"),
+        ("_cars = [1]", "a = Sub()\nx = a._cars\n", "._cars"),
+        ("objects = [1]", "a = Sub()\nx = a.monitors\n", ".monitors"),
+        ("gi_frame = [1]", "a = (one for one in [1])\nx = a.gi_frame\n", ".gi_frame"),
+    ],
+)
+def test_of_a_sub_scenario_may_be_read_what_it_sets_itself(sets: str, reads: str, refused: str) -> None:
+    text = f"model scenic.domains.driving.model\nego = new Car\nscenario Sub():\n    setup:\n        {sets}\n{reads}"
+    found = [one.what for one in check_foreign(text)]
+    assert (refused in found) if refused else not found
+
+
 def test_what_is_assumed_is_said_first_and_stays_with_the_program(tmp_path: Path) -> None:
     file = tmp_path / "lead.scenic"
     behavior = "behavior B():\n    take SetSpeedAction(somebody.speed)\n"

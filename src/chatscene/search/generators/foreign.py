@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from chatscene.errors import ForeignCodeRefused, SettingsError
 from chatscene.library.load import parameters_in, stated_in
@@ -174,6 +174,7 @@ def _with_meanings(
     Raises:
         SettingsError: A name is given as something that is no expression.
     """
+    rewritten, given = _with_ego(rewritten, given, trusted=trusted)
     source = rewritten.source
     tree = None if _OWN.search(source) or (not trusted and check_text(source)) else parse_foreign(source)
     if tree is None or isinstance(tree, Refusal):
@@ -185,6 +186,34 @@ def _with_meanings(
     lists = frozenset(re.findall(rf"^ *(\w+) = (?:\[|{AHEAD}\()", text, re.MULTILINE)) & names
     left = {name: value for name, value in given.items() if name not in meant}
     return (rewritten.defined(text, lists, told), left) if told else (rewritten, left)
+
+
+def _with_ego(
+    rewritten: Rewritten, given: Mapping[str, object], *, trusted: bool
+) -> tuple[Rewritten, Mapping[str, object]]:
+    """A program without an ego with the one that is said, and what else is given.
+
+    Raises:
+        SettingsError: Nothing that may be the ego is placed by this name.
+    """
+    source = rewritten.source
+    tree = None if "ego" not in given or (not trusted and check_text(source)) else parse_foreign(source)
+    if tree is None or isinstance(tree, Refusal) or _has_ego(tree):
+        return rewritten, given
+    name, placed = str(given["ego"]), _placed(tree)
+    if name not in placed:
+        raise SettingsError(f"no ego={name} can be: {_could_be(placed)}")
+    node, lines = placed[name], source.split("\n")
+    first = lines[node.lineno - 1]
+    lines[node.lineno - 1] = f"{first[: node.col_offset]}ego{first[node.col_offset + len(name) :]}"
+    lines.insert(node.end_lineno, f"{' ' * node.col_offset}{name} = ego")
+    told = f"line {node.lineno}: nothing is the ego; it is `{name}`, as you say"
+    left = {one: value for one, value in given.items() if one != "ego"}
+    return rewritten.defined("\n".join(lines), frozenset(), (told,)), left
+
+
+def _could_be(placed: Mapping[str, Any]) -> str:
+    return f"--param ego=NAME takes one of: {', '.join(placed)}" if placed else "nothing is placed by name"
 
 
 def _expression(name: str, value: object) -> str:
@@ -284,12 +313,37 @@ def _check_ranges(called: str, tree: Any) -> None:
 
 def _check_ego(called: str, tree: Any) -> None:
     """Refuse a program that places no ego at its top level, nor in the first scenario of one that is composed."""
+    if not _has_ego(tree):
+        placed = _placed(tree)
+        which = f", or say which road user it is: {_could_be(placed)}" if placed else ""
+        raise ForeignCodeRefused(f"{called} has no ego; add: ego = new Car{which}")
+
+
+def _has_ego(tree: Any) -> bool:
+    """Whether a program places an ego at its top level, or in the first scenario of one that is composed."""
+    return any(
+        type(node).__name__ == "TrackedAssign" and type(node.target).__name__ == "Ego" for node in _first_placed(tree)
+    )
+
+
+def _placed(tree: Any) -> dict[str, Any]:
+    """What is placed where an ego may be, by name."""
+    return {
+        node.targets[0].id: node
+        for node in _first_placed(tree)
+        if isinstance(node, ast.Assign) and type(node.value).__name__ == "New"
+        if isinstance(node.targets[0], ast.Name) and len(node.targets) == 1
+        if cast("Any", node.value).className not in {"Point", "OrientedPoint"}
+    }
+
+
+def _first_placed(tree: Any) -> Iterator[Any]:
+    """The statements of the top level, and of the first scenario of a program that is composed."""
     composed = [node for node in tree.body if type(node).__name__ == "ScenarioDef"]
-    whole = [node.setup or [] for node in composed if node.name == "Main" or len(composed) == 1]
-    for node in (*tree.body, *(part for setup in whole for part in setup)):
-        if type(node).__name__ == "TrackedAssign" and type(node.target).__name__ == "Ego":
-            return
-    raise ForeignCodeRefused(f"{called} has no ego; add: ego = new Car")
+    yield from tree.body
+    for node in composed:
+        if node.name == "Main" or len(composed) == 1:
+            yield from node.setup or ()
 
 
 def _slug(name: str) -> str:

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import ast
 import re
+from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
 from functools import lru_cache
-from typing import Any
+from typing import Any, cast
 
 from chatscene.parsing import parse_string
 from chatscene.simulate.confined.asked_map import map_of
@@ -68,6 +69,7 @@ def check_foreign(source: str, *, given: Collection[str] = (), whole: bool = Tru
         lines=source.split("\n"),
         declared=_declared(tree) if whole else None,
         meanings=_meanings(tree) if whole and dialect.free else {},
+        parts=_parts(tree) if whole and dialect.free else {},
     )
     _check_model(tree, reading, whole=whole)
     skipped = map_of(tree)[1] | (_never_read(tree) if whole and dialect.free else frozenset())
@@ -135,6 +137,51 @@ def _modules(tree: Any) -> dict[str, str]:
         for one in node.names
         if one.name in MODULES
     }
+
+
+def _parts(tree: Any) -> dict[str, frozenset[str]]:
+    """The variables of a program's sub-scenarios and monitors, by the names that surely mean one of these.
+
+    Such a name is given a value once in the whole program, at its top level, by a call of what is defined once. What
+    Scenic itself has in a scenario or a monitor is left out.
+    """
+    bound = Counter[str]()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
+            bound[node.id] += 1
+        elif isinstance(node, ast.arg):
+            bound[node.arg] += 1
+        elif type(node).__name__ in _DEFINING:
+            bound[cast("Any", node).name] += 1
+        elif isinstance(node, ast.Import | ast.ImportFrom):
+            bound.update(one.asname or one.name for one in node.names)
+    made = {node.name: node for node in tree.body if type(node).__name__ in {"ScenarioDef", "MonitorDef"}}
+    found: dict[str, frozenset[str]] = {}
+    for node in tree.body:
+        match node:
+            case ast.Assign(targets=[ast.Name(id=name)], value=ast.Call(func=ast.Name(id=kind))) if kind in made:
+                if bound[name] == bound[kind] == 1:
+                    found[name] = frozenset(_variables(made[kind]))
+            case _:
+                pass
+    return found
+
+
+def _variables(part: Any) -> Iterator[str]:
+    """The names that a sub-scenario sets when it is set up, or a monitor when it watches."""
+    body = part.setup if type(part).__name__ == "ScenarioDef" else part.body
+    nodes = (node for statement in body or () for node in ast.walk(statement))
+    names = (node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store))
+    return (name for name in names if not name.startswith("_") and name not in _scenics())
+
+
+@lru_cache(maxsize=1)
+def _scenics() -> frozenset[str]:
+    """What Scenic has in its scenarios and monitors."""
+    from scenic.core.dynamics.behaviors import Monitor
+    from scenic.core.dynamics.scenarios import DynamicScenario
+
+    return frozenset((*dir(DynamicScenario), *dir(Monitor)))
 
 
 def _own(tree: Any) -> frozenset[str]:

@@ -49,6 +49,7 @@ class Reading:
         column: Where in the line, from 1.
         declared: The names of the parameters of a whole program; None for a part of one.
         meanings: What to say of names that nothing defines, besides that.
+        parts: What may be read of its own sub-scenarios and monitors, besides, by their names.
         refusals: What was found.
         objects: How many things it places.
         egos: How often it places the ego.
@@ -62,6 +63,7 @@ class Reading:
     lines: Sequence[str] = ()
     declared: frozenset[str] | None = None
     meanings: Mapping[str, str] = field(default_factory=dict[str, str])
+    parts: Mapping[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])
     line: int = 0
     column: int = 0
     refusals: list[Refusal] = field(default_factory=list[Refusal])
@@ -194,6 +196,8 @@ def _attribute(node: ast.Attribute, reading: Reading) -> None:
     elif (module := module_of(node, reading.modules)) is not None:
         if node.attr not in MODULES[module]:
             _not_of(module, node.attr, reading)
+    elif isinstance(node.value, ast.Name) and node.attr in reading.parts.get(node.value.id, ()):
+        pass  # a variable of a part of the program, which it sets itself
     elif node.attr not in (known := reading.dialect.attributes | reading.dialect.methods):
         near = nearest(node.attr, known)
         if near:

@@ -238,7 +238,8 @@ _DRIVING_PYTHON_NAMES = _set(
 _DRIVING_NAMES = _set(
     """
     Color DiscreteRange Normal Object Options Point PolygonalRegion PolylineRegion RectangularRegion CircularRegion
-    TruncatedNormal Uniform Vector VerifaiDiscreteRange VerifaiOptions VerifaiRange everywhere nowhere max min
+    TimeSeries TruncatedNormal Uniform Vector VerifaiDiscreteRange VerifaiOptions VerifaiRange everywhere nowhere
+    max min
     network road curb sidewalk shoulder roadOrShoulder intersection roadDirection ManeuverType
     DrivingObject Vehicle Car NPCCar Pedestrian Prop Debris
     SetVelocityAction SetSpeedAction SetThrottleAction SetSteerAction SetBrakeAction SetHandBrakeAction SetReverseAction
@@ -280,7 +281,7 @@ _DRIVING_METHODS = _set(
     laneAt laneSectionAt laneGroupAt roadAt intersectionAt crossingAt sidewalkAt shoulderAt elementAt sectionAt
     nominalDirectionsAt connectingLaneAt flowFrom shiftedBy distanceToClosest distanceTo signedDistanceTo containsPoint
     containsObject intersects nearestSegmentTo pointAlongBy rotatedBy offsetRotated norm normalized angleTo angleWith
-    union intersect
+    union intersect getSample
     """
 )
 _DRIVING_PROPERTIES = _set(
