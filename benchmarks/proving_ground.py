@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.ego.asking import begin
-from chatscene.ego.observation import RouteView
+from chatscene.ego.observation import RouteView, Seen
 from chatscene.ego.policy import EgoPolicy, controls, observation_of, pedals_of
 from chatscene.simulate.contact import touch
 from chatscene.simulate.physics import Physics
@@ -138,7 +138,7 @@ def drive(
     view = RouteView(line, np.tile(room, (len(line), 1)), allowed)
     see = {"actors": view.actors, "road": view.road, "traffic": view.traffic}[observation_of(ego)]
     pedals = pedals_of(ego)
-    shown = [(other.body, not other.limits.wheelbase, math.inf) for other in others]
+    shown = [Seen(other.body, not other.limits.wheelbase, math.inf) for other in others]
     rows: list[tuple[float, ...]] = []
     begin(ego)
     impact = None

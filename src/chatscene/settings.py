@@ -143,12 +143,14 @@ class SimulationSettings:
             kind can do; ``lagged``, with build-up, yaw lag and a friction circle
             (`chatscene.simulate.embedded.lagged`). A simulator with an engine of its own has no choice here, and says
             in its identity what moves its bodies.
+        occlusion: Whether bodies hide others from the ego (`chatscene.terms.sight`).
     """
 
     dt: float = 0.1
     max_steps: int = 300
     simulator: str = "embedded"
     physics: str = "kinematic"
+    occlusion: bool = True
 
     def __post_init__(self) -> None:
         check_settings(self, {"dt": (0.001, 1.0), "max_steps": (1, 100_000)})

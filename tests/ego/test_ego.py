@@ -4,7 +4,7 @@ import types
 
 import pytest
 
-from chatscene.ego.observation import OBSERVATIONS, Observation, RouteView
+from chatscene.ego.observation import OBSERVATIONS, Observation, RouteView, Seen
 from chatscene.ego.policy import EGOS, EgoPolicy, controls, load_ego, observation_of
 from chatscene.errors import EgoError
 from chatscene.simulate.embedded.dynamics import VehicleBody, WalkerBody
@@ -50,7 +50,7 @@ def test_the_richer_view_places_a_walker_ahead_and_to_the_left() -> None:
     view.locate(10.0, 0.5)
     ego = VehicleBody(10.0, 0.5, 0.0, LIMITS["Car"], 6.0)
     walker = WalkerBody(22.0, 4.5, -math.pi / 2, LIMITS["Pedestrian"], 1.5)
-    observation = view.actors(ego, [(walker, True, math.inf)])
+    observation = view.actors(ego, [Seen(walker, True, math.inf)])
     assert observation.shape == (OBSERVATIONS["actors"],)
     assert observation[:4] == pytest.approx((6.0, 0.5, 0.0, 89.0))
     assert observation[4:6] == pytest.approx((5.0, -0.5))
@@ -63,7 +63,7 @@ def test_the_nearest_actors_come_first_and_those_out_of_sight_not_at_all() -> No
     view = RouteView(EAST)
     view.locate(0.0, 0.0)
     ego = VehicleBody(0.0, 0.0, 0.0, LIMITS["Car"], 6.0)
-    others = [(VehicleBody(x, 0.0, 0.0, LIMITS["Car"], 1.0), False, math.inf) for x in (60.0, 40.0, 20.0, 30.0)]
+    others = [Seen(VehicleBody(x, 0.0, 0.0, LIMITS["Car"], 1.0), False, math.inf) for x in (60.0, 40.0, 20.0, 30.0)]
     rows = view.actors(ego, others)[14:].reshape(-1, 11)
     assert rows[:, 3].tolist() == [20.0, 30.0, 40.0, 0.0, 0.0, 0.0]
 
@@ -73,7 +73,7 @@ def test_whoever_is_beyond_an_end_of_the_route_is_so_far_behind_or_ahead(x: floa
     view = RouteView(EAST)
     view.locate(0.0 if x < 0.0 else 90.0, 0.0)
     ego = VehicleBody(view.along, 0.0, 0.0, LIMITS["Car"], 0.0)
-    row = view.actors(ego, [(VehicleBody(x, 0.0, 0.0, LIMITS["Car"], 1.0), False, math.inf)])[14:25]
+    row = view.actors(ego, [Seen(VehicleBody(x, 0.0, 0.0, LIMITS["Car"], 1.0), False, math.inf)])[14:25]
     assert row[1:3] == pytest.approx((along - view.along, 0.0))
 
 
@@ -82,7 +82,7 @@ def test_an_ego_by_rule_sets_off_though_somebody_stands_behind_the_start_of_its_
     view.locate(0.0, 0.0)
     ego = VehicleBody(0.0, 0.0, 0.0, LIMITS["Car"], 0.0)
     behind = VehicleBody(-14.0, 0.0, 0.0, LIMITS["Car"], 0.0)
-    assert load_ego("idm").act(view.actors(ego, [(behind, False, math.inf)]))[0] > 0.1
+    assert load_ego("idm").act(view.actors(ego, [Seen(behind, False, math.inf)]))[0] > 0.1
 
 
 @pytest.mark.parametrize("action", [None, (1.0,), (float("nan"), 0.0), "ab"])

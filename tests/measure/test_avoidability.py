@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -20,6 +20,7 @@ from chatscene.measure.avoidability import (
     RAMP,
     RISK_EVALUATION,
     CarefulDriver,
+    _visible,  # pyright: ignore[reportPrivateUsage] - checked against the ego's own sight
     avoidable,
     avoidable_if_driven,
     careful_braking,
@@ -29,10 +30,11 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.embedded.dynamics import VehicleBody
 from chatscene.simulate.embedded.lagged import LaggedVehicle
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import LIMITS, height_of_kind
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import Scene, ScenicProgram
+from chatscene.terms.sight import eye_of, is_hidden
 
 EAST = Polyline([(float(x), 0.0) for x in range(300)])
 DT = 0.1
@@ -255,3 +257,42 @@ def test_what_is_lost_otherwise_is_told(kind: type[Exception]) -> None:
 
 def test_nobody_is_put_in_the_place_of_a_programs_own_ego() -> None:
     assert _driven_again(AssertionError("it is driven again"), _program(as_written=True)) == (None, ())
+
+
+@given(
+    x=st.floats(8.0, 60.0),
+    y=st.floats(-8.0, 8.0),
+    van=st.tuples(st.floats(6.0, 50.0), st.floats(-8.0, 8.0), st.floats(-3.0, 3.0), st.floats(0.0, 20.0)),
+    kind=st.sampled_from(("Child", "Pedestrian", "Car", "Truck")),
+)
+def test_a_careful_driver_sees_whom_an_ego_sees(
+    x: float, y: float, van: tuple[float, float, float, float], kind: str
+) -> None:
+    ahead = replace(track("adversary", Role.ADVERSARY, x, y, 1.0, 2.0), kind=kind)
+    between = replace(track("van", Role.BACKGROUND, *van), kind="Van", length=5.5, width=2.0)
+    drive = episode(ahead, between, crash_at=59)
+    for step, seen in enumerate(_visible(drive, ahead)):
+        ego, other, one = (_box(track, step) for track in (drive.ego_track, ahead, between))
+        eye, high = eye_of(ego, height_of_kind("Car")), height_of_kind(kind)
+        surely, perhaps = (
+            is_hidden(eye, other, high, [(replace(one, half_width=1.0 + grown), height_of_kind("Van"))])
+            for grown in (-1e-6, 1e-6)
+        )
+        if surely == perhaps:  # else it is a matter of rounding
+            assert seen != surely
+
+
+@dataclass
+class _Box:
+    x: float
+    y: float
+    cos: float
+    sin: float
+    half_length: float
+    half_width: float
+
+
+def _box(of: Track, step: int) -> _Box:
+    heading = float(of.heading[step])
+    place = float(of.x[step]), float(of.y[step])
+    return _Box(*place, math.cos(heading), math.sin(heading), of.length / 2, of.width / 2)

@@ -317,8 +317,15 @@ def test_what_the_ego_sees_stands_beside_its_collisions(tmp_path: Path) -> None:
 def test_every_packaged_ego_has_its_senses_in_words(name: str) -> None:
     said = in_words(senses_of(load_ego(name)))
     assert said.startswith(("sees its route and", "sees its route, how wide"))
-    assert ("hidden ones too" in said) == (observation_of(load_ego(name)) != "safebench")
+    assert ("not hidden ones" in said) == (observation_of(load_ego(name)) != "safebench")
     assert re.search(r"brakes with at most (3 m/s² \(0\.375 of the pedal|8 m/s² \(the whole pedal)\)$", said)
+
+
+@pytest.mark.parametrize(
+    "senses", [senses_of(load_ego("planner"), occlusion=False), {"observation": "traffic", "pedals": "full-brake"}]
+)
+def test_an_ego_from_which_nothing_hides_anybody_is_told_so(senses: dict[str, str]) -> None:
+    assert "hidden ones too" in in_words(senses)  # and of runs that were made before anything did
 
 
 def test_every_preset_has_words() -> None:
@@ -399,7 +406,7 @@ def _other(option: click.Option, folder: Path) -> list[str]:
     if option.name in THERE:  # what is not there is refused at once
         return [option.opts[0], *THERE[option.name]]
     if option.is_flag:
-        return [option.opts[0]]
+        return [option.secondary_opts[0] if option.default else option.opts[0]]
     if option.multiple:
         values = {"edit": ("make it a truck", "at night"), "set": ("side=left", "actions=cut-in,stop")}
         return [word for value in values[str(option.name)] for word in (option.opts[0], value)]

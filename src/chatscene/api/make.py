@@ -58,6 +58,7 @@ def run(
     sampler: str | None = None,
     simulator: str | None = None,
     physics: str | None = None,
+    occlusion: bool | None = None,
     library: Name | None = None,
     embedder: str | None = None,
     language_model: str | None = None,
@@ -94,6 +95,7 @@ def run(
         sampler: How to search, one of `chatscene.search.sampler` by name, or ``package.module:factory``.
         simulator: Simulator of the scenes; ``native`` if neither this nor ``settings`` is given.
         physics: How vehicles respond to pedals and steering: ``kinematic`` or ``lagged``.
+        occlusion: Whether bodies hide other road users from the ego.
         library: Folder of your own snippets: they serve a text that they do; any other becomes a situation.
         embedder: Text encoder.
         language_model: Reader of the text: ``offline``, ``openai:MODEL``, ``gguf:FILE``, or ``package.module:factory``.
@@ -142,7 +144,7 @@ def run(
     looking = changed(
         settings.search, scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable, sampler=sampler
     )
-    simulation = changed(settings.simulation, simulator=simulator, physics=physics)
+    simulation = changed(settings.simulation, simulator=simulator, physics=physics, occlusion=occlusion)
     where = folder_for(folder)
     own = None if program is None else _own(path_of(program), trusted=trust, as_written=as_written, given=param)
     if own and within is not None:

@@ -26,6 +26,7 @@ from chatscene.commands.options import (
     JSON,
     MANY,
     MAP_WITH_SITE,
+    OCCLUSION,
     PHYSICS_OPTION,
     READING,
     REPORT,
@@ -73,6 +74,7 @@ if TYPE_CHECKING:
 @sampler_option(SearchSettings().sampler)
 @SIMULATOR_OPTION
 @PHYSICS_OPTION
+@OCCLUSION
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),

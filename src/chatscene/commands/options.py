@@ -208,6 +208,12 @@ PHYSICS_OPTION = click.option(
 PHYSICS_THERE = click.option(
     "--physics", type=click.Choice(PHYSICS), default=None, help="Physics of the drives.  [default: that of the runs]"
 )
+OCCLUSION = click.option(
+    "--occlusion/--no-occlusion",
+    default=SimulationSettings().occlusion,
+    show_default=True,
+    help="Whether bodies hide other road users from the ego.",
+)
 EXECUTOR_OPTION = click.option(
     "--executor",
     cls=Named,

@@ -35,9 +35,11 @@ reference, not an oversight.
 | 0 to 81 | ``road``, of which every distance is `scale_of` the speed times as long: the end of the route, the points on it, how near the nearest actors are and how far the room is looked for; up to 8 m/s it is ``road`` itself | |
 | 82 | the speed allowed here by the bends of the route and, where the program keeps them, by its limits, those ahead too (`chatscene.terms.profile`), at most 100 | m/s |
 
-Rows of actors that are not there are zero. Nothing hides anybody but night and fog, in which those are not there who
-are farther than light and weather let them be seen (`chatscene.terms.surroundings`): a preset is eyes, not a sensor
-model. ``safebench`` looks no farther than anybody sees in any of these, so that they change nothing of it.
+Rows of actors that are not there are zero. So are those of who is hidden: at night and in fog by being farther than
+light and weather let it be seen (`chatscene.terms.surroundings`), and else by bodies that stand between, unless the
+simulation leaves that out (`chatscene.terms.sight`). A preset is eyes without a memory, not a sensor model.
+``safebench`` looks no farther than anybody sees at night and in fog, and only at who is ahead in its own lane, so that
+neither changes anything of it.
 """  # noqa: E501 - a table
 
 from __future__ import annotations
@@ -45,13 +47,14 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Sequence
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import EgoError, no_such
 from chatscene.terms.polyline import Polyline
+from chatscene.terms.sight import eye_of, is_hidden
 
 Observation = NDArray[np.float64]
 
@@ -78,11 +81,10 @@ SPEED_AT: dict[str, int] = {"safebench": 2, "actors": 0, "road": 0, "traffic": 0
 
 IN_WORDS: dict[str, str] = {
     "safebench": f"sees its route and, of all others, only whether a vehicle is within {SIGHT:g} m ahead in its lane",
-    "actors": f"sees its route and the {NEAREST} nearest road users within {RANGE:g} m, hidden ones too",
-    "road": f"sees its route, how wide the road is, and the {NEAREST} nearest road users within {RANGE:g} m, "
-    "hidden ones too",
+    "actors": f"sees its route and the {NEAREST} nearest road users within {RANGE:g} m",
+    "road": f"sees its route, how wide the road is, and the {NEAREST} nearest road users within {RANGE:g} m",
     "traffic": f"sees its route, how wide the road is, how fast it may drive, and the {NEAREST} nearest road users "
-    f"within {RANGE:g} m, farther from {USUAL:g} m/s on in proportion to its speed, hidden ones too",
+    f"within {RANGE:g} m, farther from {USUAL:g} m/s on in proportion to its speed",
 }
 """What each preset shows, to stand beside what came of it."""
 
@@ -91,6 +93,22 @@ def scale_of(speed: float) -> float:
     """How many times as far `traffic` sees at a speed [m/s] as `road` does."""
     far = speed / USUAL
     return far if far > 1.0 else 1.0
+
+
+class Seen(NamedTuple):
+    """Somebody beside the ego.
+
+    Attributes:
+        body: Where it is.
+        walks: Whether it walks.
+        sight: From how far it is seen [m].
+        height: [m]; 0 where nothing hides anybody.
+    """
+
+    body: Posed
+    walks: bool
+    sight: float
+    height: float = 0.0
 
 
 class Posed(Protocol):
@@ -152,13 +170,14 @@ class RouteView:
         lateral = hx * (y - wy) - hy * (x - wx)
         return np.array((lateral, _error(hx, hy, heading), abs(speed), 1.0 if vehicle_ahead else 0.0))
 
-    def actors(self, ego: Posed, others: Sequence[tuple[Posed, bool, float]], scale: float = 1.0) -> Observation:
+    def actors(self, ego: Posed, others: Sequence[Seen], scale: float = 1.0, height: float = 0.0) -> Observation:
         """The preset ``actors`` for an ego that was located at its pose.
 
         Args:
             ego: The ego.
-            others: Everybody else, whether each walks, and from how far it is seen [m].
+            others: Everybody else.
             scale: How many times as far it sees.
+            height: Of the ego [m]; 0 where nothing hides anybody.
 
         Returns:
             (``OBSERVATIONS["actors"]``,) float64.
@@ -174,32 +193,42 @@ class RouteView:
         near = sorted(
             (
                 (distance, i)
-                for i, (other, _, sight) in enumerate(others)
+                for i, (other, _, sight, _) in enumerate(others)
                 if (distance := math.hypot(other.x - x, other.y - y)) < (sight if sight < reach else reach)
             )
         )
-        for _, i in near[:NEAREST]:
-            other, walks, _ = others[i]
-            seen += self._row(ego, other, walks)
+        rows = 0
+        for _, i in near:
+            if rows == NEAREST:
+                break
+            if height and self._is_hidden(ego, height, others, i):
+                continue
+            seen += self._row(ego, others[i].body, others[i].walks)
+            rows += 1
         seen += [0.0] * (OBSERVATIONS["actors"] - len(seen))
         return np.array(seen)
 
-    def road(self, ego: Posed, others: Sequence[tuple[Posed, bool, float]], scale: float = 1.0) -> Observation:
+    @staticmethod
+    def _is_hidden(ego: Posed, height: float, others: Sequence[Seen], of: int) -> bool:
+        between = ((one.body, one.height) for i, one in enumerate(others) if i != of)
+        return is_hidden(eye_of(ego, height), others[of].body, others[of].height, between)
+
+    def road(self, ego: Posed, others: Sequence[Seen], scale: float = 1.0, height: float = 0.0) -> Observation:
         """The preset ``road`` for an ego that was located at its pose; the rest as for `actors`.
 
         Returns:
             (``OBSERVATIONS["road"]``,) float64.
         """
-        return np.concatenate((self.actors(ego, others, scale), self._beside(scale)))
+        return np.concatenate((self.actors(ego, others, scale, height), self._beside(scale)))
 
-    def traffic(self, ego: Posed, others: Sequence[tuple[Posed, bool, float]]) -> Observation:
+    def traffic(self, ego: Posed, others: Sequence[Seen], height: float = 0.0) -> Observation:
         """The preset ``traffic`` for an ego that was located at its pose; the rest as for `actors`.
 
         Returns:
             (``OBSERVATIONS["traffic"]``,) float64.
         """
         allowed = UNHELD if self._allowed is None else min(float(self._allowed[self._near]), UNHELD)
-        return np.append(self.road(ego, others, scale_of(ego.speed)), allowed)
+        return np.append(self.road(ego, others, scale_of(ego.speed), height), allowed)
 
     def _beside(self, scale: float) -> Observation:
         """The room left and right [m]: the least of the points from that before the ego on."""

@@ -107,17 +107,20 @@ def pedals_of(ego: EgoPolicy) -> str:
     return pedals
 
 
-def senses_of(ego: EgoPolicy, kind: str = CAR) -> dict[str, str]:
+def senses_of(ego: EgoPolicy, kind: str = CAR, *, occlusion: bool = True) -> dict[str, str]:
     """What an ego sees and brakes with, by the names of the presets, and what it drives if that is no car.
 
     Args:
         ego: Which; `in_words` says it.
         kind: The class of what it drives.
+        occlusion: Whether bodies hide others from it.
 
     Raises:
         EgoError: There is no such preset, or no such pedals.
     """
     seen = {"observation": observation_of(ego), "pedals": pedals_of(ego)}
+    if seen["observation"] != "safebench":
+        seen["hidden"] = "unseen" if occlusion else "seen"
     return seen if kind == CAR else seen | {"body": kind}
 
 
@@ -129,7 +132,10 @@ def in_words(senses: Mapping[str, str]) -> str:
     share = PEDALS[pedals]
     brake = LIMITS.get(senses.get("body", CAR), LIMITS[CAR]).brake
     part = "the whole pedal" if share == 1.0 else f"{share:g} of the pedal"
-    return f"{IN_WORDS[seen]}; brakes with at most {share * brake:g} m/s² ({part})"
+    hidden = {"safebench": "", "unseen": ", not hidden ones"}.get(
+        seen if seen == "safebench" else senses.get("hidden", ""), ", hidden ones too"
+    )
+    return f"{IN_WORDS[seen]}{hidden}; brakes with at most {share * brake:g} m/s² ({part})"
 
 
 FILES = (".npz", ".zip", ".pt", ".onnx")

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from chatscene.terms.actors import BY_CLASS
+from chatscene.terms.actors import BY_CLASS, height_of_kind
 from chatscene.terms.episode import Track
-
-_THING = 2.0  # [m], at the roadside, where it hides somebody
 
 
 def height_of(track: Track) -> float:
     """The nominal height of an actor [m]."""
-    kind = BY_CLASS.get(track.kind)
-    return kind.row.height if kind else _THING
+    return height_of_kind(track.kind)
 
 
 def wheelbase_of(track: Track) -> float:

@@ -28,12 +28,13 @@ from chatscene.simulate.native.engine import Course as NativeCourse
 from chatscene.simulate.native.engine import Engine, boxes_of, course_of
 from chatscene.simulate.native.lines import engine, follow
 from chatscene.simulate.simulator import Simulator, limited
-from chatscene.terms.actors import LIMITS, Limits, has_lamps
+from chatscene.terms.actors import LIMITS, Limits, has_lamps, height_of_kind
 from chatscene.terms.arrays import Array, fixed
 from chatscene.terms.braking import Braking
 from chatscene.terms.episode import Episode, Role, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import CAR, Scene, ScenicProgram
+from chatscene.terms.sight import BEHIND_NOSE, EYE
 
 RISK_EVALUATION = 0.4  # [s] (UN R157, annex 3)
 BRAKING_DELAY = 0.75  # [s] from having judged until braking begins (the same)
@@ -299,28 +300,51 @@ def _touching(
 
 
 def _visible(episode: Episode, other: Track) -> NDArray[np.bool_]:
-    """(T,) Whether the other is near enough to be seen, and no thing stands between its centre and the ego's."""
+    """(T,) Whether the other is near enough to be seen, and nobody and nothing hides it (`chatscene.terms.sight`)."""
     ego = episode.ego_track
     sight = episode.surroundings.sight(lit=has_lamps(other.kind))
     seen: NDArray[np.bool_] = np.hypot(other.x - ego.x, other.y - ego.y) < sight
-    for thing in episode.tracks:
-        if thing.role is not Role.OCCLUDER or thing is other:
-            continue
-        cos, sin = math.cos(thing.heading[0]), math.sin(thing.heading[0])
-        half = np.array((thing.length / 2, thing.width / 2))
-        starts, ends = (
-            np.column_stack(
-                (
-                    (t.x - thing.x[0]) * cos + (t.y - thing.y[0]) * sin,
-                    (t.y - thing.y[0]) * cos - (t.x - thing.x[0]) * sin,
-                )
-            )
-            for t in (ego, other)
-        )
-        # The part of the line of sight within the box, slab by slab; a line along a slab divides by nothing.
-        way = ends - starts
-        way = np.where(np.abs(way) < 1e-12, 1e-12, way)
-        near, far = (-half - starts) / way, (half - starts) / way
-        enter, leave = np.minimum(near, far).max(axis=1), np.maximum(near, far).min(axis=1)
-        seen &= ~((enter < leave) & (leave > 0.0) & (enter < 1.0))
-    return seen
+    between = [track for track in episode.tracks if track is not other and track is not ego]
+    if not between:
+        return seen
+    ahead = max(0.0, ego.length / 2 - BEHIND_NOSE)
+    eye = ego.x + ahead * np.cos(ego.heading), ego.y + ahead * np.sin(ego.heading)
+    at, high = EYE * height_of_kind(ego.kind), height_of_kind(other.kind)
+    cos, sin = np.cos(other.heading), np.sin(other.heading)
+    along, aside = other.length / 2 * _CORNERS[0], other.width / 2 * _CORNERS[1]
+    points = other.x + along * cos - aside * sin, other.y + along * sin + aside * cos  # (5, T)
+    hidden = np.zeros(points[0].shape, dtype=bool)
+    for track in between:
+        hidden |= _stopped(track, eye, points, at, high)
+    return seen & ~hidden.all(axis=0)
+
+
+_CORNERS = np.array(((0, 1, 1, -1, -1), (0, 1, -1, 1, -1)), dtype=float)[:, :, None]
+"""Along and across a box: its middle and its corners."""
+_Places = tuple[NDArray[np.float64], NDArray[np.float64]]
+
+
+def _stopped(track: Track, eye: _Places, points: _Places, at: float, high: float) -> NDArray[np.bool_]:
+    """(5, T) Whether lines from an eye to points go through somebody's box, slab by slab.
+
+    Args:
+        track: Whose.
+        eye: Where it is, (T,).
+        points: Where these are, (5, T).
+        at: How high the eye is [m].
+        high: How high the points are [m].
+    """
+    cos, sin = np.cos(track.heading), np.sin(track.heading)
+    dx, dy = eye[0] - track.x, eye[1] - track.y
+    starts = dx * cos + dy * sin, dy * cos - dx * sin
+    dx, dy = points[0] - eye[0], points[1] - eye[1]
+    enter, leave = np.zeros(dx.shape), np.ones(dx.shape)
+    for start, way, half in zip(
+        starts, (dx * cos + dy * sin, dy * cos - dx * sin), (track.length / 2, track.width / 2), strict=True
+    ):
+        along = np.where(way == 0.0, 1e-12, way)  # a line along a slab divides by nothing
+        first, second = (-half - start) / along, (half - start) / along
+        enter, leave = np.maximum(enter, np.minimum(first, second)), np.minimum(leave, np.maximum(first, second))
+    rise = high - at
+    lowest = at + rise * (leave if rise < 0.0 else enter)
+    return (enter < leave) & (lowest < height_of_kind(track.kind))

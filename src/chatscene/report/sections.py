@@ -22,7 +22,7 @@ from chatscene.report.ranges import Plot, plot_ranges
 from chatscene.report.summary import outcomes_in_words
 from chatscene.report.templates import fill_section
 from chatscene.report.what_happened import kept_in_words, outcome_in_words
-from chatscene.runs import RunRecord, Status
+from chatscene.runs import RunRecord, Status, settings_of
 from chatscene.runs.beside import Beside
 from chatscene.search.generators.own_program import options_of
 from chatscene.settings import SIMULATOR, Settings, SimulationSettings
@@ -348,6 +348,7 @@ OPTIONS = {
     ("search", "sampler"): "--sampler",
     ("simulation", "simulator"): "--simulator",
     ("simulation", "physics"): "--physics",
+    ("simulation", "occlusion"): "--occlusion",
     ("retrieval", "library"): "--library",
     ("retrieval", "embedder"): "--embedder",
     ("retrieval", "language_model"): "--language-model",
@@ -375,8 +376,15 @@ def command(record: RunRecord) -> str:
         if place == ("retrieval", "stated"):
             words += [word for fact in str(value).split() for word in (OPTIONS[place], fact)]
         elif place in OPTIONS:
-            words += [OPTIONS[place]] if value is True else [OPTIONS[place], str(value)]
+            words += _written(OPTIONS[place], value)
     return shlex.join(words)
+
+
+def _written(option: str, value: object) -> list[str]:
+    """An option and its value, as typed; a flag that is off where it is usually on has *no* before its name."""
+    if isinstance(value, bool):
+        return [option if value else option.replace("--", "--no-", 1)]
+    return [option, str(value)]
 
 
 def _without_option(record: RunRecord) -> str:
@@ -389,7 +397,7 @@ def _changed(record: RunRecord) -> dict[tuple[str, str], object]:
     default = asdict(Settings(simulation=SimulationSettings(simulator=SIMULATOR)))
     return {
         (group, name): value
-        for group, values in record.settings.items()
+        for group, values in asdict(settings_of(record)).items()
         for name, value in values.items()
         if value != default.get(group, {}).get(name)
     }

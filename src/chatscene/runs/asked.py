@@ -204,7 +204,12 @@ def _on_a_map(
     return {
         "map_name": name_of(path),  # by which it is found from any folder
         "map_digest": digest_of(path),
-        "senses": {ego: senses_of(wanting(load_ego(ego), USUAL if told_speed else None), kind) for ego in egos},
+        "senses": {
+            ego: senses_of(
+                wanting(load_ego(ego), USUAL if told_speed else None), kind, occlusion=settings.simulation.occlusion
+            )
+            for ego in egos
+        },
         "ego_digests": ego_digests(egos),
         "simulator": SimulatorRecord.of(simulator.identity),
         "settings": asdict(settings),

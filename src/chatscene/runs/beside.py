@@ -86,7 +86,8 @@ def drive_beside(run: Workspace, rows: Sequence[Mapping[str, Any]], *, followed:
     if not rows:
         return Beside()
     record = read_record(run, RunRecord)
-    if (where := settings_of(record).simulation.simulator) not in REPEATING:
+    simulation = settings_of(record).simulation
+    if (where := simulation.simulator) not in REPEATING:
         return Beside(why_not=f"the simulator {where} is not asked twice")
     if not followed:
         try:
@@ -94,12 +95,12 @@ def drive_beside(run: Workspace, rows: Sequence[Mapping[str, Any]], *, followed:
         except RunError:
             return Beside(why_not="the run uses code that is not packaged, so it cannot be run here")
     try:
-        return _beside(remade(run), record.ego, rows)
+        return _beside(remade(run), record.ego, rows, occlusion=simulation.occlusion)
     except ChatSceneError as error:
         return Beside(why_not=str(error).replace(str(run.path), "the run"))
 
 
-def _beside(made: Remade, drove: str, rows: Sequence[Mapping[str, Any]]) -> Beside:
+def _beside(made: Remade, drove: str, rows: Sequence[Mapping[str, Any]], *, occlusion: bool) -> Beside:
     if made.program.as_written:
         return Beside(why_not="the program's own ego drives")
     name = next(one for one in OTHERS if one != drove)
@@ -108,7 +109,7 @@ def _beside(made: Remade, drove: str, rows: Sequence[Mapping[str, Any]]) -> Besi
     crashed = [row for row in rows if row["collision"]][:TOLD]
     return Beside(
         ego=name,
-        senses=in_words(senses_of(fitted(ego, made.program), made.program.ego_kind)),
+        senses=in_words(senses_of(fitted(ego, made.program), made.program.ego_kind, occlusion=occlusion)),
         drives={one.scene_id: one for one in driven if not isinstance(one, Rejected)},
         stories={row["scene_id"]: _story(made, row) for row in crashed},
     )

@@ -512,7 +512,7 @@ def settings_of(record: MapRecord) -> Settings:
     given = record.settings
     return Settings(
         search=settings_from(SearchSettings, {"objective": "collision"} | given.get("search", {})),  # as before 0088
-        simulation=settings_from(SimulationSettings, given.get("simulation", {})),
+        simulation=settings_from(SimulationSettings, {"occlusion": False} | given.get("simulation", {})),  # 0188
         retrieval=settings_from(RetrievalSettings, _as_called_now(given.get("retrieval", {}))),
     )
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.ego.observation import SIGHT, Observation, check_preset
+from chatscene.ego.observation import SIGHT, Observation, Seen, check_preset
 from chatscene.ego.policy import controls
 from chatscene.errors import ChatSceneError, EgoError, ProgramError
 from chatscene.settings import SimulationSettings
@@ -21,7 +21,7 @@ from chatscene.simulate.recorded import states_of, tracks_of
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.set_up import awaited_by, check_wanted, names_of, orders_of, overlap, view_of
 from chatscene.simulate.simulation import SteppedSimulation
-from chatscene.terms.actors import LIMITS, has_lamps, kind_of
+from chatscene.terms.actors import LIMITS, has_lamps, height_of_kind, kind_of
 from chatscene.terms.backing import turned_about
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Stepped
 from chatscene.terms.mirroring import mirrored_drive
@@ -129,7 +129,8 @@ class SteppedSession:
         }[observation]
         self._moving: list[Body] = []
         self._vehicles: list[Body] = []
-        self.others: list[tuple[Body, bool, float]] = []
+        self.height = height_of_kind(kind_of(objects[0])) if settings.occlusion else 0.0
+        self.others: list[Seen] = []
         self._rows: Any = []  # of numbers, one after the other; an array where another engine stepped it
         self._since: list[int] = []
         self._offsets: Any = []
@@ -315,7 +316,8 @@ class SteppedSession:
                 self._since.append(len(self._offsets))
             if body is not self._ego:
                 sight = simulation.surroundings.sight(lit=has_lamps(kind_of(obj)))
-                self.others.append((body, getattr(obj, "isWalker", False), sight))
+                height = height_of_kind(kind_of(obj)) if self.settings.occlusion else 0.0
+                self.others.append(Seen(body, getattr(obj, "isWalker", False), sight, height))
                 if getattr(obj, "isVehicle", False):
                     self._vehicles.append(body)
 
@@ -361,13 +363,13 @@ class SteppedSession:
         return self._view.four_numbers(body.x, body.y, body.heading, body.speed, self._vehicle_ahead())
 
     def _actors(self) -> Observation:
-        return self._view.actors(self._ego, self.others)
+        return self._view.actors(self._ego, self.others, height=self.height)
 
     def _road(self) -> Observation:
-        return self._view.road(self._ego, self.others)
+        return self._view.road(self._ego, self.others, height=self.height)
 
     def _traffic(self) -> Observation:
-        return self._view.traffic(self._ego, self.others)
+        return self._view.traffic(self._ego, self.others, self.height)
 
     def _vehicle_ahead(self) -> bool:
         ego = self._ego

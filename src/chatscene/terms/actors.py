@@ -22,6 +22,7 @@ from weakref import WeakKeyDictionary
 
 from chatscene.terms.nouns import with_article
 
+THING_HEIGHT = 2.0  # [m], at the roadside
 AIR_DRAG = 0.0008  # [1/m] on top of `Limits.drag`: with both, a car coasts from 15 to 10 m/s in about 15 s
 
 
@@ -82,7 +83,7 @@ class RoadUser:
         mass: Of a common one with whoever is in or on it [kg].
         limits: What its body can do.
         manner: How it moves; those on foot or on two wheels are the vulnerable ones (Directive 2010/40/EU, article 4).
-        height: [m]; nominal, and no drive depends on it.
+        height: [m]; nominal; by it bodies hide each other from the ego (`chatscene.terms.sight`).
         openscenario: Its category in OpenSCENARIO XML 1.2: of a vehicle, a pedestrian or a thing.
         nouns: What it is called, parted by `|` or lines, the usual word first.
         motorised: Whether it is meant where a text speaks of vehicles in general.
@@ -750,6 +751,11 @@ def named(actor: str, kind: str, kinds: Mapping[str, str]) -> str:
 def has_lamps(kind: str) -> bool:
     """Whether what a track is of is seen by its own lamps at night, which the law asks of vehicles and cycles."""
     return manner_of(kind) not in (None, Manner.WALKS, Manner.LIES)
+
+
+def height_of_kind(kind: str) -> float:
+    """The nominal height [m] of what a track is of; things at the roadside are as high as what hides somebody."""
+    return BY_CLASS[kind].row.height if kind in BY_CLASS else THING_HEIGHT
 
 
 def kind_of(thing: object) -> str:

@@ -11,7 +11,7 @@ from typing import Any, cast
 import numpy as np
 
 from chatscene.ego.asking import answer, begin, driving, wanting
-from chatscene.ego.observation import Observation, RouteView
+from chatscene.ego.observation import Observation, RouteView, Seen
 from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of
 from chatscene.errors import EgoError
 from chatscene.terms.actors import LIMITS
@@ -127,4 +127,4 @@ def _seen(preset: str, ego: _Car, others: list[_Car]) -> Observation:
     if preset == "safebench":
         return view.four_numbers(ego.x, ego.y, ego.heading, ego.speed, bool(others))
     see = {"actors": view.actors, "road": view.road, "traffic": view.traffic}[preset]
-    return see(ego, [(other, False, math.inf) for other in others])
+    return see(ego, [Seen(other, False, math.inf) for other in others])

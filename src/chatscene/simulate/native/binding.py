@@ -233,8 +233,9 @@ class _Binder:
         _pose(row, body)
         row.seen_as_vehicle = bool(getattr(thing, "isVehicle", False))
         if index:
-            _, walks, sight = self._session.others[index - 1]
-            row.walks, row.sight = walks, sight
+            _, row.walks, row.sight, row.height = self._session.others[index - 1]
+        else:
+            row.height = self._session.height
         return row
 
     def _agent(self, index: int) -> engine.Agent:

@@ -24,6 +24,8 @@
 #define RANGE 50.0
 #define HORIZON 100.0
 #define PREVIEW 6
+#define EYE 0.75
+#define BEHIND_NOSE 2.2
 #define NEAREST 6
 #define PER_ACTOR 11
 #define OWN 14
@@ -70,7 +72,7 @@ typedef struct {
     double x, y, heading, speed, before, cos, sin, half_length, half_width, radius, grip;
     double throttle, brake, steer, wheel;  /* of vehicles */
     double course, target_speed, vx, vy;   /* of walkers */
-    double sight;                          /* from how far the ego sees it */
+    double sight, height;                  /* from how far the ego sees it; 0 where nothing hides anybody */
     double was_x, was_y, was_heading;      /* before the last step */
     double even_speed, even_heading, even_distance; /* when it became quiet; the distance from the ego */
     Limits limits;
@@ -894,6 +896,50 @@ static void see_actor(const World *w, const Body *ego, const Body *o, double *ou
     out[10] = o->walks ? 1.0 : 0.0;
 }
 
+/* chatscene.terms.sight */
+static int stops(const Body *box, const double *eye, double px, double py, double pz) {
+    double dx = eye[0] - box->x, dy = eye[1] - box->y;
+    double at[2] = {dx * box->cos + dy * box->sin, dy * box->cos - dx * box->sin};
+    dx = px - eye[0];
+    dy = py - eye[1];
+    double way[2] = {dx * box->cos + dy * box->sin, dy * box->cos - dx * box->sin};
+    double half[2] = {box->half_length, box->half_width}, enter = 0.0, leave = 1.0;
+    for (int i = 0; i < 2; i++) {
+        if (way[i] == 0.0) {
+            if (at[i] <= -half[i] || at[i] >= half[i]) return 0;
+            continue;
+        }
+        double first = (-half[i] - at[i]) / way[i], second = (half[i] - at[i]) / way[i];
+        double near = first < second ? first : second, far = first < second ? second : first;
+        enter = near > enter ? near : enter;
+        leave = far < leave ? far : leave;
+    }
+    if (!(enter < leave)) return 0;
+    double rise = pz - eye[2];
+    return eye[2] + rise * (rise < 0.0 ? leave : enter) < box->height;
+}
+
+static int point_hidden(const World *w, const Body *of, const double *eye, double px, double py) {
+    for (int64_t i = 1; i < w->bodies; i++)
+        if (&w->body[i] != of && stops(&w->body[i], eye, px, py, of->height)) return 1;
+    return 0;
+}
+
+static int is_hidden(const World *w, const Body *of) {
+    const Body *ego = &w->body[0];
+    if (!(ego->height > 0.0)) return 0;
+    double ahead = ego->half_length - BEHIND_NOSE;
+    ahead = ahead > 0.0 ? ahead : 0.0;
+    double eye[3] = {ego->x + ahead * ego->cos, ego->y + ahead * ego->sin, EYE * ego->height};
+    double lx = of->half_length * of->cos, ly = of->half_length * of->sin;
+    double sx = -of->half_width * of->sin, sy = of->half_width * of->cos;
+    if (!point_hidden(w, of, eye, of->x, of->y)) return 0;
+    for (int a = 1; a >= -1; a -= 2)
+        for (int b = 1; b >= -1; b -= 2)
+            if (!point_hidden(w, of, eye, of->x + (a * lx + b * sx), of->y + (a * ly + b * sy))) return 0;
+    return 1;
+}
+
 static const double AHEAD[5] = {5.0, 10.0, 15.0, 20.0, 30.0};
 
 static void see_actors(World *w, double scale) {
@@ -918,7 +964,7 @@ static void see_actors(World *w, double scale) {
     for (int64_t i = 1; i < w->bodies; i++) { /* the nearest, by distance and then by order */
         const Body *o = &w->body[i];
         double d = hypotenuse(o->x - ego->x, o->y - ego->y);
-        if (!(d < (o->sight < reach ? o->sight : reach))) continue;
+        if (!(d < (o->sight < reach ? o->sight : reach)) || is_hidden(w, o)) continue;
         int64_t k = count < NEAREST ? count++ : NEAREST;
         while (k > 0 && d < distance[k - 1]) {
             if (k < NEAREST) { distance[k] = distance[k - 1]; found[k] = found[k - 1]; }

@@ -71,7 +71,7 @@ class Body(Structure):
             (name, c_double)
             for name in (
                 *("x", "y", "heading", "speed", "before", "cos", "sin", "half_length", "half_width", "radius", "grip"),
-                *("throttle", "brake", "steer", "wheel", "course", "target_speed", "vx", "vy", "sight"),
+                *("throttle", "brake", "steer", "wheel", "course", "target_speed", "vx", "vy", "sight", "height"),
                 *("was_x", "was_y", "was_heading"),
                 *("even_speed", "even_heading", "even_distance"),
             )
