@@ -406,7 +406,7 @@ def _other(option: click.Option, folder: Path) -> list[str]:
     if option.name in THERE:  # what is not there is refused at once
         return [option.opts[0], *THERE[option.name]]
     if option.is_flag:
-        return [option.secondary_opts[0] if option.default else option.opts[0]]
+        return [option.secondary_opts[0] if option.default is True else option.opts[0]]
     if option.multiple:
         values = {"edit": ("make it a truck", "at night"), "set": ("side=left", "actions=cut-in,stop")}
         return [word for value in values[str(option.name)] for word in (option.opts[0], value)]
