@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from chatscene import runs
+from chatscene import plugins, runs
 from chatscene.commands.main import main
 from chatscene.ego.policy import EGOS, load_ego
 from chatscene.errors import ChatSceneError, MissingExtra, SettingsError
@@ -20,7 +20,7 @@ from chatscene.exports.exporter import EXPORTERS
 from chatscene.interpret.readers import is_model
 from chatscene.models.encoders.embedding import EMBEDDERS
 from chatscene.models.language.protocol import LANGUAGE_MODELS, load_language_model
-from chatscene.plugins import Kind, make, names
+from chatscene.plugins import Kind, Packaged, make, names
 from chatscene.read.reader import READERS
 from chatscene.runs.executor import EXECUTORS
 from chatscene.search.generator import GENERATORS
@@ -125,16 +125,26 @@ def test_the_page_lists_every_kind() -> None:
     ]
 
 
-@pytest.mark.parametrize(
-    ("kind", "command", "page"), [(SAMPLERS, "run", "search.md"), (EXPORTERS, "export", "exports.md")]
-)
-def test_a_help_and_a_page_name_all_that_is_built_in(kind: Kind[Any], command: str, page: str) -> None:
+@pytest.mark.parametrize(("kind", "command"), [(SAMPLERS, "run"), (EXPORTERS, "export")])
+def test_a_help_names_all_that_is_built_in(kind: Kind[Any], command: str) -> None:
     output = CliRunner().invoke(main, [command, "--help"]).output
     helped = re.split(r"[\s,:]+", re.sub(r"-\s+", "-", output))  # lines break behind a hyphen
-    rows = re.findall(r"^\| `([\w-]+)`", (ROOT / "docs" / page).read_text(encoding="utf-8"), re.MULTILINE)
     for name in kind.built_in:
         assert name in helped, f"chatscene {command} --help does not name the {kind.noun} {name}"
-        assert name in rows, f"docs/{page}: the table of {kind.noun}s lacks `{name}`"
+
+
+def test_a_plug_in_of_ours_is_a_file_that_says_its_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "samplers").mkdir()
+    (tmp_path / "samplers" / "helper.py").write_text("HELPS = 1\n")
+    said = (
+        'PLUGIN = {\n    "name": "halton",\n    "makes": "Halton",\n    "needs": "search",\n    "what": "evenly",\n}\n'
+    )
+    (tmp_path / "samplers" / "even.py").write_text(said)
+    monkeypatch.setattr(plugins, "_HERE", tmp_path)
+    assert dict(Packaged("samplers")) == {"halton": "chatscene.samplers.even:Halton [search]"}
+    (tmp_path / "samplers" / "odd.py").write_text(said)
+    with pytest.raises(ValueError, match=r"odd\.py: PLUGIN is to have a name of its own"):
+        len(Packaged("samplers"))
 
 
 def test_a_name_that_two_packages_bring_stands_for_neither(place: Path) -> None:

@@ -12,12 +12,15 @@ stand in a record only.
 
 from __future__ import annotations
 
+import ast
 import importlib
 import os
+import re
 import sys
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Generator, Iterator, Mapping
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
+from functools import cached_property
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Any, Generic, TypeVar
@@ -26,6 +29,52 @@ from chatscene.errors import ChatSceneError, MissingExtra, SettingsError, no_suc
 from chatscene.terms.nouns import with_article
 
 Plugin = TypeVar("Plugin")
+_HERE = Path(__file__).parent
+_SAYS = re.compile(r"^PLUGIN = (\{.*?^\})", re.MULTILINE | re.DOTALL)
+
+
+class Packaged(Mapping[str, str]):
+    """What is built in of a kind, where each file that brings one says so itself: a new one is a file, and no more.
+
+    Such a file has at its top level ``PLUGIN = {...}``, texts by texts, which are read and not run: ``name``;
+    ``makes``, what its factory is called; ``needs``, the extra that it needs, if any; ``what``, a few words of help.
+    What else it says is for the table of its page.
+    """
+
+    def __init__(self, package: str) -> None:
+        """Those of the files below a package of ours, such as ``exports``."""
+        self._package = package
+
+    @cached_property
+    def rows(self) -> Mapping[str, Mapping[str, str]]:
+        """What each says of itself, by its name, sorted.
+
+        Raises:
+            ValueError: A file says it in another way, or says a name that another has.
+        """
+        found: dict[str, Mapping[str, str]] = {}
+        for path in sorted((_HERE / self._package).rglob("*.py")):
+            if (said := _SAYS.search(path.read_text(encoding="utf-8"))) is None:
+                continue
+            row = ast.literal_eval(said[1])
+            if not {"name", "makes", "what"} <= row.keys() or row["name"] in found:
+                raise ValueError(f"{path}: PLUGIN is to have a name of its own, makes, and what; it has {row}")
+            module = ".".join(("chatscene", *path.relative_to(_HERE).with_suffix("").parts))
+            found[row["name"]] = {"module": module, **row}
+        return dict(sorted(found.items()))
+
+    def __getitem__(self, name: str) -> str:
+        """Where it is, as an entry point is written."""
+        row = self.rows[name]
+        return f"{row['module']}:{row['makes']}" + (f" [{row['needs']}]" if "needs" in row else "")
+
+    def __iter__(self) -> Iterator[str]:
+        """Their names, sorted."""
+        return iter(self.rows)
+
+    def __len__(self) -> int:
+        """How many there are."""
+        return len(self.rows)
 
 
 def _never(_name: str) -> bool:
@@ -41,7 +90,7 @@ class Kind(Generic[Plugin]):
         group: Group of the entry points by which other packages bring theirs.
         method: Name of a method that each one has.
         built_in: What is packaged by name, each written as an entry point: ``module:factory``, and behind it in
-            brackets the extra that it needs, if any.
+            brackets the extra that it needs, if any. It is a table, or `Packaged`.
         forms: What else a user may type besides a name and ``package.module:factory``, in words.
         beyond: Whether what is typed is in one of these forms, and no name.
         error: What is raised for one that cannot be had.

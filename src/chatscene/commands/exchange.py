@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 import chatscene
-from chatscene.commands.options import EXPORTERS, JSON, NAMES, Named, param_option, usable_map
+from chatscene.commands.options import EXPORTERS, JSON, TOLD, Named, param_option, usable_map
 from chatscene.commands.output import say
 
 
@@ -20,7 +20,7 @@ from chatscene.commands.output import say
     required=True,
     cls=Named,
     kind=EXPORTERS,
-    help=f"The format: {NAMES}, or package.module:factory.",
+    help=f"The format: {TOLD}, or package.module:factory.",
 )
 @click.option(
     "--out",
@@ -32,10 +32,7 @@ from chatscene.commands.output import say
 def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: bool) -> None:
     """Write each SCENE of RUN as files for other tools. Without SCENE, all kept scenes are written.
 
-    openscenario: OpenSCENARIO XML 1.2; every road user follows its driven trajectory. openscenario-logical: events with
-    parameters and ranges, so that others react to your ego. opendrive: the map, and the states of its lights.
-    commonroad: a planning problem. osi: an ASAM OSI ground-truth trace in MCAP; needs the extra 'osi'. csv: the tracks.
-    scenic: the program with the scene's values. All but commonroad and csv come with the map.
+    With openscenario, every road user follows its driven trajectory. Most formats come with the map.
 
     \b
     chatscene export runs/cyclist --to openscenario --out exported/cyclist

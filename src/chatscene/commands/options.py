@@ -18,7 +18,7 @@ from click.core import ParameterSource
 from chatscene import settings
 from chatscene.commands.output import only_answers
 from chatscene.errors import ChatSceneError
-from chatscene.plugins import Kind, check_name
+from chatscene.plugins import Kind, Packaged, check_name
 from chatscene.settings import EGO, EXECUTOR, MOST_READINGS, PHYSICS, READ_AS, SIMULATOR, SimulationSettings
 
 Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
@@ -77,6 +77,7 @@ KMH = Finite(*settings.SPEEDS)
 
 
 NAMES = "{names}"
+TOLD = "{names with what they are}"
 
 
 # Where the table of each kind of plug-in is: read only when a name is looked up.
@@ -93,7 +94,8 @@ SAMPLERS = "chatscene.search.sampler:SAMPLERS"
 class Named(click.Option):
     """An option that names a plug-in: a name that leads nowhere is refused before anything is begun.
 
-    Its help lists what is built in, where it asks for `NAMES`. The table is read only when it is needed.
+    Its help lists what is built in, where it asks for `NAMES`, or with what each is, for `TOLD`. The table is read only
+    when it is needed.
     """
 
     def __init__(self, *arguments: Any, kind: str, **named: Any) -> None:
@@ -105,6 +107,10 @@ class Named(click.Option):
         """What click shows of it."""
         if NAMES in (self.help or ""):
             self.help = (self.help or "").replace(NAMES, ", ".join(self._table().built_in))
+        if TOLD in (self.help or ""):
+            known = self._table().built_in
+            rows = known.rows.items() if isinstance(known, Packaged) else ()
+            self.help = (self.help or "").replace(TOLD, ", ".join(f"{name} ({row['what']})" for name, row in rows))
         return super().get_help_record(ctx)
 
     def process_value(self, ctx: click.Context, value: Any) -> Any:

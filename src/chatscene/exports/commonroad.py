@@ -27,6 +27,13 @@ from chatscene.terms.arrays import Array
 from chatscene.terms.episode import Ending, Episode, Track
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
+PLUGIN = {
+    "name": "commonroad",
+    "makes": "CommonRoad",
+    "what": "a planning problem",
+    "per scene": "`.xml`, CommonRoad 2020a",
+}
+
 AROUND = 50.0  # [m] from anybody, at any time, within which lanelets are part of the scene
 _OCLOCK = {Light.DAY: ("12:00:00", "day"), Light.DUSK: ("18:30:00", "unknown"), Light.NIGHT: ("00:00:00", "night")}
 # In clear weather the schema asks for `sunny`, which the format's own reader refuses, and refuses what that reads.

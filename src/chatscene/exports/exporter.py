@@ -1,4 +1,4 @@
-"""In which formats scenes leave: one Protocol, one table of names.
+"""In which formats scenes leave: one Protocol, and the files here that say their own name.
 
 An exporter touches no file. It is handed a scene that was driven, and says what the files are to hold; so the same
 scene gives the same bytes, and what cannot be exported leaves nothing behind.
@@ -12,7 +12,7 @@ from typing import Protocol
 from urllib.parse import quote
 
 from chatscene.errors import RunError
-from chatscene.plugins import Kind, make
+from chatscene.plugins import Kind, Packaged, make
 from chatscene.terms.episode import Episode
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import ScenicProgram
@@ -85,15 +85,7 @@ EXPORTERS: Kind[Exporter] = Kind(
     noun="exporter",
     group="chatscene.exporters",
     method="files",
-    built_in={
-        "openscenario": "chatscene.exports.openscenario:OpenScenario",
-        "openscenario-logical": "chatscene.exports.openscenario_logical:OpenScenarioLogical",
-        "opendrive": "chatscene.exports.opendrive:OpenDrive",
-        "commonroad": "chatscene.exports.commonroad:CommonRoad",
-        "csv": "chatscene.exports.tracks_csv:TracksCsv",
-        "osi": "chatscene.exports.osi_trace:OsiTrace [osi]",
-        "scenic": "chatscene.exports.filled_program:FilledProgram",
-    },
+    built_in=Packaged("exports"),
 )
 
 

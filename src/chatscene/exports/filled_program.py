@@ -13,6 +13,14 @@ from chatscene.errors import RunError
 from chatscene.exports.exporter import KeptScene
 from chatscene.terms.scene import OWN_MODEL
 
+PLUGIN = {
+    "name": "scenic",
+    "makes": "FilledProgram",
+    "what": "the program",
+    "per scene": "`.scenic`, with the scene's values",
+    "also": "the map, `.xodr`",
+}
+
 _DECLARED = re.compile(r"^param[ \t]+(OPT_\w+)[ \t]*=[^#\n]*?(?=[ \t]*(?:#|$))", re.MULTILINE)
 _MODEL = re.compile(r"^model[ \t]+(\S+)[ \t]*$", re.MULTILINE)
 

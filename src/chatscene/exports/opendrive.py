@@ -9,6 +9,15 @@ from collections.abc import Mapping
 from chatscene.exports.exporter import KeptScene
 from chatscene.terms.episode import SignalTrack
 
+PLUGIN = {
+    "name": "opendrive",
+    "makes": "OpenDrive",
+    "what": "the map",
+    "per scene": "`_signals.csv`: for each traffic light `time_s`, `role`, the ends of the stop line, `state`, at the "
+    "start and at each change",
+    "also": "the map, `.xodr`",
+}
+
 COLUMNS = ("time_s", "role", "x0_m", "y0_m", "x1_m", "y1_m", "state")
 _STATES = {"r": "red", "y": "yellow", "g": "green"}
 

@@ -22,6 +22,14 @@ from chatscene.terms.arrays import Array
 from chatscene.terms.episode import Track
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
+PLUGIN = {
+    "name": "openscenario",
+    "makes": "OpenScenario",
+    "what": "to play a drive back",
+    "per scene": "`.xosc`, OpenSCENARIO XML 1.2",
+    "also": "the map, `.xodr`",
+}
+
 # A date that is asked for and that nobody kept; one of our own clock would make every export another file.
 DATE = "1970-01-01T00:00:00"
 _OCLOCK = {Light.DAY: "2000-03-20T12:00:00", Light.DUSK: "2000-03-20T18:30:00", Light.NIGHT: "2000-03-20T00:00:00"}

@@ -38,6 +38,14 @@ from chatscene.terms.plan import (
 )
 from chatscene.terms.storyboard import EGO_ROUTE, Actor, Storyboard
 
+PLUGIN = {
+    "name": "openscenario-logical",
+    "makes": "OpenScenarioLogical",
+    "what": "others that react to your ego",
+    "per scene": "`.xosc`, a logical scenario; `_distribution.xosc`, the ranges",
+    "also": "the map, `.xodr`",
+}
+
 
 class OpenScenarioLogical:
     """One ``.xosc`` per scene, its ``_distribution.xosc``, and the map."""

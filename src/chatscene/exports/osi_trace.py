@@ -27,6 +27,15 @@ from chatscene.terms.actors import BY_CLASS, AdversaryKind, Manner
 from chatscene.terms.episode import Track
 from chatscene.terms.surroundings import Light, Surroundings, Weather
 
+PLUGIN = {
+    "name": "osi",
+    "makes": "OsiTrace",
+    "needs": "osi",
+    "what": "a sensor-side trace",
+    "per scene": "`_gt.mcap`, ASAM OSI 3.8",
+    "also": "the map, `.xodr`",
+}
+
 # Nominal, as the hour and the intensity: drives know no lux and no mm/h.
 _ILLUMINATION = {
     Light.DAY: (EnvironmentalConditions.AMBIENT_ILLUMINATION_LEVEL9, 12),

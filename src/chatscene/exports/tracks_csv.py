@@ -11,6 +11,13 @@ from collections.abc import Mapping
 
 from chatscene.exports.exporter import KeptScene
 
+PLUGIN = {
+    "name": "csv",
+    "makes": "TracksCsv",
+    "what": "the tracks",
+    "per scene": "`.csv`",
+}
+
 COLUMNS = (
     "time_s",
     "actor",

@@ -10,6 +10,7 @@ from pydantic import Field
 
 import chatscene
 from chatscene.errors import SettingsError
+from chatscene.exports.exporter import EXPORTERS
 from chatscene.mcp.tool import SCHEME, Answer, Desk, Path, first_of
 from chatscene.mcp.writing import SITUATIONS, Facts, Given, Sentence, Variant, situation_in
 from chatscene.settings import EGO
@@ -209,17 +210,13 @@ def export(
     run: RunFolder,
     to: Annotated[
         str,
-        Field(
-            max_length=60,
-            description="openscenario, openscenario-logical, opendrive, commonroad, osi, csv or scenic.",
-        ),
+        Field(max_length=60, description=f"One of {', '.join(EXPORTERS.built_in)}."),
     ],
     out: Annotated[Path, Field(description="A new folder.")],
     scenes: Annotated[list[SceneId], Field(max_length=100, description="Ids; none for the kept scenes.")] | None = None,
 ) -> str:
     """Write scenes of a run as files that other tools read. Nothing is run."""
     from chatscene.errors import no_such
-    from chatscene.exports.exporter import EXPORTERS
 
     if to not in EXPORTERS.built_in:
         raise SettingsError(no_such("format", to, EXPORTERS.built_in))

@@ -1,12 +1,11 @@
-"""Who fills situations from texts: one Protocol, one table of names."""
+"""Who fills situations from texts: one Protocol, and the files below that say their own name."""
 
 from __future__ import annotations
 
 from typing import Protocol
 
 from chatscene.errors import SettingsError
-from chatscene.plugins import Kind, make
-from chatscene.settings import OFFLINE
+from chatscene.plugins import Kind, Packaged, make
 from chatscene.terms.reading import SituationReading
 
 LONGEST = 2000  # characters; a situation fits into a paragraph
@@ -37,7 +36,7 @@ READERS: Kind[Reader] = Kind(
     noun="reader",
     group="chatscene.readers",
     method="read",
-    built_in={OFFLINE: "chatscene.read.learned.reader:LearnedReader"},
+    built_in=Packaged("read"),
     forms=("openai:MODEL", "gguf:FILE"),
     beyond=lambda name: ":" in name,  # whose kind and file are looked at when it is loaded
 )

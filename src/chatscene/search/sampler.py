@@ -1,4 +1,4 @@
-"""Where a search looks next: one Protocol, one table of names.
+"""Where a search looks next: one Protocol, and a file of `samplers` for each name.
 
 A sampler has no memory of its own. What it proposes for a block follows from the parameters, from what came of the
 blocks before and from the block's seed; so a search that was cut goes on exactly as if it had not been.
@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from chatscene.plugins import Kind, make
+from chatscene.plugins import Kind, Packaged, make
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
@@ -55,16 +55,7 @@ SAMPLERS: Kind[Sampler] = Kind(
     noun="sampler",
     group="chatscene.samplers",
     method="propose",
-    built_in={
-        "paper": "chatscene.search.samplers.paper:Paper",
-        "random": "chatscene.search.samplers.uniform:Uniform",
-        "grid": "chatscene.search.samplers.grid:Grid",
-        "policy-gradient": "chatscene.search.samplers.policy_gradient:PolicyGradient",
-        "cross-entropy": "chatscene.search.samplers.cross_entropy:CrossEntropy",
-        "tpe": "chatscene.search.samplers.tpe:TreeParzen [search]",
-        "cma-es": "chatscene.search.samplers.cma_es:CmaEs [search]",
-        "quality-diversity": "chatscene.search.samplers.quality_diversity:QualityDiversity",
-    },
+    built_in=Packaged("search/samplers"),
 )
 
 

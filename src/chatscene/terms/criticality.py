@@ -78,31 +78,37 @@ class Measure(NamedTuple):
     touched: bool = False
 
 
-def _measured(name: str, meaning: str, unit: str, more: str, *, touched: bool = False) -> Any:
-    return field(metadata={"measure": Measure(name, meaning, unit, more, touched)})
+class OnPage(NamedTuple):
+    """What the page of measures says of one.
+
+    Attributes:
+        unit: Its unit.
+        defined: What it is, in full, with its source.
+        null: Where there is none, besides where there is no adversary.
+    """
+
+    unit: str
+    defined: str
+    null: str
+
+
+def _measured(
+    name: str, meaning: str, unit: str, more: str, *, defined: str, null: str = "", touched: bool = False
+) -> Any:
+    measure = Measure(name, meaning, unit, more, touched)
+    return field(metadata={"measure": measure, "page": OnPage(unit, defined, null)})
+
+
+def _of_crash(unit: str, defined: str) -> dict[str, OnPage]:
+    return {"page": OnPage(unit, defined, "no collision")}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Criticality:
-    """The measures of one drive; `docs/metrics.md` defines each.
+    """The measures of one drive: a field each, of which columns, pages and the viewer are made; None for what is not.
 
-    A field with words is a measure: columns, pages and the viewer are made from it. It may not apply to a drive.
-
-    The first five compare the ego with the adversaries and are the worst over them and over time; all are None where
-    there is no adversary. The last two are about the first collision, whoever it was with.
-
-    Attributes:
-        time_to_collision: Least time until the boxes would touch if both went on as they are [s]; lower is worse, 0
-            in a contact. None if they never were on such a course.
-        post_encroachment_time: Least time between one leaving a place and the other coming to it [s]; lower is worse,
-            0 in a contact. None if no place was taken by both.
-        time_headway: Least time the ego needed to where an adversary ahead was [s]; lower is worse. None if no
-            adversary was ever ahead of the moving ego.
-        deceleration_required: Greatest braking that just avoids contact with an adversary ahead [m/s²]; higher is
-            worse, and without bound shortly before a contact. None if the ego never closed in on one ahead.
-        distance: Least gap between the boxes [m]; lower is worse, 0 in a contact.
-        impact_speed: Speed of approach at the first collision [m/s]; higher is worse. None without a collision.
-        severity: Its class, by that speed and by what was struck. None without a collision.
+    A field that is `_measured` compares the ego with the adversaries and is the worst over them and over time. One that
+    is `_of_crash` is about the first collision, whoever it was with.
     """
 
     time_to_collision: float | None = _measured(
@@ -110,24 +116,43 @@ class Criticality:
         "least time until the ego and an adversary would touch if both carried on",
         *("s", "better"),
         touched=True,
+        defined="least time until the boxes would touch at constant velocity and heading; 0 at contact (Hayward 1972, "
+        "in two dimensions)",
+        null="never on a collision course",
     )
     post_encroachment_time: float | None = _measured(
         "post-encroachment time",
         "least time between one leaving a place and the other coming to it",
         *("s", "better"),
         touched=True,
+        defined="least time between one leaving a place and the other reaching it, in either order; 0 at contact "
+        "(Allen, Shin and Cooper 1978)",
+        null="no shared place",
     )
     time_headway: float | None = _measured(
-        "least time headway", "least time to the position of an adversary ahead", "s", "better"
+        "least time headway",
+        "least time to the position of an adversary ahead",
+        *("s", "better"),
+        defined="least time from the ego's front to an adversary ahead, at the ego's speed",
+        null="none ahead of an ego faster than 0.1 m/s",
     )
     deceleration_required: float | None = _measured(
-        "deceleration required", "greatest braking that just avoids an adversary ahead", "m/s²", "worse"
+        "deceleration required",
+        "greatest braking that just avoids an adversary ahead",
+        *("m/s²", "worse"),
+        defined="greatest v²/2d; v is the closing speed to an adversary ahead along the ego's heading, d the gap "
+        "(DRAC; Jansson 2005)",
+        null="the ego never closes in on one",
     )
     distance: float | None = _measured(
-        "least distance", "least gap between the ego and an adversary; 0 at contact", "m", "better", touched=True
+        "least distance",
+        "least gap between the ego and an adversary; 0 at contact",
+        *("m", "better"),
+        touched=True,
+        defined="least gap between the boxes; 0 at contact",
     )
-    impact_speed: float | None
-    severity: Severity | None
+    impact_speed: float | None = field(metadata=_of_crash("m/s", "relative speed just before the first collision"))
+    severity: Severity | None = field(metadata=_of_crash("S0 to S3", "class of that speed, by ISO 26262-3"))
 
 
 CRITICALITY: Mapping[str, Measure] = {

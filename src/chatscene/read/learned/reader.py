@@ -28,6 +28,12 @@ from chatscene.situations.parts import fullness, left_open, parts_of
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Evidence, Situation
 
+PLUGIN = {
+    "name": "offline",
+    "makes": "LearnedReader",
+    "what": "networks that are packaged, on this machine",
+}
+
 YOU_ON_FOOT = (
     "you are on foot in it, but the ego drives or rides; write it as the driver who meets you, as in 'a pedestrian "
     "crosses from the right while we turn left'"

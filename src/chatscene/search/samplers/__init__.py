@@ -1,1 +1,1 @@
-"""Who says where to look next: one file each; `chatscene.search.sampler` has the Protocol and the table of names."""
+"""Who says where to look next: one file each, which says its own name; `chatscene.search.sampler` has the Protocol."""

@@ -16,6 +16,13 @@ from chatscene.search.samplers.unit_cube import Array, UnitCube, dangers
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
+PLUGIN = {
+    "name": "cma-es",
+    "makes": "CmaEs",
+    "needs": "search",
+    "what": "covariance matrix adaptation with restarts",
+}
+
 STEP = 0.3  # first deviation, as a share of the range (the tutorial's advice)
 SMALLEST = 4  # population below which no ranking tells a direction
 FEWEST = 2  # dimensions that the package can do with

@@ -17,6 +17,12 @@ from chatscene.search.samplers.unit_cube import Array, UnitCube, dangers
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
+PLUGIN = {
+    "name": "cross-entropy",
+    "makes": "CrossEntropy",
+    "what": "a Gaussian per parameter, fitted to the best fifth",
+}
+
 ELITE = 0.2  # share of all outcomes that the Gaussian is fitted to
 LEAST = 2  # outcomes in it
 SMOOTHING = 0.7  # weight of the newest fit

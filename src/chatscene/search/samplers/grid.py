@@ -18,6 +18,12 @@ from chatscene.search.samplers.unit_cube import UnitCube, walk_on
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
+PLUGIN = {
+    "name": "grid",
+    "makes": "Grid",
+    "what": "a grid over the ranges, coarse first",
+}
+
 GOLDEN = (math.sqrt(5) - 1) / 2
 
 

@@ -14,6 +14,12 @@ from chatscene.search.sampler import Proposal
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
+PLUGIN = {
+    "name": "paper",
+    "makes": "Paper",
+    "what": "ranges move to the values that collided: mean ± deviation; the default of `benchmark`",
+}
+
 LEAST = 2  # collisions before anything moves
 DECIMALS = 2  # the released code rounds bounds
 

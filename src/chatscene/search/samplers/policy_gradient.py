@@ -18,6 +18,12 @@ from chatscene.search.samplers.unit_cube import Array, UnitCube, dangers
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
+PLUGIN = {
+    "name": "policy-gradient",
+    "makes": "PolicyGradient",
+    "what": "an autoregressive Gaussian policy, REINFORCE",
+}
+
 RATE = 0.1  # Adam's
 DECAY = (0.9, 0.999)  # Adam's, of the first and the second moment
 TINY = 1e-8

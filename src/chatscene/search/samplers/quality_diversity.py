@@ -21,6 +21,13 @@ from chatscene.search.samplers.unit_cube import UnitCube
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
+PLUGIN = {
+    "name": "quality-diversity",
+    "makes": "QualityDiversity",
+    "what": "the default of `run`: varies the most dangerous scene of each kind of crash (MAP-Elites); "
+    "the first block and a fifth of the other scenes are drawn uniformly",
+}
+
 # Deviations around an elite, as a share of the range, and along the line to another. Wide, for a search has a few
 # hundred scenes and not the customary hundred thousand.
 AROUND, ALONG = 0.1, 0.2

@@ -16,6 +16,13 @@ from chatscene.search.sampler import Proposal
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
+PLUGIN = {
+    "name": "tpe",
+    "makes": "TreeParzen",
+    "needs": "search",
+    "what": "tree-structured Parzen estimator (Optuna)",
+}
+
 
 class TreeParzen:
     """Optuna's TPE; see `chatscene.search.sampler.Sampler` for the contract."""

@@ -9,6 +9,12 @@ from chatscene.search.sampler import Proposal
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
+PLUGIN = {
+    "name": "random",
+    "makes": "Uniform",
+    "what": "always the declared ranges",
+}
+
 
 class Uniform:
     """Uniform in the declared ranges; see `chatscene.search.sampler.Sampler` for the contract."""
