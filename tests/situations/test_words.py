@@ -169,6 +169,9 @@ others:
     "others: [{id: A, kind: car, starts: {where: ahead}, does: [{act: stop, time: 3 s}]}]": (
         "A car is ahead of us in our lane. It stops for 3 s."
     ),
+    "{ego: {does: [{act: follow, whom: A, time: 2 s}]}, others: [{id: A, kind: car, starts: {where: ahead}}]}": (
+        "A car is ahead of us in our lane. We follow the car with a gap of 2 s."
+    ),
 }
 
 

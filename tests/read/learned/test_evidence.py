@@ -45,6 +45,23 @@ def test_a_fact_without_a_marked_word_has_its_likeliest() -> None:
     assert quoted(kind="van", act="brakes")["others.A.starts.where"] == "A"
 
 
+def _quoted_as_turning(text: str, word: str) -> str:
+    """What is quoted for the ego's turn to the left if one word is marked for it."""
+    said = from_plain(
+        {"ego": {"route": "left-turn"}, "others": [{"id": "A", "kind": "car", "starts": {"where": "ahead"}}]}
+    )
+    read, steps = prepared(text), steps_of(Verdict.SITUATION, said)
+    marks = tuple(np.full(len(read.pieces), -3.0, np.float32) for _ in steps[:-1])
+    for own, its in zip(("", word, "car", "ahead"), marks, strict=True):
+        its[[i for i, (low, high) in enumerate(read.where, 1) if own and own in text[low:high]]] = 2.0
+    return quoted_of(read, Written(steps, 0.0, (), marks))["ego.route"]
+
+
+def test_a_word_beside_a_fact_that_names_what_it_is_says_it_too() -> None:
+    assert _quoted_as_turning("A car is ahead as we turn to the left.", "left") == "turn … left"
+    assert _quoted_as_turning("A car turning is ahead as we go left.", "left") == "left"
+
+
 def test_a_number_and_another_word_of_the_same_field_do_not_say_a_fact() -> None:
     text = "In fog and rain a van of 40 tons brakes ahead."
     van = {"id": "A", "kind": "van", "starts": {"where": "ahead"}}
