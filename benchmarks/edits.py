@@ -27,7 +27,7 @@ from chatscene.interpret.edited import edited
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.read.learned.reader import LearnedReader
 from chatscene.terms.edit import Facts
-from chatscene.terms.scenario import Measure
+from chatscene.terms.scenario import QuantityKind
 from chatscene.terms.situation import Situation
 from chatscene.terms.slots import SLOTS
 
@@ -95,7 +95,7 @@ def _by_name(facts: Facts) -> dict[str, Any]:
     """Every fact by its name; how far off it starts may be a number or near or far."""
     slots = {name: getattr(facts.slots, name) for name in ("adversary", "actions", *SLOTS, "others")}
     around = {name: getattr(facts.surroundings, name) for name in ("light", "weather", "surface")}
-    said = {one: tuple(each for each in facts.quantities if each.measure is one) for one in Measure}
+    said = {one: tuple(each for each in facts.quantities if each.measure is one) for one in QuantityKind}
     return {**slots, **around, **{str(one): numbers or slots.get(one) or () for one, numbers in said.items()}}
 
 
