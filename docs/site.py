@@ -126,8 +126,10 @@ def commands() -> str:
 
 def walk(command: click.Command, name: str, depth: int) -> list[tuple[str, click.Command, int]]:
     """A command and those below it, with their names as they are typed."""
-    below = command.commands.items() if isinstance(command, click.Group) else ()
-    return [(name, command, depth), *(one for child, each in below for one in walk(each, f"{name} {child}", depth + 1))]
+    names = command.commands if isinstance(command, click.Group) else ()
+    below = ((child, command.get_command(click.Context(command), child)) for child in names)
+    found = (one for child, each in below if each for one in walk(each, f"{name} {child}", depth + 1))
+    return [(name, command, depth), *found]
 
 
 def words() -> str:

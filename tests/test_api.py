@@ -100,7 +100,12 @@ WORDS: dict[str, dict[str, str]] = {
     "finetune": {"out": "folder", "sources": "scenes"},
     "train": {"out": "folder", "map_name": "map", "round_": "round"},
 }
-COMMANDS = {verb: (main.commands[verb.removesuffix("_scenario")], words) for verb, words in WORDS.items()}
+TOP = click.Context(main)
+COMMANDS: dict[str, tuple[click.Command, dict[str, str]]] = {
+    verb: (command, words)
+    for verb, words in WORDS.items()
+    if (command := main.get_command(TOP, verb.removesuffix("_scenario"))) is not None
+}
 
 
 @pytest.mark.parametrize("verb", COMMANDS)

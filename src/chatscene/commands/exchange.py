@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -29,7 +30,7 @@ from chatscene.commands.output import say
     help="A new folder, or an empty one.",
 )
 @JSON
-def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: bool) -> None:
+def export(folder: Path, scenes: tuple[str, ...], as_json: bool, **options: Any) -> None:
     """Write each SCENE of RUN as files for other tools. Without SCENE, all kept scenes are written.
 
     With openscenario, every road user follows its driven trajectory. Most formats come with the map.
@@ -38,7 +39,7 @@ def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: b
     chatscene export runs/cyclist --to openscenario --out exported/cyclist
     chatscene export runs/cyclist cyclist-1f2e/route-00/scene-017 --to csv --out exported/tracks
     """
-    done = chatscene.export(folder, scenes, to=to, out=out)
+    done = chatscene.export(folder, scenes, **options)
     say(json.dumps({"folder": str(done.folder), "files": done.files}) if as_json else str(done))
 
 
@@ -69,6 +70,7 @@ def import_scenario(
     variant: int | None,
     param: dict[str, object],
     as_json: bool,
+    **options: Any,
 ) -> None:
     """Convert an OpenSCENARIO XML file, or each one in a folder, to a Scenic program. Runs nothing.
 
@@ -94,7 +96,7 @@ def import_scenario(
         folder = import_folder(file, out, map_name=map, ego=ego)
         say(json.dumps([one.as_dict() for one in folder.files]) if as_json else str(folder))
         return
-    done = chatscene.import_scenario(file, out=out, map=map, ego=ego, variant=variant, param=param)
+    done = chatscene.import_scenario(file, out=out, map=map, ego=ego, variant=variant, param=param, **options)
     told = {
         "program": str(done.program),
         "programs": [str(one) for one in done.programs],

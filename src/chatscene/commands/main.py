@@ -14,10 +14,12 @@ from typing import Any
 
 import click
 
+import chatscene
 from chatscene.commands.coverage import coverage
 from chatscene.commands.doctor import doctor
 from chatscene.commands.editing import chat, edit
 from chatscene.commands.exchange import export, import_scenario
+from chatscene.commands.keywords import add_keywords
 from chatscene.commands.learn import finetune, train
 from chatscene.commands.library import library
 from chatscene.commands.look import check, replay, why
@@ -63,6 +65,13 @@ class _Errors(click.Group):
         """List the commands by what one wants to do."""
         write_sections(self.commands, formatter)
 
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """A command, with the options that the function of its name has beyond those that are written out."""
+        command = super().get_command(ctx, cmd_name)
+        if command is not None and (function := FUNCTIONS.get(cmd_name)) is not None:
+            add_keywords(command, getattr(chatscene, function))
+        return command
+
     def invoke(self, ctx: click.Context) -> Any:
         try:
             with warnings.catch_warnings():
@@ -100,6 +109,12 @@ def main() -> None:
     gc.set_threshold(YOUNG)
 
 
+FUNCTIONS = {
+    "describe": "describe", "evaluate": "evaluate", "explain": "explain", "export": "export", "finetune": "finetune",
+    "import": "import_scenario", "rate": "rate", "replay": "replay", "resume": "resume", "run": "run", "train": "train",
+    "story": "story", "verify": "verify", "why": "why",
+}  # fmt: skip
+"""The function of each command that does what the command does."""
 YOUNG = 30_000
 """New objects after which Python looks for garbage. At its own 700, a tenth of the time that a command takes to begin
 goes into looking through what has just been loaded and stays."""

@@ -205,7 +205,7 @@ def _beyond_corner(a: Boxes, b: Boxes, across: Array, c: Array, s: Array) -> Arr
     short = (corner > 0.0) == alike  # whether the edge into the corridor is one of the two as long as it is wide
     deep = 2.0 * np.where(short, b.half_width * s, b.half_length * c)
     wide = 2.0 * np.where(short, b.half_width * c, b.half_length * s)
-    share = np.divide(out, wide, out=np.ones_like(out), where=wide > out)
+    share = np.divide(out, wide, out=np.ones_like(out), where=(out > 0.0) & (wide > out))
     return np.where(out > 0.0, deep * share, 0.0)
 
 
