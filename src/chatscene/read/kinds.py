@@ -31,6 +31,13 @@ def nouns_of(kind: UserKind) -> frozenset[str]:
     return frozenset(one for one in bare if one) - (_ANYBODY if kind is not UserKind.CHILD else frozenset())
 
 
+@lru_cache(maxsize=4096)
+def named_in(words: str) -> frozenset[UserKind]:
+    """The road users of which words have a noun, but for what stands for several kinds and for things."""
+    exact = (kind for kind in UserKind if not (kind.row.general or kind.row.prop))
+    return frozenset(kind for kind in exact if is_named(kind, words))
+
+
 def _has(words: str, noun: str) -> bool:
     pattern = re.escape(noun).replace(r"\ ", r"[\s-]+")
     return re.search(rf"(?<!\w){pattern}(?:s|es)?(?!\w)", words.replace("_", " "), re.IGNORECASE) is not None

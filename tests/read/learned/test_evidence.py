@@ -62,6 +62,21 @@ def test_a_word_beside_a_fact_that_names_what_it_is_says_it_too() -> None:
     assert _quoted_as_turning("A car turning is ahead as we go left.", "left") == "left"
 
 
+def _quoted_of_place(text: str, marked: str) -> str | None:
+    """What is quoted for where the van of `VAN` is if some words are marked for it."""
+    read, steps = prepared(text), steps_of(Verdict.SITUATION, VAN)
+    marks = tuple(np.full(len(read.pieces), -3.0, np.float32) for _ in steps[:-1])
+    for at, its in enumerate(marks):
+        words = marked if path_of(steps, at).endswith("where") else "van"
+        its[[i for i, (low, high) in enumerate(read.where, 1) if text[low:high].strip(" .") in words.split()]] = 2.0
+    return quoted_of(read, Written(steps, 0.0, (), marks)).get("others.A.starts.where")
+
+
+def test_a_road_user_that_nobody_there_is_says_no_place_unless_it_names_one_with_the_next_word() -> None:
+    assert _quoted_of_place("A van and a cyclist brake ahead.", "cyclist ahead") == "ahead"
+    assert _quoted_of_place("A van brakes at the bus stop.", "bus stop") == "bus stop"
+
+
 def test_a_number_and_another_word_of_the_same_field_do_not_say_a_fact() -> None:
     text = "In fog and rain a van of 40 tons brakes ahead."
     van = {"id": "A", "kind": "van", "starts": {"where": "ahead"}}

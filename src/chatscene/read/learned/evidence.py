@@ -8,6 +8,7 @@ from itertools import count
 
 import numpy as np
 
+from chatscene.read.kinds import named_in
 from chatscene.read.learned.decoder import Written
 from chatscene.read.learned.grammar import Token, grammar
 from chatscene.read.learned.numbers import Found
@@ -16,9 +17,12 @@ from chatscene.read.learned.text import Read
 from chatscene.read.learned.words import is_learned, stems_in
 from chatscene.read.quotes import says_nothing
 from chatscene.situations.facts import GAP, within
+from chatscene.terms.vocabulary import UserKind
 
 _NAMED = (".kind", "around.light", "around.weather", "around.surface")
 """Facts whose words are held against what they name (`chatscene.read.quotes.otherwise_named`), new ones as well."""
+_KINDS = ("Ego.kind", "Other.kind")
+"""The fields of what somebody is."""
 _ENDS = " \t\n\r.,;:!?()[]{}\"'\u2018\u2019\u201c\u201d"
 
 
@@ -45,6 +49,7 @@ def marked_in(read: Read, written: Written) -> Mapping[str, tuple[tuple[int, int
     spans, begins = _spans(read)
     taken_up = _within(spans, copied.values())
     of_amounts = taken_up | _within(spans, figures)
+    strangers = _strangers(written, spans)
     new = {i for i, word in enumerate(spans) if not (is_learned(word[2]) or says_nothing(word[2]))}
     marked: dict[str, dict[int, float]] = {}
     names: dict[str, frozenset[str]] = {}
@@ -57,6 +62,8 @@ def marked_in(read: Read, written: Written) -> Mapping[str, tuple[tuple[int, int
         likely = np.maximum.reduceat(marks[1 : len(read.where) + 1], begins) if spans else marks[:0]
         token = written.steps[at].token
         other = {i for i, word in enumerate(spans) if _says_another(token, word[2])}
+        if token is None or token[0] not in _KINDS:
+            other |= {i for i in strangers if i + 1 == len(spans) or likely[i + 1] <= 0}
         other |= of_amounts if token is not None else set()
         other |= set() if path.endswith(_NAMED) else new
         mine = {i: float(likely[i]) for i in range(len(spans)) if i not in other}
@@ -87,6 +94,19 @@ def _beside(
             there = next(k for k in count(i + way, way) if k not in idle)
             if of_names.get(there) and of_names[there] <= names:
                 yield there
+
+
+def _strangers(written: Written, spans: Sequence[_Word]) -> tuple[int, ...]:
+    """The numbers of the words that name a road user of a kind that nobody in a situation is or may be."""
+    told = [step.token for step in written.steps if step.token is not None and step.token[0] in _KINDS]
+    kinds = {UserKind(word) for _, word in told}
+    if any(kind.row.general for kind in kinds):
+        return ()
+    if not any(field == _KINDS[0] for field, _ in told):
+        kinds.add(UserKind.CAR)  # the ego
+    bodies = {kind.row.body for kind in kinds}
+    named = ((i, named_in(word[2])) for i, word in enumerate(spans))
+    return tuple(i for i, some in named if some and not {kind.row.body for kind in some} & bodies)
 
 
 def _within(spans: Sequence[_Word], amounts: Iterable[Found]) -> set[int]:
