@@ -10,8 +10,8 @@ the situations of a file (`tests/build/written.yaml`) instead; `--drawn` takes `
 situations, which `building.py` draws by the seed, without those that cannot be or are not built. The first scene of a
 program is placed by Scenic, the others by what was learned of it where that can be, which is counted. Both episodes
 must agree in every number of every track, every event, signal, offset, flag and the ending. What took the embedded path
-in `native` is not compared, and is counted by reason. At the end, the processor time of both in this process, from the
-opened scene to its end, of the drives that were compared.
+in `native` is not compared, and is counted by reason; one that fails has to fail alike in both. At the end, the
+processor time of both in this process, from the opened scene to its end, of the drives that were compared.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from chatscene.build.build import build
 from chatscene.build.possible import impossible
 from chatscene.ego.asking import wanting
 from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of
-from chatscene.errors import ChatSceneError, MapError
+from chatscene.errors import ChatSceneError, DoesNotCompile, MapError, ProgramError
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import library_with
 from chatscene.maps.network import resolve_map
@@ -131,7 +131,10 @@ def driven(
     simulator: Simulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy
 ) -> tuple[Session, Episode, float] | str:
     """An opened scene driven to its end; or why there is none. The seconds are the processor's, of the drive alone."""
-    session = simulator.open(program, scene, observation=observation_of(ego), pedals=pedals_of(ego))
+    try:
+        session = simulator.open(program, scene, observation=observation_of(ego), pedals=pedals_of(ego))
+    except ProgramError as error:
+        return f"fails: {error}"
     if isinstance(session, Rejected):
         return session.reason
     try:
@@ -139,6 +142,8 @@ def driven(
         drive(session, ego, scene.id)
         spent = time.thread_time() - began
         return session.rejection or (session, session.episode(scene.id, "ego"), spent)
+    except ProgramError as error:
+        return f"fails: {error}"
     finally:
         session.close()
 
@@ -238,7 +243,7 @@ def main(
                     for name in [egos[driven_scenes % len(egos)]] if in_turn else egos:
                         compare(native, embedded, program, scene, drivers[name], tallies[name])
                     driven_scenes += 1
-            except MapError as error:
+            except (MapError, DoesNotCompile) as error:
                 why = str(error)
                 continue
             break

@@ -35,7 +35,7 @@ def test_of_a_large_run_a_page_shows_what_was_kept_and_others_evenly(
     every = read_scenes(run)
     assert read_scenes(run, some=True) == every
     assert "This page is made of" not in write_report(run.path).read_text(encoding="utf-8")
-    monkeypatch.setattr(blocks, "AT_ONCE", -(-len(every) // 4))
+    monkeypatch.setattr(blocks, "ON_A_PAGE", -(-len(every) // 4))
     some = read_scenes(run, some=True)
     assert some == [row for number, row in enumerate(every) if number % 4 == 0 or row["selected"]]
     page = write_report(run.path).read_text(encoding="utf-8")

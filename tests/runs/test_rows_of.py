@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import pyarrow as pa
+import pytest
 
+from chatscene.runs import tables
 from chatscene.runs.tables import rows_of
 
 
-def test_rows_are_those_that_arrow_gives() -> None:
+@pytest.mark.parametrize("few", [0, 500])
+def test_rows_are_those_that_arrow_gives(monkeypatch: pytest.MonkeyPatch, few: int) -> None:
+    monkeypatch.setattr(tables, "_FEW", few)
     columns = {
         "words": pa.array(["a", None, "a", "b"]),
         "whole": pa.array([1, None, 3, -4], pa.int64()),

@@ -59,7 +59,8 @@ if TYPE_CHECKING:
     from chatscene.measure.drive import Ran
     from chatscene.search.explore import Block
 
-AT_ONCE = 20_000  # scenes that are folded at a time, and read for a page
+AT_ONCE = 5_000  # scenes that are folded at a time, which takes some 17 kB each
+ON_A_PAGE = 10_000  # scenes that are read for a page, beside those that were kept
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -452,10 +453,10 @@ def read_scenes(run: Workspace, *, selected: bool = False, some: bool = False) -
     Args:
         run: Which run.
         selected: Whether to read those alone that were kept.
-        some: Whether to read, of a run with more than `AT_ONCE` scenes, those that were kept and as many of the others,
-            evenly over the run.
+        some: Whether to read, of a run with more than `ON_A_PAGE` scenes, those that were kept and at most as many of
+            the others, evenly over the run.
     """
-    if some and (every := -(-read_record(run, MapRecord).counts.get("scenes", 0) // AT_ONCE)) > 1:
+    if some and (every := -(-read_record(run, MapRecord).counts.get("scenes", 0) // ON_A_PAGE)) > 1:
         return rows_of(read_some(run.file("scenes.parquet"), SCENES, every=every, always="selected"))
     return _rows(run, "scenes.parquet", SCENES, scenes_table, "selected" if selected else "")
 
