@@ -165,6 +165,16 @@ def test_the_egos_route_is_the_way_that_its_behavior_is_given(simulator: Simulat
     assert (ego.length, ego.width) == pytest.approx((4.90, 2.13), abs=0.01)  # the size of that blueprint in CARLA
 
 
+@pytest.mark.parametrize(("turn", "maneuver"), [("LEFT_TURN", "left-turn"), ("STRAIGHT", "straight")])
+def test_an_ego_without_a_behavior_goes_the_way_that_the_program_names(
+    simulator: Simulator, turn: str, maneuver: str
+) -> None:
+    text = TURN.format(turn=turn).replace(", with behavior Drives(way)", "")
+    other = "any_ = Uniform(*turn.startLane.maneuvers)\nalso = [any_.startLane, any_.connectingLane, any_.endLane]\n"
+    program = foreign_program("way", text.replace("way = ", "egoWay = ").replace("behavior", f"{other}behavior", 1))
+    assert simulator.route_in(program, scene_of(program)).maneuver is Maneuver(maneuver)
+
+
 @pytest.mark.parametrize(("colour", "moves"), [("red", False), ("green", True)])
 def test_an_autopilot_obeys_the_light_that_a_program_sets(simulator: Simulator, colour: str, moves: bool) -> None:
     program = foreign_program("light", LIGHT.format(colour=colour), as_written=True)

@@ -52,17 +52,16 @@ def _given(behavior: Any) -> Iterator[list[Any]]:
 
 
 def _written(scene: Any) -> Iterator[list[Any]]:
-    """Lists of lanes among the program's own names."""
-    for namespace, sampled, _ in scene.behaviorNamespaces.values():
-        if "ego" in namespace or "ego" in sampled:
-            yield from (list(value) for name, value in sorted(sampled.items()) if _is_way(value) and name != "ego")
+    """Lists of lanes among the program's own names, those that are called the ego's first."""
+    for named in _named(scene):
+        ways = sorted((not name.lower().startswith("ego"), name) for name, value in named.items() if _is_way(value))
+        yield from (list(named[name]) for _, name in ways)
 
 
 def _lines(scene: Any, x: float, y: float, heading: float) -> Iterator[list[tuple[float, float]]]:
     """Lines among the program's own names that begin where the ego stands, along its heading: the rest of each [m]."""
-    for namespace, sampled, _ in scene.behaviorNamespaces.values():
-        named = {**getattr(namespace, "module", namespace), **sampled}
-        for _, value in sorted(named.items()) if "ego" in named else ():
+    for named in _named(scene):
+        for _, value in sorted(named.items()):
             if isinstance(value, PolylineRegion) and isinstance(value.lineString, LineString):
                 line = Polyline([point[:2] for point in value.lineString.coords])
                 along = line.project(x, y)[0]
@@ -70,6 +69,14 @@ def _lines(scene: Any, x: float, y: float, heading: float) -> Iterator[list[tupl
                 near = math.dist((x, y), line.point_at(along)) < NEAR and along < NEAR
                 if near and abs(turned) < math.pi / 4 and line.length - along >= SHORTEST:
                     yield line.between(along, line.length).points.tolist()
+
+
+def _named(scene: Any) -> Iterator[dict[str, Any]]:
+    """What the names of a program stand for in a scene: of the module that places the ego."""
+    for namespace, sampled, _ in scene.behaviorNamespaces.values():
+        named = {**getattr(namespace, "module", namespace), **sampled}
+        if "ego" in named:
+            yield named
 
 
 def _is_way(value: Any) -> bool:
