@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from making.maps.opendrive_objects import Bay, Use
-from making.maps.reference_lines import Corner
-from making.maps.streets import Node, Street, Surroundings
+from chatscene.maps.writing.objects import Bay, Use
+from chatscene.maps.writing.reference_lines import Corner
+from chatscene.maps.writing.streets import Node, Street, Surroundings
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

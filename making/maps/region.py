@@ -16,10 +16,11 @@ import math
 from dataclasses import replace
 
 from chatscene.maps.network import PACKAGED
+from chatscene.maps.writing.objects import Bay, Crosswalk, Use
+from chatscene.maps.writing.opendrive import write_opendrive
+from chatscene.maps.writing.streets import Node, Street, Surroundings
 from chatscene.terms.scenario import Control
 from making.maps.designs import CarParkDesign, RingDesign
-from making.maps.opendrive import write_opendrive
-from making.maps.opendrive_objects import Bay, Crosswalk, Use
 from making.maps.region_motorway import (
     DIVERGE_EAST,
     DIVERGE_WEST,
@@ -32,7 +33,6 @@ from making.maps.region_motorway import (
     ON_WEST,
     carriageways,
 )
-from making.maps.streets import Node, Street, Surroundings
 
 # Roundabouts
 LARGE, LARGE_ARM = RingDesign(island=32.0, lane=4.5, lanes=2, flare=22.0), 52.0

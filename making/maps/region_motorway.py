@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from chatscene.maps.writing.streets import LANE, Node, Street, Surroundings
 from chatscene.terms.scenario import Control
 from making.maps.designs import RampDesign
-from making.maps.streets import LANE, Node, Street, Surroundings
 
 MEDIAN = 2.0  # [m], half of what lies between the carriageways
 EDGE = MEDIAN + 3 * LANE  # [m] from the middle of the motorway to where a fourth lane begins

@@ -9,9 +9,9 @@ streets at the four corners. One avenue each way has two lanes per direction, ev
 from __future__ import annotations
 
 from chatscene.maps.network import PACKAGED
+from chatscene.maps.writing.opendrive import write_opendrive
+from chatscene.maps.writing.streets import Node, Street
 from chatscene.terms.scenario import Control
-from making.maps.opendrive import write_opendrive
-from making.maps.streets import Node, Street
 
 BLOCK = 270.0  # [m] between junctions: straights of 230 m between the setbacks
 AVENUE = 1  # the row and the column with two lanes per direction

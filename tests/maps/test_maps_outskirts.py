@@ -11,10 +11,10 @@ import pytest
 from chatscene.maps.lane_runs import lane_runs
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.survey import check_map
+from chatscene.maps.writing.opendrive import write_opendrive
+from chatscene.maps.writing.streets import Node, Street
 from chatscene.terms.scenario import Control
-from making.maps.opendrive import write_opendrive
 from making.maps.outskirts import plan
-from making.maps.streets import Node, Street
 
 OUTSKIRTS = resolve_map("outskirts")
 NETWORK: Any = load_network(OUTSKIRTS)

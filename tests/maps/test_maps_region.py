@@ -21,12 +21,12 @@ from chatscene.maps.routes import find_routes, place_of
 from chatscene.maps.settings import lies_in
 from chatscene.maps.sites import APPROACHED
 from chatscene.maps.survey import check_map
+from chatscene.maps.writing.opendrive import write_opendrive
+from chatscene.maps.writing.streets import Node
 from chatscene.terms.route import Equipment, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.vocabulary import Setting
-from making.maps.opendrive import write_opendrive
 from making.maps.region import plan
-from making.maps.streets import Node
 
 REGION = resolve_map("region")
 NETWORK: Any = load_network(REGION)

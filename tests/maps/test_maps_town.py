@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 from asam_checker import assert_nothing_wrong
 from chatscene.maps.junctions import junction_control
 from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.writing.opendrive import write_opendrive
+from chatscene.maps.writing.streets import Node, Street
 from chatscene.terms.scenario import Control
-from making.maps.opendrive import write_opendrive
-from making.maps.streets import Node, Street
 from making.maps.town import plan
 
 TOWN = resolve_map("town")

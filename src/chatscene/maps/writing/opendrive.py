@@ -15,9 +15,8 @@ from itertools import pairwise
 from xml.etree import ElementTree as Xml
 
 from chatscene.maps.furniture import TRAFFIC_LIGHT
-from chatscene.terms.scenario import Control
-from making.maps.opendrive_objects import STOP_SIGN, Bay, Use, decimal, furnish, signal_on
-from making.maps.reference_lines import (
+from chatscene.maps.writing.objects import STOP_SIGN, Bay, Use, decimal, furnish, signal_on
+from chatscene.maps.writing.reference_lines import (
     Piece,
     Pose,
     after,
@@ -26,7 +25,8 @@ from making.maps.reference_lines import (
     rounded_line,
     wrapped,
 )
-from making.maps.streets import LANE, Node, Street, Surroundings
+from chatscene.maps.writing.streets import LANE, Node, Street, Surroundings
+from chatscene.terms.scenario import Control
 
 NOWHERE = "+proj=tmerc +lat_0=0 +lon_0=0 +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs"  # in the Gulf of Guinea
 _MARGIN = 30.0  # [m] between reference lines and the bounds in the header: the widest half of a road, and some

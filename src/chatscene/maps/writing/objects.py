@@ -15,7 +15,7 @@ from xml.etree import ElementTree as Xml
 from chatscene.maps.furniture import RAIL, TRAFFIC_LIGHT
 
 if TYPE_CHECKING:
-    from making.maps.streets import Street
+    from chatscene.maps.writing.streets import Street
 
 STOP_SIGN = "206"  # signal types of the German catalogue, which Scenic and CARLA know
 BUS_STOP = "224"

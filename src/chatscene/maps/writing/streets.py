@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
+from chatscene.maps.writing.objects import Bay, Crosswalk
+from chatscene.maps.writing.reference_lines import Corner
 from chatscene.terms.scenario import Control
-from making.maps.opendrive_objects import Bay, Crosswalk
-from making.maps.reference_lines import Corner
 
 LANE = 3.5  # [m]
 SHOULDER = 1.5  # [m]
