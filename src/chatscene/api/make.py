@@ -84,8 +84,9 @@ def run(
         param: Values, by name, of parameters that the program uses and does not define; only with a program.
         edit: Changes to the text or the situation, in words: one edit, or several that are applied in order. None and
             ``[]`` change nothing.
-        map: Packaged ``town``, ``outskirts`` or ``region``, or an ``.xodr`` file; None for the first packaged map that
-            has what the text names, and for a program's own map. Given, it takes the place of a program's own map.
+        map: Packaged ``town``, ``outskirts`` or ``region``, a road such as ``road:2+1``, or an ``.xodr`` file; None for
+            the first packaged map that has what the text names, else a road with it, and for a program's own map.
+            Given, it takes the place of a program's own map.
         ego: An ego by name, file or ``package.module:factory``.
         speed: Speed of the ego [km/h] if the text gives none, whatever the road allows; None for the speed of the road.
         scenes: Simulations per scenario and route.

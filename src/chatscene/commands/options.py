@@ -183,13 +183,13 @@ MAP = click.option(
     default="town",
     show_default=True,
     callback=usable_map,
-    help="The packaged 'town', 'outskirts' or 'region', or an .xodr file.",
+    help="The packaged 'town', 'outskirts' or 'region', a road such as 'road:2+1', or an .xodr file.",
 )
 MAP_WITH_SITE = click.option(
     "--map",
     default=None,
     callback=usable_map,
-    help="The packaged 'town', 'outskirts' or 'region', or an .xodr file.  "
+    help="The packaged 'town', 'outskirts' or 'region', a road such as 'road:2+1', or an .xodr file.  "
     "[default: town; outskirts for motorways and the like]",
 )
 SIMULATOR_OPTION = click.option(

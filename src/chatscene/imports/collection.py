@@ -12,7 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 
 from chatscene.errors import MapError, RunError
 from chatscene.maps.carla_towns import is_town
-from chatscene.maps.network import PACKAGED, name_of, resolve_map
+from chatscene.maps.network import is_named, name_of, resolve_map
 from chatscene.runs.atomic import read_json, write_json
 from chatscene.runs.digests import digest_of
 from chatscene.search.generators.foreign import ForeignProgram
@@ -115,7 +115,7 @@ def write_record(folder: Path, files: Sequence[FileRecord], maps: Sequence[Path]
 def map_named(folder: Path, path: Path) -> str:
     """What a record in a folder calls a map."""
     name = name_of(path)
-    return name if name in PACKAGED or is_town(name) else os.path.relpath(path.resolve(), folder.resolve())
+    return name if is_named(name) or is_town(name) else os.path.relpath(path.resolve(), folder.resolve())
 
 
 def is_collection(folder: Path) -> bool:
@@ -197,7 +197,7 @@ def map_beside(program: Path) -> str | None:
 
 
 def _map_at(folder: Path, name: str, record: _Record) -> Path:
-    packaged = name in PACKAGED or is_town(name)
+    packaged = is_named(name) or is_town(name)
     try:
         path = resolve_map(name if packaged else os.path.normpath(folder.resolve() / name))
     except MapError as error:

@@ -64,6 +64,8 @@ SITES: dict[Site, Road] = {
     Site.PARKING: Road(has=(Feature.PARKING_PLACES,)),
     Site.BUS_BAY: Road(has=(Feature.BUS_BAY,)),
     Site.RAIL_CROSSING: Road(kind=RoadKind.RAIL_CROSSING),
+    Site.DRIVEWAY: Road(has=(Feature.DRIVEWAY,)),
+    Site.DRIVEWAY_LEFT: Road(has=(Feature.DRIVEWAY,)),
 }
 WAYS_OF_SITES = {Site.ROUNDABOUT: EgoRoute.ROUNDABOUT, Site.ON_RAMP: EgoRoute.MERGE, Site.OFF_RAMP: EgoRoute.EXIT}
 RULES = {

@@ -33,7 +33,7 @@ def map_drawing(network: Any, box: tuple[float, float, float, float]) -> dict[st
         Points are [x, y] in metres, rounded to 1 cm.
 
         - ``roads``, ``junctions``, ``shoulders``, ``sidewalks``: polygons, each a list of rings, the outer first; a
-          cycle lane is a shoulder;
+          cycle lane is a shoulder, as is a driveway;
         - ``lane_boundaries``: ``{"kind": "solid" | "dashed" | "centre", "points": [...]}``, where ``centre``
           parts opposite directions and ``solid`` is the edge of the carriageway;
         - ``stop_lines``: ``{"control": "signal" | "stop-sign", "points": [...]}``;
@@ -65,10 +65,11 @@ def _drawn(network: Any, box: tuple[float, float, float, float]) -> dict[str, An
     painted = [stripe for _, area in furniture.crosswalks for stripe in _stripes(area)]
     stripes = _polygons((*painted, *(rail for _, area, _ in furniture.tracks for rail in _rails(area))), frame)
     shoulders = (*(shoulder.polygons for shoulder in network.shoulders), *furniture.cycle_lanes.values())
+    driveways = (area for _, area in furniture.driveways)
     return {
         "roads": _polygons((road.polygons for road in network.roads), frame),
         "junctions": _polygons((junction.polygons for junction in network.intersections), frame),
-        "shoulders": _polygons(shoulders, frame),
+        "shoulders": _polygons((*shoulders, *driveways), frame),
         "sidewalks": _polygons((sidewalk.polygons for sidewalk in network.sidewalks), frame),
         "lane_boundaries": [
             {"kind": kind, "points": points} for kind, line in _boundaries(network) for points in _lines(line, frame)

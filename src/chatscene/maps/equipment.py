@@ -9,6 +9,7 @@ import shapely
 
 from chatscene.maps.car_parks import car_parks
 from chatscene.maps.furniture import Stand, furniture_of
+from chatscene.maps.junctions import GIVE_WAY_SIGN
 from chatscene.maps.kept import kept
 from chatscene.terms.route import Equipment, Route
 
@@ -68,6 +69,16 @@ def _bays(network: Any, route: Route) -> bool:
     return _road(network, route) in car_parks(network)
 
 
+def _gives_way(network: Any, route: Route) -> bool:
+    ways = (network.elements[uid] for uid in route.lane_ids)
+    return any(signal.type == GIVE_WAY_SIGN for way in ways for signal in way.road.signals)
+
+
+def _bus_lane(network: Any, route: Route) -> bool:
+    lane = network.elements[route.lane_ids[0]]
+    return (lane.road.id, lane.group is lane.road.forwardLanes) in furniture_of(network).bus_lanes
+
+
 def bus_bay(network: Any, route: Route) -> float:
     """How long [m] the bay for buses is that a route leads past, the longest of its road; 0 where there is none."""
     road, standing = _road(network, route), furniture_of(network).standing
@@ -80,4 +91,6 @@ _HAS: Mapping[Equipment, Callable[[Any, Route], bool]] = {
     Equipment.CYCLE_LANE: _cycle_lane,
     Equipment.TRAM_TRACK: _tram_track,
     Equipment.BAYS: _bays,
+    Equipment.GIVE_WAY: _gives_way,
+    Equipment.BUS_LANE: _bus_lane,
 }

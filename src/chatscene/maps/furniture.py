@@ -19,6 +19,8 @@ from chatscene.terms.polyline import Polyline
 
 RAIL = "rail"
 """The subtype of an object that is a track: two rails in the road, or across it."""
+DRIVEWAY = "driveway"
+"""The subtype of an object that is a way off the road to a house, a yard or a field."""
 TRAFFIC_LIGHT = "1000001"
 _PEDESTRIANS_LIGHT = "1000002"
 _LIGHTS = "10000"  # what OpenDRIVE's own types of signals begin with; all are lights
@@ -65,6 +67,8 @@ class Furniture:
             Those of a road outside junctions hold for the junction to which that direction leads.
         cycle_lanes: The areas [m] of lanes for bicycles, by OpenDRIVE's id of the road and whether on its right.
         tracks: By OpenDRIVE id of the road each lies on, the area of a track [m], and whether it leads across the road.
+        bus_lanes: OpenDRIVE's ids of the roads with a lane to drive on for buses, and whether on its right.
+        driveways: By OpenDRIVE id of the road that each leads off, its area [m], map frame.
     """
 
     crosswalks: tuple[tuple[int, shapely.Polygon], ...] = ()
@@ -74,6 +78,8 @@ class Furniture:
         default_factory=dict[tuple[int, bool], shapely.Polygon]
     )
     tracks: tuple[tuple[int, shapely.Polygon, bool], ...] = ()
+    driveways: tuple[tuple[int, shapely.Polygon], ...] = ()
+    bus_lanes: frozenset[tuple[int, bool]] = frozenset()
 
 
 def furniture_of(network: Any) -> Furniture:
@@ -94,6 +100,8 @@ def read_furniture(root: Xml.Element, network: Any) -> Furniture:
     standing: list[StandingPlace] = []
     cycle_lanes: dict[tuple[int, bool], shapely.Polygon] = {}
     tracks: list[tuple[int, shapely.Polygon, bool]] = []
+    driveways: list[tuple[int, shapely.Polygon]] = []
+    bus_lanes: set[tuple[int, bool]] = set()
     lights: dict[tuple[int, bool], list[str]] = {}
     for road in root.iter("road"):
         number = int(road.get("id", "0"))
@@ -103,6 +111,8 @@ def read_furniture(root: Xml.Element, network: Any) -> Furniture:
             standing += _standing(road, number)
             crosswalks += [(number, area) for area in _areas(road, lines[number], "type", "crosswalk")]
             tracks += _tracks(road, number, lines[number])
+            driveways += [(number, area) for area in _areas(road, lines[number], "subtype", DRIVEWAY)]
+            bus_lanes |= {(number, int(lane.get("id", "0")) < 0) for lane in road.iter("lane") if _is_for_buses(lane)}
             cycle_lanes |= _cycle_lanes(road, roads[number])
     return Furniture(
         tuple(crosswalks),
@@ -110,6 +120,8 @@ def read_furniture(root: Xml.Element, network: Any) -> Furniture:
         {where: tuple(ids) for where, ids in lights.items()},
         cycle_lanes,
         tuple(tracks),
+        tuple(driveways),
+        frozenset(bus_lanes),
     )
 
 
@@ -154,8 +166,17 @@ def _use(lane: Xml.Element, length: float) -> Stand | None:
         return Stand.BUS
     if kind != "parking":
         return None
-    entered_by = {access.get("restriction") for access in lane.iter("access") if access.get("rule") == "allow"}
-    return Stand.BUS if entered_by == {"bus"} else Stand.PARKING
+    return Stand.BUS if _only_buses(lane) else Stand.PARKING
+
+
+def _only_buses(lane: Xml.Element) -> bool:
+    """Whether buses alone may be on a lane."""
+    return {access.get("restriction") for access in lane.iter("access") if access.get("rule") == "allow"} == {"bus"}
+
+
+def _is_for_buses(lane: Xml.Element) -> bool:
+    """Whether a lane to drive on is for buses."""
+    return lane.get("type") == "driving" and _only_buses(lane)
 
 
 def _areas(road: Xml.Element, line: Polyline, name: str, value: str) -> Iterator[shapely.Polygon]:

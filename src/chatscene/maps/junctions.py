@@ -11,7 +11,7 @@ from chatscene.maps.furniture import furniture_of
 from chatscene.maps.kept import kept
 from chatscene.terms.scenario import Control
 
-STOP_SIGN = "206"  # OpenDRIVE's catalogue follows the German one, as do CARLA's maps
+STOP_SIGN, GIVE_WAY_SIGN = "206", "205"  # OpenDRIVE's catalogue follows the German one, as do CARLA's maps
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,6 +47,26 @@ def junction_control(junction: Any) -> Control:
     Signals stand on the roads through it or, as some maps have them, at the end of the roads into it.
     """
     return kept(junction, "control", _control)
+
+
+def control_before(junction: Any, lane: Any) -> Control:
+    """How a lane into a junction is controlled: as the junction, or free where only other lanes have a stop sign."""
+    whole = junction_control(junction)
+    free = whole is Control.STOP_SIGN and lane.uid not in (signed := _with_stop_sign(junction)) and bool(signed)
+    return Control.NONE if free else whole
+
+
+def _with_stop_sign(junction: Any) -> frozenset[str]:
+    """Scenic's ids of the lanes whose ways through a junction have a stop sign; some maps have them elsewhere."""
+    lanes = {maneuver.startLane.uid: maneuver.startLane for maneuver in junction.maneuvers}
+    return frozenset(
+        uid for uid, lane in lanes.items() if _strongest(_signals_before(junction, lane)) is Control.STOP_SIGN
+    )
+
+
+def _signals_before(junction: Any, lane: Any) -> list[Any]:
+    """The signals of the ways that lead on from a lane."""
+    return [one for m in junction.maneuvers if m.startLane is lane for one in m.connectingLane.road.signals]
 
 
 def _control(junction: Any) -> Control:
@@ -85,7 +105,7 @@ def junction_signals(network: Any, junction: str) -> tuple[StopLine, ...]:
 
 def _stop_line(lane: Any, junction: Any) -> StopLine:
     ways = [m for m in junction.maneuvers if m.startLane is lane]
-    signals = [signal for maneuver in ways for signal in maneuver.connectingLane.road.signals]
+    signals = _signals_before(junction, lane)
     lights = {light for maneuver in ways for light in _lights(maneuver)}
     (x0, y0, *_), (x1, y1, *_) = lane.leftEdge.points[-1], lane.rightEdge.points[-1]
     return StopLine(

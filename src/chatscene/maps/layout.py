@@ -20,6 +20,7 @@ import shapely
 
 from chatscene.maps.kept import kept, kept_with_network
 from chatscene.maps.lane_runs import centre_line, lane_runs
+from chatscene.maps.limits import is_called
 from chatscene.maps.neighbours import opposes, section_beside
 
 _SAME_WAY = math.radians(30)  # between the directions of two roads of one arm
@@ -253,7 +254,7 @@ def motorway_groups(network: Any) -> tuple[Any, ...]:
     """The carriageways of a network's motorways.
 
     Those are groups of two lanes or more with no oncoming lane directly beside, which lead to or from a merge or a
-    diverge, themselves or by others, without a crossing, and are long enough together.
+    diverge, themselves or by others, without a crossing, or are called motorways; and are long enough together.
     """
     kinds = junction_kinds(network)
     wide = {
@@ -285,7 +286,8 @@ def motorway_groups(network: Any) -> tuple[Any, ...]:
                 ahead += beside[uid]
         left = [uid for uid in left if uid not in chain]
         groups = [wide[uid] for uid in sorted(chain)]
-        if chain & at_ramp and sum(group.centerline.length for group in groups) > _MOTORWAY:
+        said = all(is_called(network, group.road.id, "motorway") for group in groups)
+        if (chain & at_ramp or said) and sum(group.centerline.length for group in groups) > _MOTORWAY:
             found += groups
     return tuple(found)
 

@@ -48,11 +48,13 @@ class RoadLimits:
             from its start.
         most: The same of what no lane of it exceeds.
         lanes: For lanes with a limit of their own, by OpenDRIVE's id, the same; NaN where one has none again.
+        kind: OpenDRIVE's type of the road, if it is of one all along.
     """
 
     allowed: Steps
     most: Steps
     lanes: Mapping[int, Steps] = field(default_factory=dict[int, Steps])
+    kind: str = ""
 
     def at(self, s: float, lane: int | None = None) -> float:
         """The speed allowed [m/s].
@@ -86,8 +88,15 @@ def read_limits(root: Xml.Element) -> dict[int, RoadLimits]:
     limits: dict[int, RoadLimits] = {}
     for number, road in roads.items():
         allowed, most = typed.get(number) or _joined(road, typed)
-        limits[number] = RoadLimits(allowed, most, _lanes(road))
+        kinds = {kind.get("type", "") for kind in road.iterfind("type")}
+        limits[number] = RoadLimits(allowed, most, _lanes(road), kinds.pop() if len(kinds) == 1 else "")
     return limits
+
+
+def is_called(network: Any, road: int, kind: str) -> bool:
+    """Whether a map says of a road, by OpenDRIVE's id, that it is of a type all along."""
+    there = limits_of(network).get(road)
+    return there is not None and there.kind == kind
 
 
 def limits_along(network: Any, line: Polyline, lane_ids: Sequence[str]) -> NDArray[np.float64]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import shapely
@@ -40,6 +41,8 @@ def section_beside(section: Any, side: int) -> Any:
     return None
 
 
+_ACROSS = 40.0  # [m] to a lane that runs against a route, over its own direction and the widest median
+_AGAINST = math.radians(30)
 _LANES_ACROSS = 12  # of a road, at most
 
 
@@ -76,6 +79,29 @@ def _innermost_of_one_way(network: Any) -> tuple[Any, list[Any]]:
     lanes = [lane for road in network.roads if _one_way(road) for lane in road.lanes]
     found = [section for lane in lanes for section in lane.sections if section._laneToLeft is None]
     return shapely.STRtree([shapely.Point(s.leftEdge.lineString.coords[0]) for s in found]), found
+
+
+def oncoming_line(network: Any, route: Route) -> Polyline | None:
+    """The centre line of the nearest lane that runs against a route on its left, in its own driving order.
+
+    Lanes of the route's own direction, and a median, may lie between.
+
+    Args:
+        network: Scenic's road network.
+        route: The ego's route.
+    """
+    x, y = route.line.point_at(0.0)
+    heading = route.line.heading_at(0.0)
+    found: tuple[float, Polyline] | None = None
+    for run in dict.fromkeys(lane_runs(network).values()):
+        s, _, near = run.line.project(x, y)
+        px, py = run.line.point_at(s)
+        left = (py - y) * math.cos(heading) - (px - x) * math.sin(heading)
+        turned = abs(math.remainder(run.line.heading_at(s) - heading, 2 * math.pi))
+        against = left > 0.0 and turned > math.pi - _AGAINST
+        if against and near < _ACROSS and (found is None or near < found[0]):
+            found = near, run.line
+    return None if found is None else found[1]
 
 
 def neighbour_line(network: Any, route: Route, side: str) -> Polyline:

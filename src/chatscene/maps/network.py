@@ -26,6 +26,7 @@ from chatscene.files.bounded import is_there
 from chatscene.files.caches import cache_folder, only_mine
 from chatscene.maps.apart import read_apart, takes_seconds
 from chatscene.maps.carla_towns import carla_town, how_to_have
+from chatscene.maps.laid import DIGEST, PREFIX, is_laid, laid_file, laid_name
 from chatscene.maps.left_hand import check_one_rule, keeps_left, lanes_on_map
 from chatscene.maps.plain_form import FORM, in_plain_form, without_namespace
 from chatscene.maps.scenic_parser import read_other_makers
@@ -59,13 +60,16 @@ PACKAGED = {name: Path(__file__).with_name(f"{name}.xodr") for name in (TOWN, OU
 def resolve_map(name: str) -> Path:
     """The file of a map: the packaged ``town``, ``outskirts`` or ``region``, or a path to an ``.xodr`` file.
 
-    A town of CARLA's by its name, as ``Town05``, is that of the package that brings them, if it is installed.
+    A town of CARLA's by its name, as ``Town05``, is that of the package that brings them, if it is installed. A road
+    that its name says, as ``road:1+1``, is laid (`chatscene.maps.laid`).
 
     Raises:
-        MapError: There is no such file; the nearest known name is given.
+        MapError: There is no such file; the nearest known name is given. Or no such road can be laid.
     """
     if name in PACKAGED:
         return PACKAGED[name]
+    if is_laid(name):
+        return laid_file(name)
     path = Path(name).expanduser()
     if is_there(path):
         return path.resolve()
@@ -80,14 +84,29 @@ def resolve_map(name: str) -> Path:
 
 
 def name_of(path: Path) -> str:
-    """By what a map is asked for: a packaged one and a town of CARLA's by its name, any other by its path."""
-    packaged = next((name for name, file in PACKAGED.items() if file == path), None)
+    """By what a map is asked for: a packaged one, a laid road and a town of CARLA's by its name, any other by path."""
+    packaged = next((name for name, file in PACKAGED.items() if file == path), None) or laid_name(path)
     return packaged or (path.stem if carla_town(path.stem) == path else str(path))
 
 
+def is_named(name: str) -> bool:
+    """Whether a map's name is the same everywhere, and no path: of a packaged one, or of a road that is laid."""
+    return name in PACKAGED or is_laid(name)
+
+
 def map_with(site: Site | None) -> str:
-    """The packaged map for those who name none: the town or, for a site, of which it has none, the first with it."""
-    return TOWN if site is None else REGION if site is Site.RAIL_CROSSING else OUTSKIRTS
+    """The map for those who name none: the town or, for a site, of which it has none, the first with it.
+
+    That is a packaged one, or a road that is laid.
+    """
+    return TOWN if site is None else _WITH.get(site, OUTSKIRTS)
+
+
+_WITH = {
+    Site.RAIL_CROSSING: REGION,
+    Site.DRIVEWAY: f"{PREFIX}1+1,driveway=right",
+    Site.DRIVEWAY_LEFT: f"{PREFIX}1+1,driveway=left",
+}
 
 
 def load_network(path: Path | str) -> Any:
@@ -131,7 +150,7 @@ def map_digest(path: Path) -> str:
         content = path.read_bytes()
     except OSError as error:
         raise MapError(f"map {path.name!r} cannot be read: {error.strerror} ({path})") from error
-    return hashlib.blake2b(content, digest_size=12).hexdigest()
+    return hashlib.blake2b(content, digest_size=DIGEST).hexdigest()
 
 
 @lru_cache(maxsize=8)
@@ -139,7 +158,7 @@ def _parse(content: MapContent) -> Any:
     digest, path = content.digest, content.path
     root = check_opendrive(path)
     copy = _private_copy(path, digest)
-    if takes_seconds(root) or digest in _packaged():
+    if takes_seconds(root) or digest in _packaged() or laid_name(path):
         return furnished(path, root, lambda: _kept(path, copy) or _made(path, copy))
     network = _kept(path, copy) or read_apart(path, root, partial(_taken, copy))
     return furnished(path, root, lambda: network)
@@ -282,12 +301,12 @@ def check_opendrive(path: Path) -> Xml.Element:
 
 
 def check_given(path: Path) -> None:
-    """`check_opendrive` for those who want nothing that the file holds; a packaged map is one.
+    """`check_opendrive` for those who want nothing that the file holds; a map of ours is one.
 
     Raises:
         MapError: As there.
     """
-    if path not in PACKAGED.values():
+    if path not in PACKAGED.values() and laid_name(path) is None:
         check_opendrive(path)
 
 

@@ -134,8 +134,11 @@ def written(network: Any) -> bytes:
             "lights": [(*where, ids) for where, ids in furniture.lights.items()],
             "cycle_lanes": [(*where, to.shape(area)) for where, area in furniture.cycle_lanes.items()],
             "tracks": [(road, to.shape(area), across) for road, area, across in furniture.tracks],
+            "driveways": [(road, to.shape(area)) for road, area in furniture.driveways],
+            "bus_lanes": sorted(furniture.bus_lanes),
             "limits": [
-                (road, one.allowed, one.most, list(one.lanes.items())) for road, one in network.speed_limits.items()
+                (road, one.allowed, one.most, list(one.lanes.items()), one.kind)
+                for road, one in network.speed_limits.items()
             ],
         }
     )
@@ -208,6 +211,8 @@ class _Reader:
             lights={(road, forward): tuple(ids) for road, forward, ids in told["lights"]},
             cycle_lanes={(road, right): area(where) for road, right, where in told["cycle_lanes"]},
             tracks=tuple((road, area(where), across) for road, where, across in told["tracks"]),
+            driveways=tuple((road, area(where)) for road, where in told["driveways"]),
+            bus_lanes=frozenset((road, right) for road, right in told["bus_lanes"]),
         )
 
 
@@ -227,6 +232,6 @@ def _limits(told: list[Any]) -> dict[int, RoadLimits]:
         return tuple((s, speed) for s, speed in given)
 
     return {
-        road: RoadLimits(steps(allowed), steps(most), {lane: steps(own) for lane, own in lanes})
-        for road, allowed, most, lanes in told
+        road: RoadLimits(steps(allowed), steps(most), {lane: steps(own) for lane, own in lanes}, kind)
+        for road, allowed, most, lanes, kind in told
     }

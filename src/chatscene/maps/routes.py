@@ -19,7 +19,7 @@ import shapely
 from chatscene.errors import MapError
 from chatscene.maps.crossings import ALL_LEGS, TURNS, conflicting_paths
 from chatscene.maps.equipment import is_equipped
-from chatscene.maps.junctions import junction_control
+from chatscene.maps.junctions import control_before, junction_control
 from chatscene.maps.kept import kept, kept_with_network
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, arms, junction_kinds
@@ -36,7 +36,7 @@ from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, inc
 
 APPROACHES = (42.0, 36.0, 48.0, 30.0)  # [m] from the start to the junction's entry; the first where possible
 EXIT = 45.0  # [m] driven after the junction
-ELSEWHERE = "; name no map, or the packaged "  # in a refusal, before the map that has such a site
+ELSEWHERE = "; name no map, or the map "  # in a refusal, before the map that has such a site
 TO_LINE = 4.0  # [m] from the middle of a car that waits at a junction to its entry: the nose is half a car nearer
 
 _SEAM = 0.1  # [m]
@@ -124,6 +124,8 @@ _EQUIPMENT = {
     Equipment.CYCLE_LANE: "a cycle lane",
     Equipment.TRAM_TRACK: "rails in the road",
     Equipment.BAYS: "bays on both sides",
+    Equipment.GIVE_WAY: "a give-way sign",
+    Equipment.BUS_LANE: "a bus lane",
 }
 
 
@@ -236,13 +238,13 @@ def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: 
     for intersection in sorted(network.intersections, key=lambda i: str(i.uid)):
         if kinds[intersection.uid] is not JunctionKind.CROSSING:
             continue
-        place, control = place_of(intersection), junction_control(intersection)
-        if query.place not in (None, Place.JUNCTION, place) or query.control not in (None, control):
+        if query.place not in (None, Place.JUNCTION, place_of(intersection)):
             continue
         maneuvers = [m for m in intersection.maneuvers if TURNS.get(m.type.name) is query.maneuver]
         for maneuver in sorted(maneuvers, key=lambda m: (m.startLane.uid, m.endLane.uid)):
             approach = APPROACHES[variant] * (1.0 if query.approach is None else query.approach / APPROACHES[0])
-            if not _offers(network, maneuver.startLane, query):
+            control = control_before(intersection, maneuver.startLane)
+            if query.control not in (None, control) or not _offers(network, maneuver.startLane, query):
                 continue
             route = _junction_route(network, maneuver, map_name, approach)
             if route is None:

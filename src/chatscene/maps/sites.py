@@ -14,6 +14,7 @@ from chatscene.maps.junctions import junction_control
 from chatscene.maps.lane_changes import changed, neighbour, wide_at
 from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, motorway_groups, ramp_ways, roundabouts, weaving_sections
+from chatscene.maps.limits import is_called
 from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery
@@ -41,7 +42,7 @@ BEYOND = (5.0, 20.0, 35.0, 50.0)  # [m] from the nose of an on-ramp to where a r
 AHEAD = (75.0, 65.0, 85.0, 55.0)  # [m] from where a route past an off-ramp begins to its nose
 PAST = (55.0, 45.0, 65.0, 35.0)  # [m] from a route's start to what it leads past
 ROAD = 100.0  # [m] of such a route
-PASSED = frozenset((Site.CROSSWALK, Site.PARKING, Site.BUS_BAY, Site.RAIL_CROSSING))
+PASSED = frozenset((Site.CROSSWALK, Site.PARKING, Site.BUS_BAY, Site.RAIL_CROSSING, Site.DRIVEWAY, Site.DRIVEWAY_LEFT))
 """What a route on open road leads past."""
 APPROACHED: Mapping[Site, float] = {
     Site.ROUNDABOUT: ENTRIES[0],
@@ -325,13 +326,15 @@ def windows_past(
         marks = _begins(run, furniture_of(network).crosswalks)
     elif site is Site.RAIL_CROSSING:
         marks = _begins(run, ((road, area) for road, area, across in furniture_of(network).tracks if across))
+    elif site in _DRIVEWAYS:
+        marks = _driveways_beside(network, run, right=_DRIVEWAYS[site])
     else:
         marks = _bays_beside(network, run, Stand.PARKING if site is Site.PARKING else Stand.BUS)
     further = 1.0 if approach is None else approach / PAST[0]
     road = ROAD * max(further, 1.0)
     return [
         (at - before, at - before + road, at)
-        for before in (further * one for one in PAST)
+        for before in (further * one for one in (PAST if site not in _DRIVEWAYS else PAST[:1]))
         for at in marks
         if at - before >= 2.0 and at - before + road < run.line.length
     ]
@@ -342,6 +345,20 @@ def _begins(run: LaneRun, areas: Iterable[tuple[int, shapely.Polygon]]) -> list[
     roads = {lane.road.id for lane in run.lanes}
     on = [area for road, area in areas if road in roads and any(lane.polygons.intersects(area) for lane in run.lanes)]
     return [min(run.line.project(x, y)[0] for x, y, *_ in area.exterior.coords) for area in on]
+
+
+_DRIVEWAYS = {Site.DRIVEWAY: True, Site.DRIVEWAY_LEFT: False}
+"""On which side of a route the driveway lies: the right or not."""
+
+
+def _driveways_beside(network: Any, run: LaneRun, *, right: bool) -> list[float]:
+    """Where driveways begin beside a run, on its right or its left."""
+    roads = {lane.road.id for lane in run.lanes}
+    found: list[float] = []
+    for _, area in (one for one in furniture_of(network).driveways if one[0] in roads):
+        if (run.line.project(area.centroid.x, area.centroid.y)[1] < 0.0) is right:
+            found.append(min(run.line.project(x, y)[0] for x, y, *_ in area.exterior.coords))
+    return found
 
 
 def _bays_beside(network: Any, run: LaneRun, use: Stand) -> list[float]:
@@ -368,7 +385,8 @@ def along(network: Any, run: LaneRun, site: Site) -> bool:
     both = [(lane.group, _opposite(lane)) for lane in run.lanes]
     if not car_parks(network).isdisjoint(lane.road.id for lane in run.lanes):
         return False
-    return all(g is not None and len(g.lanes) == 1 and g._sidewalk is None for groups in both for g in groups)
+    narrow = all(g is None or (len(g.lanes) == 1 and g._sidewalk is None) for groups in both for g in groups)
+    return narrow and all(there is not None or is_called(network, own.road.id, "rural") for own, there in both)
 
 
 def _opposite(lane: Any) -> Any:

@@ -21,7 +21,10 @@ if TYPE_CHECKING:
 Ego = Annotated[
     str, Field(max_length=60, description="Who drives: planner, idm, hardened, rule-based, sac, ppo or td3.")
 ]
-Map = Annotated[str, Field(max_length=500, description="town, outskirts or region, or an .xodr file below the folder.")]
+Map = Annotated[
+    str,
+    Field(max_length=500, description="town, outskirts, region, road:2+1, or an .xodr file below the folder."),
+]
 Seed = Annotated[int, Field(ge=0, le=2**63 - 1, description="Of everything random.")]
 SceneId = Annotated[str, Field(max_length=300, description="The id of a scene, as run and verify tell it.")]
 RunFolder = Annotated[Path, Field(description="The folder of a run.")]

@@ -95,15 +95,15 @@ class Folder:
         return path
 
     def map(self, name: str | None) -> str | None:
-        """A map by its name: a packaged one, a town of CARLA's that is installed, or a file of the folder.
+        """A map by its name: a packaged one, a laid road, a town of CARLA's that is installed, or a file of the folder.
 
         Raises:
             SettingsError: It is none of these.
         """
         from chatscene.maps.carla_towns import carla_town
-        from chatscene.maps.network import PACKAGED
+        from chatscene.maps.network import PACKAGED, is_named
 
-        if name is None or name in PACKAGED or (carla_town(name) is not None and not (self.root / name).exists()):
+        if name is None or is_named(name) or (carla_town(name) is not None and not (self.root / name).exists()):
             return name
         try:
             return str(self.file(name, ".xodr"))

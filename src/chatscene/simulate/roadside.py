@@ -181,8 +181,10 @@ class RouteSurroundings:
 
     def _stop_signs(self, ego: Track) -> list[Event]:
         events: list[Event] = []
+        free = any(line.control is Control.STOP_SIGN for line in self._lines)  # else the sign stands elsewhere
         for line in self._lines:
-            step = crossing_step(ego, line) if self._own(line) else None
+            signed = line.control is Control.STOP_SIGN or not free
+            step = crossing_step(ego, line) if signed and self._own(line) else None
             if step is None:
                 continue
             distance = np.hypot(ego.x[: step + 1] - ego.x[step], ego.y[: step + 1] - ego.y[step])

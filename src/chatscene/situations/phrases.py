@@ -145,6 +145,7 @@ CONTROLS: Mapping[RightOfWay, str] = {
     RightOfWay.SIGNAL: "there are traffic lights",
     RightOfWay.STOP_SIGN: "there is a stop sign",
     RightOfWay.YIELD_SIGN: "there is a give-way sign",
+    RightOfWay.PRIORITY: "the side roads alone have signs",
     RightOfWay.NONE: "there are neither traffic lights nor signs",
 }
 
@@ -161,9 +162,15 @@ FEATURES: Mapping[Feature, str] = {
     Feature.BUS_STOP: "a bus stop",
     Feature.BUS_BAY: "a bus bay",
     Feature.PARKED_CARS: "parked cars along the kerb",
+    Feature.PARKED_BOTH_SIDES: "parked cars along both kerbs",
     Feature.PARKING_PLACES: "parking places beside the lane",
     Feature.CYCLE_LANE: "a cycle lane",
+    Feature.BUS_LANE: "a bus lane",
     Feature.TRAM_TRACK: "tram tracks",
+    Feature.MEDIAN: "a median",
+    Feature.SHOULDER: "a hard shoulder",
+    Feature.DRIVEWAY: "a driveway",
+    Feature.NARROW: "no room for two cars to pass each other",
     Feature.ROADWORKS: "roadworks",
     Feature.LANE_DROP: "a lane that ends",
     Feature.ON_RAMP: "an on-ramp",

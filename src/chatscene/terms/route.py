@@ -31,6 +31,8 @@ class Equipment(StrEnum):
     CYCLE_LANE = "cycle-lane"  # beside the lanes where it begins
     TRAM_TRACK = "tram-track"  # in the road where it begins or, at a junction, in one of its roads
     BAYS = "bays"  # on both sides, as in a car park
+    GIVE_WAY = "give-way"  # a sign to give way where it comes into its junction
+    BUS_LANE = "bus-lane"  # beside the other lanes of its direction where it begins
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -161,6 +161,8 @@ class Site(StrEnum):
     PARKING = "parking"  # beside parking places
     BUS_BAY = "bus-bay"
     RAIL_CROSSING = "rail-crossing"  # rails lead across the road
+    DRIVEWAY = "driveway"  # on its right, a way off the road to a house, a yard or a field
+    DRIVEWAY_LEFT = "driveway-left"  # the same on its left
 
 
 class Control(StrEnum):

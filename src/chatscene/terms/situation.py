@@ -207,6 +207,7 @@ class Road(_Closed):
         ego_lane: Which of them the ego is in, from the outermost, which is 1.
         two_way: Whether a lane the other way lies beside them.
         speed_limit: The speed limit.
+        radius: Of its bend.
         has: What else is there.
     """
 
@@ -218,6 +219,7 @@ class Road(_Closed):
     ego_lane: int | None = None
     two_way: bool | None = None
     speed_limit: Speed | None = None
+    radius: Length | None = None
     has: tuple[Feature, ...] = ()
 
 

@@ -132,6 +132,7 @@ class RightOfWay(Word):
     SIGNAL = ("signal", "traffic lights")
     STOP_SIGN = ("stop-sign", "a stop sign")
     YIELD_SIGN = ("yield-sign", "a sign to give way")
+    PRIORITY = ("priority", "signs on the side roads alone")
     NONE = ("none", "neither lights nor signs")
 
 
@@ -152,9 +153,15 @@ class Feature(Word):
     BUS_STOP = ("bus-stop", "a bus stop at the edge of the lane")
     BUS_BAY = ("bus-bay", "a bus stop in a bay beside the lane")
     PARKED_CARS = ("parked-cars", "a row of parked cars along the kerb")
+    PARKED_BOTH_SIDES = ("parked-both-sides", "the same along both kerbs")
     PARKING_PLACES = ("parking-places", "places to park in, beside the lane")
     CYCLE_LANE = ("cycle-lane", "a lane for bicycles")
+    BUS_LANE = ("bus-lane", "a lane for buses")
     TRAM_TRACK = ("tram-track", "rails in the road")
+    MEDIAN = ("median", "grass or a barrier between the directions")
+    SHOULDER = ("shoulder", "a hard shoulder")
+    DRIVEWAY = ("driveway", "a driveway, a gate or a track off the road")
+    NARROW = ("narrow", "no room for two cars abreast")
     ROADWORKS = ("roadworks", "a work zone that narrows the road")
     LANE_DROP = ("lane-drop", "a lane that ends")
     ON_RAMP = ("on-ramp", "a ramp that joins the road")

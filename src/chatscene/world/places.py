@@ -19,7 +19,7 @@ from chatscene.errors import MapError
 from chatscene.maps.crossings import CrossingPath, conflicting_paths, passing_path
 from chatscene.maps.kept import kept_with_network
 from chatscene.maps.lane_runs import centre_line, lane_runs
-from chatscene.maps.neighbours import opposes, section_beside
+from chatscene.maps.neighbours import oncoming_line, opposes, section_beside
 from chatscene.maps.ramp_lines import off_ramp_line
 from chatscene.maps.ring_ways import line_beside, ring_ways
 from chatscene.terms.actors import LIMITS, kind_of
@@ -303,6 +303,18 @@ def neighbourPath(route: EgoRoute, side: str) -> Polyline:  # noqa: N802
         MapError: There is no such lane.
     """
     return line_beside(route.network, route.route, side)
+
+
+def oncomingPath(route: EgoRoute) -> Polyline:  # noqa: N802
+    """The centre line of the nearest lane that runs against the ego's, in its own order; others may lie between.
+
+    Raises:
+        MapError: There is no such lane.
+    """
+    line = oncoming_line(route.network, route.route)
+    if line is None:
+        raise MapError(f"route {route.route.id!r} on map {route.route.map_name!r} has no lane of the other direction")
+    return line
 
 
 def laneLine(lane: Any, least: float = 200.0, of: Callable[[Any], Polyline] = centre_line) -> Polyline:  # noqa: N802

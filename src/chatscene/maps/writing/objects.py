@@ -12,12 +12,13 @@ from enum import Enum
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree as Xml
 
-from chatscene.maps.furniture import RAIL, TRAFFIC_LIGHT
+from chatscene.maps.furniture import DRIVEWAY, RAIL, TRAFFIC_LIGHT
 
 if TYPE_CHECKING:
     from chatscene.maps.writing.streets import Street
 
 STOP_SIGN = "206"  # signal types of the German catalogue, which Scenic and CARLA know
+GIVE_WAY_SIGN = "205"
 BUS_STOP = "224"
 LEADS_ON = 15.0  # [m] on either side of a road to which rails across it are seen
 GAUGE = 1.435  # [m], the standard one
@@ -63,6 +64,23 @@ class Crosswalk:
     width: float = 4.0
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Driveway:
+    """A way off a street to a house, a yard or a field, which is no junction: a paved area beside the lanes.
+
+    Attributes:
+        right: On which side of the street, seen from its start.
+        at: Its middle [m along the street].
+        width: [m], along the street.
+        depth: [m] from the lanes.
+    """
+
+    right: bool
+    at: float
+    width: float = 5.0
+    depth: float = 15.0
+
+
 def furnish(road: Xml.Element, street: Street, length: float) -> None:
     """Put on the road of a street what lies across and along it, and the signs of its bus stops.
 
@@ -72,12 +90,14 @@ def furnish(road: Xml.Element, street: Street, length: float) -> None:
         length: Of the street [m].
     """
     crosswalks = (*street.crosswalks, *_at_junctions(street, length))
-    if crosswalks or street.rails or street.tram:
+    if crosswalks or street.rails or street.tram or street.driveways:
         objects = Xml.SubElement(road, "objects")
         for count, crosswalk in enumerate(crosswalks):
             _crosswalk(objects, f"{street.id}{count:02d}", street, crosswalk)
         for count, (at, left, span, turned) in enumerate(_tracks(street, length)):
             _track(objects, f"{street.id}{50 + count}", at, left, span, turned)
+        for count, driveway in enumerate(street.driveways):
+            _driveway(objects, f"{street.id}{70 + count}", street, driveway)
     stops = [bay for bay in street.bays if bay.use is Use.BUS]
     if stops:
         signals = Xml.SubElement(road, "signals")
@@ -88,14 +108,15 @@ def furnish(road: Xml.Element, street: Street, length: float) -> None:
 def _at_junctions(street: Street, length: float) -> Iterator[Crosswalk]:
     """The crosswalks at the ends of a street that lie at junctions which have some."""
     for end, at in ((street.start, MARKED), (street.end, length - MARKED)):
-        if not isinstance(end, int) and end.marked:
+        if end is not None and not isinstance(end, int) and end.marked:
             yield Crosswalk(at=at)
 
 
 def _across(street: Street) -> tuple[float, float]:
     """How far the lanes and shoulders of a street lie to the left and the right of its reference line [m]."""
     left, right = (
-        street.lane * lanes + street.shoulder if lanes else 0.0 for lanes in (street.lanes_back, street.lanes)
+        street.lane * lanes + street.shoulder if lanes or street.kerbs else 0.0
+        for lanes in (street.lanes_back, street.lanes)
     )
     return left, right
 
@@ -110,22 +131,39 @@ def _tracks(street: Street, length: float) -> Iterator[tuple[float, float, float
 
 
 def _track(objects: Xml.Element, object_id: str, at: float, left: float, span: float, across: bool) -> None:
+    turned = math.pi / 2 if across else 0.0
+    _box(objects, object_id, "track", subtype=RAIL, s=at, t=left, hdg=turned, length=span, width=GAUGE)
+
+
+def _box(
+    objects: Xml.Element,
+    object_id: str,
+    name: str,
+    *,
+    subtype: str,
+    s: float,
+    t: float,
+    hdg: float,
+    length: float,
+    width: float,
+) -> None:
+    """An area on the ground that OpenDRIVE has no type for."""
     Xml.SubElement(
         objects,
         "object",
         id=object_id,
-        name="track",
+        name=name,
         type="none",
-        subtype=RAIL,
-        s=decimal(at),
-        t=decimal(left),
+        subtype=subtype,
+        s=decimal(s),
+        t=decimal(t),
         zOffset="0",
-        hdg=decimal(math.pi / 2) if across else "0",
+        hdg=decimal(hdg),
         pitch="0",
         roll="0",
         orientation="none",
-        length=decimal(span),
-        width=decimal(GAUGE),
+        length=decimal(length),
+        width=decimal(width),
         height="0",
     )
 
@@ -153,6 +191,22 @@ def _crosswalk(objects: Xml.Element, object_id: str, street: Street, crosswalk: 
     outline = Xml.SubElement(element, "outline")
     for u, v in ((-along, -half), (along, -half), (along, half), (-along, half), (-along, -half)):
         Xml.SubElement(outline, "cornerLocal", u=decimal(u), v=decimal(v), z="0", height="0")
+
+
+def _driveway(objects: Xml.Element, object_id: str, street: Street, driveway: Driveway) -> None:
+    edge = street.lane * (street.lanes if driveway.right else street.lanes_back)
+    middle = edge + driveway.depth / 2
+    _box(
+        objects,
+        object_id,
+        "driveway",
+        subtype=DRIVEWAY,
+        s=driveway.at,
+        t=-middle if driveway.right else middle,
+        hdg=0.0,
+        length=driveway.width,
+        width=driveway.depth,
+    )
 
 
 def _bus_stop(signals: Xml.Element, signal_id: str, street: Street, bay: Bay) -> None:

@@ -15,7 +15,7 @@ from itertools import pairwise
 from xml.etree import ElementTree as Xml
 
 from chatscene.maps.furniture import TRAFFIC_LIGHT
-from chatscene.maps.writing.objects import STOP_SIGN, Bay, Use, decimal, furnish, signal_on
+from chatscene.maps.writing.objects import GIVE_WAY_SIGN, STOP_SIGN, Bay, Use, decimal, furnish, signal_on
 from chatscene.maps.writing.reference_lines import (
     Piece,
     Pose,
@@ -25,7 +25,7 @@ from chatscene.maps.writing.reference_lines import (
     rounded_line,
     wrapped,
 )
-from chatscene.maps.writing.streets import LANE, Node, Street, Surroundings
+from chatscene.maps.writing.streets import LANE, Node, Street
 from chatscene.terms.scenario import Control
 
 NOWHERE = "+proj=tmerc +lat_0=0 +lon_0=0 +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs"  # in the Gulf of Guinea
@@ -148,22 +148,22 @@ def _street_line(street: Street) -> tuple[Pose, list[Piece]]:
     return rounded_line(a, b, street.via, (first, last))
 
 
-def _end_at(end: Node | int, at: tuple[float, float] | None) -> tuple[tuple[float, float], float]:
+def _end_at(end: Node | int | None, at: tuple[float, float] | None) -> tuple[tuple[float, float], float]:
     """A street's end or the junction's centre behind it, and how much [m] is left out before that."""
     if at is not None:
         return at, 0.0
     if isinstance(end, Node):
         return (end.x, end.y), end.setback
-    raise ValueError(f"a street that goes on in street {end} needs the place where it does")
+    raise ValueError(f"a street that goes on in street {end}, or ends there, needs the place where it does")
 
 
 def _street_road(root: Xml.Element, street: Street, plan: dict[int, Street], start: Pose, pieces: list[Piece]) -> None:
-    road = _road(root, street.id, f"street{street.id}", start, pieces, "-1", street.surroundings)
+    road = _road(root, street.id, f"street{street.id}", start, pieces, "-1", street)
     link = Xml.Element("link")
     for name, beyond, contact in (("predecessor", street.start, "end"), ("successor", street.end, "start")):
         if isinstance(beyond, Node):
             Xml.SubElement(link, name, elementType="junction", elementId=str(beyond.id))
-        else:
+        elif beyond is not None:
             Xml.SubElement(link, name, elementType="road", elementId=str(beyond), contactPoint=contact)
     road.insert(0, link)
     length = sum(piece.length for piece in pieces)
@@ -187,10 +187,10 @@ def _lane_section(
 
     `span` has both arc lengths and that of the whole street [m].
     """
-    sides = [("left", street.lanes_back > 0 or street.median > 0), ("center", True), ("right", True)]
+    sides = [("left", bool(street.lanes_back or street.median or street.kerbs)), ("center", True), ("right", True)]
     left, centre, right = (Xml.SubElement(section, name) if there else None for name, there in sides)
     assert centre is not None
-    if left is not None and not street.lanes_back:
+    if left is not None and street.median:
         _grass(left, street)
         left = None
     narrow = street.lanes == street.lanes_back == 1
@@ -218,8 +218,8 @@ def _grass(side: Xml.Element, street: Street) -> None:
     _mark(lane, "none")
 
 
-def _joined(end: Node | int, plan: dict[int, Street]) -> Street | None:
-    return None if isinstance(end, Node) else plan[end]
+def _joined(end: Node | int | None, plan: dict[int, Street]) -> Street | None:
+    return plan[end] if isinstance(end, int) else None
 
 
 def _strips(street: Street, *, right: bool) -> int:
@@ -254,7 +254,8 @@ def _lane(
         if begin <= s < end or (s < begin and here == there and s + over > begin):
             _width(element, max(s - begin, 0.0), here, there, over)
     _mark(element, "broken" if number < driving else "solid" if number == driving else "none")
-    if kind == "parking" and bay is not None and bay.use is Use.BUS:
+    buses = kind == "parking" and bay is not None and bay.use is Use.BUS
+    if buses or (street.bus_lane and right and number == driving):
         Xml.SubElement(element, "access", sOffset="0", rule="allow", restriction="bus")
     return element
 
@@ -377,13 +378,21 @@ def _turning_pairs(n: int, m: int, *, left: bool, abreast: bool) -> list[tuple[i
     return [(1 + i, 1 + i) if left else (n - i, m - i) for i in range(many)]
 
 
+_SIGNALS = {
+    (True, False): ("traffic light", TRAFFIC_LIGHT),
+    (False, False): ("stop sign", STOP_SIGN),
+    (False, True): ("give-way sign", GIVE_WAY_SIGN),
+}
+"""What stands at a junction, by whether it is a light, and whether one gives way."""
+
+
 def _connecting_road(root: Xml.Element, node: Node, connection: _Connection, road_id: int) -> None:
     source, target = connection.source, connection.target
     # The reference line is the left edge of the lane, in driving direction.
     start, goal = source.before(connection.lane_in), target.beyond(connection.lane_out)
     pieces = line_arc_line(start, goal)
     name = f"junction{node.id} {road_id}"
-    road = _road(root, road_id, name, start, pieces, str(node.id), source.street.surroundings)
+    road = _road(root, road_id, name, start, pieces, str(node.id), source.street)
     link = Xml.Element("link")
     for name, arm in (("predecessor", source), ("successor", target)):
         Xml.SubElement(
@@ -412,13 +421,13 @@ def _connecting_road(root: Xml.Element, node: Node, connection: _Connection, roa
         _width(lane, 0.0, here, there, length)
         _mark(lane, "none")
         _lane_links(lane, source.incoming(connection.lane_in + beyond), target.outgoing(connection.lane_out + beyond))
-    if node.control is not Control.NONE:
-        light = node.control is Control.SIGNAL
+    if node.control is not Control.NONE and (not node.minor or source.street.id in node.minor):
+        named, kind = _SIGNALS[node.control is Control.SIGNAL, node.gives_way]
         signal_on(
             Xml.SubElement(road, "signals"),
             str(road_id),
-            "traffic light" if light else "stop sign",
-            TRAFFIC_LIGHT if light else STOP_SIGN,
+            named,
+            kind,
             s=0.0,
             t=-LANE - 0.5,
             orientation="+",
@@ -435,15 +444,15 @@ def _road(
     start: Pose,
     pieces: list[Piece],
     junction: str,
-    surroundings: Surroundings,
+    street: Street,
 ) -> Xml.Element:
     length = sum(piece.length for piece in pieces)
     road = Xml.SubElement(
         root, "road", name=name, length=decimal(length), id=str(road_id), junction=junction, rule="RHT"
     )
-    where, speed = surroundings.value
+    where, speed = street.surroundings.value
     kind = Xml.SubElement(road, "type", s="0", type=where)
-    Xml.SubElement(kind, "speed", max=str(speed), unit="km/h")
+    Xml.SubElement(kind, "speed", max=str(street.allowed or speed), unit="km/h")
     view = Xml.SubElement(road, "planView")
     s, pose = 0.0, start
     for piece in pieces:

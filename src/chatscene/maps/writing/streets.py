@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-from chatscene.maps.writing.objects import Bay, Crosswalk
+from chatscene.maps.writing.objects import Bay, Crosswalk, Driveway
 from chatscene.maps.writing.reference_lines import Corner
 from chatscene.terms.scenario import Control
 
@@ -27,6 +27,8 @@ class Node:
         setback: From its centre to where its arms end [m].
         abreast: Whether one turns in as many lanes as both roads have, as in a roundabout; in one if not.
         marked: Whether a crosswalk leads across each of its arms.
+        minor: The ids of the streets that alone have its signs; of none, all have them.
+        gives_way: Whether its signs are to give way, and not to stop.
     """
 
     id: int
@@ -36,6 +38,8 @@ class Node:
     setback: float = SETBACK
     abreast: bool = False
     marked: bool = False
+    minor: tuple[int, ...] = ()
+    gives_way: bool = False
 
 
 class Surroundings(Enum):
@@ -50,6 +54,7 @@ class Surroundings(Enum):
     MOTORWAY_END = ("motorway", 80)
     RAMP = ("motorway", 60)
     LOT = ("town", 10)
+    ANY = ("unknown", 50)  # of which no limit is usual
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,8 +63,8 @@ class Street:
 
     Attributes:
         id: Unique among streets, from 1 up.
-        start: Junction at its start, or the id of the street that leads on into it.
-        end: Junction at its end, or the id of the street it leads on into.
+        start: Junction at its start, or the id of the street that leads on into it; None where the map begins.
+        end: Junction at its end, or the id of the street it leads on into; None where the map ends.
         lanes: Lanes in its direction.
         back: Lanes in the other direction: none of a carriageway; None stands for as many.
         via: Its corners.
@@ -78,11 +83,15 @@ class Street:
         cycle: Whether its shoulders are lanes for bicycles.
         tram: Whether rails lie in the innermost lane of each direction.
         rails: Where rails lead across it [m along the street].
+        bus_lane: Whether its outermost lane is for buses.
+        kerbs: Whether a carriageway has a shoulder and a sidewalk on its left, too.
+        driveways: That lead off it.
+        allowed: The speed allowed [km/h], if not what its surroundings have.
     """
 
     id: int
-    start: Node | int
-    end: Node | int
+    start: Node | int | None
+    end: Node | int | None
     lanes: int
     back: int | None = None
     via: tuple[Corner, ...] = ()
@@ -101,6 +110,10 @@ class Street:
     cycle: bool = False
     tram: bool = False
     rails: tuple[float, ...] = ()
+    bus_lane: bool = False
+    kerbs: bool = False
+    driveways: tuple[Driveway, ...] = ()
+    allowed: int | None = None
 
     @property
     def lanes_back(self) -> int:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from chatscene.errors import NotBuilt
 from chatscene.interpret.scenario_names import scenario_id
 from chatscene.interpret.slots_of import facts_of, parties_of
-from chatscene.maps.network import PACKAGED, map_digest, resolve_map
+from chatscene.maps.network import is_named, map_digest, resolve_map
 from chatscene.search.generator import Choice, Written
 from chatscene.search.generators.exploring import Exploring
 from chatscene.search.generators.kept_builds import keep_program, kept_program
@@ -86,8 +86,8 @@ class Situated(Exploring):
 
 
 def on_any_map(situation: Situation) -> Situation:
-    """A situation without the name of a packaged map, so that another one may serve what changes; a file stays."""
-    return replace(situation, map=None) if situation.map in PACKAGED else situation
+    """A situation without the name of a map of ours, so that another one may serve what changes; a file stays."""
+    return replace(situation, map=None) if situation.map is not None and is_named(situation.map) else situation
 
 
 def _ground(text: str) -> str:
