@@ -113,9 +113,12 @@ def test_the_speed_of_who_backs_onto_the_road_is_what_was_said() -> None:
 
 
 def test_that_the_ego_has_a_stop_sign_too_is_told() -> None:
-    sign = {"control": "stop-sign"}
-    built = somebody("car", "arm", {"act": "go-straight", "breaks": "stop-sign"}, side="right", road=sign)
+    sign, breaks = {"control": "stop-sign"}, {"act": "go-straight", "breaks": "stop-sign"}
+    built = somebody("car", "arm", breaks, side="right", road=sign, map="town")
     assert any("the ego has a stop sign too" in one for one in built.assumed)
+    built = somebody("car", "arm", breaks, side="right", road=sign)
+    assert not any("stop sign" in one for one in built.assumed)
+    assert "signs=side-stop" in built.map
 
 
 def test_who_hides_somebody_beside_the_road_stands_there_and_that_is_told() -> None:

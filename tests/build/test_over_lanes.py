@@ -86,9 +86,11 @@ def test_a_door_of_who_drives_is_refused() -> None:
 def test_where_only_others_have_a_stop_sign_the_ego_has_none() -> None:
     breaks = {"act": "go-straight", "breaks": "stop-sign"}
     plain = said("arm", breaks, side="right")
-    built = build(from_plain(plain))
-    assert "control='none'" in built.program.source
-    assert any("the others' stop sign is not shown" in one for one in built.assumed)
+    for where, shown in ((None, True), ("town", False)):
+        built = build(from_plain(plain | ({"map": where} if where else {})))
+        assert "control='none'" in built.program.source
+        assert any("the others' stop sign is not shown" in one for one in built.assumed) is not shown
+        assert ("signs=side-stop" in built.map) is shown
     assert from_plain(plain | {"road": {"control": "none"}}).others[0].does[0].breaks == "stop-sign"
     waits = plain | {"ego": {"does": [{"act": "stand"}, {"act": "set-off"}]}}
     assert "control='stop-sign'" in build(from_plain(waits)).program.source

@@ -20,18 +20,36 @@ ANY_ROAD = frozenset(
     )
 )
 """What every road has, or every junction."""
-AS_THING = {Feature.BUS_STOP: "BusStop", Feature.PARKED_CARS: "Car", Feature.SCHOOL: "WarningSign"}
+AS_THING = {
+    Feature.BUS_STOP: "BusStop",
+    Feature.PARKED_CARS: "Car",
+    Feature.PARKED_BOTH_SIDES: "Car",
+    Feature.SCHOOL: "WarningSign",
+}
 ON_MAP = {
     Where.IN_ROUNDABOUT: "roundabout",
     Where.ROUNDABOUT_ENTRY: "roundabout",
     Where.CROSSING: "crosswalk",
     Where.EXIT_CROSSING: "crosswalk",
     Feature.PARKING_PLACES: "parking",
+    Feature.MEDIAN: "divided",
+    Where.MEDIAN: "divided",
     RoadKind.RAMP: "on-ramp",
     RoadKind.JUNCTION: "(?:junction|three-way|four-way)",
     RoadKind.PARKING_LOT: "bays",
 }
 """As what it is asked of a map, if that is another word."""
+IN_NAME = {
+    Where.MEDIAN: "median",
+    Feature.MEDIAN: "median",
+    Feature.PARKING_PLACES: "parking",
+    Feature.LANE_DROP: "drop",
+    Feature.NARROW: "lane=",
+    RightOfWay.STOP_SIGN: "signs=side-stop",
+    RightOfWay.YIELD_SIGN: "signs=yield",
+    RightOfWay.PRIORITY: "signs=side-yield",
+}
+"""What the name of a road that is laid says of it, if that is another word."""
 _ON_FOOT = (Where.ROADSIDE, Where.CROSSING, Where.EXIT_CROSSING, Where.MEDIAN)
 FIELDS = {"where": Where, "kind": RoadKind, "setting": Setting, "has": Feature, "control": RightOfWay}
 PLACES = [(field, word) for field, words in FIELDS.items() for word in words]
@@ -65,10 +83,11 @@ def test_a_place_that_was_said_is_seen_or_told_or_refused(field: str, word: Any,
     name = ON_MAP.get(word, str(word))
     query = re.search(r"selectRoute\((.*)\)", built.program.source)
     assert query is not None
-    asked = re.search(rf"'[a-z-]*{name}s?'", query[1]) is not None
+    asked = re.search(rf"'[a-z-]*{name}s?'|{name}=True", query[1]) is not None
     thing = word in AS_THING and re.search(rf"new {AS_THING[word]} at .* with label '(?!A')", built.program.source)
+    laid = built.map.startswith("road:") and IN_NAME.get(word, str(word)) in built.map
     told = [one for one in (*built.assumed, *built.left_out) if name.replace("-", " ") in one.replace("-", " ")]
-    assert word in ANY_ROAD or asked or thing or told or _sign(word, built.assumed), query[1]
+    assert word in ANY_ROAD or asked or laid or thing or told or _sign(word, built.assumed), query[1]
 
 
 def _sign(word: Any, assumed: tuple[str, ...]) -> bool:

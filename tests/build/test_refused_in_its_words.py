@@ -64,7 +64,7 @@ def test_who_hides_somebody_is_refused_across_the_road_with_that_reason() -> Non
         build(from_plain(said))
 
 
-LANES = {"kind": "junction", "control": "signal", "ego_light": "turns-green", "lanes": 4, "ego_lane": 2}
+LANES = {"kind": "junction", "control": "signal", "ego_light": "turns-green", "lanes": 7, "ego_lane": 2}
 
 
 def test_a_place_that_no_map_has_is_refused_with_the_one_fact_to_leave_out() -> None:
@@ -73,7 +73,7 @@ def test_a_place_that_no_map_has_is_refused_with_the_one_fact_to_leave_out() -> 
         build(from_plain(said))
     told = str(refused.value)
     assert told.count("map 'town' has no place") == 1
-    assert told.endswith("; leave out road.lanes: 4, and a place is found")
+    assert told.endswith("; leave out road.lanes: 7, and a place is found")
     assert len(told) < 600
     less = LANES | {"lanes": None}
     assert build(from_plain(said | {"road": {name: value for name, value in less.items() if value is not None}}))

@@ -68,7 +68,8 @@ def test_who_comes_from_a_ramp_begins_as_far_ahead_as_was_said() -> None:
 def test_a_bus_is_no_farther_than_a_road_leads_up_to_its_bay() -> None:
     bus = one("bus-bay", "stand", "pull-out", kind="bus", distance="400 m")
     with pytest.raises(NotBuilt, match=r"A\.starts\.distance: 400 m: say \d+ m, and a place is found"):
-        build(said(bus))
+        build(said(bus, map="outskirts"))
+    assert build(said(bus)).map == "road:1+1,bus-bay,length=2700"
 
 
 def test_those_who_come_side_by_side_are_apart_by_how_wide_they_are() -> None:

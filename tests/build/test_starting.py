@@ -119,8 +119,8 @@ def test_who_was_said_to_be_far_ahead_is_so_far_ahead_on_a_longer_road(where: st
 
 @pytest.mark.parametrize(("where", "acts"), [("ahead", ("stand",)), ("oncoming", ("enter",))])
 def test_a_distance_beyond_the_longest_road_is_refused_with_that(where: str, acts: tuple[str, ...]) -> None:
-    with pytest.raises(NotBuilt, match=r"others\.A\.starts\.distance: 3000 m: the longest road has \d+ m"):
-        build(from_plain(someone(where, *acts, distance="3000 m")))
+    with pytest.raises(NotBuilt, match=r"others\.A\.starts\.distance: 9000 m: the longest road has \d+ m"):
+        build(from_plain(someone(where, *acts, distance="9000 m")))
 
 
 def test_a_faster_ego_has_more_road_before_what_happens() -> None:

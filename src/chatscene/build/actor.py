@@ -113,7 +113,7 @@ class Actor:
             self.ledger.take(f"{at}.starts.facing")
         if (lacks := lacks_at(self.found, self.one.starts.where)) is not None:
             does = "crosses" if self.one.starts.where in AT_CROSSWALKS else "starts"
-            self.ledger.assume(f"{self.one.id} {does} where the map has no {lacks}")
+            self.ledger.lack(f"{self.one.id} {does} where the map has no {lacks}")
         told = self.ledger.told
         if told is not None and any(rolls(one) for one in told.others if one.id == self.one.id):
             self.ledger.assume(f"{self.one.id} rolls, so it is built as a ball, which may be smaller")

@@ -21,6 +21,7 @@ from chatscene.build.ego import BuiltEgo, ego_of, ordered
 from chatscene.build.finding import find, started, without_one_fact
 from chatscene.build.keeping import as_kept, take_kept
 from chatscene.build.lane_order import check_hidden, cross_before_who_brakes, leaves_row, set_in_order
+from chatscene.build.laying import road_for
 from chatscene.build.ledger import Ledger, as_written
 from chatscene.build.naming import name_of
 from chatscene.build.passing import come_after_who_passes, come_by_before_who_crosses, stand_beyond_who_passes
@@ -68,6 +69,7 @@ class Built:
         map: The map that it was built for.
         assumed: What was not said and had to be something, in words.
         left_out: Facts that it lacks, as ``path: value``.
+        lacking: Of all these, what its place lacks.
         bound: The names of its parameters that are numbers that were said.
         unseen: Facts that none of the drives showed that it was rehearsed in, each with what is seen instead.
     """
@@ -76,6 +78,7 @@ class Built:
     map: str
     assumed: tuple[str, ...] = ()
     left_out: tuple[str, ...] = ()
+    lacking: tuple[str, ...] = ()
     bound: frozenset[str] = frozenset()
     unseen: tuple[str, ...] = ()
 
@@ -95,9 +98,32 @@ def build(situation: Situation, *, name: str = "situation", at_most: float = mat
     if situation.map is not None and keeps_left(resolve_map(situation.map)):
         return _in_the_mirror(situation, name, at_most)
     try:
-        return _as_fast_as_it_can(situation, name, at_most)
+        return _where_it_can(situation, name, at_most)
     except NotBuilt as error:
         raise NotBuilt(as_written(str(error), situation)) from error
+
+
+def _where_it_can(situation: Situation, name: str, at_most: float) -> Built:
+    """The program of a situation on a map that has its place, else on a road that is laid to order.
+
+    It is laid where the packaged maps have no such place, or one that lacks more of what was said.
+    """
+    refused: NotBuilt | None = None
+    made: Built | None = None
+    try:
+        made = _as_fast_as_it_can(situation, name, at_most)
+    except NothingBuilds:
+        raise
+    except NotBuilt as error:
+        refused = error
+    if situation.map is None and (made is None or made.lacking) and (laid := road_for(situation)) is not None:
+        with suppress(NotBuilt):
+            ordered = _as_fast_as_it_can(replace(situation, map=str(laid)), name, at_most)
+            if made is None or len(ordered.lacking) < len(made.lacking):
+                return ordered
+    if made is None:
+        raise refused or NotBuilt(NOBODY)
+    return made
 
 
 def _in_the_mirror(situation: Situation, name: str, at_most: float) -> Built:
@@ -180,13 +206,13 @@ def _built(said: Ledger, usual: float, name: str) -> Built:
         NotBuilt: A fact of it cannot be built, or no map has such a place.
     """
     situation = as_kept(said.situation, min(usual, wanted_by(said.situation)))
-    read = replace(said, situation=situation, built=set(said.built), assumed=list(said.assumed))
+    read = said.anew(situation)
     take_kept(read)
     found = find(read, usual)
     ledger, ego, everybody, body = _cast(read, found, usual)
     road = max(one.takes for one, _ in everybody)
     if road > found.route.line.length and not backs(situation):  # what is done goes on for longer
-        read = replace(said, situation=situation, built=set(said.built), assumed=list(said.assumed))
+        read = said.anew(situation)
         take_kept(read)
         found = find(read, usual, road)
         ledger, ego, everybody, body = _cast(read, found, usual)
@@ -231,7 +257,8 @@ def _built(said: Ledger, usual: float, name: str) -> Built:
     return Built(
         program=program,
         map=found.map,
-        left_out=ledger.close(),
+        left_out=(left_out := ledger.close()),
+        lacking=(*(one for one in left_out if one.startswith("road.")), *ledger.lacking),
         assumed=tuple(ledger.assumed),
         bound=frozenset(said_ones),
     )
@@ -268,7 +295,7 @@ def _cast(read: Ledger, found: Found, speed: float) -> tuple[Ledger, BuiltEgo, l
 def _cast_there(
     read: Ledger, found: Found, speed: float
 ) -> tuple[Ledger, BuiltEgo, list[tuple[Actor, Actor | None]], str]:
-    ledger = replace(read, built=set(read.built), assumed=list(read.assumed))
+    ledger = read.anew(read.situation)
     ego = ego_of(ledger, found, speed)
     check_passed_by_ego(ledger.situation, ego.coming.speed)
     check_kept_up(ledger.situation, ego.coming.speed)

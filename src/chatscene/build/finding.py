@@ -21,11 +21,13 @@ from chatscene.build.place import (
     beside_lane,
     from_left,
     only_others_stop,
+    only_side_signs,
     room_against,
 )
 from chatscene.build.queries import queries_for
 from chatscene.build.screening import from_its_lane, side_hidden
 from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, NothingBuilds
+from chatscene.maps.laid import Signs
 from chatscene.maps.loading import load_roads
 from chatscene.maps.network import resolve_map
 from chatscene.maps.open_road import BLOCKER_AT, CHANGE_AT, OPEN_ROAD, PASSING, SWING
@@ -36,6 +38,7 @@ from chatscene.situations.facts import said_in
 from chatscene.terms.amount import Length
 from chatscene.terms.backing import backs, turned_about
 from chatscene.terms.pace import NOMINAL
+from chatscene.terms.route import Equipment
 from chatscene.terms.routing import MANEUVERS
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Road, Situation
@@ -223,7 +226,12 @@ _BEFORE = frozenset(
 )
 
 
-_WHERE_IN = {Site.BUS_BAY: (Where.BUS_BAY, 10.0), Site.CROSSWALK: (Where.CROSSING, 2.0)}
+_WHERE_IN = {
+    Site.BUS_BAY: (Where.BUS_BAY, 10.0),
+    Site.CROSSWALK: (Where.CROSSING, 2.0),
+    Site.DRIVEWAY: (Where.DRIVEWAY, 2.5),
+    Site.DRIVEWAY_LEFT: (Where.DRIVEWAY, 2.5),
+}
 _BEFORE_JUNCTION = (Where.CROSSING, -4.0)
 """Who is at a site, or before a junction, and how far beyond where it begins [m]."""
 _SHORTER = tuple(n / 10 for n in range(9, 0, -1))  # of a distance, for which a place is looked for
@@ -435,8 +443,9 @@ def _take(ledger: Ledger, found: Found) -> None:
     """What of the road is as it was said, once a route is found; and what was chosen."""
     situation = ledger.situation
     ledger.take(*as_said(situation, found))
-    if situation.road.control is RightOfWay.YIELD_SIGN and "control" in found.query:
-        ledger.assume("the junction has no give-way sign, since no map has one")
+    gives_way = Equipment.GIVE_WAY in found.query.get("has", ())
+    if situation.road.control is RightOfWay.YIELD_SIGN and "control" in found.query and not gives_way:
+        ledger.lack("the junction has no give-way sign, since no map has one")
     if situation.road.kind is RoadKind.RAIL_CROSSING and situation.road.control is RightOfWay.SIGNAL:
         ledger.assume("the rail crossing has no lights, since no map has any there")
         ledger.take("road.control")
@@ -445,16 +454,20 @@ def _take(ledger: Ledger, found: Found) -> None:
             continue  # which was said
         own = turned_about(side) if backs(situation) else side
         ledger.assume(f"{name} is on the {own}")
-    if only_others_stop(situation):
-        ledger.assume("the others' stop sign is not shown, since no map has one for the others only")
+    signed = found.laid is not None and found.laid.signs in (Signs.SIDE_STOP, Signs.SIDE_YIELD)
+    if only_others_stop(situation) and not signed:
+        ledger.lack("the others' stop sign is not shown, since no map has one for the others only")
+    if situation.road.control is RightOfWay.PRIORITY and not signed:
+        ledger.lack("the signs of the side roads are not shown, since no map has them on these only")
     stops = any(deed.act in HALTS for deed in situation.ego.does)
     if found.query.get("control") == Control.STOP_SIGN and not stops:
-        ledger.assume("the ego has a stop sign too, since no map has a junction where only the others have one")
+        told = "the ego has a stop sign too, since no map has a junction where only the others have one"
+        ledger.lack(told) if only_side_signs(situation) else ledger.assume(told)
     if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
         ledger.assume(f"the ego's {situation.ego.route} goes to the left")
     said, there = situation.road.lanes, lanes_there(found)
     if said is not None and 1 < said < there:  # what lies beyond is used by nobody
-        ledger.assume(f"the road has {there} lanes in the ego's direction, since no suitable road has {said}")
+        ledger.lack(f"the road has {there} lanes in the ego's direction, since no suitable road has {said}")
         ledger.take("road.lanes")
 
 

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from chatscene.build.place import AT_CROSSWALKS, Found, at_junction, beside_ramp
+from chatscene.maps.laid import Along, LaidRoad
 from chatscene.maps.settings import is_two_way, lies_in
 from chatscene.maps.sites import AT_JUNCTIONS
+from chatscene.terms.amount import Speed
 from chatscene.terms.route import Equipment
 from chatscene.terms.routing import CONTROLS, PLACES
 from chatscene.terms.scenario import Site
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import EgoRoute, Feature, RightOfWay, RoadKind
 
+NARROW = 3.2  # [m], up to which two cars do not pass each other in a lane
+ROUNDED = 0.3  # [m/s], by which limits are rounded
 SITES = {
     Feature.CROSSWALK: Site.CROSSWALK,
     Feature.PARKING_PLACES: Site.PARKING,
@@ -20,16 +24,19 @@ SITES = {
     Feature.LANE_DROP: Site.LANE_DROP,
     Feature.OFF_RAMP: Site.PAST_OFF_RAMP,
     Feature.ON_RAMP: Site.PAST_ON_RAMP,
+    Feature.DRIVEWAY: Site.DRIVEWAY,
 }
 EQUIPMENT = {
     Feature.CROSSWALK: Equipment.CROSSWALKS,
     Feature.CYCLE_LANE: Equipment.CYCLE_LANE,
     Feature.TRAM_TRACK: Equipment.TRAM_TRACK,
+    Feature.BUS_LANE: Equipment.BUS_LANE,
 }
 """What a map is asked for besides, by what the road was said to have."""
 _AT_PLACE = EQUIPMENT | {Feature.PARKING_PLACES: Equipment.BAYS}
 _AT_SITE: dict[Feature, frozenset[Site]] = {
     **{one: frozenset((site,)) for one, site in SITES.items()},
+    Feature.DRIVEWAY: frozenset((Site.DRIVEWAY, Site.DRIVEWAY_LEFT)),
     Feature.ON_RAMP: frozenset((Site.ON_RAMP, Site.PAST_ON_RAMP, Site.WEAVING)),
     Feature.OFF_RAMP: frozenset((Site.OFF_RAMP, Site.PAST_OFF_RAMP, Site.WEAVING)),
 }
@@ -54,6 +61,8 @@ def equipment_of(situation: Situation) -> Iterator[str]:
     has = {*situation.road.has, *(Feature.CROSSWALK for one in situation.others if one.starts.where in AT_CROSSWALKS)}
     if not junction:
         has.discard(Feature.CROSSWALK)  # which is a site of its own there
+    if junction and situation.road.control is RightOfWay.YIELD_SIGN:
+        yield Equipment.GIVE_WAY.value
     yield from (EQUIPMENT[one].value for one in Feature if one in has and one in EQUIPMENT)
 
 
@@ -70,8 +79,11 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
         "road.kind": _is_kind(road.kind, found),
         "road.control": (road.control in CONTROLS and "control" in query)
         or (road.control is RightOfWay.YIELD_SIGN and (site == Site.ROUNDABOUT or "control" in query))
-        or (road.control is RightOfWay.NONE and site == Site.CROSSWALK),
+        or (road.control is RightOfWay.NONE and site == Site.CROSSWALK)
+        or (road.control is RightOfWay.PRIORITY and "control" in query),
         "road.two_way": road.two_way is is_two_way(first),
+        "road.speed_limit": road.speed_limit is not None and _is_limit(road.speed_limit, found),
+        "road.radius": found.laid is not None and found.laid.bend is not None and _is_kind(road.kind, found),
         "road.setting": road.setting is not None and lies_in(network, first, road.setting),
     }
     yield from (path for path, right in holds.items() if right)
@@ -80,15 +92,42 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
 
 def _is_there(feature: Feature, found: Found) -> bool:
     """Whether the road has something where the route leads."""
+    laid = found.laid
+    if feature is Feature.MEDIAN:
+        return bool(found.query.get("divided")) and not (laid is not None and not laid.median)
+    if laid is not None and _IN_LAID.get(feature, _nothing)(laid):
+        return True
     equipped = _AT_PLACE.get(feature) in found.query.get("has", ())
     return equipped or found.query.get("site") in _AT_SITE.get(feature, ())
+
+
+def _nothing(laid: LaidRoad) -> bool:  # noqa: ARG001
+    return False
+
+
+_IN_LAID: dict[Feature, Callable[[LaidRoad], bool]] = {
+    Feature.SHOULDER: lambda laid: laid.shoulder > 0.0 or laid.along is Along.MOTORWAY,
+    Feature.NARROW: lambda laid: laid.lane <= NARROW,
+    Feature.PARKING_PLACES: lambda laid: laid.parking is not None,
+    Feature.CYCLE_LANE: lambda laid: laid.cycle_lane,
+    Feature.LANE_DROP: lambda laid: laid.drop,
+    Feature.CROSSWALK: lambda laid: laid.crosswalk,
+}
+"""What a road has all along, or in its middle, if it was laid so."""
+
+
+def _is_limit(said: Speed, found: Found) -> bool:
+    """Whether the speed that is allowed where something happens is that which was said."""
+    there = found.route.limits[min(int(found.route.eventAt), len(found.route.limits) - 1)]
+    return not said.than_ego and abs(float(there) - said.most) < ROUNDED
 
 
 def lanes_there(found: Found) -> int:
     """How many lanes go the ego's way where its route begins; of a ramp, on the road that it joins."""
     joins = found.query.get("site") == Site.ON_RAMP
     group = found.route.network.elements[found.route.route.lane_ids[-1 if joins else 0]].group
-    return len(group.lanes) - beside_ramp(found.query)
+    buses = found.laid is not None and found.laid.bus_lane
+    return len(group.lanes) - beside_ramp(found.query) - buses
 
 
 def _is_kind(kind: RoadKind | None, found: Found) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from chatscene.errors import NotBuilt
 from chatscene.situations.facts import said_in, within
@@ -38,14 +38,21 @@ class Ledger:
         told: The same as it was said, where that is told otherwise.
         built: The paths of facts that the program has.
         assumed: What was not said and had to be something, in words.
+        lacking: Of that, what the place lacks.
         slow: Whether a slower ego is asked for than could be built.
     """
 
     situation: Situation
     built: set[str] = field(default_factory=set[str])
     assumed: list[str] = field(default_factory=list[str])
+    lacking: list[str] = field(default_factory=list[str])
     told: Situation | None = None
     slow: bool = False
+
+    def anew(self, situation: Situation) -> Ledger:
+        """The same for a situation as it is built, to be added to on its own."""
+        assumed, lacking = list(self.assumed), list(self.lacking)
+        return replace(self, situation=situation, built=set(self.built), assumed=assumed, lacking=lacking)
 
     def take(self, *paths: str) -> None:
         """Facts that the program has: of each path, all in it."""
@@ -55,6 +62,11 @@ class Ledger:
         """Something that had to be chosen."""
         if said not in self.assumed:
             self.assumed.append(said)
+
+    def lack(self, said: str) -> None:
+        """Something that the place lacks, which is told as what was chosen is."""
+        self.assume(said)
+        self.lacking.append(said)
 
     def close(self) -> tuple[str, ...]:
         """What is left out, as ``path: value``.

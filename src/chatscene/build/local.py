@@ -10,7 +10,7 @@ import numpy as np
 import shapely
 
 from chatscene.build.asked import Meets
-from chatscene.build.place import LANE, at_roundabout, only_others_stop, ring_arms
+from chatscene.build.place import LANE, at_roundabout, only_side_signs, ring_arms
 from chatscene.errors import MapError, NotBuilt, NothingBuilds
 from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import Limits
@@ -51,7 +51,7 @@ def breaks(actor: Actor, deed: Deed) -> bool:
             red = (actor.ledger.situation.road.ego_light in (EgoLight.RED, EgoLight.TURNS_RED)) == with_us
             return moves and control == "signal" and (red or with_us)
         case Breach.STOP_SIGN:
-            return moves and (control == "stop-sign" or only_others_stop(actor.ledger.situation))
+            return moves and (control == "stop-sign" or only_side_signs(actor.ledger.situation))
         case _:
             return moves or deed.act in _INTO_THE_WAY or _comes_on(actor, deed)
 

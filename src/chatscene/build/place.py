@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from chatscene.maps.laid import LaidRoad, is_laid, road_of
 from chatscene.maps.ring_ways import ROUND
 from chatscene.situations.check import RULED_BY, TURNS
 from chatscene.terms.actors import Manner as Moves
@@ -39,6 +40,7 @@ AT_JUNCTION = (2.7, 5.3)  # [m] from a junction, on a crosswalk of the packaged 
 AT_CROSSWALKS = frozenset((Where.CROSSING, Where.EXIT_CROSSING))
 ROUNDABOUT_PLACES = frozenset((Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
 WAYS = {Act.TURN_LEFT: Maneuver.LEFT_TURN, Act.TURN_RIGHT: Maneuver.RIGHT_TURN}
+DRIVEWAYS = {Side.RIGHT: Site.DRIVEWAY, Side.LEFT: Site.DRIVEWAY_LEFT}
 PACKAGED = ("town", "outskirts", "region")
 _STOPS = HALTS | acts_of(Tempo.SETS_OFF, Tempo.WAITS)
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
@@ -70,6 +72,11 @@ class Found:
     sides: dict[str, Side]
     further: float = 1.0
     sought: bool = False
+
+    @property
+    def laid(self) -> LaidRoad | None:
+        """The road that was laid for it; None on any other map."""
+        return road_of(self.map) if is_laid(self.map) else None
 
 
 def at_junction(situation: Situation) -> bool:
@@ -114,7 +121,9 @@ def lacks_at(found: Found, where: Where) -> str | None:
             return "median"
         case Where.ON_RAMP if found.query.get("site") not in (Site.ON_RAMP, Site.PAST_ON_RAMP, Site.WEAVING):
             return "on-ramp"
-        case Where.DRIVEWAY if not between_bays(found):  # out of a bay
+        case Where.DRIVEWAY if not (
+            between_bays(found) or found.query.get("site") in DRIVEWAYS.values()
+        ):  # out of a bay
             return "driveway"
         case _:
             return None
@@ -152,6 +161,8 @@ def beside_lane(situation: Situation) -> bool:
 
 def control_of(situation: Situation) -> RightOfWay | None:
     """What rules the junction: as was said, else what is there since somebody has it or breaks its rule."""
+    if situation.map is not None and is_laid(situation.map) and only_side_signs(situation):
+        return RightOfWay.NONE
     if situation.road.control is not None:
         return situation.road.control
     if situation.road.ego_light is not None:
@@ -166,8 +177,22 @@ def only_others_stop(situation: Situation) -> bool:
     """Whether somebody from an arm does not stop at a sign that the ego, which goes on, is not said to have."""
     broken = (one for one in situation.others for deed in one.does if deed.breaks is Breach.STOP_SIGN)
     goes_on = not any(deed.act in _STOPS for deed in situation.ego.does)
-    own = situation.road.control not in (None, RightOfWay.NONE)
+    own = situation.road.control not in (None, RightOfWay.NONE, RightOfWay.PRIORITY)
     return goes_on and not own and any(one.starts.where is Where.ARM for one in broken)
+
+
+def only_side_signs(situation: Situation) -> bool:
+    """Whether the side roads alone have signs.
+
+    So it is said, or somebody breaks theirs; or there is a stop sign, the ego goes straight on and does not stop, and
+    somebody comes from a side road. A four-way junction with a stop sign has one on each arm.
+    """
+    road, ego = situation.road, situation.ego
+    if road.control is RightOfWay.PRIORITY or only_others_stop(situation):
+        return True
+    goes_on = ego.route in (None, EgoRoute.STRAIGHT) and not any(one.act in _STOPS or one.breaks for one in ego.does)
+    comes = any(one.starts.where is Where.ARM for one in situation.others)
+    return road.control is RightOfWay.STOP_SIGN and road.kind is not RoadKind.FOUR_WAY and goes_on and comes
 
 
 def at_roundabout(situation: Situation) -> bool:
@@ -279,6 +304,12 @@ def merged_at(route: Route) -> float:
     beside, metres = neighbourPath(route, "left"), range(round(route.eventAt), round(route.line.length))
     near = (at for at in metres if abs(beside.project(*route.line.point_at(at))[1]) < (1.0 - CHANGED) * LANE)
     return float(next(near, round(route.line.length)))
+
+
+def comes_across(found: Found) -> bool:
+    """Whether who comes the other way on a road that was laid does so beyond a median, or beyond another lane."""
+    laid, lane = found.laid, found.query.get("lane")
+    return laid is not None and bool(laid.back) and (laid.median > 0.0 or (lane is not None and lane < laid.ahead))
 
 
 def room_against(route: Route) -> float:

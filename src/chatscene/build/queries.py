@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import ceil
 from typing import Any
 
 from chatscene.build.fitting import abreast
@@ -10,6 +11,7 @@ from chatscene.build.holding import SITES, equipment_of
 from chatscene.build.over_lanes import lanes_needed
 from chatscene.build.place import (
     AT_CROSSWALKS,
+    DRIVEWAYS,
     GOES_OVER,
     NEXT_LANE,
     PACKAGED,
@@ -24,6 +26,8 @@ from chatscene.build.place import (
     rides_at_edge,
 )
 from chatscene.build.relations import AGAINST
+from chatscene.maps.laid import LaidRoad, is_laid, road_of
+from chatscene.maps.open_road import SHORT_ROAD
 from chatscene.situations.check import TURNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import BACKWARDS, backs
@@ -31,8 +35,9 @@ from chatscene.terms.route import Beside, Equipment
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Feature, Heads, RoadKind, Setting, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Feature, Heads, RoadKind, Setting, Side, UserKind, Where
 
+IN_BEND = 0.29  # of its radius: so much of a bend before and beyond the middle of a route turns by 33°
 _CURVES = (RoadKind.CURVE, RoadKind.LEFT_CURVE, RoadKind.RIGHT_CURVE)
 
 
@@ -41,9 +46,38 @@ def queries_for(situation: Situation, sides: dict[str, Side]) -> Iterator[tuple[
     maps = (situation.map,) if situation.map else PACKAGED
     if situation.road.setting is Setting.RURAL:
         maps = (*maps[1:], *maps[:1])  # the town last, which has no such road
-    for queries in _freer(situation, [_counting_the_ramps(query) for query in _queries(situation, sides)]):
+    counted = [_counting_the_ramps(query) for query in _queries(situation, sides)]
+    if situation.map is not None and is_laid(situation.map):
+        laid = road_of(situation.map)
+        counted = [_on_laid(situation, laid, query) for query in counted]
+    for queries in _freer(situation, counted):
         yield from ((name, query) for query in queries if "site" in query for name in maps)
         yield from ((name, query) for name in maps for query in queries if "site" not in query)
+
+
+def _on_laid(situation: Situation, laid: LaidRoad, query: dict[str, Any]) -> dict[str, Any]:
+    """The same query as a road that was laid answers it: on enough of its bend, and not counting its bus lane."""
+    asked = dict(query)
+    if laid.median:
+        asked["divided"] = True
+    if asked.get("opposite") and (laid.median or asked.get("lane", laid.ahead) < laid.ahead):
+        asked.pop("opposite")  # who comes the other way does so beyond what lies between
+        asked.pop("beside") if asked.get("beside") == "none" else None
+    straight = asked["maneuver"] == Maneuver.STRAIGHT
+    if straight and laid.ahead > 1 and any(one.starts.where is Where.MEDIAN for one in situation.others):
+        asked |= {"lanes": laid.ahead, "lane": laid.ahead}
+        asked.pop("beside") if asked.get("beside") == "none" else None
+    if laid.drop and straight and "lane" not in asked:
+        asked |= {"lanes": max(2, asked.get("lanes", 1)), "lane": 2}  # beside that which ends
+        asked.pop("site", None)
+        asked.pop("beside") if asked.get("beside") == "none" else None
+    if laid.bend is not None and "approach" not in asked:
+        asked["approach"] = max(SHORT_ROAD / 2, ceil(IN_BEND * laid.bend.radius))
+    if laid.bus_lane and situation.ego.kind is not UserKind.BUS:
+        asked |= {name: asked[name] + 1 for name in ("most", "lane") if name in asked}
+        asked |= {"lanes": asked.get("lanes", 1) + 1, "lane": asked.get("lane", 2)}
+        asked.pop("beside", None) if asked.get("beside") == "none" else None
+    return asked
 
 
 def _freer(situation: Situation, queries: list[dict[str, Any]]) -> Iterator[list[dict[str, Any]]]:
@@ -91,12 +125,14 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         base["lane"] = road.ego_lane
     if road.two_way is not None and not at_junction(situation):
         base |= {"opposite": road.two_way} | ({} if road.two_way else {"divided": True})
+    if Feature.MEDIAN in road.has:
+        base["divided"] = True
     base |= _many_lanes(situation, sides)
     over: list[str] = []
     against = any(one.starts.where in AGAINST for one in others)  # for whom that lane is
     if not (against or lanes or beside_lane(situation) or road.lanes == 1):
         over = [str(side) for one in others if (side := _goes_over(one)) is not None]
-    places = [*(base | only for only in _sites(situation)), base | _only_there(situation)]
+    places = [*(base | only for only in _sites(situation, sides)), base | _only_there(situation)]
     for here in (*(place | exactly for place in places), *(places if road.lanes not in (None, 1) else ())):
         if over:
             yield from _on_road(situation, sides, here, over)
@@ -113,10 +149,12 @@ def _only_there(situation: Situation) -> dict[str, Any]:
     return {"site": Site.BUS_BAY.value} if bay else {}
 
 
-def _sites(situation: Situation) -> Iterator[dict[str, Any]]:
+def _sites(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str, Any]]:
     """What a map is asked for first, by what the road was said to have, if nothing else must be there."""
     if at_junction(situation) or _only_there(situation):
         return
+    out = (one for one in situation.others if one.starts.where is Where.DRIVEWAY)
+    yield from ({"site": DRIVEWAYS[one.starts.side or sides.get(one.id, Side.RIGHT)].value} for one in out)
     at_crosswalk = (one.starts.where is Where.CROSSING for one in situation.others)
     has = [*situation.road.has, *(Feature.CROSSWALK for marked in at_crosswalk if marked)]
     yield from ({"site": SITES[one].value} for one in dict.fromkeys(has) if one in SITES)
@@ -246,7 +284,7 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     against = against or any(_turns_round(one) for one in others)
     against = against and query.get("ends") != Beside.BACK  # who turns round has them anyway, some lanes away
     if query["maneuver"] == Maneuver.BYPASS:
-        several = (road.lanes or 1) > 1 or (bool(lanes) and not against)
+        several = (road.lanes or 1) > 1 or (bool(lanes) and not against) or road.kind is RoadKind.MOTORWAY
         query |= {"lanes": max(2, road.lanes or 2), "opposite": False} if several else {"opposite": True}
     elif lanes:
         query |= {"beside": lanes[0]} if straight else _lanes_to_change(situation, lanes)
@@ -259,8 +297,9 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     elif straight and road.lanes in (None, 1) and any(_at_kerb(one) for one in others):
         yield query | {"beside": "none"}  # the outermost lane, or there is no kerb beside it
     yield query
-    if wrong_way and Where.ONCOMING not in places and straight:  # who needs no lane of its own
-        yield dict(base) if not lanes else base | {"beside": lanes[0]}
+    if wrong_way and Where.ONCOMING not in places:  # who needs no lane of its own
+        beside = {} if not lanes else {"beside": lanes[0]} if straight else _lanes_to_change(situation, lanes)
+        yield base | beside
 
 
 def _lanes_to_change(situation: Situation, taken: list[str]) -> dict[str, Any]:

@@ -18,6 +18,7 @@ from chatscene.build.gaps import BACKS_FAR
 from chatscene.build.parts import into_lane
 from chatscene.build.place import (
     AT_JUNCTION,
+    DRIVEWAYS,
     LANE,
     NEXT_LANE,
     Found,
@@ -26,6 +27,7 @@ from chatscene.build.place import (
     beside_lane,
     between_lanes,
     changed_at,
+    comes_across,
     filters,
     has_crosswalks,
     is_marked,
@@ -310,6 +312,7 @@ LEVEL = 7.5  # [m] ahead of the ego, middle to middle, that somebody is at most 
 LEVEL_FOR = 2.0  # [s] after which who cannot be as fast as the ego has fallen back to be level with it
 POINTED = 3.5, 4.5  # [m] behind the junction, of whom a point of the ego's width meets: there it has come about
 ON_CROSSWALK = (0.7, 3.3)  # [m] from where a crosswalk begins
+IN_DRIVEWAY = (1.5, 3.5)  # [m] from where a driveway begins
 ON_RAILS = (0.6, 0.8)  # [m] from where a track begins
 
 
@@ -326,9 +329,11 @@ def _oncoming(asked: Asked) -> Stand:
     ours = asked.one.starts.where is Where.ONCOMING_IN_OUR_LANE
     if asked.situation.ego.route is EgoRoute.U_TURN and not ours and asked.rolls and not asked.one.starts.distance:
         return comes_back(asked)
-    if not ours and "left" not in lanes_beside(asked.found.route):
+    across = not lanes_beside(asked.found.route).get("left", False)
+    if not ours and across and not comes_across(asked.found):
         raise NoSuchPlace(f"no map has such a place: others.{asked.one.id} needs an oncoming lane to the left of ours")
-    way = _against(asked.found) if ours else 'neighbourPath(egoRoute, "left")'
+    theirs = "oncomingPath(egoRoute)" if comes_across(asked.found) else 'neighbourPath(egoRoute, "left")'
+    way = _against(asked.found) if ours else theirs
     if asked.stands:
         asked.ahead(38, 56)
         return Stand(meets=Meets.TOWARD, way=way, at=f"levelOn(way{{i}}, egoRoute, $Y{asked.more})")
@@ -388,8 +393,23 @@ def _level_of(asked: Asked) -> str:
     if where is Where.CROSSING or _walks_at_crosswalk(asked):
         ends = ON_CROSSWALK if is_marked(asked.found) else (-2, 2)
         return asked.at_event(*ends, "the crosswalk is", "how far beyond the crosswalk's edge it is")
+    in_driveway = where is Where.DRIVEWAY and asked.found.query.get("site") in DRIVEWAYS.values()
+    return _in_driveway(asked) if in_driveway else _anywhere_beside(asked)
+
+
+def _anywhere_beside(asked: Asked) -> str:
+    """Where along the ego's way somebody beside the road is whom nothing there holds to a place."""
     asked.reach(*_level_beside(asked))
     return "shortOfJunction(egoRoute, $Y)"
+
+
+def _in_driveway(asked: Asked) -> str:
+    """Where along the ego's way a driveway is, which is as far on each route."""
+    if asked.one.starts.distance is not None:
+        return asked.at_event(*IN_DRIVEWAY, "the driveway is", "how far beyond the driveway's edge it is")
+    event, (low, high) = asked.found.route.eventAt, IN_DRIVEWAY
+    asked.reach(event + low, event + high)
+    return "$Y"
 
 
 def _beside_road(asked: Asked) -> Stand:

@@ -1,0 +1,217 @@
+"""Which road is laid to order for a situation, where no packaged map has all that was said of it."""
+
+from __future__ import annotations
+
+import math
+
+from chatscene.build.coming import further, wanted_by
+from chatscene.build.fitting import abreast
+from chatscene.build.holding import NARROW
+from chatscene.build.over_lanes import lanes_needed
+from chatscene.build.place import (
+    AT_CROSSWALKS,
+    NEXT_LANE,
+    at_junction,
+    at_roundabout,
+    only_side_signs,
+    rides_at_edge,
+)
+from chatscene.errors import MapError
+from chatscene.maps.laid import LENGTH, LONGEST, Along, Bend, LaidRoad, Meets, Sides, Signs
+from chatscene.maps.limits import KMH
+from chatscene.terms.amount import Speed
+from chatscene.terms.situation import Other, Situation
+from chatscene.terms.vocabulary import (
+    Breach,
+    EgoRoute,
+    Feature,
+    Heads,
+    RightOfWay,
+    RoadKind,
+    Setting,
+    Side,
+    Where,
+    acts_of,
+)
+
+MEDIAN, MOTORWAY_MEDIAN = 3.0, 4.0  # [m]
+PASSABLE = 2.3  # [m], each of two lanes in which cars pass each other at a creep
+HARD_SHOULDER = 3.0  # [m]
+BENDS_AT = 2.5  # [m/s²] across, that a bend takes whose radius was not said
+OUTSIDE_TOWN = 60 * KMH  # [m/s], from which on a road of which no setting was said lies outside a town
+_UNLAID_KINDS = frozenset((RoadKind.ROUNDABOUT, RoadKind.RAMP, RoadKind.PARKING_LOT, RoadKind.RAIL_CROSSING))
+_UNLAID = frozenset((Feature.HILL, Feature.ON_RAMP, Feature.OFF_RAMP, Feature.TRAM_TRACK))
+_UNLAID_PLACES = frozenset((Where.ON_RAMP, Where.OFF_RAMP))
+_OF_SETTING = {Setting.TOWN: Along.TOWN, Setting.RESIDENTIAL: Along.RESIDENTIAL, Setting.RURAL: Along.RURAL}
+_BESIDE_TOWN = frozenset((Feature.PARKED_CARS, Feature.PARKED_BOTH_SIDES, Feature.PARKING_PLACES, Feature.BUS_STOP))
+_BENDS = {RoadKind.CURVE: True, RoadKind.LEFT_CURVE: True, RoadKind.RIGHT_CURVE: False}
+_TURNS = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
+_OFF = acts_of(Heads.TURNS, Heads.IN)
+_OVER = {EgoRoute.LANE_CHANGE_LEFT, EgoRoute.LANE_CHANGE_RIGHT, EgoRoute.LANE_CHANGE}
+
+
+def road_for(situation: Situation) -> LaidRoad | None:
+    """The road that has all that was said of it, as far as roads are laid; None where none is.
+
+    Args:
+        situation: What was said, as it is built.
+    """
+    road, others = situation.road, situation.others
+    places = {one.starts.where for one in others}
+    ramps = situation.ego.route in (EgoRoute.EXIT,) or bool(places & _UNLAID_PLACES)
+    if at_roundabout(situation) or road.kind in _UNLAID_KINDS or ramps or _UNLAID & {*road.has} - {Feature.HILL}:
+        return None
+    ahead = _ahead(situation)
+    back = _back(situation, ahead)
+    along = _along(situation)
+    has = {*road.has}
+    narrow = Feature.NARROW in has and ahead == 1
+    junction = _meets(situation) if at_junction(situation) else None
+    divided = bool(back) and (_is_divided(situation) or along is Along.MOTORWAY)
+    try:
+        return LaidRoad(
+            ahead=ahead + (Feature.BUS_LANE in has),
+            back=back,
+            lane=(PASSABLE if back else NARROW) if narrow else 3.5,
+            along=along,
+            speed=_speed(situation),
+            median=(MOTORWAY_MEDIAN if along is Along.MOTORWAY else MEDIAN) if divided else 0.0,
+            shoulder=HARD_SHOULDER if Feature.SHOULDER in has and along is not Along.MOTORWAY else 0.0,
+            parking=_parking(has),
+            cycle_lane=Feature.CYCLE_LANE in has,
+            bus_lane=Feature.BUS_LANE in has,
+            bend=_bend(situation) if road.kind in _BENDS and junction is None else None,
+            crosswalk=Feature.CROSSWALK in has or bool(places & AT_CROSSWALKS),
+            bus_bay=(Feature.BUS_BAY in has or Where.BUS_BAY in places) and junction is None,
+            driveway=_driveway(situation) if junction is None else None,
+            drop=Feature.LANE_DROP in has or (situation.ego.route is EgoRoute.MERGE and junction is None),
+            junction=junction,
+            signs=_signs(situation) if junction is not None else None,
+            length=_length(situation, junction=junction is not None),
+        )
+    except MapError:  # what was said of it does not go together
+        return None
+
+
+def _ahead(situation: Situation) -> int:
+    """Lanes the ego's way: as many as were said, else as many as there must be for all."""
+    road = situation.road
+    if road.lanes is not None:
+        return max(1, road.lanes, road.ego_lane or 1)
+    sides = {
+        one.starts.side or Side.RIGHT
+        for one in situation.others
+        if one.starts.where in NEXT_LANE and not rides_at_edge(one, situation.ego.route)
+    }
+    left, right = lanes_needed(situation, {})
+    beside = Feature.LANE_DROP in road.has or situation.ego.route in {*_OVER, EgoRoute.MERGE}
+    wide = road.kind is RoadKind.MOTORWAY or (_is_divided(situation) and not at_junction(situation))
+    two = beside or wide or abreast(situation)
+    return max(1 + len(sides), 1 + left + right, road.ego_lane or 1, 2 if two else 1)
+
+
+def _back(situation: Situation, ahead: int) -> int:
+    """Lanes the other way: as many, but where the road is one-way or there is room for one car only."""
+    road, places = situation.road, {one.starts.where for one in situation.others}
+    comes = Where.ONCOMING in places
+    if at_junction(situation):
+        return ahead
+    if road.two_way is False and not comes and road.kind is not RoadKind.MOTORWAY and not _is_divided(situation):
+        return 0
+    if Feature.NARROW in road.has and not comes and road.two_way is None:
+        return 0
+    return ahead
+
+
+def _is_divided(situation: Situation) -> bool:
+    """Whether something lies between the two directions."""
+    told = Feature.MEDIAN in situation.road.has or any(one.starts.where is Where.MEDIAN for one in situation.others)
+    comes = any(one.starts.where is Where.ONCOMING for one in situation.others)
+    return told or (situation.road.two_way is False and comes)
+
+
+def _along(situation: Situation) -> Along:
+    """What lies about the road: as was said, else what goes with how fast one drives there."""
+    road = situation.road
+    if road.kind is RoadKind.MOTORWAY:
+        return Along.MOTORWAY
+    if road.setting is not None:
+        return _OF_SETTING[road.setting]
+    said = max((one.most for one in (situation.ego.speed, road.speed_limit) if one is not None), default=0.0)
+    walks = any(one.starts.where in AT_CROSSWALKS for one in situation.others)
+    return Along.RURAL if said > OUTSIDE_TOWN and not walks and not _BESIDE_TOWN & {*road.has} else Along.TOWN
+
+
+def _speed(situation: Situation) -> int | None:
+    """The speed allowed [km/h] that was said; None for what is usual there."""
+    limit: Speed | None = situation.road.speed_limit
+    if limit is None or limit.than_ego:
+        return None
+    return min(max(5, round(limit.most / KMH)), 130)
+
+
+def _parking(has: set[Feature]) -> Sides | None:
+    if Feature.PARKED_BOTH_SIDES in has or Feature.PARKING_PLACES in has:
+        return Sides.BOTH
+    return Sides.RIGHT if Feature.PARKED_CARS in has else None
+
+
+def _bend(situation: Situation) -> Bend:
+    """The bend: with the radius that was said, else as flat as its speed asks for."""
+    kind, radius = situation.road.kind, situation.road.radius
+    usual = max(60.0, math.ceil(wanted_by(situation) ** 2 / BENDS_AT / 10.0) * 10.0)
+    return Bend(
+        left=_BENDS.get(kind, True) if kind is not None else True,
+        radius=usual if radius is None else radius.near(usual),
+    )
+
+
+def _driveway(situation: Situation) -> Sides | None:
+    """On which sides driveways lead off the road: where somebody is in one, else where the ego turns off."""
+    there = {one.starts.side or Side.RIGHT for one in situation.others if one.starts.where is Where.DRIVEWAY}
+    if not there and Feature.DRIVEWAY in situation.road.has:
+        there = {Side.RIGHT}
+    if len(there) > 1:
+        return Sides.BOTH
+    return next((Sides(str(side)) for side in there), None)
+
+
+def _meets(situation: Situation) -> Meets:
+    """Which arms the junction has beside the ego's road: as was said, else those that somebody comes from or takes."""
+    road, route = situation.road, situation.ego.route
+    sides = {one.starts.side or Side.RIGHT for one in situation.others if one.starts.where is Where.ARM}
+    if route is not None and route in _TURNS:
+        sides.add(_TURNS[route])
+    if road.kind is RoadKind.FOUR_WAY or len(sides) != 1:
+        return Meets.FOUR if road.kind is not RoadKind.THREE_WAY or len(sides) > 1 else Meets.RIGHT
+    (side,) = sides
+    goes_over = any(_through(one) for one in situation.others)
+    return Meets.FOUR if goes_over and road.kind is not RoadKind.THREE_WAY else Meets(str(side))
+
+
+def _through(one: Other) -> bool:
+    """Whether somebody from an arm goes straight on over the ego's road."""
+    return one.starts.where is Where.ARM and not any(deed.act in _OFF for deed in one.does)
+
+
+def _signs(situation: Situation) -> Signs | None:
+    """What rules the junction, and for whom."""
+    broken = {deed.breaks for one in situation.others for deed in one.does}
+    if only_side_signs(situation):
+        gives_way = situation.road.control is RightOfWay.PRIORITY and Breach.STOP_SIGN not in broken
+        return Signs.SIDE_YIELD if gives_way else Signs.SIDE_STOP
+    ruled = situation.road.control
+    if situation.road.ego_light is not None or Breach.RED_LIGHT in broken:
+        ruled = RightOfWay.SIGNAL
+    return None if ruled is None else _SIGNS.get(ruled)
+
+
+_SIGNS = {RightOfWay.SIGNAL: Signs.SIGNAL, RightOfWay.STOP_SIGN: Signs.STOP, RightOfWay.YIELD_SIGN: Signs.YIELD}
+
+
+def _length(situation: Situation, *, junction: bool) -> int:
+    """How long the road is [m]: as speed and distances ask for, by hundreds."""
+    speed = wanted_by(situation)
+    far = max((one.starts.distance.least for one in situation.others if one.starts.distance is not None), default=0.0)
+    metres = LENGTH * max(1.0, 0.6 * further(speed)) + 5.0 * far
+    return min(LONGEST, math.ceil(metres * (1.5 if junction else 1.0) / 100.0) * 100)

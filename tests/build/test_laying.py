@@ -1,0 +1,89 @@
+"""Where no packaged map has all that was said of a place, a road is laid to order; else today's map is taken."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from chatscene.build.build import Built, build
+from chatscene.build.laying import road_for
+from chatscene.errors import NotBuilt
+from chatscene.situations.form import from_plain
+from chatscene.terms.situation import Situation
+
+
+def said(where: str, act: str, kind: str = "car", road: dict[str, Any] | None = None, **more: Any) -> Situation:
+    side = {"side": more.pop("side")} if "side" in more else {}
+    other = {"id": "A", "kind": kind, "starts": {"where": where} | side, "does": [{"act": act}]}
+    return from_plain({"others": [other], "road": road or {}} | more)
+
+
+def made(where: str, act: str, kind: str = "car", road: dict[str, Any] | None = None, **more: Any) -> Built:
+    return build(said(where, act, kind, road, **more))
+
+
+def test_what_packaged_maps_have_is_built_on_them() -> None:
+    assert made("ahead", "brake").map == "town"
+    assert made("ahead", "brake", road={"kind": "motorway"}).map == "outskirts"
+    assert made("crossing", "cross", "pedestrian").map in ("outskirts", "region", "town")
+
+
+@pytest.mark.parametrize(
+    ("road", "word"),
+    [
+        ({"has": ["shoulder"]}, "shoulder=3"),
+        ({"has": ["narrow"]}, "lane=3.2"),
+        ({"has": ["bus-lane"]}, "bus-lane"),
+        ({"kind": "left-curve", "radius": "250 m"}, "bend=left-250"),
+        ({"setting": "rural", "speed_limit": "60 mph"}, "speed=97"),
+        ({"lanes": 5}, "road:5+5"),
+        ({"lanes": 2, "two_way": True, "ego_lane": 1, "setting": "town", "has": ["cycle-lane"]}, "road:2+2"),
+    ],
+)
+def test_a_road_is_laid_with_what_no_packaged_map_has(road: dict[str, Any], word: str) -> None:
+    built = made("ahead", "brake", road=road, ego={"speed": "40 km/h"})
+    assert word in built.map
+    assert not built.lacking
+
+
+def test_a_vehicle_in_a_driveway_is_in_one() -> None:
+    built = made("driveway", "enter", "tractor", {"setting": "rural"}, side="right")
+    assert built.map.startswith("road:1+1,along=rural,driveway=right")
+    assert not [one for one in built.assumed if "driveway" in one]
+    assert "site='driveway'" in built.program.source
+
+
+def test_who_stands_in_the_median_stands_in_one() -> None:
+    built = made("median", "cross", "deer", ego={"speed": "100 km/h"})
+    assert "median=3" in built.map
+    assert "divided=True" in built.program.source
+
+
+def test_side_roads_alone_have_signs_where_the_ego_has_priority() -> None:
+    assert "signs=side-yield" in made("arm", "go-straight", road={"control": "priority"}, side="right").map
+    stops = made("arm", "go-straight", road={"control": "stop-sign"}, side="right", ego={"speed": "60 km/h"})
+    assert "signs=side-stop" in stops.map
+    four = made("arm", "go-straight", road={"kind": "four-way", "control": "stop-sign"}, side="right")
+    assert four.map == "town"
+
+
+def test_the_map_that_a_program_was_built_on_gives_the_same_program() -> None:
+    built = made("driveway", "enter", side="left")
+    again = made("driveway", "enter", side="left", map=built.map)
+    assert (again.program, again.map) == (built.program, built.map)
+
+
+def test_a_hill_is_left_out_and_no_road_is_laid_for_it() -> None:
+    built = made("ahead", "brake", road={"has": ["hill"]})
+    assert (built.map, built.left_out) == ("town", ("road.has.0: hill",))
+
+
+def test_what_does_not_go_together_is_not_laid() -> None:
+    assert road_for(said("ahead", "brake", road={"kind": "roundabout", "lanes": 4})) is None
+    with pytest.raises(NotBuilt, match="no map has such a place"):
+        made("ahead", "brake", road={"lanes": 9})
+
+
+def test_a_map_that_was_named_is_kept() -> None:
+    assert made("driveway", "enter", side="right", map="town").map == "town"
