@@ -154,7 +154,8 @@ def _end_at(end: Node | int | None, at: tuple[float, float] | None) -> tuple[tup
         return at, 0.0
     if isinstance(end, Node):
         return (end.x, end.y), end.setback
-    raise ValueError(f"a street that goes on in street {end}, or ends there, needs the place where it does")
+    leads = "ends in no junction" if end is None else f"goes on in street {end}"
+    raise ValueError(f"a street that {leads} needs the place where it does")
 
 
 def _street_road(root: Xml.Element, street: Street, plan: dict[int, Street], start: Pose, pieces: list[Piece]) -> None:
