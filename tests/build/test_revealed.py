@@ -115,3 +115,17 @@ def test_who_is_not_met_and_crosses_before_a_fast_ego_has_the_road_that_it_takes
     )
     for seed in range(3):
         assert not [one for one in driven(situation, seed)[1] if one.startswith("unasked.contact")]
+
+
+def test_who_backs_up_ahead_is_beyond_who_leaves_the_lane_for_it() -> None:
+    situation = said(
+        other("A", "ahead", {"act": "reverse"}),
+        other("B", "ahead", {"act": "cut-out", "to": "left"}, kind="truck"),
+        ego={"speed": "60 mph"},
+        road={"kind": "motorway"},
+    )
+    assert "A is ahead of B, which hides it until it moves out" in build(situation).assumed
+    episode, _ = driven(situation)
+    ego, backs, leaves = episode.ego_track, track(episode, "A"), track(episode, "B")
+    away = [np.hypot(one.x[0] - ego.x[0], one.y[0] - ego.y[0]) for one in (leaves, backs)]
+    assert away[0] < away[1] - 10.0

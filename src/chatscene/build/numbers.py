@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -108,6 +109,8 @@ class Numbers:
         least, most = (max(GENTLEST, least), max(GENTLEST, most)) if drag else (least, most)
         if least > top + 1e-9:
             most_told = f"at most {top * scale:.3g} {unit if unit != '1' else 'm/s²'}"
+            if unit == "m/s":
+                most_told = f"at most {math.floor(3.6 * top + 1e-9)} km/h"
             at = f"{path}: " if path else ""
             raise NotBuilt(f"{at}{amount} is more than {one_seen(self.row.scenic)} can do: {most_told}")
         self.ranges[name] = (least, min(most, top), unit, meaning)

@@ -6,6 +6,7 @@ what was said is refused, with what could be said instead.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -303,26 +304,29 @@ def set_passing_speed(actor: Actor, k: int) -> None:
     Raises:
         NotBuilt: It is not, or no such body is.
     """
-    deed, name, numbers = actor.deeds[k], f"FAST_{k}", actor.numbers
+    deed, speed_name, numbers = actor.deeds[k], f"FAST_{k}", actor.numbers
     whom = done_to(deed)
     passed = speed_of(actor.ledger.situation, whom, actor.ego_speed)
     least, most = passed + PASSES, MOST * actor.limits.top_speed
     if not actor.one.kind.row.body.row.motorised:
         most = min(most, Body(actor.limits, actor.walks).fastest)
+    can = most
     low, high = (passed + gain for gain in (GAINS if actor.stand.meets is Meets.ALONG else GAINS_AGAINST))
     if deed.speed is not None:
-        numbers.bind(name, deed.speed, f"{actor.path}.does.{k}.speed")
-        low, high, *_ = numbers.ranges[name]
+        numbers.bind(speed_name, deed.speed, f"{actor.path}.does.{k}.speed")
+        low, high, *_ = numbers.ranges[speed_name]
         most = high
     elif numbers.is_said("SPEED") and numbers.ranges["SPEED"][1] >= least:
         low, high, *_ = numbers.ranges["SPEED"]
     if most < least:
+        name = "ego" if whom == EGO else whom
+        slower = f"{'an ego' if whom == EGO else whom} at {math.floor(3.6 * (can - PASSES))} km/h at most"
         raise NotBuilt(
             f"{actor.path}.does.{k}: {one_of(actor.one.kind)} at {_kmh(most)} does not overtake "
-            f"{'an ego' if whom == EGO else whom} at {_kmh(passed)}; say {_kmh(least)} at least, or a slower "
-            f"{'ego' if whom == EGO else whom}"
+            f"{'an ego' if whom == EGO else whom} at {_kmh(passed)}; say "
+            f"{f'{_kmh(least)} at least, or a slower {name}' if can >= least else slower}"
         )
-    numbers.narrow(name, min(max(low, least), most), min(max(high, least), most))
+    numbers.narrow(speed_name, min(max(low, least), most), min(max(high, least), most))
 
 
 def _told(before: float, after: float) -> str:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from chatscene.build.asked import goes_slowly, stands_first
 from chatscene.build.towards import screens
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, Where
+from chatscene.terms.vocabulary import Act, Tempo, Where, acts_of
 
 
 def revealed(situation: Situation) -> tuple[Situation, tuple[str, ...]]:
@@ -38,4 +38,5 @@ def _is_slow(one: Other) -> bool:
     """Whether somebody stands, or is said to be slower than the ego wants to be."""
     said = one.starts.speed
     slower = said is not None and (said.than_ego and said.high < 0.0)
-    return stands_first(one) or goes_slowly(one) or slower or not one.kind.row.body.row.motorised
+    backs = bool(one.does) and one.does[0].act in acts_of(Tempo.BACKS)
+    return stands_first(one) or goes_slowly(one) or slower or backs or not one.kind.row.body.row.motorised
