@@ -93,3 +93,14 @@ def test_an_ego_makes_room_for_who_would_not_fit_into_the_gap() -> None:
 
     held = [any("is held at" in one for one in build(said(gap)).assumed) for gap in ("6 m", "30 m")]
     assert held == [False, True]
+
+
+def test_an_ego_that_is_a_little_faster_than_who_is_ahead_is_held_too() -> None:
+    def said(speed: str) -> Situation:
+        return others(car("B", "ahead", deed("brake"), speed=speed, distance="35 m"), ego={"speed": "80 km/h"})
+
+    held = [any(one.startswith(HELD) for one in build(said(speed)).assumed) for speed in ("70 km/h", "40 km/h")]
+    assert held == [True, False]
+    episode = drive(build(said("70 km/h")), ego="planner")
+    assert isinstance(episode, Episode)
+    assert episode.ego_track.speed[: begins(episode)].min() > 0.96 * SPEED

@@ -23,7 +23,7 @@ from chatscene.terms.vocabulary import GOES_ON, Act, EgoRoute, Heads, Manner, Wh
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
-SAME = 2.0  # [m/s] by which two who keep a gap may differ
+LEAST, MOST = 0.8, 1.1  # of the ego's speed: on who is slower the ego closes in, and who is faster leaves
 NEAR = 0.5  # of the gap at first: an ego that has come so near is let go
 _COMES = acts_of(Heads.BEFORE, Heads.MERGES)
 _STRAIGHT = (None, EgoRoute.STRAIGHT)
@@ -59,7 +59,7 @@ def run_up(ledger: Ledger, speed: float, actors: Mapping[str, Actor]) -> tuple[O
 
 
 def led_by(situation: Situation, speed: float) -> Other | None:
-    """Who goes before the ego, as fast as that, at a gap that was said or so that the ego follows; None if nobody.
+    """Who goes before the ego about as fast, at a gap that was said or so that the ego follows it; None if nobody.
 
     Args:
         situation: What was said.
@@ -78,9 +78,9 @@ def led_by(situation: Situation, speed: float) -> Other | None:
 
 
 def _as_fast(one: Other, speed: float) -> bool:
-    """Whether somebody goes as fast as the ego, by what was said."""
+    """Whether somebody goes about as fast as the ego, by what was said."""
     said = said_speed(one, speed)
-    return one.kind.row.body.row.motorised and (said is None or abs(said - speed) < SAME)
+    return one.kind.row.body.row.motorised and (said is None or LEAST * speed < said < MOST * speed)
 
 
 def _event(situation: Situation, lead: Other) -> tuple[Other, int] | None:
