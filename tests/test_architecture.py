@@ -76,7 +76,7 @@ def test_a_sentence_goes_through_the_doors_that_the_page_tells_and_through_no_mo
     for room in ("read", "interpret", "build"):
         assert len({there for there, here, _ in stays if here == room}) == 1
     assert not {"search", "program", "simulate"} & {here for _, here, _ in stays}
-    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8").split("## The walk of a scene")[0]
+    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8").split("## The path of a scene")[0]
     told = set(re.findall(r"^\| `(\w+)` \| `(\w+)` \|", page, re.MULTILINE))
     assert told == {(there.removesuffix(".py"), here) for there, here, _ in stays if there}
     assert len(files) <= int(re.findall(r"(\d+) files", page)[0])

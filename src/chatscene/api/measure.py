@@ -148,7 +148,7 @@ def rate(
     simulator: Names = (),
     library: Names = (),
 ) -> Rate:
-    """Estimate how often the situation of a run ends in a crash, and in an avoidable one, if it occurs.
+    """Estimate how often a run's situation, if it occurs, ends in a crash, and in an avoidable one.
 
     Args:
         folder: A run, or its folder; its ego drives.

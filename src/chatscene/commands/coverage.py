@@ -66,7 +66,7 @@ def coverage(
 ) -> None:
     """Show which entries of a catalogue of traffic situations can be made, and why the others cannot.
 
-    With --drive, also show in how many drives everything that was read is seen, and how many collisions were avoidable.
+    With --drive, also show how many drives show all facts that were read, and how many collisions were avoidable.
 
     \b
     chatscene coverage

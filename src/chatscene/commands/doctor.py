@@ -41,7 +41,7 @@ class Check:
 def doctor(simulator: str, map: str, as_json: bool) -> None:  # noqa: A002 - the name of the option
     """Check this installation: versions, encoder, library, map, one simulated scene. Or check a simulator.
 
-    A simulator must name its version, drives one scene twice, and drives ten scenes that are compared with the default.
+    A simulator must report its version, drive one scene twice, and drive ten scenes, compared with the default one.
 
     \b
     chatscene doctor

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 @click.command()
 @click.argument("folder", metavar="RUN", type=click.Path(path_type=Path))
 @click.argument("text", metavar="EDIT", required=False)
-@click.option("--undo", is_flag=True, help="Print the run that RUN is an edit of.")
+@click.option("--undo", is_flag=True, help="Print the run from which RUN was edited.")
 @click.option("--dry-run", is_flag=True, help="Only show the difference.")
 @click.option(
     "--out",

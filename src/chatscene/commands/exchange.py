@@ -75,8 +75,8 @@ def import_scenario(
     """Convert an OpenSCENARIO XML file, or each one in a folder, to a Scenic program. Runs nothing.
 
     FILE is a scenario (.xosc), or a file of parameter values, which gives a program for each set of values. Paths in
-    FILE to catalogs and the map are relative to its folder. An element that cannot be imported is refused with its
-    line. `run --program` and `verify` take the programs.
+    FILE to catalogs and the map are relative to its folder. An element that cannot be imported is refused, and its
+    line is named. `run --program` and `verify` take the programs.
 
     \b
     chatscene import cut-in.xosc

@@ -41,12 +41,20 @@ _SELDOM = 0.1  # of its drives: who crashes or leaves the road more often has no
     default=None,
     help="What the ego sees: safebench, actors, road or traffic.  [default: safebench; with --speed, traffic]",
 )
-@click.option("--reward", default="progress", show_default=True, help="progress or safebench.")
 @click.option(
-    "--pedals", default=None, help="safebench, or full-brake.  [default: safebench; with --speed, full-brake]"
+    "--reward",
+    default="progress",
+    show_default=True,
+    help="What the ego is rewarded for: progress, metres along the route; safebench, SafeBench's reward.",
+)
+@click.option(
+    "--pedals",
+    default=None,
+    help="How hard the ego can brake: safebench, 37.5 % of the brake pedal; full-brake, all of it."
+    "  [default: safebench; with --speed, full-brake]",
 )
 @road_speed(
-    "Speed of the ego in km/h, within the speed limits; other traffic scales with it. 'road': the limits alone."
+    "Speed of the ego in km/h, within the speed limits; other traffic scales with it. 'road': only the limits apply."
     "  [default: SafeBench's speed]"
 )
 @click.option(
@@ -87,15 +95,29 @@ def train(steps: int, round_: int, out: Path, **options: Any) -> None:
 @click.argument("sources", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--ego", default="sac", show_default=True, help="sac, the file of an SAC policy, or its folder.")
 @click.option("--teacher", default="", help="Learn a new policy from this ego instead of by reward: planner, idm, …")
-@click.option("--preset", default="paper", show_default=True, help="Gradient steps: paper, one per step; released.")
 @click.option(
-    "--choice", default="paper", show_default=True, help="Routes that choose the checkpoint: paper or held-out."
+    "--preset",
+    default="paper",
+    show_default=True,
+    help="Gradient steps: paper, one per step; released, one per episode.",
+)
+@click.option(
+    "--choice", default="paper", show_default=True, help="Routes on which the checkpoint is chosen: paper or held-out."
 )
 @click.option("--episodes", default=500, show_default=True, type=MANY, help="Scenes driven.")
 @click.option(
-    "--train-routes", default=8, show_default=True, type=MANY, help="Number of routes to train on; the rest test."
+    "--train-routes",
+    default=8,
+    show_default=True,
+    type=MANY,
+    help="Number of routes for training; the rest are for testing.",
 )
-@click.option("--reward", default="safebench", show_default=True, help="safebench or progress.")
+@click.option(
+    "--reward",
+    default="safebench",
+    show_default=True,
+    help="What the ego is rewarded for: safebench, SafeBench's reward; progress, metres along the route.",
+)
 @click.option(
     "--ordinary-share",
     default=0.0,
@@ -111,8 +133,8 @@ def train(steps: int, round_: int, out: Path, **options: Any) -> None:
 def finetune(sources: tuple[Path, ...], out: Path, as_json: bool, **options: Any) -> None:
     """Fine-tune an SAC ego on the kept scenes of the runs in DIR..., or teach a new one; compare before and after.
 
-    Scenes on the first eight routes train, the others test. Needs the extra 'train'. Repeat the command to continue
-    after an interruption.
+    Scenes on the first eight routes are for training, the others for testing. Needs the extra 'train'. Repeat the
+    command to continue after an interruption.
 
     \b
     chatscene benchmark --budget paper --out bench

@@ -28,7 +28,7 @@ def library() -> None:
 @OWN
 @JSON
 def list_snippets(component: str | None, own: str, as_json: bool) -> None:
-    """List the snippets, a line each, and how many there are.
+    """List the snippets, one per line, and how many there are.
 
     \b
     chatscene library list --component spawn
@@ -91,7 +91,7 @@ def search(text: str, component: str, top: int, own: str, as_json: bool) -> None
 @WORKERS
 @JSON
 def lint(own: str, scenes: int, jobs: int, executor: str, as_json: bool) -> None:
-    """Check every snippet: header against code, compiles, samples, runs, does what it says, differs from the others.
+    """Check that every snippet matches its header, compiles, samples, runs, does what it says, and is not a duplicate.
 
     With --library, your own snippets are checked, with partners from both libraries.
 

@@ -48,8 +48,8 @@ def why(folder: Path, scene_id: str | None, as_json: bool, **again: Any) -> None
 
     Without SCENE_ID, the first scene of the report is taken.
 
-    The scene is driven again many times: without one of the others, with parameters from the nearest scene without a
-    crash, and with an ego that brakes earlier or drives slower. This takes seconds.
+    The scene is driven again many times: without one of the other road users, with parameters from the nearest
+    scene without a crash, and with an ego that brakes earlier or drives slower. This takes seconds.
 
     \b
     chatscene why runs/cyclist
@@ -69,7 +69,7 @@ def check(folders: tuple[Path, ...], as_json: bool) -> None:
     well.
 
     Every file of a finished folder is compared with its digest in run.json, and run.json with its own. Exit status 0:
-    everything is there and unchanged; 1: it is not, or cannot be checked.
+    everything is there and unchanged; 1: something is not, or cannot be checked.
 
     \b
     chatscene check runs/cyclist

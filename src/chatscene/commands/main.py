@@ -98,7 +98,7 @@ class _Errors(click.Group):
 @click.group(cls=_Errors, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(package_name="chatscene")
 def main() -> None:
-    """Turn a sentence about a dangerous traffic situation into crash scenes to test on.
+    """Turn a sentence about a dangerous traffic situation into crash scenes for testing.
 
     \b
     chatscene run "a cyclist crosses from the left in front of us" --out runs/cyclist

@@ -62,7 +62,7 @@ if TYPE_CHECKING:
 @REPORT
 @TRUST
 @AS_WRITTEN
-@param_option("Set a parameter that the program uses and does not define, such as town=Town05.")
+@param_option("Set a parameter that the program uses but does not define, such as town=Town05.")
 @EDITS
 @MAP_WITH_SITE
 @EGO_OPTION
@@ -162,7 +162,7 @@ def run(
 def explain(text: str | None, report: Path | None, show_program: bool, as_json: bool, **options: Any) -> None:
     """Show how TEXT is understood: the situation in words, your words with their facts, and the facts. Runs nothing.
 
-    What was not read, assumed or left out comes first. --program prints the program as well.
+    Words that were not read, and what was assumed or left out, come first. --program prints the program as well.
 
     TEXT is a sentence, or the .yaml or .json file of a situation.
 

@@ -44,7 +44,7 @@ def show_map(map_name: str, as_json: bool) -> None:
 @map_group.command("check")
 @click.argument("map_name", metavar="MAP")
 def check_map_file(map_name: str) -> None:
-    """Check that a map can be used, and name what is wrong with it.
+    """Check that a map can be used, and report what is wrong with it.
 
     \b
     chatscene map check my-town.xodr
@@ -69,7 +69,7 @@ def check_map_file(map_name: str) -> None:
 )
 @JSON
 def import_map(extract: Path, out: Path | None, as_json: bool) -> None:
-    """Make a map of the streets in an extract of OpenStreetMap, and show what it offers.
+    """Make a map of the streets in an OpenStreetMap extract, and show what it offers.
 
     Traffic on the map keeps to the right, and the world is flat. Needs the extra 'osm'; Linux only.
 

@@ -21,7 +21,7 @@ from chatscene.commands.output import say
     help="Reader of sentences: offline, openai:MODEL, or gguf:FILE.",
 )
 def mcp(folder: Path, http: bool, port: int, language_model: str) -> None:
-    """Serve the Model Context Protocol, so that agents make, drive and judge scenes in FOLDER. Needs the extra 'mcp'.
+    """Serve the Model Context Protocol, so agents can make, drive and judge scenes in FOLDER. Needs the extra 'mcp'.
 
     Agents can read and write only in FOLDER, and their programs run in the sandbox. An agent starts this command itself
     and uses its standard streams. --http serves on loopback instead, and requires a token: CHATSCENE_MCP_TOKEN, or a

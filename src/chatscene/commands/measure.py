@@ -161,10 +161,10 @@ def benchmark(
 @MAP
 @SIMULATOR_OPTION
 @PHYSICS_OPTION
-@click.option("--scenes", default=5, show_default=True, type=MANY, help="Variants of the traffic per course.")
+@click.option("--scenes", default=5, show_default=True, type=MANY, help="Variants of the traffic per route.")
 @click.option("--seed", default=20_000, show_default=True, type=SEEDS, help="Seed of the traffic.")
 @road_speed(
-    "Speed of the egos in km/h, within the speed limits; other traffic scales with it. 'road': the limits alone."
+    "Speed of the egos in km/h, within the speed limits; other traffic scales with it. 'road': only the limits apply."
     "  [default: the egos' own speed]"
 )
 @click.option(

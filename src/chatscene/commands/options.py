@@ -144,7 +144,7 @@ def _as_json(context: click.Context, _option: click.Parameter, asked: bool) -> b
 JSON = click.option(
     "--json", "as_json", is_flag=True, callback=_as_json, help="Print JSON for a script instead of text."
 )
-SEED = click.option("--seed", default=0, show_default=True, type=SEEDS, help="Seed of everything random.")
+SEED = click.option("--seed", default=0, show_default=True, type=SEEDS, help="Seed for all random choices.")
 NEW_FOLDER = click.option(
     "--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="A new folder, or one to continue."
 )
@@ -226,7 +226,7 @@ EXECUTOR_OPTION = click.option(
     kind=EXECUTORS,
     default=EXECUTOR,
     show_default=True,
-    help="Where parts run: processes of this machine, or ray:HOST:PORT, a cluster. Results are the same.",
+    help="Where parts run: processes on this machine, or ray:HOST:PORT, a Ray cluster, with the same results.",
 )
 WORKERS = together(
     click.option("--jobs", default=1, show_default=True, type=MANY, help="Number of parts that run at a time."),
@@ -314,7 +314,7 @@ READING = together(
         default="",
         metavar="DIR",
         callback=usable_library,
-        help="Folder of your own snippets. Programs are then built from snippets.",
+        help="Folder of your own snippets. A text that one of them serves is run as a program of snippets.",
     ),
     click.option("--embedder", cls=Named, kind=EMBEDDERS, default="minilm", show_default=True, help="Text encoder."),
     click.option(
@@ -340,7 +340,7 @@ CHOOSING = together(
         "--reading",
         type=click.IntRange(0, MOST_READINGS),
         default=0,
-        help="Use reading N of the ones that a refusal offers.",
+        help="Use reading N of those that a refusal lists.",
     ),
     click.option(
         "--set",
@@ -392,7 +392,7 @@ def param_option(told: str) -> Decorator:
         default=(),
         metavar="NAME=VALUE",
         callback=parameters,
-        help=f"{told} VALUE is JSON, or else text. Repeatable.",
+        help=f"{told} VALUE is read as JSON if possible, else as text. Repeatable.",
     )
 
 
@@ -400,7 +400,7 @@ TRUST = click.option("--trust", is_flag=True, help="Run the program with all of 
 AS_WRITTEN = click.option(
     "--as-written",
     is_flag=True,
-    help="Let the program's own ego drive; an imported one drives as its file says.",
+    help="Let the program's own ego drive; the ego of an imported file drives as that file says.",
 )
 JUDGED = together(
     click.option(
@@ -414,7 +414,7 @@ JUDGED = together(
     TRUST,
     AS_WRITTEN,
     click.option("--ego-id", default=None, metavar="ID", help="Id of the ego in a recording that does not mark it."),
-    param_option("Set a parameter that a program uses and does not define, or that an .xosc file declares."),
+    param_option("Set a parameter that a program uses but does not define, or that an .xosc file declares."),
     click.option(
         "--variant",
         default=None,
@@ -426,7 +426,7 @@ JUDGED = together(
 
 # What the user says again of what a run names beyond what is packaged (`chatscene.runs.trust.Repeated`).
 
-_AGAIN = "that the run uses, to confirm that you trust it."
+_AGAIN = "that the run uses; name it to confirm that you trust it."
 LIBRARY_AGAIN = click.option("--library", multiple=True, metavar="DIR", help=f"The snippet folder {_AGAIN}")
 GENERATOR_AGAIN = click.option("--generator", multiple=True, help=f"The generator {_AGAIN}")
 SAMPLER_AGAIN = click.option("--sampler", multiple=True, help=f"The sampler {_AGAIN}")
@@ -434,7 +434,7 @@ SIMULATOR_AGAIN = click.option("--simulator", multiple=True, help=f"The simulato
 EMBEDDER_AGAIN = click.option("--embedder", multiple=True, help=f"The embedder {_AGAIN}")
 MODEL_AGAIN = click.option("--language-model", multiple=True, help=f"The language model {_AGAIN}")
 EGO_AGAIN = click.option(
-    "--ego", multiple=True, help="The ego that the run uses, to confirm that you trust its code. Repeatable."
+    "--ego", multiple=True, help="The ego that the run uses; name it to confirm that you trust its code. Repeatable."
 )
 AGAIN = together(EGO_AGAIN, GENERATOR_AGAIN, SAMPLER_AGAIN, SIMULATOR_AGAIN, LIBRARY_AGAIN, EMBEDDER_AGAIN, MODEL_AGAIN)
 DRIVEN_AGAIN = together(EGO_AGAIN, GENERATOR_AGAIN, SIMULATOR_AGAIN, LIBRARY_AGAIN)

@@ -32,7 +32,7 @@ FIRST_LOOK = 20  # scenes of a run that is made only to have its situation rated
     "--exposure",
     metavar="FILE",
     type=click.Path(path_type=Path),
-    help="TOML file with a density per parameter. Without it, all values of a range are equally frequent.",
+    help="TOML file with a density per parameter. Without it, all values of a range are assumed equally frequent.",
 )
 @WORKERS
 @DRIVEN_AGAIN
@@ -47,7 +47,7 @@ def rate(
     as_json: bool,
     **again: Any,
 ) -> None:
-    """Estimate how often the situation of a run ends in a crash, and in an avoidable one, if it occurs.
+    """Estimate how often a run's situation, if it occurs, ends in a crash, and in an avoidable one.
 
     DIR is a run; its ego drives. For a TEXT, a run is made first, with --ego if given. If crashes are rare, more scenes
     are drawn near those that were found, and weighted by how often they occur.

@@ -27,8 +27,18 @@ ALL = "all"
 )
 @AVOIDABLE
 @PHYSICS_OPTION
-@click.option("--preset", default="released", show_default=True, help="Gradient steps of table 3: released, or paper.")
-@click.option("--choice", default="paper", show_default=True, help="Checkpoints of table 3: paper, or held-out.")
+@click.option(
+    "--preset",
+    default="released",
+    show_default=True,
+    help="Gradient steps in table 3: released, one per episode, or paper, one per step.",
+)
+@click.option(
+    "--choice",
+    default="paper",
+    show_default=True,
+    help="Routes on which table 3's checkpoints are chosen: paper, or held-out.",
+)
 @SEED
 @NEW_FOLDER
 @WORKERS

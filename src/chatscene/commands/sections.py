@@ -17,7 +17,7 @@ SECTIONS: dict[str, dict[str, str]] = {
         "resume": "Continue interrupted work.",
         "schema": "Print the JSON schema of situations.",
     },
-    "Look": {
+    "Look at results": {
         "open": "Open a report in the browser.",
         "story": "Describe in words what happened in a drive.",
         "view": "Browse all runs, and make new ones, in the browser.",

@@ -35,7 +35,12 @@ PORTS = click.IntRange(1, 65534)  # streams are on the next
     "the others.",
 )
 @click.option("--port", default=2000, show_default=True, type=PORTS, help="Port for calls; streams use the next one.")
-@click.option("--host", default=LOOPBACK, show_default=True, help="Whoever reaches this address controls the world.")
+@click.option(
+    "--host",
+    default=LOOPBACK,
+    show_default=True,
+    help="Address to listen on. Anyone who can reach it controls the world.",
+)
 @click.option(
     "--files",
     metavar="DIR",
@@ -62,7 +67,7 @@ def serve_carla(maps: tuple[str, ...], port: int, host: str, files: Path | None,
 
     It is a stand-in, not CARLA: no tyres, no engine, drawings as camera images. docs/carla.md lists what it supports.
     This command and its clients need the wheel carla 0.9.16 (the extra 'carla'). The server is a package of its own,
-    packages/carla-stand-in; whoever installs a checkout with -e has it.
+    packages/carla-stand-in; a checkout that is installed with -e includes it.
 
     \b
     chatscene serve-carla --port 2000 --files runs

@@ -55,7 +55,7 @@ def sql(query: str | None, folder: Path, show_tables: bool, as_json: bool) -> No
 @WHERE
 @JSON
 def runs_below(folder: Path, as_json: bool) -> None:
-    """List all runs below DIR, a line each. DIR is runs/ if none is given.
+    """List all runs below DIR, one per line. DIR is runs/ if none is given.
 
     \b
     chatscene runs

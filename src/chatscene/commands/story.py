@@ -30,7 +30,7 @@ from chatscene.errors import SettingsError
     type=Finite(0.0),
     default=None,
     metavar="SECONDS",
-    help="Time of the picture.  [default: when the ego and another are nearest]",
+    help="Time of the picture.  [default: when the ego and another road user are closest]",
 )
 @GENERATOR_AGAIN
 @SIMULATOR_AGAIN

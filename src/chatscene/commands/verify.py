@@ -26,13 +26,13 @@ _USUAL = VerifySettings()
 @click.option(
     "--draws", default=_USUAL.draws, show_default=True, type=click.IntRange(1, 1_000), help="Number of drives to judge."
 )
-@click.option("--seed", default=_USUAL.seed, show_default=True, type=SEEDS, help="Seed of their values.")
+@click.option("--seed", default=_USUAL.seed, show_default=True, type=SEEDS, help="Seed for the drawn values.")
 @click.option(
     "--least",
     default=_USUAL.least,
     show_default=True,
     type=Finite(0.0, 1.0),
-    help="The share of the drives that must show a fact, of those that came to it.",
+    help="The share of the drives reaching a fact that must show it.",
 )
 @JUDGED
 @click.option(
@@ -45,7 +45,7 @@ _USUAL = VerifySettings()
 )
 @click.option("--scene", default=None, metavar="ID", help="A scene of a run.  [default: all kept scenes]")
 @click.option(
-    "--page", type=click.Path(path_type=Path), default=None, help="Write a page with the moment of each fact."
+    "--page", type=click.Path(path_type=Path), default=None, help="Write a page with a picture of each fact's moment."
 )
 @GENERATOR_AGAIN
 @SIMULATOR_AGAIN
@@ -59,8 +59,9 @@ def verify(what: Path, said: str | None, as_json: bool, **options: Any) -> None:
     OSI trace (.mcap). SAID is a sentence, or a file with a situation (.yaml, .json) or a report (.txt, .md). For a run
     it may be left out; the run's own text is then used.
 
-    Exit status: 0 everything that could be judged is shown; 1 something is not shown, or something happens unasked; 2
-    nothing could be judged, or WHAT or SAID cannot be read or driven; 3 the sentence was not understood.
+    Exit status: 0 everything that could be judged is shown; 1 something is not shown, or something happens that
+    SAID does not state; 2 nothing could be judged, or WHAT or SAID cannot be read or driven; 3 the sentence was not
+    understood.
 
     \b
     chatscene verify theirs.scenic "a cyclist crosses from the right"

@@ -13,8 +13,8 @@ PLUGIN = {
     "name": "opendrive",
     "makes": "OpenDrive",
     "what": "the map",
-    "per scene": "`_signals.csv`: for each traffic light `time_s`, `role`, the ends of the stop line, `state`, at the "
-    "start and at each change",
+    "per scene": "`_signals.csv`: for each traffic light `time_s`, `role`, the end points of the stop line and "
+    "`state`, at the start and at each change",
     "also": "the map, `.xodr`",
 }
 

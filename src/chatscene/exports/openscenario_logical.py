@@ -41,7 +41,7 @@ from chatscene.terms.storyboard import EGO_ROUTE, Actor, Storyboard
 PLUGIN = {
     "name": "openscenario-logical",
     "makes": "OpenScenarioLogical",
-    "what": "others that react to your ego",
+    "what": "other road users that react to your ego",
     "per scene": "`.xosc`, a logical scenario; `_distribution.xosc`, the ranges",
     "also": "the map, `.xodr`",
 }

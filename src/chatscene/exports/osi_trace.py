@@ -31,7 +31,7 @@ PLUGIN = {
     "name": "osi",
     "makes": "OsiTrace",
     "needs": "osi",
-    "what": "a sensor-side trace",
+    "what": "a ground-truth trace, as for sensor models",
     "per scene": "`_gt.mcap`, ASAM OSI 3.8",
     "also": "the map, `.xodr`",
 }

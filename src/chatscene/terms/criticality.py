@@ -112,29 +112,29 @@ class Criticality:
     """
 
     time_to_collision: float | None = _measured(
-        "least time to collision",
-        "least time until the ego and an adversary would touch if both carried on",
+        "shortest time to collision",
+        "shortest time until the ego and an adversary would touch if both carried on",
         *("s", "better"),
         touched=True,
-        defined="least time until the boxes would touch at constant velocity and heading; 0 at contact (Hayward 1972, "
-        "in two dimensions)",
+        defined="shortest time until the boxes would touch at constant velocity and heading; 0 at contact (Hayward "
+        "1972, in two dimensions)",
         null="never on a collision course",
     )
     post_encroachment_time: float | None = _measured(
         "post-encroachment time",
-        "least time between one leaving a place and the other coming to it",
+        "shortest time between one leaving an area and the other reaching it",
         *("s", "better"),
         touched=True,
-        defined="least time between one leaving a place and the other reaching it, in either order; 0 at contact "
-        "(Allen, Shin and Cooper 1978)",
-        null="no shared place",
+        defined="shortest time between one road user leaving an area and the other reaching it, in either order; 0 at "
+        "contact (Allen, Shin and Cooper 1978)",
+        null="their paths share no area",
     )
     time_headway: float | None = _measured(
-        "least time headway",
-        "least time to the position of an adversary ahead",
+        "shortest time headway",
+        "shortest time to the position of an adversary ahead",
         *("s", "better"),
-        defined="least time from the ego's front to an adversary ahead, at the ego's speed",
-        null="none ahead of an ego faster than 0.1 m/s",
+        defined="shortest time from the ego's front to an adversary ahead, at the ego's speed",
+        null="no adversary is ever ahead while the ego is faster than 0.1 m/s",
     )
     deceleration_required: float | None = _measured(
         "deceleration required",
@@ -145,14 +145,16 @@ class Criticality:
         null="the ego never closes in on one",
     )
     distance: float | None = _measured(
-        "least distance",
-        "least gap between the ego and an adversary; 0 at contact",
+        "smallest distance",
+        "smallest gap between the ego and an adversary; 0 at contact",
         *("m", "better"),
         touched=True,
-        defined="least gap between the boxes; 0 at contact",
+        defined="smallest gap between the boxes; 0 at contact",
     )
     impact_speed: float | None = field(metadata=_of_crash("m/s", "relative speed just before the first collision"))
-    severity: Severity | None = field(metadata=_of_crash("S0 to S3", "class of that speed, by ISO 26262-3"))
+    severity: Severity | None = field(
+        metadata=_of_crash("S0 to S3", "severity class for that speed, after ISO 26262-3")
+    )
 
 
 CRITICALITY: Mapping[str, Measure] = {

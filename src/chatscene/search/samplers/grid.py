@@ -21,7 +21,7 @@ from chatscene.terms.snippet import ParameterRange
 PLUGIN = {
     "name": "grid",
     "makes": "Grid",
-    "what": "a grid over the ranges, coarse first",
+    "what": "a grid over the ranges, first coarse, then fine",
 }
 
 GOLDEN = (math.sqrt(5) - 1) / 2

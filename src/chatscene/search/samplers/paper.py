@@ -17,7 +17,7 @@ from chatscene.terms.snippet import ParameterRange
 PLUGIN = {
     "name": "paper",
     "makes": "Paper",
-    "what": "ranges move to the values that collided: mean ± deviation; the default of `benchmark`",
+    "what": "ranges move to the values of scenes that collided, mean ± deviation; default of `benchmark`",
 }
 
 LEAST = 2  # collisions before anything moves

@@ -12,7 +12,7 @@ from chatscene.terms.snippet import ParameterRange
 PLUGIN = {
     "name": "random",
     "makes": "Uniform",
-    "what": "always the declared ranges",
+    "what": "always draws from the declared ranges",
 }
 
 
