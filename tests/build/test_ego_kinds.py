@@ -213,8 +213,8 @@ def test_who_is_told_of_the_body_knows_it_and_drives_a_car_as_before() -> None:
 
 
 def test_how_hard_an_ego_brakes_is_told_of_what_it_drives() -> None:
-    assert in_words(senses_of(load_ego("idm"), "Bus")).endswith("brakes with at most 5.5 m/s² (the whole pedal)")
-    assert in_words(senses_of(load_ego("idm"))).endswith("brakes with at most 8 m/s² (the whole pedal)")
+    assert in_words(senses_of(load_ego("idm"), "Bus")).endswith("brakes at up to 5.5 m/s² (the full brake pedal)")
+    assert in_words(senses_of(load_ego("idm"))).endswith("brakes at up to 8 m/s² (the full brake pedal)")
     written = "ego: {kind: bus}\nothers: [{id: A, kind: car, starts: {where: ahead}, does: [{act: stop}]}]\n"
     record = SituationRecord(name="", text=written)
     (senses,) = asked_run(situation=record, generator="situation").senses.values()
@@ -223,7 +223,9 @@ def test_how_hard_an_ego_brakes_is_told_of_what_it_drives() -> None:
 
 def test_the_page_of_the_world_says_what_engines_hold_and_what_a_car_may_begin_with() -> None:
     page = (Path(__file__).parents[2] / "docs" / "world.md").read_text(encoding="utf-8")
-    (told,) = re.findall(r"hold: car (\d+) km/h .*?, van (\d+), ambulance (\d+), bus (\d+), truck (\d+)\.", page)
+    (told,) = re.findall(
+        r"engine power: car (\d+) km/h .*?, van (\d+), ambulance (\d+), bus (\d+), truck (\d+)\.", page
+    )
     kinds = (
         AdversaryKind.CAR,
         AdversaryKind.VAN,

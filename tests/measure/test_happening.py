@@ -78,14 +78,14 @@ def test_kept_scenes_are_told_by_what_happened_in_them() -> None:
     soon, dull = ROW | {"happened": "near-in-time"}, ROW | {"happened": "nothing"}
     crash = ROW | {"happened": "collision", "collision": True, "impact_speed": 5.2}
     assert kept_in_words([soon, dull, crash, ROW | {"selected": False}]) == (
-        "1 collision with an impact speed of 19 km/h, 1 with a nearest gap of 1.1 s, 1 without a near miss"
+        "1 collision with an impact speed of 19 km/h, 1 with a smallest gap of 1.1 s, 1 without a near miss"
     )
-    assert kept_in_words([soon, soon | {"gap_in_time": 0.4}]) == "2 with nearest gaps of 0.4 to 1.1 s"
+    assert kept_in_words([soon, soon | {"gap_in_time": 0.4}]) == "2 with smallest gaps of 0.4 to 1.1 s"
     assert kept_in_words([ROW]) == "", "a folder of before does not tell"
     assert [outcome_in_words(row) for row in (crash, soon, dull, ROW)] == [
         "collision",
-        "nearest gap 1.1 s",
-        "nearest gap 2.5 m",
+        "smallest gap 1.1 s",
+        "smallest gap 2.5 m",
         "over",
     ]
 

@@ -51,7 +51,7 @@ def test_full_braking_straight_on_takes_what_the_brakes_give_and_not_what_the_ai
 def test_to_brake_and_turn_at_once_is_more_than_tyres_hold_and_lagged_never_does_it() -> None:
     kinematic, lagged = (driven(cls, 20.0, 0.2, 1.0) for cls in (VehicleBody, LaggedVehicle))
     assert friction_demand(kinematic) == pytest.approx(math.hypot(7.0, 8.0) / (0.9 * 9.81), rel=0.01)
-    assert beyond_tyres(kinematic)[0].startswith("the ego: braking, speeding up or turning harder or sooner than tyres")
+    assert beyond_tyres(kinematic)[0].startswith("the ego: braking, acceleration or turning beyond what real tyres")
     assert (friction_demand(lagged) or 0.0) <= 1.0 + 1e-6
 
 

@@ -46,7 +46,7 @@ def crashed(kind: str, kmh: float, **risks: Any) -> dict[str, Any]:
 def test_it_says_how_fast_who_drove_and_how_near_they_came() -> None:
     assert how_fast([row()]) == (
         "The ego drove at 50 km/h, the car at up to 40 km/h. "
-        "In the nearest miss they came within 3.4 m, and to 1.2 s before a collision."
+        "In the closest near miss they came within 3.4 m, and within 1.2 s of a collision."
     )
 
 
@@ -101,7 +101,7 @@ def test_a_scene_says_how_fast_both_were_as_it_began_and_how_near_they_came() ->
     before: dict[str, Any] = {"encounter_time": 3.6, "other_speed_before": 15 * KMH, "other_kind": "Bicycle"}
     assert scene_in_words(row(**before)) == (
         "As the encounter began, at 3.6 s: ego at 50 km/h, cyclist at 15 km/h. "
-        "They came within 3.4 m, and to 1.2 s before a collision."
+        "They came within 3.4 m, and within 1.2 s of a collision."
     )
     assert scene_in_words(crashed("Dog", 30) | before).endswith("cyclist at 15 km/h.")
     assert scene_in_words(row()) == ""

@@ -309,7 +309,7 @@ def test_what_the_ego_sees_stands_beside_its_collisions(tmp_path: Path) -> None:
     assert "rule-based (what it sees was not recorded)" in _page(run.path)
     update(run, senses={"rule-based": senses_of(load_ego("rule-based"))})
     page = _page(run.path)
-    said = "only whether a vehicle is within 15 m ahead in its lane; brakes with at most 3 m/s² (0.375 of the pedal)"
+    said = "only whether a vehicle is within 15 m ahead in its lane; brakes at up to 3 m/s² (0.375 of the pedal)"
     assert 0 < page.index("the ego <strong>collided in ") < page.index(said) < page.index('id="replay"')
 
 
@@ -318,7 +318,7 @@ def test_every_packaged_ego_has_its_senses_in_words(name: str) -> None:
     said = in_words(senses_of(load_ego(name)))
     assert said.startswith(("sees its route and", "sees its route, how wide"))
     assert ("not hidden ones" in said) == (observation_of(load_ego(name)) != "safebench")
-    assert re.search(r"brakes with at most (3 m/s² \(0\.375 of the pedal|8 m/s² \(the whole pedal)\)$", said)
+    assert re.search(r"brakes at up to (3 m/s² \(0\.375 of the pedal|8 m/s² \(the full brake pedal)\)$", said)
 
 
 @pytest.mark.parametrize(

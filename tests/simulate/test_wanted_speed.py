@@ -55,7 +55,7 @@ def test_an_ego_by_rule_keeps_the_speed_that_is_wanted_and_else_its_own(name: st
 
 @pytest.mark.parametrize(
     ("observation", "why"),
-    [("traffic", "was trained for up to 10 m/s and drives no faster"), ("actors", "drives at a speed of its own")],
+    [("traffic", "was trained for up to 10 m/s and drives no faster"), ("actors", "chooses its own speed")],
 )
 def test_a_network_that_was_trained_for_less_than_is_wanted_says_so(
     simulator: Simulator, observation: str, why: str
@@ -64,7 +64,7 @@ def test_a_network_that_was_trained_for_less_than_is_wanted_says_so(
     ego = NetworkEgo(Network(layers=layers), name="slow", observation=observation, trained_for=10.0)
     ran = drive(program(), Slots(), SCENE, simulator=simulator, ego=ego)
     assert isinstance(ran, Ran)
-    assert ran.unplayed == (f"the ego is to drive at 12 m/s, and slow {why}",)
+    assert ran.unplayed == (f"the ego should drive at 12 m/s, but slow {why}",)
 
 
 def test_an_ego_that_is_told_a_speed_is_another_and_keeps_its_name() -> None:
@@ -79,7 +79,7 @@ def test_a_network_drives_at_its_own_speed_and_that_is_told(simulator: Simulator
     assert wanting(sac, 20.0) is sac
     ran = drive(program(), Slots(), SCENE, simulator=simulator, ego=sac)
     assert isinstance(ran, Ran)
-    assert ran.unplayed == ("the ego is to drive at 12 m/s, and sac drives at a speed of its own",)
+    assert ran.unplayed == ("the ego should drive at 12 m/s, but sac chooses its own speed",)
 
 
 def test_of_an_ego_that_takes_the_speed_nothing_is_told(simulator: Simulator) -> None:

@@ -41,12 +41,12 @@ def test_who_does_what_when_and_how_fast_is_told_in_order(drive: Path) -> None:
     lines = [str(one) for one in told.told]
     assert [one.at for one in told.told] == sorted(one.at for one in told.told)
     assert any("the ego goes at 36 km/h" in line for line in lines)
-    assert any("60 m ahead of the ego and 6.0 m to its right, and stands" in line for line in lines)
+    assert any("60 m ahead of the ego and 6.0 m to its right, and is stationary" in line for line in lines)
     (brakes,) = [one for one in told.told if one.who == "the ego" and "from 36 km/h to 14 km/h" in one.what]
     assert (brakes.at, brakes.until) == (pytest.approx(2.0, abs=0.21), pytest.approx(4.0, abs=0.21))
     (crosses,) = [one for one in told.told if "(cross)" in one.what]
     assert crosses.at == pytest.approx(1.6, abs=0.21)
-    assert any("nearest" in line for line in lines)
+    assert any("closest" in line for line in lines)
 
 
 def test_who_comes_from_the_next_lane_cuts_in_and_neither_crosses_nor_weaves(tmp_path: Path) -> None:
@@ -114,11 +114,11 @@ def test_who_comes_later_and_is_hit_is_told_and_so_is_who_goes_and_who_is_left_o
     path.write_text(RAGGED.format(late=45, after=5.9))
     told = chatscene.story(path)
     lines = [str(one) for one in told.told]
-    assert any("2.1 s  the first (car) is not there any more" in line for line in lines)
+    assert any("2.1 s  the first (car) is no longer there" in line for line in lines)
     assert any("2.5 s  the late (car) is there from now on, 20 m ahead of the ego" in line for line in lines)
     assert "the ego runs into the late (car), front to rear" in lines[-1]
     assert "the other at 0 km/h, impact speed 36 km/h" in lines[-1]
-    assert [note for note in told.notes if "after" in note] == ["not told of: after, who is there for a moment at most"]
+    assert [note for note in told.notes if "after" in note] == ["not described: after, present only for a moment"]
     for moment in (None, 0.0, 2.5, 4.1):
         assert told.picture(moment).startswith(PNG)
     verdict = chatscene.verify(path, "A car is ahead of us in our lane.")
@@ -144,7 +144,7 @@ def test_who_is_there_from_inside_the_ego_is_no_collision(tmp_path: Path) -> Non
     path.write_text(RAGGED.format(late=25, after=1))
     told = chatscene.story(path)
     assert told.ending == "timeout"
-    assert any("nearest: less than 0.1 m between the ego and the late" in one.what for one in told.told)
+    assert any("closest: less than 0.1 m between the ego and the late" in one.what for one in told.told)
 
 
 def test_of_many_the_nearest_are_told_of_and_how_many_are_not_is_said(tmp_path: Path) -> None:
@@ -154,7 +154,7 @@ def test_of_many_the_nearest_are_told_of_and_how_many_are_not_is_said(tmp_path: 
         rows += [f"{step / 10},other{n},car,{40 + 10 * n},{5 + n},0,0,0" for n in range(8)]
     (tmp_path / "many.csv").write_text("\n".join(rows))
     told = chatscene.story(tmp_path / "many.csv")
-    assert "2 more who are farther from the ego are not told of" in told.notes
+    assert "not described: 2 farther from the ego" in told.notes
     assert not any("other7" in one.who for one in told.told)
 
 
@@ -189,7 +189,7 @@ def test_who_keeps_its_lane_while_the_ego_moves_over_does_not_cut_in(tmp_path: P
     assert not [
         line for line in lines if any(f"({act})" in line for act in ("cut-in", "cross", "enter", "lane-change"))
     ]
-    assert "the ego's left side meets the car's right side" in lines[-1]
+    assert "the ego's left side touches the car's right side" in lines[-1]
 
 
 def test_who_was_never_in_the_lane_of_the_ego_changes_lanes_and_does_not_leave_that(tmp_path: Path) -> None:
@@ -216,8 +216,8 @@ def test_to_slow_down_gently_and_then_to_brake_are_two(tmp_path: Path) -> None:
     lines = told_by(tmp_path / "two.csv", along(0.0, 0.0), A=brakes)
     (gentle,) = [line for line in lines if "the car loses speed gently (slow-down)" in line]
     (hard,) = [line for line in lines if "the car loses speed hard (brake)" in line]
-    assert "from 72 km/h to 61 km/h, with up to 1.0 m/s²" in gentle
-    assert "from 61 km/h to 0 km/h and stands, with up to 6.0 m/s²" in hard
+    assert "from 72 km/h to 61 km/h, at up to 1.0 m/s²" in gentle
+    assert "from 61 km/h to 0 km/h and stops, at up to 6.0 m/s²" in hard
     assert float(hard.split()[0]) == pytest.approx(4.0, abs=0.11)
 
 

@@ -92,7 +92,8 @@ def set_time_to_meet(actor: Actor) -> None:
             continue
         own = actor.ego.time_at(actor.meets_at) - actor.ego.time_at(at_line)
         low, high = deed.time.drawn(0.0, LATEST_MET)
-        path, meaning = f"{actor.path}.does.{k}.time", "how much sooner than the ego it is where their ways meet"
+        path = f"{actor.path}.does.{k}.time"
+        meaning = "how much sooner than the ego it reaches the point where their paths meet"
         actor.numbers.measure("OFFSET", own - high, own - low, "s", meaning, path)
 
 

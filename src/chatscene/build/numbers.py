@@ -20,7 +20,7 @@ GENTLEST = 0.02  # of the brakes, the least that is pressed
 MOST = 0.95  # of a body's top speed, which nobody quite reaches
 
 RANGES: dict[str, tuple[float, float, str, str]] = {
-    "OFFSET": (-1.5, 1.0, "s", "how much sooner than the ego it is where their ways meet"),
+    "OFFSET": (-1.5, 1.0, "s", "how much sooner than the ego it reaches the point where their paths meet"),
     "BRAKE": (0.5, 1, "1", "how hard it brakes"),
     "EASE": (0.2, 0.35, "1", "how gently it brakes"),
     "BRAKE_TIME": (0.7, 1.4, "s", "for how long it brakes"),

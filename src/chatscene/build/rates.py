@@ -198,9 +198,7 @@ def _bind(actor: Actor, k: int, name: str, rates: tuple[float, float], path: str
         raise NotBuilt(f"{at}: {getattr(actor.deeds[k], path)}: it slows down faster even without braking")
     if low > 1.0:
         said = getattr(actor.deeds[k], path)
-        raise NotBuilt(
-            f"{at}: {said} needs {rates[0]:.3g} m/s²; {one_of(actor.one.kind)} brakes with at most {most:.3g}"
-        )
+        raise NotBuilt(f"{at}: {said} needs {rates[0]:.3g} m/s²; {one_of(actor.one.kind)} brakes at up to {most:.3g}")
     actor.numbers.measure(f"{name}_{k}", low, min(high, 1.0), "1", "how hard it brakes", at)
 
 

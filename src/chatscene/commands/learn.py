@@ -163,7 +163,7 @@ def say_trained(trained: Trained, as_json: bool) -> None:
     say(f"the best of them is in {policy}; drive with it: --ego {policy}")
     faults = {"collides": best["collision_rate"], "leaves the road": best.get("off_road_rate", best["off_road"])}
     if told := [f"{does} in {share:.0%} of its drives" for does, share in faults.items() if share > _SELDOM]:
-        say(f"it {' and '.join(told)}: it has not learned to drive yet; go on with more --steps")
+        say(f"it {' and '.join(told)}: it has not learned to drive yet; continue with more --steps")
 
 
 def say_finetuned(tuned: Finetuned, as_json: bool) -> None:

@@ -131,11 +131,11 @@ def in_words(senses: Mapping[str, str]) -> str:
         return "(what it sees was not recorded)"
     share = PEDALS[pedals]
     brake = LIMITS.get(senses.get("body", CAR), LIMITS[CAR]).brake
-    part = "the whole pedal" if share == 1.0 else f"{share:g} of the pedal"
+    part = "the full brake pedal" if share == 1.0 else f"{share:g} of the pedal"
     hidden = {"safebench": "", "unseen": ", not hidden ones"}.get(
         seen if seen == "safebench" else senses.get("hidden", ""), ", hidden ones too"
     )
-    return f"{IN_WORDS[seen]}{hidden}; brakes with at most {share * brake:g} m/s² ({part})"
+    return f"{IN_WORDS[seen]}{hidden}; brakes at up to {share * brake:g} m/s² ({part})"
 
 
 FILES = (".npz", ".zip", ".pt", ".onnx")

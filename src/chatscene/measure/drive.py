@@ -117,9 +117,10 @@ def _not_kept_to(program: ScenicProgram, ego: EgoPolicy) -> list[str]:
         return []
     told: list[str] = []
     if (wanted := program.wanted_speed) is not None:
-        so, trained_for = f"the ego is to drive at {wanted:g} m/s, and {name_of(ego)}", getattr(ego, "trained_for", 0.0)
+        trained_for = getattr(ego, "trained_for", 0.0)
+        so = f"the ego should drive at {wanted:g} m/s, but {name_of(ego)}"
         if not takes_speed(ego):
-            told = [f"{so} drives at a speed of its own"]
+            told = [f"{so} chooses its own speed"]
         elif 0.0 < trained_for < wanted and not program.keeps_limits:
             told = [f"{so} was trained for up to {trained_for:.4g} m/s and drives no faster"]
     if program.ego_kind != CAR and not knows_body(ego):

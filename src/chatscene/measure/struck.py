@@ -10,7 +10,7 @@ Touched = tuple[str, str]
 
 
 def struck_in_words(how: Strike, ego: Touched, other: Touched, *, past: bool = False) -> str:
-    """Such as *the ego runs into the car, front to rear*, or *the ego's left side meets the truck's right side*.
+    """Such as *the ego runs into the car, front to rear*, or *the ego's left side touches the truck's right side*.
 
     Args:
         how: Who struck whom.
@@ -27,4 +27,4 @@ def struck_in_words(how: Strike, ego: Touched, other: Touched, *, past: bool = F
     if how.runs_in:
         return f"{one} {runs} into {another}{parts or (f' with its {its}' if its else '')}"
     one, another = (f"{name}'s {part}" if part else name for name, part in ((one, its), (another, theirs)))
-    return f"{one} {'met' if past else 'meets'} {another}"
+    return f"{one} {'touched' if past else 'touches'} {another}"

@@ -33,9 +33,7 @@ def beyond_tyres(episode: Episode) -> tuple[str, ...]:
     if not who:
         return ()
     names = " and ".join("the ego" if one == EGO else one for one in who)
-    return (
-        f"{names}: braking, speeding up or turning harder or sooner than tyres do; compare with `--physics lagged`",
-    )
+    return (f"{names}: braking, acceleration or turning beyond what real tyres allow; compare with `--physics lagged`",)
 
 
 def _friction(episode: Episode) -> float:

@@ -87,14 +87,14 @@ def _about(speeds: Iterable[float]) -> str:
 
 
 def _nearest(missed: Sequence[Row]) -> str:
-    return f"In the nearest miss they came within {_within(min(missed, key=lambda row: row['distance']))}"
+    return f"In the closest near miss they came within {_within(min(missed, key=lambda row: row['distance']))}"
 
 
 def _within(row: Row) -> str:
     """How near two came that did not touch."""
     left = row["time_to_collision"]
     near = left is not None and left <= LONGEST
-    return near_in_words(row["distance"]) + (f", and to {left:.1f} s before a collision" if near else "")
+    return near_in_words(row["distance"]) + (f", and within {left:.1f} s of a collision" if near else "")
 
 
 def _hardest(row: Row, count: int, fastest: float) -> str:

@@ -176,7 +176,7 @@ def scene_table(scenes: Sequence[Row], units: Mapping[str, str], replayable: Ite
         ("Impact", "km/h", True),
         ("A careful driver avoids it", None, False),
         ("Who hit", None, False),
-        ("Score", "less is worse", True),
+        ("Score", "lower is worse", True),
         ("As read", None, False),
         *((short(name), units[name], True) for name in parameters),
     ]

@@ -9,11 +9,11 @@ from chatscene.measure.severity import KMH
 from chatscene.terms.criticality import Happening
 
 _OF_ONE = {
-    Happening.NEAR_IN_TIME: ("nearest gap", "gap_in_time", "s"),
-    Happening.NEAR: ("nearest gap", "distance", "m"),
-    Happening.BRAKING: ("braked hard, nearest gap", "distance", "m"),
-    Happening.STEERING: ("steered clear, nearest gap", "distance", "m"),
-    Happening.NOTHING: ("nearest gap", "distance", "m"),
+    Happening.NEAR_IN_TIME: ("smallest gap", "gap_in_time", "s"),
+    Happening.NEAR: ("smallest gap", "distance", "m"),
+    Happening.BRAKING: ("braked hard, smallest gap", "distance", "m"),
+    Happening.STEERING: ("steered clear, smallest gap", "distance", "m"),
+    Happening.NOTHING: ("smallest gap", "distance", "m"),
 }
 _OTHERWISE = {
     Happening.BRAKING: "with hard braking",
@@ -37,7 +37,7 @@ def outcome_in_words(row: Mapping[str, Any]) -> str:
 
 
 def kept_in_words(rows: Sequence[Mapping[str, Any]]) -> str:
-    """What the kept scenes are, such as ``1 collision with an impact speed of 19 km/h, 1 with a nearest gap of 1.1 s``.
+    """What the kept scenes are, such as ``1 collision with an impact speed of 9 km/h, 1 with a smallest gap of 1.1 s``.
 
     Args:
         rows: Scenes of a run (`chatscene.runs.read_scenes`); empty where none is kept, or its folder does not tell.
@@ -54,7 +54,7 @@ def kept_in_words(rows: Sequence[Mapping[str, Any]]) -> str:
         )
         told.append(f"{many} of {_span(crashes, 'impact_speed', 'km/h')}")
     told += [
-        f"{len(some)} with {'nearest gaps' if len(some) > 1 else 'a nearest gap'} of {_span(some, column, unit)}"
+        f"{len(some)} with {'smallest gaps' if len(some) > 1 else 'a smallest gap'} of {_span(some, column, unit)}"
         for some, column, unit in ((soon, "gap_in_time", "s"), (near, "distance", "m"))
         if some
     ]

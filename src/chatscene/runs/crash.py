@@ -139,9 +139,9 @@ class Pace:
 def last_moment_in_words(moment: float | None, contact: float, risk: float | None, pace: Pace) -> str:
     """Until when a careful driver's braking avoids a crash; times in the scene [s]."""
     if moment is None:
-        return "At no moment does a careful driver's braking avoid it."
+        return "At no moment does a careful driver's braking avoid the crash."
     when = f"{moment:.1f} s, {contact - moment:.1f} s before the contact{_foreseen(moment, risk)} ({pace.at(moment)})"
-    return f"The last moment at which a careful driver's braking avoids it is {when}."
+    return f"The last moment at which a careful driver's braking avoids the crash is {when}."
 
 
 def braking_in_words(braking: Braking | None, contact: float, risk: float | None, pace: Pace) -> str:
@@ -155,7 +155,7 @@ def braking_in_words(braking: Braking | None, contact: float, risk: float | None
     """
     dt = pace.dt
     if braking is None:
-        return "The ego does not avoid it by braking as hard as it can, from whatever moment on."
+        return "The ego does not avoid the crash by braking as hard as it can, from whatever moment on."
     begins, own = braking.step * dt, braking.own
     if own is None:
         how = "it did not brake"
@@ -167,7 +167,9 @@ def braking_in_words(braking: Braking | None, contact: float, risk: float | None
         how = f"it braked from {own * dt:.1f} s on, but less hard"
     when = f"{begins:.1f} s on, {contact - begins:.1f} s before the contact{_foreseen(begins, risk)}"
     when += f" ({pace.at(begins)})"
-    return f"The ego avoids it if it brakes as hard as it can ({braking.deceleration:g} m/s²) from {when}; {how}."
+    return (
+        f"The ego avoids the crash if it brakes as hard as it can ({braking.deceleration:g} m/s²) from {when}; {how}."
+    )
 
 
 def _foreseen(time: float, risk: float | None) -> str:

@@ -152,11 +152,11 @@ class Why:
         if not self.changeable:
             return "The program's own ego drives, so other drivers were not tried."
         if self.risk is None or self.careful_brakes is None:
-            seen = "Nobody could see it coming for long enough to judge it."
+            seen = "Nobody could see the crash coming for long enough to judge it."
         else:
-            seen = f"It could be seen coming from {self.risk:.1f} s on ({self.pace.at(self.risk)}). "
-            seen += f"A careful driver, that of UN R157, brakes at {self.careful_brakes:.1f} s"
-            seen += ", and avoids it." if self.avoidable else ", which does not avoid it."
+            seen = f"The crash could be seen coming from {self.risk:.1f} s on ({self.pace.at(self.risk)}). "
+            seen += f"The careful driver of UN R157 brakes at {self.careful_brakes:.1f} s"
+            seen += ", and avoids the crash." if self.avoidable else ", which does not avoid the crash."
         return f"{seen} {last_moment_in_words(self.last_moment, self.contact.time, self.risk, self.pace)}"
 
     def _all_named(self, thing: Thing) -> str:
@@ -182,16 +182,17 @@ class Why:
             return ["It is unknown which parameters matter: in the middle of the ranges the scene is rejected."]
         if self.back.came.crashed:
             return [
-                "No parameter decides: no scene without a crash was found to compare with, and with every parameter in "
-                "the middle of its range the same crash happens."
+                "No parameter is decisive: no scene without a crash was found to compare with, and with every "
+                "parameter in the middle of its range the same crash happens."
             ]
         where = f"as in {self.back.name}, the nearest scene without a crash"
         if self.back.name == MIDDLE:
             where = "in the middle of their ranges (no scene without a crash was found)"
             if self.back.came.other:
                 where += f", where it is a crash with {with_whom(self.back.came)}"
-        these = "One parameter decides" if len(self.values) == 1 else f"{len(self.values)} parameters decide together"
-        lines = [f"{these}: with all others {where}, the same crash happens:"]
+        many = len(self.values)
+        these = "One parameter is" if many == 1 else f"{many} parameters together are"
+        lines = [f"{these} decisive: with all others {where}, the same crash happens:"]
         for one in self.values:
             unit = "" if (given := self.ranges[one.name].unit) == "1" else f" {given}"
             meaning = f" ({text})" if (text := self.ranges[one.name].meaning) else ""
@@ -204,8 +205,8 @@ class Why:
             return []
         if self.braking is None and self.slower is None:
             return [
-                "The ego avoids it neither by braking as hard as it can from any moment on, nor by going slower, down "
-                f"to {LEAST_SHARE:g} of its highest speed."
+                "The ego avoids the crash neither by braking as hard as it can from any moment on, nor by driving "
+                f"slower, down to {LEAST_SHARE:g} of its highest speed."
             ]
         return [self._of_braking(), self._of_slower()]
 
@@ -214,11 +215,11 @@ class Why:
 
     def _of_slower(self) -> str:
         if self.slower is None:
-            return f"The ego does not avoid it by going slower, down to {LEAST_SHARE:g} of its highest speed."
+            return f"The ego does not avoid the crash by driving slower, down to {LEAST_SHARE:g} of its highest speed."
         by = self.slower.highest - self.slower.limit
         return (
-            f"The ego avoids it if it goes at most {KMH * self.slower.limit:.1f} km/h, {KMH * by:.1f} km/h slower than "
-            "its highest speed before the contact."
+            f"The ego avoids the crash if it drives at no more than {KMH * self.slower.limit:.1f} km/h, "
+            f"{KMH * by:.1f} km/h slower than its highest speed before the contact."
         )
 
     def _moments(self) -> dict[str, float]:
@@ -312,7 +313,7 @@ def trial_of(
     if row is None or row["status"] != "ran":
         raise RunError(f"{folder} has no scene {scene_id!r} that was driven")
     if not row["collision"]:
-        raise RunError(f"scene {scene_id!r} ended without a collision, so that there is nothing to explain")
+        raise RunError(f"scene {scene_id!r} ended without a collision, so there is nothing to explain")
     return trial_in(remade(run), row), rows
 
 

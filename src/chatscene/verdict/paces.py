@@ -37,11 +37,11 @@ def paces(who: str, seen: Seen) -> Iterator[Told]:
 def _pace(who: str, act: Act, seen: Seen, speed: Array, steps: Steps) -> Told:
     first, last = steps
     hardest = float(np.abs(np.diff(speed[first : last + 1])).max()) / seen.dt
-    ends = " and stands" if speed[last] < STANDING else ""
+    ends = " and stops" if speed[last] < STANDING else ""
     fast = f"from {in_kmh(float(speed[first]))} to {in_kmh(float(speed[last]))}{ends}"
     begins, done = _without_level(speed, steps)
     dab = " for a moment" if act is Act.SLOW_DOWN and hardest > BRAKING else ""  # too short for a hard braking
-    what = f"{act.meaning} ({act}), {fast}, with up to {hardest:.1f} m/s²{dab}"
+    what = f"{act.meaning} ({act}), {fast}, at up to {hardest:.1f} m/s²{dab}"
     return Told(at=begins * seen.dt, until=done * seen.dt, who=who, what=what)
 
 

@@ -43,9 +43,9 @@ NEAREST = 6  # road users that are told of: those to whom the ego comes nearest
 _ENDINGS = {
     "collision": "the collision ends it",
     "arrived": "the ego arrives",
-    "timeout": "its time is over",
+    "timeout": "its time limit is reached",
     "scenario-done": "the program ends it",
-    "over": "no encounter can happen any more",
+    "over": "no encounter is possible any more",
 }
 _WAYS = {
     Maneuver.STRAIGHT: "goes straight on",
@@ -53,7 +53,7 @@ _WAYS = {
     Maneuver.RIGHT_TURN: "is to turn right",
     Maneuver.LANE_CHANGE_LEFT: "is to change lanes to the left",
     Maneuver.LANE_CHANGE_RIGHT: "is to change lanes to the right",
-    Maneuver.BYPASS: "is to go around who blocks its lane",
+    Maneuver.BYPASS: "is to go around what blocks its lane",
 }
 _EVENTS = {
     EventKind.RED_LIGHT: "runs a red light",
@@ -136,7 +136,7 @@ def story(what: Path, settings: VerifySettings, repeated: Repeated | None = None
     episode, there = one.episode, met(one.episode)
     nearest = _nearest(there)
     more = len(there) - len(nearest)
-    others = (f"{more} more who are farther from the ego are not told of",) if more > 0 else ()
+    others = (f"not described: {more} farther from the ego",) if more > 0 else ()
     return Story(
         what=str(what),
         scene=episode.scene_id,
@@ -231,7 +231,7 @@ def _goes(one: Met, episode: Episode) -> Iterator[Told]:
     """That somebody is not there any more, of one who is not until the end."""
     end = one.first + len(one.track.x)
     if end < len(episode.ego_track.x):
-        yield Told(at=end * episode.dt, who=_name(one.track, episode.kinds), what="is not there any more")
+        yield Told(at=end * episode.dt, who=_name(one.track, episode.kinds), what="is no longer there")
 
 
 def _absent(episode: Episode, there: Sequence[Met]) -> Iterator[str]:
@@ -239,7 +239,7 @@ def _absent(episode: Episode, there: Sequence[Met]) -> Iterator[str]:
     told = {one.track.actor for one in there}
     names = [track.actor for track in episode.tracks[1:] if track.actor not in told]
     if names:
-        yield f"not told of: {', '.join(names)}, who {'is' if len(names) == 1 else 'are'} there for a moment at most"
+        yield f"not described: {', '.join(names)}, present only for a moment"
 
 
 def _nearest(there: Sequence[Met]) -> list[Met]:
@@ -281,7 +281,7 @@ def _name(track: Track, kinds: Mapping[str, str]) -> str:
 def _pace(track: Track) -> str:
     speed = float(track.speed[0])
     if abs(speed) < STANDING:
-        return "stands"
+        return "is stationary"
     return f"goes backwards at {in_kmh(-speed)}" if speed < 0.0 else f"goes at {in_kmh(speed)}"
 
 
@@ -336,7 +336,7 @@ def _nearest_gap(others: Sequence[Met], there: Sequence[Met], kinds: Mapping[str
     one, step, apart = _nearest_of(others)
     every = (found for found in (happened(each.part).seconds for each in there) if found is not None)
     soon = min(every, default=None)
-    seconds = "" if soon is None else f"; the least gap in time to an adversary is {soon:.1f} s"
+    seconds = "" if soon is None else f"; the smallest time gap to an adversary is {soon:.1f} s"
     fast = f"the ego at {in_kmh(abs(float(one.part.ego_track.speed[step])))}"
-    what = f"nearest: {near_in_words(apart)} between the ego and {_name(one.track, kinds)}, {fast}{seconds}"
+    what = f"closest: {near_in_words(apart)} between the ego and {_name(one.track, kinds)}, {fast}{seconds}"
     return Told(at=(one.first + step) * one.part.dt, who="", what=what)
