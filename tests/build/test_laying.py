@@ -47,6 +47,13 @@ def test_a_road_is_laid_with_what_no_packaged_map_has(road: dict[str, Any], word
     assert not built.lacking
 
 
+def test_in_a_narrow_street_who_comes_the_other_way_has_a_lane_that_is_as_narrow() -> None:
+    built = made("oncoming", "go-along", "bus", {"has": ["narrow", "parked-both-sides"]})
+    assert built.map.startswith("road:1+1,lane=2.6,parking=both")
+    assert not built.lacking
+    assert {f"parked-{side}" in built.program.source for side in ("left", "right")} == {True}
+
+
 def test_a_vehicle_in_a_driveway_is_in_one() -> None:
     built = made("driveway", "enter", "tractor", {"setting": "rural"}, side="right")
     assert built.map.startswith("road:1+1,along=rural,driveway=right")

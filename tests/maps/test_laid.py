@@ -61,7 +61,7 @@ def test_words_may_come_in_any_order_and_give_the_same_file() -> None:
         ("road:1+0,median=2", "a median lies between two directions"),
         ("road:1+1,bend=left-5", "a bend has a radius of 30 to 3000 m"),
         ("road:1+1,signs=stop", "signs stand at a junction"),
-        ("road:1+1,lane=nan", "a lane is 2.2 to 6 m wide"),
+        ("road:1+1,lane=nan", "a lane is 2.5 to 6 m wide"),
     ],
 )
 def test_a_name_that_says_no_road_is_refused_with_the_word(name: str, why: str) -> None:

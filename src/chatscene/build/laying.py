@@ -35,7 +35,7 @@ from chatscene.terms.vocabulary import (
 )
 
 MEDIAN, MOTORWAY_MEDIAN = 3.0, 4.0  # [m]
-PASSABLE = 2.3  # [m], each of two lanes in which cars pass each other at a creep
+PASSABLE = 2.6  # [m], each of two lanes in which cars pass each other at a creep
 HARD_SHOULDER = 3.0  # [m]
 BENDS_AT = 2.5  # [m/s²] across, that a bend takes whose radius was not said
 OUTSIDE_TOWN = 60 * KMH  # [m/s], from which on a road of which no setting was said lies outside a town

@@ -29,7 +29,7 @@ from chatscene.terms.scenario import Control
 PREFIX = "road:"
 DIGEST = 12  # [bytes] of a map's digest
 LENGTH = 600  # [m]
-MOST_LANES, WIDEST, NARROWEST = 6, 6.0, 2.2
+MOST_LANES, WIDEST, NARROWEST = 6, 6.0, 2.5
 LONGEST, SHORTEST = 5000, 300  # [m]
 TIGHTEST, FLATTEST = 30, 3000  # [m] of radius
 SIDEWALK, SHOULDER, HARD_SHOULDER, STRIP = 2.5, 1.5, 3.0, 2.2  # [m]
