@@ -90,7 +90,7 @@ def test_what_holds_of_acts_is_said_by_their_own_row_first_then_by_where_they_he
 
 @every_act
 def test_a_phrase_begins_with_a_verb_in_its_three_forms(act: Act) -> None:
-    verb = re.match(r"\[(\w+)/(\w+)/(\w+)\]", ACTS[act].does)
+    verb = re.match(r"\[([\w-]+)/([\w-]+)/([\w-]+)\]", ACTS[act].does)
     assert verb or ACTS[act].does.startswith("{goes}")
     if verb is not None:
         assert verb.groups() == inflected(verb[1]), "write its phrase in phrases.py"

@@ -419,8 +419,8 @@ _ACTS: Mapping[Act, Doing] = {
 
 
 def _as_named(act: Act) -> Doing:
-    """An act as it is named, such as *flashes lights* of ``flash-lights``: a verb, and what follows it."""
-    verb, *others = act.value.split("-")
+    """An act as it is named: a verb, and what follows it, as *flashes lights* of ``flash-lights``, or one verb."""
+    verb, *others = (act.value,) if act.row.one_verb else act.value.split("-")
     forms = "/".join(inflected(verb))
     return Doing(does=" ".join((f"[{forms}]", *others, *(("{whom}",) if act.row.whom else ()))))
 

@@ -408,6 +408,8 @@ class ActRow:
         tempo: What comes of its speed.
         heads: Where somebody heads by it.
         lets_go: Whether it lets go of a body of its own by it: what that is called. It is named so: ``A-door``.
+        one_verb: Whether all of its name is the verb, as *brake-checks* of ``brake-check`` would be; else its first
+            word is, as *pumps brakes* of ``pump-brakes``. It is told so if it has no phrase.
     """
 
     by: frozenset[Moves]
@@ -420,6 +422,7 @@ class ActRow:
     tempo: Tempo = Tempo.ANY
     heads: Heads = Heads.ANY
     lets_go: str = ""
+    one_verb: bool = False
 
 
 _FEET = frozenset((Moves.WALKS,))
