@@ -8,7 +8,7 @@ road user can have, half of the deeds with a number that the body can do; counts
 each of the others, drives it with drawn values and judges the tracks.
 `--as-said` draws them of parts that people said together (`as_said.py`); else any word is as likely as another.
 `--act NAME` takes one act in their place: from each place, by each kind that moves in its own way, alone, after another
-deed and before one, `--count` of these (200 take about a minute of one idle core; with `--count 1000` all);
+deed and before one, `--count` of these (200 take about two minutes of one idle core; with `--count 1000` all);
 `--files FOLDER` takes the situations of a folder (`.yaml`, `.json`). Prints the shares, the commonest reasons with `#`
 for numbers and the name of a situation of each, and with `--each` a line per situation, and below it when what was said
 is seen. `--examples FOLDER` writes the situation of each reason there, so that `--files` drives these alone.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import click
@@ -14,16 +13,13 @@ from chatscene.commands import main as commands
 from chatscene.commands.keywords import add_keywords
 
 
-def exports(
-    folder: Any, scenes: Any = (), *, to: str, out: Any = None, only_crashes: bool = False, most: int = 3
-) -> str:
+def exports(folder: Any, scenes: Any = (), *, to: str, only_crashes: bool = False, most: int = 3) -> str:
     """Write scenes.
 
     Args:
         folder: A run.
         scenes: Ids.
         to: A format.
-        out: A folder.
         only_crashes: Leave out scenes
             without a collision.
         most: The most scenes that are written.
@@ -31,17 +27,31 @@ def exports(
     return f"{folder} {to} {only_crashes} {most}"
 
 
-def test_a_keyword_and_its_line_are_an_option_and_its_help(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(chatscene, "export", exports)
-    before = list(commands.main.commands["export"].params)
-    monkeypatch.setattr(commands.main.commands["export"], "params", before)
-    told = " ".join(CliRunner().invoke(commands.main, ["export", "--help"]).output.split())
-    assert "--only-crashes Leave out scenes without a collision." in told
-    assert "[default: 3]" in told
-    done = CliRunner().invoke(
-        commands.main, ["export", "r", "--to", "csv", "--out", "o", "--only-crashes", "--most", "4"]
-    )
-    assert done.output == f"{Path('r')} csv True 4\n"
+def test_a_keyword_and_its_line_are_an_option_and_its_help() -> None:
+    @click.command()
+    @click.argument("folder")
+    @click.option("--to")
+    def command(folder: str, **options: Any) -> None:
+        click.echo(exports(folder, **options))
+
+    add_keywords(command, exports)
+    add_keywords(command, exports)
+    told = " ".join(CliRunner().invoke(command, ["--help"]).output.split())
+    assert told.count("--only-crashes Leave out scenes without a collision.") == 1
+    assert "The most scenes that are written. [default: 3]" in told
+    done = CliRunner().invoke(command, ["r", "--to", "csv", "--only-crashes", "--most", "4"])
+    assert done.output == "r csv True 4\n"
+
+
+def test_a_command_is_asked_for_with_the_keywords_of_its_function(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[tuple[click.Command, Any]] = []
+
+    def ask(command: click.Command, function: Any) -> None:
+        asked.append((command, function))
+
+    monkeypatch.setattr(commands, "add_keywords", ask)
+    CliRunner().invoke(commands.main, ["export", "--help"])
+    assert asked == [(commands.main.commands["export"], chatscene.export)]
 
 
 @pytest.mark.parametrize(
