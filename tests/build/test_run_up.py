@@ -104,3 +104,21 @@ def test_an_ego_that_is_a_little_faster_than_who_is_ahead_is_held_too() -> None:
     episode = drive(build(said("70 km/h")), ego="planner")
     assert isinstance(episode, Episode)
     assert episode.ego_track.speed[: begins(episode)].min() > 0.96 * SPEED
+
+
+@pytest.mark.parametrize("ego", ["planner", "idm"])
+def test_an_ego_closes_in_at_its_speed_on_who_is_slower_until_it_is_as_near_as_said(ego: str) -> None:
+    slow = car("B", "ahead", deed("brake") | {"when": {"ego_within": "1.8 s"}}, speed="60 km/h")
+    made = build(others(slow, ego={"speed": "80 km/h"}))
+    episode = drive(made, ego=ego)
+    assert isinstance(episode, Episode)
+    at, one, own = begins(episode), track(episode, "B"), episode.ego_track
+    before = at - 4  # by which it has lost 1.5 m/s
+    gap = np.hypot(one.x[before] - own.x[before], one.y[before] - own.y[before]) - 0.5 * (one.length + own.length)
+    assert own.speed[:before].min() > 0.96 * SPEED
+    assert gap == pytest.approx(1.8 * (80 - 60) / 3.6, abs=2.5)
+
+
+def test_who_waits_until_the_ego_is_near_is_never_put_nearer_than_that() -> None:
+    slow = car("B", "ahead", deed("brake") | {"when": {"ego_within": "1.8 s"}}, speed="60 km/h")
+    assert any(name.endswith("_Y") for name in build(others(slow, ego={"speed": "80 km/h"})).bound)

@@ -70,7 +70,7 @@ class Built:
         assumed: What was not said and had to be something, in words.
         left_out: Facts that it lacks, as ``path: value``.
         lacking: Of all these, what its place lacks.
-        bound: The names of its parameters that are numbers that were said.
+        bound: The names of its parameters that are numbers that were said, or follow from these.
         unseen: Facts that none of the drives showed that it was rehearsed in, each with what is seen instead.
     """
 
@@ -253,7 +253,9 @@ def _built(said: Ledger, usual: float, name: str) -> Built:
         )
     )
     program = ScenicProgram(scenario_id=name, source=source, parameters=tuple(numbers), snippet_ids=())
-    said_ones = (actor.numbers.called(name) for actor, _ in everybody for name in actor.numbers.bound)
+    said_ones = (
+        actor.numbers.called(name) for actor, _ in everybody for name in (*actor.numbers.bound, *actor.numbers.held)
+    )
     return Built(
         program=program,
         map=found.map,

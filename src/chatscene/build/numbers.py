@@ -69,6 +69,7 @@ class Numbers:
         ranges: For each that is used, from where to where, its unit and meaning.
         bound: For each that was said, the path of the fact.
         read: Those that a text reads.
+        held: Those that follow from what was said, so that nobody shifts them.
     """
 
     name: str
@@ -76,6 +77,7 @@ class Numbers:
     ranges: dict[str, tuple[float, float, str, str]] = field(default_factory=dict[str, tuple[float, float, str, str]])
     bound: dict[str, str] = field(default_factory=dict[str, str])
     read: set[str] = field(default_factory=set[str])
+    held: set[str] = field(default_factory=set[str])
 
     def __post_init__(self) -> None:
         # A watcher calls it slow below one speed and fast from another on: what is neither lies between.

@@ -51,7 +51,9 @@ def run_up(ledger: Ledger, speed: float, actors: Mapping[str, Actor]) -> tuple[O
     gap = actor.nearest - nose
     if who is not lead and gap < actors[who.id].limits.length + 2.0 * ROOM:  # which the ego has to make
         return ()
-    within = nose + 0.5 * actor.limits.length + NEAR * max(gap, 0.0) if who is lead else 0.0
+    near = _said_near(lead, speed) if _waits_for(lead) else gap
+    least = NEAR * max(near, 0.0)
+    within = nose + 0.5 * actor.limits.length + least if who is lead else 0.0
     ledger.assume(
         f"the ego is held at {3.6 * speed:.0f} km/h behind {lead.id} until {who.id} does its {who.does[k].act}"
     )
@@ -74,7 +76,27 @@ def led_by(situation: Situation, speed: float) -> Other | None:
     name = followed(situation, follows) if follows is not None and follows.act is Act.FOLLOW else None
     ahead = [one for one in situation.others if one.starts.where is Where.AHEAD and not stands_first(one)]
     leads = (one for one in ahead if one.id == name or (name is None and one.starts.distance is not None))
-    return next((one for one in leads if _as_fast(one, speed)), None)
+    return next((one for one in leads if _as_fast(one, speed)), next(filter(_waits_for, ahead), None))
+
+
+def _waits_for(one: Other) -> bool:
+    """Whether somebody begins what it does once the ego has come as near to it as was said."""
+    first = one.does[0].when if one.does else None
+    return first is not None and first.ego_within is not None and first.of in (None, one.id)
+
+
+def _said_near(one: Other, speed: float) -> float:
+    """How near [m] to somebody the ego is said to be when that begins what it does.
+
+    Args:
+        one: Who is ahead.
+        speed: What the ego drives at [m/s].
+    """
+    when = one.does[0].when
+    assert when is not None
+    assert when.ego_within is not None
+    closing = speed - (said_speed(one, speed) or 0.0)
+    return when.ego_within.least * (closing if when.ego_within.QUANTITY == "duration" else 1.0)
 
 
 def _as_fast(one: Other, speed: float) -> bool:

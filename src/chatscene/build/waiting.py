@@ -163,6 +163,7 @@ def _start_far_enough(actor: Actor, k: int, when: When) -> None:
     low = nearest + 0.5 * (actor.ego_limits.length + actor.limits.length) + SEEN_BEFORE * closing
     far, most, unit, meaning = numbers.range_of("Y")
     numbers.measure("Y", max(far, low), max(most, low + closing), unit, meaning)
+    numbers.held.add("Y")
 
 
 def _near(actor: Actor, k: int, when: When) -> str:
