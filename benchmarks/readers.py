@@ -26,7 +26,7 @@ import click
 from labelled import TEXTS, auc, labelled
 
 from chatscene.errors import ChatSceneError
-from chatscene.interpret.known import taken_in_part
+from chatscene.interpret.known import lacked, taken_in_part
 from chatscene.interpret.situation_of import in_a_situation
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.read.by_model import situation_in
@@ -176,8 +176,9 @@ def of_situations(reader: Reader, name: str, limit: int) -> None:
 def served(made: SituationReading) -> Situation | None:
     """What of a reading is served, as far as that depends on how sure it is."""
     settings = RetrievalSettings()
-    if made.ranked and made.ranked[0].probability >= settings.refuse_below:
-        return made.ranked[0].situation
+    first = made.ranked[0] if made.ranked else None
+    if first is not None and first.probability >= settings.refuse_below and not lacked(made, first):
+        return first.situation
     part = taken_in_part(made, lambda situation: situation, settings)
     return part.situation if part is not None else None
 
@@ -192,11 +193,12 @@ def graded(said: Situation | None, found: Situation | None) -> str:
 
 
 def filled(name: str, limit: int) -> Iterator[tuple[str, Situation | None]]:
-    """Texts with the situation that a language model filled last; None where it found none."""
-    for line in (READING / f"{name}.jsonl").read_text(encoding="utf-8").splitlines()[:limit]:
+    """Texts with the situation that a language model filled last, or that they tell; None where there is none."""
+    for line in file_of(name).read_text(encoding="utf-8").splitlines()[:limit]:
         row = json.loads(line)
-        reply, text = row["replies"][-1], row["text"] if "text" in row else text_of(row["id"])
-        if reply["verdict"] != Verdict.SITUATION:
+        reply = row["replies"][-1] if "replies" in row else row
+        text = row["text"] if "text" in row else text_of(row["id"])
+        if reply.get("verdict", Verdict.SITUATION) != Verdict.SITUATION:
             yield text, None
             continue
         try:
@@ -205,6 +207,18 @@ def filled(name: str, limit: int) -> Iterator[tuple[str, Situation | None]]:
             continue
         if not situation.evidence.mirrored:
             yield text, situation
+
+
+def file_of(name: str) -> Path:
+    """Where the texts of a set are."""
+    labels = TEXTS / f"{name}.jsonl"
+    return labels if labels.exists() else READING / f"{name}.jsonl"
+
+
+def has_slots(name: str) -> bool:
+    """Whether the texts of a set have slots and no situation."""
+    first = json.loads(file_of(name).read_text(encoding="utf-8").partition("\n")[0])
+    return not {"situation", "replies"} & {*first}
 
 
 def text_of(at: str) -> str:
@@ -223,7 +237,7 @@ def main(names: tuple[str, ...], weights: Path, limit: int) -> None:
     reader = LearnedReader(weights)
     begun = time.process_time()
     for name in names:
-        (of_labels if (TEXTS / f"{name}.jsonl").exists() else of_situations)(reader, name, limit)
+        (of_labels if has_slots(name) else of_situations)(reader, name, limit)
     click.echo(f"{time.process_time() - begun:.0f} s of processor time")
 
 

@@ -12,7 +12,7 @@ from chatscene.errors import SettingsError, no_such
 SELECTIONS = ("distinct", "shown", "worst", "last")
 OBJECTIVES = ("avoidable", "collision")
 PHYSICS = ("kinematic", "lagged")
-MOST_READINGS = 2  # how many readings of a text are offered
+MOST_READINGS = 3  # how many readings of a text are offered
 EGO = "planner"  # who drives where no ego is named: it sees everybody and has the whole brake (decision 0077)
 SIMULATOR = "native"  # what a run's scenes drive in where no simulator is named (decision 0081)
 EXECUTOR = "processes"  # who works on the parts of a run where nobody is named

@@ -140,7 +140,7 @@ def test_what_is_asked_back_is_answered_in_a_conversation() -> None:
     done = said("chat", *FEW, lines="\n".join(lines))
     assert done.exit_code == 0
     assert "A truck" in done.stdout
-    assert "from 0 to 2, not 99" in done.stdout
+    assert "from 0 to 3, not 99" in done.stdout
     assert "A bus" in done.stdout[done.stdout.index("not 99") :]  # what is refused changes nothing
 
 

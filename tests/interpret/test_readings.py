@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from chatscene.errors import NothingFits, SettingsError
-from chatscene.interpret.known import once_known
+from chatscene.interpret.known import offered, once_known
 from chatscene.interpret.situation_of import in_a_situation
 from chatscene.read.learned.reader import LearnedReader
 from chatscene.report.filled import filled
@@ -75,13 +75,14 @@ def refusal(text: str, settings: RetrievalSettings = STRICT, **facts: object) ->
 
 
 def test_a_refusal_tells_what_was_understood_and_the_likeliest_readings_in_sentences() -> None:
-    first, second, _ = RANKED
+    first, second, third = RANKED
     error = refusal(TEXT)
     assert error.understood == told_of(first.situation)
     assert error.confidence == first.probability
     assert [(one.number, one.told) for one in error.readings] == [
         (1, told_of(first.situation)),
         (2, told_of(second.situation)),
+        (3, told_of(third.situation)),
     ]
     assert error.readings[0].probability >= error.readings[1].probability
 
@@ -98,7 +99,7 @@ def test_a_refusal_that_has_no_reading_to_choose_says_why_the_likeliest_is_not_b
     assert "as it is read it cannot be built: others.A.does.0.speed: 90 km/h" in str(error)
 
 
-@pytest.mark.parametrize("number", [1, 2])
+@pytest.mark.parametrize("number", [1, 2, 3])
 def test_a_reading_that_is_taken_is_what_was_offered_and_is_not_doubted_again(number: int) -> None:
     offered = refusal(TEXT).readings[number - 1]
     made = filled(TEXT, replace(STRICT, reading=number))
@@ -134,6 +135,34 @@ def test_a_part_that_is_sure_enough_is_served_with_what_is_left_open_and_with_th
         assert filled(TEXT, RetrievalSettings(reading=1)).told == told_of(RANKED[0].situation)
         assert refusal(TEXT, RetrievalSettings(refuse_below=0.85)).confidence == RANKED[0].probability
         assert filled(TEXT, RetrievalSettings()).told == told_of(RANKED[0].situation)
+
+
+def _lacking(likely: float, *parts: Ranked) -> SituationReading:
+    """A text of two road users, of whom one is read."""
+    text = "A cyclist crosses and a pedestrian waits."
+    one = replace(RANKED[0].situation, about=text, evidence=Evidence(quoted={"others.A.kind": "cyclist"}))
+    read = SituationReading(text=text, reader="offline", verdict=Verdict.SITUATION, parts=parts)
+    return replace(read, ranked=(Ranked(situation=one, probability=likely),))
+
+
+def test_a_reading_without_a_road_user_that_was_said_is_served_only_as_a_part() -> None:
+    part = replace(RANKED[0].situation, evidence=Evidence(open=("pedestrian",)))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(LearnedReader, "read", lambda _reader, _text: _lacking(0.99))  # pyright: ignore[reportUnknownLambdaType]
+        assert "the reading (confidence 99%) has nobody for 'pedestrian'" in str(refusal(TEXT, RetrievalSettings()))
+        assert filled(TEXT, RetrievalSettings(reading=1)).told == told_of(RANKED[0].situation)
+    with pytest.MonkeyPatch.context() as patch:
+        read = _lacking(0.6, Ranked(situation=part, probability=0.8))
+        patch.setattr(LearnedReader, "read", lambda _reader, _text: read)  # pyright: ignore[reportUnknownLambdaType]
+        made = filled(TEXT, RetrievalSettings())
+    assert "left open, since it is not sure enough: “pedestrian”" in made.told_first
+    assert made.readings == ()
+
+
+def test_a_third_reading_is_offered_by_a_refusal_if_it_is_not_much_fainter_than_the_first() -> None:
+    assert [one.number for one in refusal(TEXT).readings] == [1, 2, 3]
+    fainter = (*RANKED[:2], replace(RANKED[2], probability=0.05))
+    assert [one.number for one in offered(fainter, STRICT)] == [1, 2]
 
 
 def test_no_part_is_served_that_has_otherwise_what_the_user_states() -> None:

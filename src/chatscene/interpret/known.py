@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from chatscene.errors import NothingFits, OfferedReading, SettingsError, SituationError
+from chatscene.read.users_unread import users_unread
 from chatscene.settings import MOST_READINGS, OFFLINE, RetrievalSettings
 from chatscene.situations.facts import said_in, with_fact
 from chatscene.situations.main_facts import same_in_the_main
@@ -16,6 +17,8 @@ from chatscene.terms.situation import Situation
 SURE = 0.75  # of a text as likely to be read rightly as this, no other readings are told
 SURE_IN_PART = 0.7  # from here on a part of a text is served where the whole is not sure enough
 FAINTEST = 0.005  # a reading less likely than this is not offered
+_BESIDE_SERVED = 2  # readings that are told where something is served
+_FAINT = 0.1  # a further reading is offered from this share of the probability of the likeliest on
 
 WithFacts = Callable[[Situation], Situation]
 """Sets what a user stated in a situation."""
@@ -82,6 +85,14 @@ def taken(
     return ranked[max(settings.reading, 1) - 1], ranked
 
 
+def lacked(read: SituationReading, one: Ranked) -> tuple[str, ...]:
+    """The words of a text that name a road user whom a reading of the offline reader has not: it is not the whole.
+
+    What a language model reads is not held against its text so.
+    """
+    return users_unread(one.situation, read.text) if read.reader == OFFLINE else ()
+
+
 def taken_in_part(
     read: SituationReading,
     with_facts: WithFacts,
@@ -115,13 +126,18 @@ def offered(
 ) -> tuple[OfferedReading, ...]:
     """What a user may choose between, by its number, the likeliest first; only what can be built.
 
+    Beside what is served these are of the two likeliest; else of the three, the third if it is not much fainter.
+
     Args:
         ranked: All readings, the likeliest first.
         settings: Below which probability none is sure.
         cannot_build: Why a situation cannot be built; empty if it can.
         served: The one that is served, which is not offered; None where none is.
     """
-    numbered = [(number, one) for number, one in enumerate(ranked[:MOST_READINGS], 1) if one is not served]
+    most = MOST_READINGS if served is None else _BESIDE_SERVED
+    faintest = max(FAINTEST, _FAINT * ranked[0].probability) if ranked else FAINTEST
+    is_told = told(served.situation) if served is not None else ""
+    numbered = [(number, one) for number, one in enumerate(ranked[:most], 1) if told(one.situation) != is_told]
     return tuple(
         OfferedReading(
             number=number,
@@ -130,7 +146,7 @@ def offered(
             settled_by=_settling(one, ranked, settings),
         )
         for number, one in numbered
-        if one.probability >= FAINTEST and not cannot_build(one.situation)
+        if one.probability >= (FAINTEST if number <= _BESIDE_SERVED else faintest) and not cannot_build(one.situation)
     )
 
 

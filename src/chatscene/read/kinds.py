@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from functools import lru_cache
 
 from chatscene.situations.phrases import KINDS
@@ -36,6 +37,15 @@ def named_in(words: str) -> frozenset[UserKind]:
     """The road users of which words have a noun, but for what stands for several kinds and for things."""
     exact = (kind for kind in UserKind if not (kind.row.general or kind.row.prop))
     return frozenset(kind for kind in exact if is_named(kind, words))
+
+
+def names_another(words: str, there: Iterable[UserKind]) -> bool:
+    """Whether words name a road user or a thing of a kind that nobody of some is or may be."""
+    kinds = frozenset(there)
+    if any(kind.row.general for kind in kinds):
+        return False
+    named = named_in(words)
+    return bool(named) and not {kind.row.body for kind in named} & {kind.row.body for kind in kinds}
 
 
 def _has(words: str, noun: str) -> bool:

@@ -64,6 +64,12 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
 
     Words that stand in the text several times are read wherever they stand: nobody says which of them was meant.
     """
+    told = dict.fromkeys(" ".join(text[start:end].split()) for start, end in unread_spans(situation, text))
+    return tuple(sorted(told, key=lambda run: -max(tells(word) for word in run.split())))
+
+
+def unread_spans(situation: Situation, text: str) -> list[Span]:
+    """Where the words that are in no quote of a situation stand, each run of them; see `unread`."""
     read = bytearray(len(text))
     quoted = (span for words in situation.evidence.quoted.values() for span in spans_of(words, text))
     for start, end in (*quoted, *_units_read(situation, text)):
@@ -87,8 +93,7 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
         else:
             runs.append(word.span())
         open_run = True
-    told = dict.fromkeys(" ".join(text[start:end].split()) for start, end in runs)
-    return tuple(sorted(told, key=lambda run: -max(tells(word) for word in run.split())))
+    return runs
 
 
 def _units_read(situation: Situation, text: str) -> tuple[Span, ...]:
@@ -143,12 +148,12 @@ def left_over(situation: Situation) -> tuple[str, ...]:
 def not_in_words(situation: Situation) -> tuple[str, ...]:
     """What a situation lacks of its text, and what it has beyond it, in lines for a person."""
     over = ", ".join(map(repr, left_over(situation)))
-    besides = " ".join(situation.evidence.open)
+    besides = ", ".join(f"“{one}”" for one in situation.evidence.open)
     facts = ", ".join(f"{path}: {value}" for path, value in said_in(situation) if path in situation.evidence.assumed)
     return (
         *([MIRRORED] if situation.evidence.mirrored else []),
         *_who_is_who(situation),
-        *([f"left open, since it is not sure enough: “{besides}”"] if besides else []),
+        *([f"left open, since it is not sure enough: {besides}"] if besides else []),
         *([f"not read: {over}"] if over else []),
         *otherwise_named(situation),
         *([f"no words of the text say {facts}"] if facts else []),

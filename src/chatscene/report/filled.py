@@ -9,7 +9,7 @@ from typing import Any
 from chatscene.build.build import Built, build
 from chatscene.errors import EditRefused, NotBuilt, NothingFits, OfferedReading, SettingsError, SituationError, no_such
 from chatscene.files.caches import cache_folder
-from chatscene.interpret.known import SURE, WithFacts, offered, taken, taken_in_part
+from chatscene.interpret.known import SURE, WithFacts, lacked, offered, taken, taken_in_part
 from chatscene.interpret.readers import is_model, reader_of
 from chatscene.interpret.stated import FACTS, facts_stated, in_text, with_named
 from chatscene.read.quotes import otherwise_named, words_of
@@ -227,7 +227,7 @@ def _read(
 
     read = reader_of(settings, cannot_build_so).read(text)
     one, ranked = taken(read, with_facts, settings)
-    if not settings.reading and one.probability < settings.refuse_below:
+    if not settings.reading and (one.probability < settings.refuse_below or lacked(read, one)):
         part = taken_in_part(read, with_facts, settings, cannot_build)
         if part is None:
             raise _unsure(read, ranked, settings, cannot_build)
@@ -266,6 +266,8 @@ def _unsure(
     """Why a text is refused of which it is not sure enough what it says."""
     sure = ranked[0].probability
     said = f"the reading is too uncertain (confidence {sure:.0%}; {settings.refuse_below:.0%} is needed)"
+    if sure >= settings.refuse_below:
+        said = f"the reading (confidence {sure:.0%}) has nobody for {', '.join(map(repr, lacked(read, ranked[0])))}"
     unread = (f"no fact was read in {', '.join(map(repr, read.unread))}",) if read.unread else ()
     readings, likeliest = offered(ranked, settings, cannot_build), ranked[0].situation
     why = "" if readings else cannot_build(likeliest)  # else nothing says why there is no reading to choose

@@ -8,7 +8,7 @@ from itertools import count
 
 import numpy as np
 
-from chatscene.read.kinds import named_in
+from chatscene.read.kinds import names_another
 from chatscene.read.learned.decoder import Written
 from chatscene.read.learned.grammar import Token, grammar
 from chatscene.read.learned.numbers import Found
@@ -100,13 +100,9 @@ def _strangers(written: Written, spans: Sequence[_Word]) -> tuple[int, ...]:
     """The numbers of the words that name a road user of a kind that nobody in a situation is or may be."""
     told = [step.token for step in written.steps if step.token is not None and step.token[0] in _KINDS]
     kinds = {UserKind(word) for _, word in told}
-    if any(kind.row.general for kind in kinds):
-        return ()
     if not any(field == _KINDS[0] for field, _ in told):
         kinds.add(UserKind.CAR)  # the ego
-    bodies = {kind.row.body for kind in kinds}
-    named = ((i, named_in(word[2])) for i, word in enumerate(spans))
-    return tuple(i for i, some in named if some and not {kind.row.body for kind in some} & bodies)
+    return tuple(i for i, word in enumerate(spans) if names_another(word[2], kinds))
 
 
 def _within(spans: Sequence[_Word], amounts: Iterable[Found]) -> set[int]:

@@ -20,6 +20,7 @@ from chatscene.read.learned.text import Read, prepared
 from chatscene.read.learned.weights import PACKAGED, load
 from chatscene.read.quotes import is_a_duty, unread, without_words
 from chatscene.read.reader import check_text
+from chatscene.read.users_unread import users_unread
 from chatscene.settings import OFFLINE
 from chatscene.situations.facts import is_said
 from chatscene.situations.faults import Malformed
@@ -235,9 +236,11 @@ def parts_read(ranked: Sequence[Ranked]) -> tuple[Ranked, ...]:
 
 
 def _told_in_part(part: Situation, whole: Situation) -> Situation:
-    """A part with its own evidence, and with what else the whole tells as left open."""
+    """A part with its own evidence, and with what is left open: whom neither has, and what else the whole tells."""
     quoted = {path: words for path, words in part.evidence.quoted.items() if is_said(part, path)}
-    made = replace(part, evidence=Evidence(quoted=quoted, open=left_open(part, whole)))
+    nobody = set(users_unread(whole, whole.about))
+    named = (word for word in users_unread(part, part.about) if word in nobody)
+    made = replace(part, evidence=Evidence(quoted=quoted, open=(*named, *left_open(part, whole))))
     return replace(made, evidence=replace(made.evidence, assumed=without_words(made)))
 
 
