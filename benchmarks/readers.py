@@ -26,7 +26,7 @@ import click
 from labelled import TEXTS, auc, labelled
 
 from chatscene.errors import ChatSceneError
-from chatscene.interpret.known import lacked, taken_in_part
+from chatscene.interpret.known import taken_in_part
 from chatscene.interpret.situation_of import in_a_situation
 from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.read.by_model import situation_in
@@ -35,6 +35,7 @@ from chatscene.read.learned.reader import LearnedReader
 from chatscene.read.learned.sequence import with_plain_names
 from chatscene.read.learned.weights import PACKAGED
 from chatscene.read.reader import Reader
+from chatscene.report.filled import lacked
 from chatscene.settings import RetrievalSettings
 from chatscene.situations.facts import said_in
 from chatscene.situations.faults import Malformed

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from chatscene.errors import NothingFits, OfferedReading, SettingsError, SituationError
-from chatscene.read.users_unread import users_unread
 from chatscene.settings import MOST_READINGS, OFFLINE, RetrievalSettings
 from chatscene.situations.facts import said_in, with_fact
 from chatscene.situations.main_facts import same_in_the_main
@@ -83,14 +82,6 @@ def taken(
     if settings.reading > len(ranked):
         raise SettingsError(f"there is no reading {settings.reading} of this text; {read.reader} gives {len(ranked)}")
     return ranked[max(settings.reading, 1) - 1], ranked
-
-
-def lacked(read: SituationReading, one: Ranked) -> tuple[str, ...]:
-    """The words of a text that name a road user whom a reading of the offline reader has not: it is not the whole.
-
-    What a language model reads is not held against its text so.
-    """
-    return users_unread(one.situation, read.text) if read.reader == OFFLINE else ()
 
 
 def taken_in_part(

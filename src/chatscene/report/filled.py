@@ -9,10 +9,11 @@ from typing import Any
 from chatscene.build.build import Built, build
 from chatscene.errors import EditRefused, NotBuilt, NothingFits, OfferedReading, SettingsError, SituationError, no_such
 from chatscene.files.caches import cache_folder
-from chatscene.interpret.known import SURE, WithFacts, lacked, offered, taken, taken_in_part
+from chatscene.interpret.known import SURE, WithFacts, offered, taken, taken_in_part
 from chatscene.interpret.readers import is_model, reader_of
 from chatscene.interpret.stated import FACTS, facts_stated, in_text, with_named
 from chatscene.read.quotes import otherwise_named, words_of
+from chatscene.read.users_unread import users_unread
 from chatscene.report.stated import Editor, Stated, built_of, stated, with_edits
 from chatscene.report.understood import NO_EDITS, Understood, understand
 from chatscene.settings import OFFLINE, PAPER_READER, RetrievalSettings, Settings
@@ -233,6 +234,14 @@ def _read(
             raise _unsure(read, ranked, settings, cannot_build)
         return read, part, ranked
     return read, one, ranked
+
+
+def lacked(read: SituationReading, one: Ranked) -> tuple[str, ...]:
+    """The words of a text that name a road user whom a reading of the offline reader has not: it is not the whole.
+
+    What a language model reads is not held against its text so.
+    """
+    return users_unread(one.situation, read.text) if read.reader == OFFLINE else ()
 
 
 def _stating(facts: Mapping[str, object], settings: RetrievalSettings) -> WithFacts:
