@@ -268,8 +268,8 @@ class Evidence(_Closed):
     Attributes:
         quoted: By the path of a fact, as ``others.A.kind``, or of a whole, as ``others.A``, the words that give it.
         assumed: The paths of facts that no words give.
-        open: What the text may tell besides, of which its reader was not sure enough: road users by their words, the rest in
-            sentences.
+        open: What the text may tell besides, of which its reader was not sure enough: road users by their words, the
+            rest in sentences.
         mirrored: Whether left and right of the text are swapped, as it is of left-hand traffic.
         keeps_left: Whether sides are as on a map that keeps to the left: those of the kerb are swapped for it already.
     """
