@@ -94,3 +94,10 @@ def test_what_does_not_go_together_is_not_laid() -> None:
 
 def test_a_map_that_was_named_is_kept() -> None:
     assert made("driveway", "enter", side="right", map="town").map == "town"
+
+
+def test_who_comes_from_a_side_road_may_run_its_stop_sign_where_the_ego_has_priority() -> None:
+    runs = {"act": "enter", "breaks": "stop-sign"}
+    one = {"id": "A", "kind": "car", "starts": {"where": "arm", "side": "right"}, "does": [runs]}
+    built = build(from_plain({"road": {"kind": "junction", "control": "priority"}, "others": [one]}))
+    assert not any("stop" in told or "sign" in told for told in (*built.assumed, *built.left_out))

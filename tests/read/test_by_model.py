@@ -274,3 +274,10 @@ def test_words_that_are_quoted_for_a_part_of_which_nothing_is_said_are_told_as_n
     reply = {"verdict": "situation", "reason": "", "situation": {"others": [dog], "evidence": {"quoted": quoted}}}
     read = ModelReader(CheckedModel(Scripted([reply]), limits=Limits(reasks=0))).read(text)
     assert list(read.ranked[0].situation.evidence.quoted) == ["others.A"]
+
+
+def test_an_ego_that_is_said_to_be_a_vehicle_is_one_by_itself() -> None:
+    said = changed(lambda said: said.update(ego={"kind": "vehicle", "speed": "40 km/h"}))
+    reader, script = asked(said)
+    ego = reader.read(TEXT).ranked[0].situation.ego
+    assert (ego.kind, ego.speed, len(script.asked)) == (None, Speed.of("40 km/h"), 1)

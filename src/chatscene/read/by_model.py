@@ -24,6 +24,7 @@ from chatscene.situations.form import parsed
 from chatscene.terms.amount import Amount
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Deed, Ego, Road, Situation, Start, When
+from chatscene.terms.vocabulary import UserKind
 
 LIMITS = Limits(reply_tokens=2048)  # a situation of four road users with three deeds each has some 1,500
 LONGEST_REASON = 300  # characters of a model's own words that a message repeats
@@ -141,7 +142,7 @@ def situation_in(written: dict[str, Any] | None) -> Situation:
     """
     if not written:
         raise Malformed([Fault(("situation",), "is missing")])
-    said = {name: value for name, value in _said(written).items() if name not in _NOT_THE_MODELS}
+    said = _as_default({name: value for name, value in _said(written).items() if name not in _NOT_THE_MODELS})
     if bare := list(_without_unit(said, ())):
         raise Malformed(
             Fault(path, f"{value!r} has no unit; write it as in '50 km/h', '20 m', '2 s'") for path, value in bare
@@ -150,6 +151,14 @@ def situation_in(written: dict[str, Any] | None) -> Situation:
     if not situation.others:
         raise Malformed([Fault(("others",), "nobody is there whom the ego meets; without one there is no situation")])
     return situation
+
+
+def _as_default(said: dict[str, Any]) -> dict[str, Any]:
+    """The same without a kind of the ego that says no more than nothing: it is a vehicle by itself."""
+    ego = said.get("ego")
+    if not isinstance(ego, dict) or cast("dict[str, Any]", ego).get("kind") != UserKind.VEHICLE:
+        return said
+    return {**said, "ego": {name: one for name, one in cast("dict[str, Any]", ego).items() if name != "kind"}}
 
 
 def _said(value: Any) -> Any:

@@ -155,7 +155,8 @@ def _of_deed(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
         some = ", ".join(act for act in Act if act.row.sided)
         yield Fault((*at, "to"), f"{deed.act!s} has no side, so leave this out; {some} have one")
     ruled = RULED_BY.get(deed.breaks) if deed.breaks is not None else None
-    theirs = deed.breaks is Breach.STOP_SIGN and situation.road.control is RightOfWay.NONE  # whoever comes has the sign
+    at_side = situation.road.control in (RightOfWay.NONE, RightOfWay.PRIORITY)
+    theirs = deed.breaks is Breach.STOP_SIGN and at_side  # whoever comes has the sign
     if ruled is not None and situation.road.control not in (None, ruled) and not theirs:
         yield Fault((*at, "breaks"), f"there is no {deed.breaks!s} with road.control: {situation.road.control}")
     if deed.whom is not None:
