@@ -44,6 +44,7 @@ from chatscene.build.rates import at_a_rate
 from chatscene.build.relations import ALONG as ALONG_EGO
 from chatscene.build.sideways import takes_long
 from chatscene.build.towards import done_to
+from chatscene.build.turning_round import TURNS_AT
 from chatscene.errors import NothingBuilds
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import ASIDE, COMES_IN, GOES_ON, Act, Heads, Role, Where, acts_of
@@ -52,7 +53,6 @@ if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 CLEAR, OUT = 0.2, 2.8  # [m] between two of whom one has pulled out; that it is aside at most for that
-TURNS_AT = 3.0  # [m/s²], sideways, of who turns round
 _ASIDE = ASIDE | acts_of(Heads.SWINGS, Heads.OVER, Heads.OUT)
 _ON_THE_ROAD = NEXT_LANE | {Where.AHEAD}
 _COMES_BACK = acts_of(Heads.BEFORE, Heads.OVER, Heads.MERGES)

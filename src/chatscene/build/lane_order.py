@@ -8,10 +8,10 @@ from collections.abc import Iterator, Sequence
 from chatscene.build.actor import Actor
 from chatscene.build.aside import avoids, seconds_aside
 from chatscene.build.asked import ROOM, Meets, stands_first
-from chatscene.build.local import WIDER
 from chatscene.build.numbers import Numbers
 from chatscene.build.revealed import shows_slow
 from chatscene.build.towards import done_to, screens
+from chatscene.build.turning_round import WIDER
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Other
 from chatscene.terms.vocabulary import COMES_IN, COMES_OVER, SIDEWAYS, SLOWS, Role, Where

@@ -11,6 +11,7 @@ import shapely
 
 from chatscene.build.asked import Meets
 from chatscene.build.place import LANE, at_roundabout, only_side_signs, ring_arms
+from chatscene.build.turning_round import WIDER
 from chatscene.errors import MapError, NotBuilt, NothingBuilds
 from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import Limits
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 KERB_ASIDE = 2.5  # [m] from the middle of the outermost lane to that of who stands at the kerb
-WIDER = 1.15  # times its smallest circle, which it does not reach at once
 NEAR_EDGE = 0.2  # [m] from the edge of the road that somebody stands who turns round in three
 BACKS = 6.0  # [m] at most that it backs
 _TURNS = tuple(math.radians(turn) for turn in range(100, 30, -5))

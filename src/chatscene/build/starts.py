@@ -36,6 +36,7 @@ from chatscene.build.place import (
 from chatscene.build.relations import falls_behind, goes_with, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
 from chatscene.build.timing import Body
+from chatscene.build.turning_round import so_far_ahead
 from chatscene.errors import NoSuchPlace, NotBuilt, NothingBuilds
 from chatscene.maps.equipment import bus_bay
 from chatscene.terms.backing import backs
@@ -281,7 +282,9 @@ def _level(asked: Asked) -> tuple[float, float]:
         return before
     if where is Where.BESIDE:
         return _beside(asked)
-    if where is Where.AHEAD_BESIDE:
+    if (before := so_far_ahead(asked)) is not None:
+        low, high = before
+    elif where is Where.AHEAD_BESIDE:
         low, high = (38.0 * asked.found.further, 56.0 * asked.found.further) if stands else (8.0, 18.0)
     elif asked.one.role is Role.SUPPORTING and _changes_to(asked.situation, asked.side):
         return asked.middles + CAREFUL[0] * asked.ego.speed, asked.middles + CAREFUL[1] * asked.ego.speed
