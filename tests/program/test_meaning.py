@@ -349,3 +349,13 @@ def test_a_change_of_lanes_is_one_however_much_road_it_takes(over: float) -> Non
     assert maneuver_of(route) is Maneuver.LANE_CHANGE_LEFT
     straight = Polyline(np.column_stack([x, 0.0 * x]))
     assert maneuver_of(replace(route, line=straight)) is Maneuver.STRAIGHT
+
+
+def test_a_turn_is_one_at_the_junction_however_the_road_bends_before_and_after_it() -> None:
+    turn = np.linspace(0.0, math.pi / 2, 10)
+    left = np.column_stack([20.0 + 8.0 * np.sin(turn), 8.0 - 8.0 * np.cos(turn)])
+    back = np.column_stack([58.0 - 30.0 * np.cos(turn), 30.0 + 30.0 * np.sin(turn)])  # to the right again
+    line = Polyline(np.concatenate([[(0.0, 0.0), (10.0, 0.0)], left, back]))
+    route = replace(ROUTE, place=Place.FOUR_WAY, junction="i1", line=line, event_at=19.0, exit_at=35.0)
+    assert maneuver_of(route) is Maneuver.LEFT_TURN
+    assert maneuver_of(replace(route, exit_at=None)) is Maneuver.STRAIGHT  # nobody asked where the junction ends

@@ -124,8 +124,8 @@ def maneuver_of(route: Route) -> Maneuver:
         return route.maneuver
     heading = headings(route.line)
     turned = float(heading[-1] - heading[0])
-    if route.junction is not None and abs(turned) > math.radians(45):
-        return Maneuver.LEFT_TURN if turned > 0 else Maneuver.RIGHT_TURN
+    if route.junction is not None and abs(across := _turned_across(route, turned)) > math.radians(45):
+        return Maneuver.LEFT_TURN if across > 0 else Maneuver.RIGHT_TURN
     even = heading[0] + turned * np.linspace(0.0, 1.0, len(heading))
     swings = route.maneuver in _LEAVES or np.abs(heading - even).max() > _SWINGS  # a fast ego changes lanes slantingly
     if route.junction is None and route.place is not Place.CURVE and swings:
@@ -135,6 +135,22 @@ def maneuver_of(route: Route) -> Maneuver:
         if abs(over[-1]) > 1.5:
             return Maneuver.LANE_CHANGE_LEFT if over[-1] > 0 else Maneuver.LANE_CHANGE_RIGHT
     return Maneuver.STRAIGHT
+
+
+def _turned_across(route: Route, turned: float) -> float:
+    """How far a route turns at its junction [rad, positive = left]: the road may bend before and after it.
+
+    Args:
+        route: One with a junction.
+        turned: How far it turns from its beginning to its end, which counts where nobody asked where its junction
+            ends, and for one that was found for a turn and turns behind the junction, as on a slip road.
+    """
+    if route.exit_at is None:
+        return turned
+    into, out = (float(route.line.heading_at(at)) for at in (route.event_at, route.exit_at))
+    across = math.remainder(out - into, math.tau)
+    late = route.maneuver in (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN) and abs(across) < math.radians(45)
+    return turned if late else across
 
 
 def _route_failures(slots: Slots, route: Route) -> list[str]:
