@@ -159,7 +159,7 @@ def test_a_number_that_was_said_is_a_number_of_the_program() -> None:
 def test_a_number_that_no_body_can_do_is_refused_with_what_it_can() -> None:
     numbers = Numbers("A", AdversaryKind.BICYCLE.row)
     with pytest.raises(
-        NotBuilt, match=r"others\.A\.starts\.speed: 80 km/h is more than a cyclist can do: at most 11\.4 m/s"
+        NotBuilt, match=r"others\.A\.starts\.speed: 80 km/h is more than a cyclist can do: at most 41 km/h"
     ):
         numbers.bind("SPEED", Speed.of("80 km/h"), "others.A.starts.speed")
     with pytest.raises(

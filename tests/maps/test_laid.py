@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 
@@ -30,6 +31,7 @@ EVERY = (
     "road:1+1,along=rural,driveway=right",
     "road:1+1,bus-bay",
     "road:3+2,drop",
+    "road:2+1,drop",
     "road:1+1,cycle-lane,crosswalk",
     "road:2+1,bus-lane",
 )
@@ -62,6 +64,14 @@ def test_words_may_come_in_any_order_and_give_the_same_file() -> None:
         ("road:1+1,bend=left-5", "a bend has a radius of 30 to 3000 m"),
         ("road:1+1,signs=stop", "signs stand at a junction"),
         ("road:1+1,lane=nan", "a lane is 2.5 to 6 m wide"),
+        (f"road:1+1,length={10**400}", "it is 300 to 5000 m long"),
+        ("road:1+1,lane=3,lane=4", "'lane' is said twice; say it once"),
+        ("road:2+2,drop,crosswalk", "nothing else lies along a road of which a lane ends"),
+        ("road:2+2,drop,parking=both", "nothing else lies along a road of which a lane ends"),
+        ("road:1+1,bus-bay,parking=left", "one parks beside no road that has a bay for buses"),
+        ("road:1+1,junction=four,driveway=left", "a driveway leads off between junctions"),
+        ("road:6+6,lane=6,bend=left-30", "what lies inside its bend is wider than the bend's radius"),
+        ("road:2+6,median=30,bend=left-40", "what lies inside its bend is wider than the bend's radius"),
     ],
 )
 def test_a_name_that_says_no_road_is_refused_with_the_word(name: str, why: str) -> None:
@@ -109,6 +119,12 @@ def test_a_driveway_lies_on_the_side_that_was_said_where_the_route_says(side: Si
         at, left, _ = route.line.project(area.centroid.x, area.centroid.y)
         assert at == pytest.approx(route.event_at + 2.5, abs=1.0)
         assert (left > 0.0) is (side is Sides.LEFT)
+
+
+def test_only_the_lane_that_was_said_ends_and_none_the_other_way() -> None:
+    for name in ("road:2+1,drop", "road:2+2,drop", "road:2+2,median=4,drop"):
+        lanes = ElementTree.fromstring(laid(road_of(name))).iter("lane")
+        assert [one.get("id") for one in lanes if any(width.get("a") == "0" for width in one.iter("width"))] == ["-2"]
 
 
 def test_a_bend_has_the_radius_that_was_said() -> None:

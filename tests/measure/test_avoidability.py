@@ -97,6 +97,27 @@ def test_nobody_is_a_risk_while_a_thing_hides_them() -> None:
     assert hidden > seen
 
 
+def test_without_occlusion_only_things_at_the_roadside_hide_from_a_careful_driver() -> None:
+    walker = track("adversary", Role.ADVERSARY, 30.0, -4.0, math.pi / 2, 1.2)
+    lorry = replace(track("lorry", Role.BACKGROUND, 26.0, -3.4, 0.0, 0.0), kind="Truck")
+    alone, seen, hidden = (
+        risk_step(episode(walker, *others, crash_at=34), EAST, occlusion=occlusion)
+        for others, occlusion in (((), False), ((lorry,), False), ((replace(lorry, role=Role.OCCLUDER),), False))
+    )
+    assert alone is not None
+    assert seen == alone
+    assert hidden is not None
+    assert hidden > alone
+    assert risk_step(episode(walker, lorry, crash_at=34), EAST) != seen
+
+
+@pytest.mark.parametrize("name", ["native", "embedded", "confined"])
+def test_a_simulator_says_whether_bodies_hide_others(name: str) -> None:
+    for occlusion in (True, False):
+        settings = SimulationSettings(simulator=name, occlusion=occlusion)
+        assert load_simulator(resolve_map("town"), settings).identity.occlusion is occlusion
+
+
 def test_without_a_crash_there_is_no_risk_to_speak_of() -> None:
     calm = replace(episode(crash_at=0), events=())
     assert risk_step(calm, EAST) is None

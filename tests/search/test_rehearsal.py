@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -14,7 +15,7 @@ from chatscene.ego.policy import EgoPolicy, load_ego, name_of
 from chatscene.errors import ProgramError
 from chatscene.maps.network import resolve_map
 from chatscene.program.sample import scene_at
-from chatscene.program.together import apart
+from chatscene.program.together import Late, apart
 from chatscene.report.stated import explain_stated
 from chatscene.search import rehearsal
 from chatscene.search.generators.situated import Situated
@@ -234,6 +235,25 @@ def test_who_comes_the_other_way_is_level_with_who_pulls_out_as_the_ego_is_there
     assert late["B"].seconds > 0.0
     assert late["B"].metres > 8.0 * late["B"].seconds
     assert not apart(situation, driven(rehearsed(build(situation), situation)))
+
+
+def test_who_is_in_time_by_its_place_is_not_shifted_in_time_as_well(monkeypatch: pytest.MonkeyPatch) -> None:
+    program = build(said("pedestrian", "roadside", "cross", side="right")).program
+    mine = {one.unit: one for one in program.parameters if "_A_" in one.name}
+    assert {"m", "s"} < {*mine}
+    late = rehearsal._Tried(  # pyright: ignore[reportPrivateUsage]
+        program=program, missing=((),), values=({},), late=({"A": Late(seconds=1.0, metres=2.0)},)
+    )
+    shifted: list[ScenicProgram] = []
+
+    def in_time(self: Any, program: ScenicProgram, *_: Any) -> Any:
+        shifted.append(program)
+        return replace(late, program=program, late=({},))
+
+    monkeypatch.setattr(rehearsal._Stage, "nearer", in_time)  # pyright: ignore[reportPrivateUsage]
+    stage = rehearsal._Stage.of(build(said("car", "ahead", "brake")), said("car", "ahead", "brake"), 16)  # pyright: ignore[reportPrivateUsage]
+    best = rehearsal._together(stage, late, ())  # pyright: ignore[reportPrivateUsage]
+    assert [best.program] == shifted
 
 
 def driven(built: Built) -> Episode:

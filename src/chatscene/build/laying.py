@@ -67,6 +67,8 @@ def road_for(situation: Situation) -> LaidRoad | None:
     has = {*road.has}
     narrow = Feature.NARROW in has and ahead == 1
     junction = _meets(situation) if at_junction(situation) else None
+    drop = junction is None and (Feature.LANE_DROP in has or situation.ego.route is EgoRoute.MERGE)
+    bay = junction is None and not drop and (Feature.BUS_BAY in has or Where.BUS_BAY in places)
     divided = bool(back) and (_is_divided(situation) or along is Along.MOTORWAY)
     try:
         return LaidRoad(
@@ -77,14 +79,14 @@ def road_for(situation: Situation) -> LaidRoad | None:
             speed=_speed(situation),
             median=(MOTORWAY_MEDIAN if along is Along.MOTORWAY else MEDIAN) if divided else 0.0,
             shoulder=HARD_SHOULDER if Feature.SHOULDER in has and along is not Along.MOTORWAY else 0.0,
-            parking=_parking(has),
+            parking=None if drop or bay else _parking(has),
             cycle_lane=Feature.CYCLE_LANE in has,
             bus_lane=Feature.BUS_LANE in has,
             bend=_bend(situation) if road.kind in _BENDS and junction is None else None,
-            crosswalk=Feature.CROSSWALK in has or bool(places & AT_CROSSWALKS),
-            bus_bay=(Feature.BUS_BAY in has or Where.BUS_BAY in places) and junction is None,
-            driveway=_driveway(situation) if junction is None else None,
-            drop=Feature.LANE_DROP in has or (situation.ego.route is EgoRoute.MERGE and junction is None),
+            crosswalk=not drop and (Feature.CROSSWALK in has or bool(places & AT_CROSSWALKS)),
+            bus_bay=bay,
+            driveway=_driveway(situation) if junction is None and not drop else None,
+            drop=drop,
             junction=junction,
             signs=_signs(situation) if junction is not None else None,
             length=_length(situation, junction=junction is not None),

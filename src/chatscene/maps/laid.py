@@ -148,6 +148,7 @@ class LaidRoad:
 
     def _faults(self) -> tuple[tuple[bool, str], ...]:
         radius = TIGHTEST if self.bend is None else self.bend.radius
+        taken = self.parking or self.crosswalk or self.bus_bay or self.driveway
         return (
             (not 1 <= self.ahead <= MOST_LANES, f"it has 1 to {MOST_LANES} lanes ahead"),
             (not 0 <= self.back <= MOST_LANES, f"it has 0 to {MOST_LANES} lanes back"),
@@ -164,8 +165,19 @@ class LaidRoad:
             (self.bend is not None and self.junction is not None, "no junction lies in a bend"),
             (self.junction is not None and not self.back, "a junction is on a road of two directions"),
             (self.drop and (self.ahead < 2 or self.bend is not None or self.junction is not None), _DROP),
+            (self.drop and bool(taken), "nothing else lies along a road of which a lane ends"),
+            (self.bus_bay and self.parking is not None, "one parks beside no road that has a bay for buses"),
+            (self.driveway is not None and self.junction is not None, "a driveway leads off between junctions"),
+            (radius <= self._inside(), "what lies inside its bend is wider than the bend's radius"),
             (self.bus_bay and (self.bend is not None or self.junction is not None), "a bay lies on a straight road"),
         )
+
+    def _inside(self) -> float:
+        """How far [m] from the middle of its bend what lies inside of that goes; 0 without one."""
+        if self.bend is None:
+            return 0.0
+        lanes = self.back if self.bend.left else self.ahead
+        return lanes * self.lane + self.median / 2 + max(self.shoulder, HARD_SHOULDER) + SIDEWALK
 
     def __str__(self) -> str:
         """Its name, the same for the same road."""
@@ -174,15 +186,13 @@ class LaidRoad:
             value = getattr(self, one.name)
             if one.name not in ("ahead", "back") and value != one.default:
                 word = one.name.replace("_", "-")
-                said.append(word if value is True else f"{word}={value:g}" if _is_number(value) else f"{word}={value}")
+                said.append(
+                    word if value is True else f"{word}={value:g}" if isinstance(value, float) else f"{word}={value}"
+                )
         return PREFIX + ",".join(said)
 
 
 _DROP = "a lane ends beside another, on a straight road without a junction"
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, int | float)
 
 
 def _bend(said: str) -> Bend:
@@ -227,6 +237,8 @@ def road_of(name: str) -> LaidRoad:
         raise MapError(f"map {name!r}: {lanes!r} says no lanes; say road:1+1 for one each way") from error
     for one in words:
         word, has_value, value = one.partition("=")
+        if word.replace("-", "_") in said:
+            raise MapError(f"map {name!r}: {word!r} is said twice; say it once")
         try:
             said[word.replace("-", "_")] = _READ[word](value) if has_value else dict.fromkeys(_PLAIN, True)[word]
         except (KeyError, ValueError) as error:
@@ -370,7 +382,7 @@ def _street(road: LaidRoad, street: Street, length: float) -> Street:
     )
     middle = length / 2
     if road.bus_bay:
-        bays = (Bay(use=Use.BUS, right=True, start=middle - DRIVEN, end=middle - DRIVEN + _BUS, width=3.0), *bays[:0])
+        bays = (Bay(use=Use.BUS, right=True, start=middle - DRIVEN, end=middle - DRIVEN + _BUS, width=3.0),)
     return replace(
         street,
         lane=road.lane,
@@ -410,8 +422,8 @@ def _dropping(road: LaidRoad, street: Street) -> tuple[Street, ...]:
     first = road.length * 0.6
     joint = (street.start_at[0] + first, street.start_at[1])
     ends = (first - _DROPS - 20.0, first - 20.0)
-    before = replace(street, end=3, end_at=joint, ceases=ends, bays=(), crosswalks=(), driveways=())
-    beyond = replace(street, id=3, start=1, start_at=joint, lanes=road.ahead - 1, bays=(), crosswalks=(), driveways=())
+    before = replace(street, end=3, end_at=joint, ceases=ends, one_sided=True)
+    beyond = replace(street, id=3, start=1, start_at=joint, lanes=road.ahead - 1)
     return before, beyond
 
 

@@ -44,7 +44,7 @@ WANDERING = 0.375  # [m] beside a vehicle that its wandering in its lane takes u
 HORIZON = 3.0  # [s] a driver looks ahead; braking from 50 km/h takes 1.15 + 0.6 + 1.5 s
 
 
-def risk_step(episode: Episode, route: Polyline) -> int | None:
+def risk_step(episode: Episode, route: Polyline, *, occlusion: bool = True) -> int | None:
     """The step at which the actor that the ego will hit becomes a risk, and stays one while it is judged.
 
     It is a risk if both, going on as they do, will touch within `HORIZON`: the ego along its route at its present
@@ -53,6 +53,8 @@ def risk_step(episode: Episode, route: Polyline) -> int | None:
     Args:
         episode: A drive with a collision.
         route: The ego's.
+        occlusion: Whether all bodies hide others, from the ego as well; else only things at the roadside do, which is
+            what the drivers of runs without occlusion are judged by.
 
     Returns:
         The step, or None if it never was a risk, or there was no collision.
@@ -62,7 +64,7 @@ def risk_step(episode: Episode, route: Polyline) -> int | None:
         return None
     other = next(track for track in episode.tracks if track.actor == crash.other)
     judged = math.ceil(RISK_EVALUATION / episode.dt)
-    seen, native = _visible(episode, other), engine()
+    seen, native = _visible(episode, other, occlusion=occlusion), engine()
     if native is not None:
         return _first_risk(episode, other, route, seen, judged + 1, native)
     risk = _predicted(episode, other, route) & seen
@@ -94,7 +96,7 @@ def avoidable(
     if crash is None or program.as_written:
         return None
     ego = fitted(ego, program)
-    risk = risk_step(episode, simulator.route_in(program, scene).line)
+    risk = risk_step(episode, simulator.route_in(program, scene).line, occlusion=simulator.identity.occlusion)
     if risk is None:
         return False
     braking = braking_step(risk, episode.dt)
@@ -299,19 +301,24 @@ def _touching(
     return overlap
 
 
-def _visible(episode: Episode, other: Track) -> NDArray[np.bool_]:
-    """(T,) Whether the other is near enough to be seen, and nobody and nothing hides it (`chatscene.terms.sight`)."""
+def _visible(episode: Episode, other: Track, *, occlusion: bool = True) -> NDArray[np.bool_]:
+    """(T,) Whether the other is near enough to be seen, and nobody and nothing hides it (`chatscene.terms.sight`).
+
+    Without occlusion, only things at the roadside hide it, by the line from centre to centre.
+    """
     ego = episode.ego_track
     sight = episode.surroundings.sight(lit=has_lamps(other.kind))
     seen: NDArray[np.bool_] = np.hypot(other.x - ego.x, other.y - ego.y) < sight
     between = [track for track in episode.tracks if track is not other and track is not ego]
+    between = [track for track in between if occlusion or track.role is Role.OCCLUDER]
     if not between:
         return seen
-    ahead = max(0.0, ego.length / 2 - BEHIND_NOSE)
+    ahead = max(0.0, ego.length / 2 - BEHIND_NOSE) if occlusion else 0.0
     eye = ego.x + ahead * np.cos(ego.heading), ego.y + ahead * np.sin(ego.heading)
-    at, high = EYE * height_of_kind(ego.kind), height_of_kind(other.kind)
+    at, high = (EYE * height_of_kind(ego.kind), height_of_kind(other.kind)) if occlusion else (0.0, 0.0)
     cos, sin = np.cos(other.heading), np.sin(other.heading)
-    along, aside = other.length / 2 * _CORNERS[0], other.width / 2 * _CORNERS[1]
+    corners = _CORNERS if occlusion else _CORNERS[:, :1]
+    along, aside = other.length / 2 * corners[0], other.width / 2 * corners[1]
     points = other.x + along * cos - aside * sin, other.y + along * sin + aside * cos  # (5, T)
     hidden = np.zeros(points[0].shape, dtype=bool)
     for track in between:

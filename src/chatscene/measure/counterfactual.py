@@ -70,6 +70,11 @@ class Trial:
         """Whom the ego collided with."""
         return next(track for track in self.episode.tracks if track.actor == self.crash.other)
 
+    @property
+    def risk(self) -> int | None:
+        """The step at which whom the ego collided with became a risk; None if it never was one that could be seen."""
+        return risk_step(self.episode, self.route, occlusion=self.simulator.identity.occlusion)
+
     def drive(self, program: ScenicProgram | None = None, values: Mapping[str, float] | None = None) -> Came:
         """Drive it with another program or other values."""
         self.drives += 1
@@ -297,7 +302,7 @@ def latest_braking(trial: Trial) -> Braking | None:
     latest = _first_of_run(range(trial.crash.step - 1, -1, -1), avoided)
     if latest is None:
         return None
-    own, let_go = _own_braking(trial.episode, trial.crash.step, risk_step(trial.episode, trial.route) or 0)
+    own, let_go = _own_braking(trial.episode, trial.crash.step, trial.risk or 0)
     return Braking(
         step=latest,
         own=own,

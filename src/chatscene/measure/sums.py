@@ -127,8 +127,8 @@ def _habits(dt: float, over: bool) -> Habits:
     """What is looked for, of drives with such a step [s] and ending, in the engine's terms."""
     return Habits(
         lately=round(LATELY / dt),
-        over=round(OVER / dt),
-        within=round(WITHIN / dt),
+        over=steps_in(OVER, dt),
+        within=steps_in(WITHIN, dt),
         pause=round(PAUSE / dt),
         rows=rows_standing(dt, over=over),
         dt=dt,
@@ -144,6 +144,11 @@ def _habits(dt: float, over: bool) -> Habits:
         standing=STANDING,
         behind=BEHIND,
     )
+
+
+def steps_in(seconds: float, dt: float) -> int:
+    """How many steps a while lasts, one at least, so that something can change in it; both [s]."""
+    return max(1, round(seconds / dt))
 
 
 def rows_standing(dt: float, *, over: bool) -> int:

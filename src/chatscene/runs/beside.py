@@ -12,7 +12,6 @@ from typing import Any
 from chatscene.ego.asking import fitted
 from chatscene.ego.policy import in_words, load_ego, senses_of
 from chatscene.errors import ChatSceneError, RunError
-from chatscene.measure.avoidability import risk_step
 from chatscene.measure.counterfactual import last_moment, latest_braking
 from chatscene.runs.crash import Contact, Pace, braking_in_words, last_moment_in_words
 from chatscene.runs.rebuild import Remade, remade
@@ -118,7 +117,7 @@ def _beside(made: Remade, drove: str, rows: Sequence[Mapping[str, Any]], *, occl
 def _story(made: Remade, row: Mapping[str, Any]) -> Story:
     trial = trial_in(made, row)
     dt = trial.episode.dt
-    contact, pace, risk = Contact.of(trial), Pace.of(trial), risk_step(trial.episode, trial.route)
+    contact, pace, risk = Contact.of(trial), Pace.of(trial), trial.risk
     seen = None if risk is None else risk * dt
     last, braking = last_moment(trial), latest_braking(trial)
     moments = {

@@ -10,7 +10,7 @@ from typing import Any
 
 from chatscene.ego.asking import fitted
 from chatscene.errors import RunError
-from chatscene.measure.avoidability import braking_step, crashes_braking_from, risk_step
+from chatscene.measure.avoidability import braking_step, crashes_braking_from
 from chatscene.measure.counterfactual import (
     LEAST_SHARE,
     Braking,
@@ -260,7 +260,7 @@ def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why
     trial, rows = trial_of(folder, scene_id, repeated=repeated)
     episode, dt, crash = trial.episode, trial.episode.dt, trial.crash
     changeable = not trial.program.as_written
-    risk = risk_step(episode, trial.route)
+    risk = trial.risk
     careful = None if risk is None else braking_step(risk, dt)
     things = things_needed(trial)
     back = back_of(trial, rows)

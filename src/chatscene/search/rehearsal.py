@@ -139,6 +139,8 @@ def _together(stage: _Stage, best: _Tried, bound: Iterable[str]) -> _Tried:
         while start is not best and stage.left > 0 and who in best.apart():
             start = best
             for one in _its_own(best.program, bound, who):
+                if who not in best.apart():  # since the one before was shifted
+                    break
                 for by in best.shifts(who, one.unit):
                     program = with_range(best.program, replace(one, low=one.low + by, high=one.high + by))
                     if (nearer := stage.nearer(program, best, who)) is not None:

@@ -50,7 +50,7 @@ class SteppedSimulator:
     def __init__(
         self, map_path: Path, settings: SimulationSettings, *, identity: SimulatorIdentity, physics_of: PhysicsOf | None
     ) -> None:
-        self.identity = identity
+        self.identity = replace(identity, occlusion=settings.occlusion)
         self.physics_of = physics_of
         self._settings = settings
         self._map_path = map_path

@@ -141,7 +141,8 @@ def evaluate(
         runs.require_done(run, record)
         if _where(record, simulator, physics) != _where(records[0], simulator, physics):
             raise RunError(
-                f"{run.path} and {found[0].path} differ in map, step, simulator or physics; evaluate them one by one"
+                f"{run.path} and {found[0].path} differ in map, step, simulator, physics or occlusion; "
+                "evaluate them one by one"
             )
     told = [
         _source(run, folder, record, first_route, kept_for="" if every_scene else record.ego)

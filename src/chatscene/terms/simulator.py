@@ -17,6 +17,7 @@ class SimulatorIdentity:
         confinable: Whether it can run behind the sandbox's walls: in one process, without files and sockets.
         at_once: Whether bodies answer to pedals and wheel at once, as if there were no tyres.
         brake_lag: How long the brake of a car takes to build up [s], as the time constant of a first-order lag.
+        occlusion: Whether bodies hide others from the ego (`chatscene.terms.sight`).
     """
 
     name: str
@@ -26,3 +27,4 @@ class SimulatorIdentity:
     confinable: bool
     at_once: bool = False
     brake_lag: float = 0.0
+    occlusion: bool = True

@@ -96,7 +96,9 @@ def test_the_sums_of_a_drive_are_the_same(monkeypatch: pytest.MonkeyPatch) -> No
             more = {1: (one, two, _track(rng, steps, actor="other", kind="Pedestrian")), 2: (two,)}[number % 3]
             ending = Ending.OVER if number % 2 else Ending.TIMEOUT
             drive = replace(drive, tracks=(ego, *more), events=(), ending=ending)
-        drive = replace(drive, distance_to_route=np.abs(rng.normal(0.0, 1.0, steps)))
+        drive = replace(
+            drive, distance_to_route=np.abs(rng.normal(0.0, 1.0, steps)), dt=1.0 if number % 7 == 0 else 0.1
+        )
         for track in drive.tracks:
             track.speed[:] *= 3.0 if not number % 5 else 1.0
         if not number % 4:  # at the end all of them stand

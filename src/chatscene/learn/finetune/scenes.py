@@ -103,7 +103,7 @@ def kept_scenes(sources: Sequence[Path], *, simulator: str = "", physics: str = 
         where = (record.map_name, record.map_digest, _simulation(record, simulator, physics))
         if where != (first.map_name, first.map_digest, simulation):
             raise RunError(
-                f"{run.path} and {found[0].path} differ in map, step, simulator or physics; "
+                f"{run.path} and {found[0].path} differ in map, step, simulator, physics or occlusion; "
                 "fine-tune on them one by one"
             )
         if not simulator and simulation.simulator not in SIMULATORS.built_in:

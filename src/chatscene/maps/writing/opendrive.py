@@ -230,8 +230,12 @@ def _strips(street: Street, *, right: bool) -> int:
 
 def _vanishes(street: Street, number: int, end: str, *, right: bool) -> bool:
     """Whether a lane has no width at an end of its street."""
-    outermost = number == (street.lanes if right else street.lanes_back)
-    return outermost and (street.begins if end == "start" else street.ceases) is not None
+    return _outermost(street, number, right=right) and (street.begins if end == "start" else street.ceases) is not None
+
+
+def _outermost(street: Street, number: int, *, right: bool) -> bool:
+    """Whether a lane is one that tapers, where the outermost lanes of a street do."""
+    return (right or not street.one_sided) and number == (street.lanes if right else street.lanes_back)
 
 
 def _same_lane(street: Street, other: Street, number: int, *, right: bool) -> int:
@@ -251,7 +255,7 @@ def _lane(
     if kind == "shoulder" and (bay is not None or street.cycle):
         kind = "parking" if bay is not None else "biking"
     element = Xml.SubElement(side, "lane", id=str(-number if right else number), type=kind, level="false")
-    for s, here, there, over in _profile(street, number, driving, bay, length):
+    for s, here, there, over in _profile(street, number, right, bay, length):
         if begin <= s < end or (s < begin and here == there and s + over > begin):
             _width(element, max(s - begin, 0.0), here, there, over)
     _mark(element, "broken" if number < driving else "solid" if number == driving else "none")
@@ -262,10 +266,11 @@ def _lane(
 
 
 def _profile(
-    street: Street, number: int, driving: int, bay: Bay | None, length: float
+    street: Street, number: int, right: bool, bay: Bay | None, length: float
 ) -> list[tuple[float, float, float, float]]:
     """How wide a lane is: where each part starts, its width there and at its end, and how long it is, all [m]."""
-    if number == driving and (street.begins or street.ceases):
+    driving = street.lanes if right else street.lanes_back
+    if _outermost(street, number, right=right) and (street.begins or street.ceases):
         (b0, b1), (c0, c1) = street.begins or (0.0, 0.0), street.ceases or (length, length)
         none, full = 0.0 if street.begins else street.lane, street.lane
         knots = [(0.0, none), (b0, none), (b1, full), (c0, full), (c1, 0.0 if street.ceases else full)]
