@@ -166,3 +166,56 @@ def test_who_was_said_how_near_the_ego_is_as_it_cuts_in_does_so_then() -> None:
         gap = np.hypot(one.x - ego.x, one.y - ego.y) - 0.5 * (one.length + ego.length)
         turns = int(np.flatnonzero(np.abs(one.heading - one.heading[0]) > 0.015)[0])
         assert 32.0 < gap[turns] < 42.0
+
+
+def sideways(built: Built, seed: int) -> tuple[Track, float, float]:
+    """Who goes over, the most that it then is fast sideways [m/s], over a second, and how long it takes [s]."""
+    episode, _, other = tracks(built, seed)
+    aside = np.abs(other.x - other.x[0]) if abs(np.cos(other.heading[0])) < 0.5 else np.abs(other.y - other.y[0])
+    second = round(1.0 / episode.dt)
+    over = (aside > 0.1 * aside.max()) & (aside < 0.9 * aside.max())
+    return other, float(((aside[second:] - aside[:-second]) * 1.0).max()), float(over.sum() * episode.dt)
+
+
+@pytest.mark.parametrize("said", [{}, {"distance": "22 m"}, {"when": {"ego_within": "25 m"}}])
+def test_a_speed_of_a_cut_in_at_which_nobody_drives_is_how_fast_it_comes_over(said: dict[str, Any]) -> None:
+    start = {"where": "ahead-beside", "side": "left", "speed": "40 km/h"}
+    one = {"id": "A", "kind": "car", "starts": start, "does": [{"act": "cut-in", "speed": "1.2 m/s", **said}]}
+    situation = from_plain({"ego": {"speed": "60 km/h"}, "others": [one]})
+    built = build(situation)
+    other, fastest, _ = sideways(built, 1)
+    assert fastest == pytest.approx(1.2, abs=0.3)
+    assert float(other.speed.min()) > 38 / 3.6
+    found = judge(situation, tracks(built, 1)[0], simulator(built.map, "native").route(built.program, 0))
+    assert not failures(found)
+
+
+def test_a_judge_sees_that_somebody_comes_over_faster_than_was_said() -> None:
+    start = {"where": "ahead-beside", "side": "left", "speed": "40 km/h"}
+    plain = {"id": "A", "kind": "car", "starts": start, "does": [{"act": "cut-in", "manner": "sudden"}]}
+    built = build(from_plain({"ego": {"speed": "60 km/h"}, "others": [plain]}))
+    slow = {**plain, "does": [{"act": "cut-in", "speed": "0.5 m/s"}]}
+    said = from_plain({"ego": {"speed": "60 km/h"}, "others": [slow]})
+    found = judge(said, tracks(built, 1)[0], simulator(built.map, "native").route(built.program, 0))
+    assert any("comes aside at" in told for told in failures(found))
+
+
+def test_a_lane_change_at_the_pace_of_a_queue_is_along_the_road() -> None:
+    one = {"id": "A", "kind": "car", "starts": {"where": "ahead-beside", "side": "left", "speed": "3 km/h"}}
+    built = build(from_plain({"others": [{**one, "does": [{"act": "lane-change", "speed": "5 km/h"}]}]}))
+    assert "= 1.388" in built.program.source or ", 1.388" in built.program.source
+
+
+@pytest.mark.parametrize("act", ["cut-out", "lane-change"])
+def test_who_is_said_to_change_lanes_slowly_takes_four_seconds_and_who_does_it_suddenly_not(act: str) -> None:
+    def over(manner: str) -> tuple[float, tuple[str, ...]]:
+        deeds = {"does": [{"act": act, "manner": manner}]}
+        start = {"where": "ahead" if act == "cut-out" else "ahead-beside"}
+        built = build(
+            from_plain({"ego": {"speed": "50 km/h"}, "others": [{"id": "A", "kind": "car", "starts": start, **deeds}]})
+        )
+        return sideways(built, 1)[2], built.left_out
+
+    (slow, left_out), (sudden, _) = over("slow"), over("sudden")
+    assert slow > 2.2 > sudden
+    assert not left_out

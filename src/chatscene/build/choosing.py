@@ -25,6 +25,7 @@ from chatscene.build.deeds import (
     SHIES,
     Steps,
     gets_by,
+    hooks,
     passes_against,
     pulls_out,
     seen_to_pass,
@@ -35,6 +36,7 @@ from chatscene.build.deeds import (
     yielding_to,
 )
 from chatscene.build.gaps import eases, stops_before
+from chatscene.build.hooking import hooks_at
 from chatscene.build.local import check_round, way_to_turn_round
 from chatscene.build.naming import name_of
 from chatscene.build.over_lanes import lane_after
@@ -102,8 +104,8 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         yield Act.ENTER, ALONG[Act.CROSS]  # its way leads onto the ego's road
     if deed.act is Act.SWERVE and actor.walks and where in _ON_THE_ROAD:
         yield Act.SWERVE, SHIES
-    if deed.act in OFF and along and where in (Where.AHEAD, Where.BEHIND):
-        yield deed.act, turning_off(deed.act, junction=at_junction(actor.ledger.situation))
+    if deed.act in OFF and along:
+        yield from _turning_off(actor, k)
     if deed.act is Act.U_TURN and meets in (Meets.ALONG, Meets.KERB):
         turn = way_to_turn_round(actor, k)
         speed = 0.0 if deed.speed is not None else math.sqrt(TURNS_AT * turn.radius)
@@ -118,6 +120,15 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         yield from _toward(actor, k)
     if done_to(deed) != EGO:
         yield from _to_another(actor, k)
+
+
+def _turning_off(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
+    """The rows of who goes along the road and turns off it: in the ego's lane, or after it has passed the ego."""
+    act = actor.deeds[k].act
+    if actor.one.starts.where in (Where.AHEAD, Where.BEHIND):
+        yield act, turning_off(act, junction=at_junction(actor.ledger.situation))
+    if hooks_at(actor) == k:
+        yield act, hooks(act, driveway=not at_junction(actor.ledger.situation))
 
 
 def _changing_lanes(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:

@@ -81,7 +81,8 @@ SLOW_FOR = 2.0  # [s] that somebody goes on at the speed that it has lost some t
 GO = "DrivePath({p}, $SPEED)"
 BRAKES = f"BrakeOnPath({{p}}, $BRAKE) until {STILL}"
 _EASES = "BrakeOnPath({p}, $EASE) until self.pose[3] < $SLOW"
-_TO_TURN = "BrakeOnPath({p}, 0.6) until self.pose[3] < 1.1 * $SLOW"  # what its body turns at, or it slides on
+EASES = 0.6  # of its brakes, of who slows down to turn
+_TO_TURN = f"BrakeOnPath({{p}}, {EASES:g}) until self.pose[3] < 1.1 * $SLOW"  # what its body turns at, or it slides on
 _BY = "Halt() until progressOn(egoRoute, ego)[0] > {meets} + 6"
 _TURNS = (Act.TURN_LEFT, Act.TURN_RIGHT)
 _GOES = Steps(
@@ -271,6 +272,19 @@ def turning_off(act: Act, *, junction: bool) -> Steps:
         if junction
         else _turns_off(OFF[act])
     )
+
+
+_INTO_DRIVEWAY = -4.5
+"""The same before a driveway: half as wide as that, less the radius of the turn."""
+
+
+def hooks(act: Act, *, driveway: bool) -> Steps:
+    """How somebody who has passed the ego turns off at the junction, or at the driveway: it slows down before that."""
+    at = f"egoRoute.eventAt + {_INTO_DRIVEWAY if driveway else _ENTRY[act]:g}"
+    along = "progressOn(egoRoute, self)[0]"
+    comes = f"DrivePath({{p}}, $SPEED) until {along} + brakingDistance(self) / {EASES:g} > {at}"
+    does = (comes, _TO_TURN, f"DrivePath({{p}}, $SLOW) until {along} > {at}", OFF[act])
+    return Steps(does=does, last=(*does, "MoveAhead($SLOW)"), binds={"speed": "SLOW"})
 
 
 def turning_round(radius: float, speed: float, *, first: float = 0.0, back: float = 0.0) -> Steps:

@@ -15,11 +15,13 @@ from chatscene.build.fitting import lacking_for, too_short
 from chatscene.build.holding import as_said, lanes_there
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import (
+    DRIVEWAYS,
     GOES_OVER,
     NEXT_LANE,
     Found,
     beside_lane,
     from_left,
+    hooks_off,
     only_others_stop,
     only_side_signs,
     room_against,
@@ -449,11 +451,25 @@ def _take(ledger: Ledger, found: Found) -> None:
     if situation.road.kind is RoadKind.RAIL_CROSSING and situation.road.control is RightOfWay.SIGNAL:
         ledger.assume("the rail crossing has no lights, since no map has any there")
         ledger.take("road.control")
+    _lack_signs_and_ways(ledger, found)
     for name, side in found.sides.items():
         if comes_from(situation[name]) is side:
             continue  # which was said
         own = turned_about(side) if backs(situation) else side
         ledger.assume(f"{name} is on the {own}")
+    if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
+        ledger.assume(f"the ego's {situation.ego.route} goes to the left")
+    said, there = situation.road.lanes, lanes_there(found)
+    if said is not None and 1 < said < there:  # what lies beyond is used by nobody
+        ledger.lack(f"the road has {there} lanes in the ego's direction, since no suitable road has {said}")
+        ledger.take("road.lanes")
+
+
+def _lack_signs_and_ways(ledger: Ledger, found: Found) -> None:
+    """Which signs the roads of others lack, and which way off the road."""
+    situation = ledger.situation
+    if any(found.query.get("site") != DRIVEWAYS[side] for side in hooks_off(situation)):
+        ledger.lack("the road has no driveway to turn into, since no suitable one has")
     signed = found.laid is not None and found.laid.signs in (Signs.SIDE_STOP, Signs.SIDE_YIELD)
     if only_others_stop(situation) and not signed:
         ledger.lack("the others' stop sign is not shown, since no map has one for the others only")
@@ -463,12 +479,6 @@ def _take(ledger: Ledger, found: Found) -> None:
     if found.query.get("control") == Control.STOP_SIGN and not stops:
         told = "the ego has a stop sign too, since no map has a junction where only the others have one"
         ledger.lack(told) if only_side_signs(situation) else ledger.assume(told)
-    if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
-        ledger.assume(f"the ego's {situation.ego.route} goes to the left")
-    said, there = situation.road.lanes, lanes_there(found)
-    if said is not None and 1 < said < there:  # what lies beyond is used by nobody
-        ledger.lack(f"the road has {there} lanes in the ego's direction, since no suitable road has {said}")
-        ledger.take("road.lanes")
 
 
 def started(one: Other, sides: dict[str, Side]) -> Other:

@@ -13,7 +13,7 @@ from chatscene.build.deeds import OWN, SLOW_FOR
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.relations import speed_of
-from chatscene.build.sideways import seconds_over
+from chatscene.build.sideways import glides_for, seconds_over
 from chatscene.build.timing import Body
 from chatscene.build.towards import done_to, to_whom
 from chatscene.errors import NotBuilt
@@ -150,8 +150,13 @@ def _closing(actor: Actor, k: int) -> float:
 def _has_room(actor: Actor, k: int, ahead: str) -> str:
     """What shows that the room is right once somebody who sets out for the ego's lane now is over its line."""
     room = f"headway(egoRoute, ego, self) - ({ahead})"
-    closes = f"{OVER_THE_LINE:g} * (ego.pose[3] - self.pose[3])"
+    closes = f"{_over_the_line(actor, k):.3g} * (ego.pose[3] - self.pose[3])"
     return f"{room} < {closes}" if _closing(actor, k) > 0.0 else f"{room} > {closes}"
+
+
+def _over_the_line(actor: Actor, k: int) -> float:
+    """How long [s] after it sets out for a lane somebody's middle is over its line: half of it all, if it glides."""
+    return OVER_THE_LINE if (takes := glides_for(actor, k)) is None else max(OVER_THE_LINE, 0.25 * sum(takes))
 
 
 def _start_far_enough(actor: Actor, k: int) -> None:
@@ -159,7 +164,7 @@ def _start_far_enough(actor: Actor, k: int) -> None:
     numbers, closing = actor.numbers, _closing(actor, k)
     if closing <= 0.0 or actor.one.starts.distance is not None or actor.first is not None or actor.stand.behind:
         return
-    soon = closing * (numbers.range_of("STEADY")[1] + OVER_THE_LINE)
+    soon = closing * (numbers.range_of("STEADY")[1] + _over_the_line(actor, k))
     middles = 0.5 * (actor.ego_limits.length + actor.limits.length)
     low = middles + numbers.range_of(_bound(actor, k))[1] + soon
     far, most, unit, meaning = numbers.range_of("Y")

@@ -13,6 +13,7 @@ from chatscene.build.place import (
     NEXT_LANE,
     at_junction,
     at_roundabout,
+    hooks_off,
     only_side_signs,
     rides_at_edge,
 )
@@ -171,6 +172,7 @@ def _bend(situation: Situation) -> Bend:
 def _driveway(situation: Situation) -> Sides | None:
     """On which sides driveways lead off the road: where somebody is in one, else where the ego turns off."""
     there = {one.starts.side or Side.RIGHT for one in situation.others if one.starts.where is Where.DRIVEWAY}
+    there |= {*hooks_off(situation)}
     if not there and Feature.DRIVEWAY in situation.road.has:
         there = {Side.RIGHT}
     if len(there) > 1:

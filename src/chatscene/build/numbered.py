@@ -14,6 +14,7 @@ from chatscene.build.paces import Pace, Speed
 from chatscene.build.place import LANE, NEXT_LANE
 from chatscene.build.rates import brakes_by, goes_so_far, rate_of, throttles_by
 from chatscene.build.relations import speed_of
+from chatscene.build.sideways import speed_aside
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed
@@ -107,6 +108,10 @@ def _lasts(phases: Phases, k: int, text: str, speed: Speed) -> str:
     period = max(3.0, WAVE / goes)
     text = text.replace("{period}", f"{period:.2g}").replace("{weaves}", f"{1.5 * period:.2g}")
     drift = (SLOWER if slow else 1.0) * max(0.9, DRIFTS / goes)
+    if deed.act is Act.DRIFT and (aside := speed_aside(phases.actor, k)) is not None:
+        phases.actor.ledger.take(f"{phases.actor.path}.does.{k}.speed")
+        usual = phases.actor.numbers.middle("DRIFT")
+        drift = (usual if deed.distance is None else deed.distance.near(usual)) / (PIECES + 1) / aside.near(0.5)
     turns = phases.actor.seconds_to_turn(goes)
     far = JUST_BACK if phases.actor.then(k) in ENDS_THERE else BACK
     return text.replace("{back}", f"{max(1.0, turns) + far / goes:.2g}").replace("{drift}", f"{drift:.2g}")

@@ -21,7 +21,7 @@ from chatscene.build.place import LANE, at_junction, room_against
 from chatscene.build.reacting import ego_slows, goes_until_ego_slows, reacts
 from chatscene.build.relations import AGAINST, ALONG, grip_of
 from chatscene.build.revealed import shows_slow
-from chatscene.build.sideways import CLEARS, over_at_speed
+from chatscene.build.sideways import clears_in
 from chatscene.build.timing import Course, Meeting, course
 from chatscene.build.towards import done_to
 from chatscene.build.under_way import BRAKE, INSIDE, UnderWay
@@ -390,10 +390,10 @@ class Opening(UnderWay):
                 there = "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0])"
                 return f"{there} < {wait:.2f} + $OFFSET" + self._or_yields()
             case _ if (shown := self._shows()) is not None:
-                clears = CLEARS if over_at_speed(self.phases.actor, self.first) else 0.6
+                clears = clears_in(self.phases.actor, self.first)
                 name = name_of(shown.id)
                 closing = "self.pose[3]" if stands_first(shown) else f"(self.pose[3] - {name}.pose[3])"
-                return f"headway(egoRoute, self, {name}) < {closing} * ({clears} + $LEAD_TIME) + 5"
+                return f"headway(egoRoute, self, {name}) < {closing} * ({clears:.3g} + $LEAD_TIME) + 5"
             case _:
                 due = f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
                 return due + (self._or_yields() if self.phases.actor.ego.stands or self._is_held_by_others() else "")

@@ -19,7 +19,7 @@ from chatscene.errors import NotBuilt
 from chatscene.terms.amount import Amount, Length, Speed
 from chatscene.terms.lateral import aside_of_ego
 from chatscene.terms.order import Order
-from chatscene.terms.situation import EGO, LATERALS, Deed, Lateral, Other, Situation, When
+from chatscene.terms.situation import CREEPS, EGO, LATERALS, Deed, Lateral, Other, Situation, When
 from chatscene.terms.vocabulary import COMES_IN, Act, Heads, Manner, Role, Side, Where, acts_of
 
 ASIDE = {Act.SWERVE: 2.6, Act.DRIFT: 1.7, Act.LANE_CHANGE: LANE, Act.PARK: 2.6}
@@ -39,7 +39,6 @@ SLOWER = 0.6  # of its speed that an ego has that is to gain speed, if no speed 
 FIRST = 2.0  # [s] after which it does
 AT_ONCE = 0.5  # [m/s] by which its speed is raised at a time where it was said how fast it gains speed
 OFF = 0.25  # of a speed, by which two numbers may be off a third that follows from them
-CREEPS = 2.0  # [m/s]: an ego that drifts more slowly is told how fast it comes aside
 SAME = 1.0  # [m/s] by which two go as fast
 NOT_AHEAD = frozenset((Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE))
 

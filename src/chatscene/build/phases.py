@@ -25,6 +25,7 @@ from chatscene.build.gaps import (
     seconds_to_get_ahead,
     seconds_to_get_by,
 )
+from chatscene.build.hooking import hooks_at, take_road_to_turn
 from chatscene.build.lateral import led_aside
 from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbered import held_at, of_deed, renamed
@@ -146,6 +147,8 @@ class Phases:
         timed = self._without_way_along(first, bodies)
         near = self._comes_near(first, timed)
         opening = list(Opening(self, first, timed, near).texts())
+        if hooks_at(actor) is not None:
+            take_road_to_turn(actor)
         yield from opening
         self.due_after = [0] * first
         for body in bodies:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 from chatscene.maps.laid import LaidRoad, is_laid, road_of
@@ -14,7 +15,7 @@ from chatscene.terms.backing import backs
 from chatscene.terms.route import Equipment
 from chatscene.terms.routing import BEGINS, ENDS
 from chatscene.terms.scenario import Maneuver, Site
-from chatscene.terms.situation import Other, Situation
+from chatscene.terms.situation import EGO, Other, Situation
 from chatscene.terms.vocabulary import (
     HALTS,
     Act,
@@ -98,6 +99,14 @@ def _turns_across(one: Other) -> bool:
     """Whether somebody who comes the other way turns off over the ego's way: there is a junction, as roads have."""
     drives = one.kind.moves in (Moves.DRIVES, Moves.RIDES)
     return drives and one.starts.where is Where.ONCOMING and bool(one.does) and one.does[0].act is Act.TURN_LEFT
+
+
+def hooks_off(situation: Situation) -> Iterator[Side]:
+    """To which sides somebody turns off the road just after it passed the ego, where there is no junction."""
+    for one in () if at_junction(situation) or at_roundabout(situation) else situation.others:
+        for before, deed in pairwise(one.does):
+            if before.act is Act.OVERTAKE and before.done_to == EGO and deed.act in WAYS and deed.when is None:
+                yield Side.LEFT if deed.act is Act.TURN_LEFT else Side.RIGHT
 
 
 def is_marked(found: Found) -> bool:

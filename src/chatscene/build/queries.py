@@ -21,6 +21,7 @@ from chatscene.build.place import (
     beside_lane,
     beside_ramp,
     control_of,
+    hooks_off,
     leaves_by_ramp,
     only_others_stop,
     rides_at_edge,
@@ -155,6 +156,7 @@ def _sites(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str, A
         return
     out = (one for one in situation.others if one.starts.where is Where.DRIVEWAY)
     yield from ({"site": DRIVEWAYS[one.starts.side or sides.get(one.id, Side.RIGHT)].value} for one in out)
+    yield from ({"site": DRIVEWAYS[side].value} for side in hooks_off(situation))
     at_crosswalk = (one.starts.where is Where.CROSSING for one in situation.others)
     has = [*situation.road.has, *(Feature.CROSSWALK for marked in at_crosswalk if marked)]
     yield from ({"site": SITES[one].value} for one in dict.fromkeys(has) if one in SITES)

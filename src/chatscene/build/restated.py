@@ -62,9 +62,16 @@ def restated(situation: Situation) -> Restated:
     made = Restated(situation)
     _go_past(made)
     _met_at_a_point(made)
-    for rule in (_on_foot_against, _on_foot_at_arm, _at_its_first_speed, _for_whom, _comes_into_view):
+    for rule in (_comes_aside, _on_foot_against, _on_foot_at_arm, _at_its_first_speed, _for_whom, _comes_into_view):
         made.each(rule)
     return made
+
+
+def _comes_aside(_: Restated, one: Other) -> Other:
+    """How fast somebody comes aside is no speed along the road: how it is done reads it from what was said."""
+    aside = [one.speed_aside(k) is not None for k in range(len(one.does))]
+    does = (replace(deed, speed=None) if aside[k] else deed for k, deed in enumerate(one.does))
+    return replace(one, does=tuple(does)) if any(aside) else one
 
 
 def _at_its_first_speed(made: Restated, one: Other) -> Other:

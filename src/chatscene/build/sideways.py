@@ -6,12 +6,13 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import stands_first
+from chatscene.build.asked import Meets, stands_first
 from chatscene.build.deeds import OWN, Steps
 from chatscene.build.over_lanes import lane_after, side_beside
 from chatscene.build.place import LANE
 from chatscene.errors import NotBuilt
-from chatscene.terms.vocabulary import COMES_OVER, OVER_A_LINE, Manner, Side
+from chatscene.terms.amount import Speed
+from chatscene.terms.vocabulary import COMES_OVER, GLIDES, OVER_A_LINE, Manner, Side
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -20,12 +21,17 @@ LAGS = 0.35  # [s] that whoever steers for a line is behind it
 PIECE = 0.35  # [s] of one piece of the way, about
 QUICKEST, USUAL = 1.7, 2.4  # [s] in which somebody changes lanes at least, and in which it does without delay
 GENTLY = 4.0  # [m/s²] sideways, up to which cars answer to the wheel in proportion (ISO 4138)
+SLOWEST_ASIDE = 0.2  # [m/s] at which somebody comes over to another lane at least
 FROM = 40 / 3.6  # [m/s], from which on nobody comes over as fast as its wheel would turn it
 AT_SPEED = math.sqrt(2.0 * math.pi * LANE / GENTLY)
 """[s] that somebody takes to change lanes along a sine of the acceleration sideways, with no more than `GENTLY`."""
 SLOWLY = 2.0 * AT_SPEED
+GENTLE = (4.0, 6.0)
+"""[s] in which somebody changes lanes who was said to do it slowly, from and to."""
+PEAK = 1.15  # times as long as by its speed aside, which is between its mean then and its most
 CLEARS = 2.4  # [s] that who takes so long needs more than who turns at once, until it is out of a lane, at most
 """[s]: drivers take 4.6 s in the mean (T. Toledo and D. Zohar, "Modeling duration of lane changes", 2007)."""
+CLEARS_AT_ONCE, OUT = 0.6, 0.65  # [s] of who turns at once; of the time that it takes, of who glides over
 OVER_LINE, ALONG_LINE = 1.0, 5.0  # [s], [m] at least from when somebody turns the wheel until it crosses the line
 
 
@@ -38,11 +44,45 @@ def takes_long(actor: Actor, k: int, steps: Steps) -> Steps:
     line = next((line for line in (OWN, "{beside}") if f"DrivePath({line}" in steps.does[0]), "") if steps.does else ""
     if not line or (takes := _takes(actor, k)) is None:
         return steps
-    at = f"{actor.path}.does.{k}.time"
-    if actor.deeds[k].time is not None and takes[0] <= USUAL:
-        actor.ledger.take(at)
+    at, said = f"{actor.path}.does.{k}", _said(actor, k)
+    if said == "time" and takes[0] <= USUAL:
+        actor.ledger.take(f"{at}.time")
         return steps
-    return _over(actor, k, steps, line, takes, at if actor.deeds[k].time is not None else "")
+    if said == "manner":
+        actor.ledger.take(f"{at}.manner")
+    return _over(actor, k, steps, line, takes, f"{at}.{said}" if said else "")
+
+
+def speed_aside(actor: Actor, k: int) -> Speed | None:
+    """How fast somebody comes aside by its k-th deed, if that was said."""
+    told = actor.ledger.told
+    one = actor.one if told is None else told[actor.one.id]
+    there = k < len(one.does) and one.does[k].act is actor.deeds[k].act
+    return one.speed_aside(k) if there else None
+
+
+def glides_for(actor: Actor, k: int) -> tuple[float, float] | None:
+    """The least and the most time [s] in which somebody changes lanes of whom it was said how fast it comes aside."""
+    return _takes(actor, k) if _said(actor, k) in ("speed", "manner") else None
+
+
+def clears_in(actor: Actor, k: int) -> float:
+    """How long [s] somebody needs at most until it is out of its lane by its k-th deed, after who turns at once is."""
+    if (takes := glides_for(actor, k)) is not None:
+        return OUT * takes[1]
+    return CLEARS if over_at_speed(actor, k) else CLEARS_AT_ONCE
+
+
+def _said(actor: Actor, k: int) -> str:
+    """By which amount it was said how long somebody takes to change lanes; empty if it was not."""
+    deed = actor.deeds[k]
+    if deed.act in OVER_A_LINE and deed.time is not None:
+        return "time"
+    if deed.act not in GLIDES or actor.stand.meets is not Meets.ALONG:
+        return ""
+    if speed_aside(actor, k) is not None:
+        return "speed"
+    return "manner" if deed.manner is Manner.SLOW and deed.time is None and deed.distance is None else ""
 
 
 def _takes(actor: Actor, k: int) -> tuple[float, float] | None:
@@ -51,7 +91,12 @@ def _takes(actor: Actor, k: int) -> tuple[float, float] | None:
     Raises:
         NotBuilt: Nobody does it so fast.
     """
-    deed = actor.deeds[k]
+    deed, said = actor.deeds[k], _said(actor, k)
+    if said == "speed" and (aside := speed_aside(actor, k)) is not None:
+        slowest, fastest = aside.drawn(SLOWEST_ASIDE, LANE / QUICKEST)
+        return max(QUICKEST, PEAK * LANE / fastest), PEAK * LANE / max(slowest, SLOWEST_ASIDE)
+    if said == "manner":
+        return GENTLE
     if deed.time is None:
         return (AT_SPEED, SLOWLY) if over_at_speed(actor, k) else None
     if deed.act not in OVER_A_LINE:
@@ -70,7 +115,7 @@ def seconds_over(actor: Actor, k: int) -> tuple[str, float]:
         As a program says it, and the middle of that.
     """
     takes = _takes(actor, k)
-    if takes is None or (actor.deeds[k].time is not None and takes[0] <= USUAL):
+    if takes is None or (_said(actor, k) == "time" and takes[0] <= USUAL):
         seconds = max(OVER_LINE, ALONG_LINE / actor.numbers.middle("SPEED"))
         return f"{seconds:.3g}", seconds
     outside = 0.5 * (actor.limits.width + actor.ego_limits.width) / LANE

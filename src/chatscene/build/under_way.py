@@ -12,6 +12,7 @@ from chatscene.build.chain import meeting_of
 from chatscene.build.contact import touches
 from chatscene.build.deeds import GO
 from chatscene.build.gaps import passes_where_it_goes_over
+from chatscene.build.hooking import hooks_at, road_to_turn
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import CRAWLS, Pace
 from chatscene.build.place import LANE, NEXT_LANE, at_junction, leaves_by_ramp
@@ -135,12 +136,20 @@ class UnderWay:
                 return self.phases.body.covers(actor.limits.length + LANE, self._wish()) + more
             case Meets.ALONG if stands_first(actor.one) and not stand.behind:
                 return self._from_a_stand() + more
-            case _:  # of a slow ego, which is long in coming, long before it is there
-                soon = max(0.0, actor.ego.time_at(actor.found.route.eventAt) - LATEST)
-                before = 2.0 if at_junction(actor.ledger.situation) else 1.0
-                if passes_where_it_goes_over(actor):
-                    before = -(actor.ego.late or 0.0)
-                return before + more + soon + self._to_ramp() / actor.ego_speed
+            case _:
+                return self._going_along(more)
+
+    def _going_along(self, more: float) -> float:
+        """The same, of who goes along with the ego, by how much longer [s] it takes until its last deed begins."""
+        actor = self.phases.actor
+        if hooks_at(actor) is not None:  # the ego is so far from there when it begins to pass
+            return road_to_turn(actor) / actor.ego_speed
+        # of a slow ego, which is long in coming, long before it is there
+        soon = max(0.0, actor.ego.time_at(actor.found.route.eventAt) - LATEST)
+        before = 2.0 if at_junction(actor.ledger.situation) else 1.0
+        if passes_where_it_goes_over(actor):
+            before = -(actor.ego.late or 0.0)
+        return before + more + soon + self._to_ramp() / actor.ego_speed
 
     def _to_ramp(self) -> float:
         """How far [m] before the nose of a ramp somebody sets out for that who leaves by it; 0 of others."""

@@ -302,7 +302,7 @@ class _Judge:
             # Who swerves comes back, which is no swerve to the other side; who was on that one before has no need to.
             sided = act is Said.DRIFT or (k > 0 and _other_way(one.does[k - 1], deed))
             once = self._fitting(
-                path, deed, [one for one in timely if sided and to_side(deed, one, seen)] or timely, seen
+                one, path, deed, [once for once in timely if sided and to_side(deed, once, seen)] or timely, seen
             )
             sequence.add(act, once)
             done[f"{one.id}.{k}"] = once
@@ -330,7 +330,7 @@ class _Judge:
         if deed.to is not None and deed.act in ASIDE:
             told = f"said {deed.to}, it goes to the {_side(moved_left(seen, once))}"
             yield Finding(path=f"{path}.to", shown=to_side(deed, once, seen), told=told)
-        yield from self._amounts(path, deed, once, seen)
+        yield from self._amounts(one, path, deed, once, seen)
         if deed.manner is Manner.SLANTING:
             slants = any(True for _ in ACTIONS[Action.DIAGONAL](seen))
             yield Finding(
@@ -418,19 +418,21 @@ class _Judge:
         """The tracks of somebody, or of all of several."""
         return [track for track in self.episode.tracks if is_of(track.actor, name)]
 
-    def _fitting(self, path: str, deed: Deed, times: list[Act], seen: Seen) -> Act:
+    def _fitting(self, one: Other, path: str, deed: Deed, times: list[Act], seen: Seen) -> Act:
         """The first time that is seen with all numbers that were said, or the first of all."""
         times.sort(key=lambda once: once.began)
-        fits = (once for once in times if not failures(self._amounts(path, deed, once, seen)))
+        fits = (once for once in times if not failures(self._amounts(one, path, deed, once, seen)))
         return next(fits, times[0])
 
     def _counts(self, once: Act, seen: Seen) -> bool:
         """Whether it is done, or under way where a contact cut it short."""
         return once.done is not None if self.contact is None else once.began < len(seen.track.x) - 1
 
-    def _amounts(self, path: str, deed: Deed, once: Act, seen: Seen) -> Iterator[Finding]:
+    def _amounts(self, one: Other, path: str, deed: Deed, once: Act, seen: Seen) -> Iterator[Finding]:
         measure = self.measure
-        speed = None if deed.speed is None else measure.speed(f"{path}.speed", deed.speed, seen, once)
+        aside = next((one.speed_aside(k) for k, its in enumerate(one.does) if its is deed), None)
+        tells = measure.speed if aside is None else measure.speed_aside
+        speed = None if deed.speed is None else tells(f"{path}.speed", deed.speed, seen, once)
         hard = measure.acceleration(path, deed, seen, once)
         way = measure.way(path, deed, once, seen, self._toward(deed, seen))
         found = (speed, hard, way, measure.stand(path, deed, once, seen), measure.time(path, deed, once, seen))

@@ -25,6 +25,7 @@ SLACK = 0.15  # of a number that was said: what a watcher does not see
 SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 1.0, 0.4  # [m/s], [m], [s]: the least of it
 SLACK_ACCELERATION = 0.5  # [m/s²]
 BACK_SLACK, SLACK_ASIDE = 0.7, 0.2  # [m]
+SLACK_OVER = 0.3  # [m/s], sideways
 HELD = 1.0  # [s] for which somebody holds a speed, within `SLACK_SPEED`, that it is seen to go at
 LEVEL = 2.0  # [s] about its highest speed, after which somebody is seen to gain no more
 OVER = 5  # [steps] over which somebody is seen to gain speed
@@ -103,6 +104,13 @@ class Yardstick:
         last = np.abs(seen.track.speed[-round(LEVEL / seen.dt) :])
         rises = len(last) * seen.dt < LEVEL or np.ptp(last) > SLACK_SPEED  # else nothing more was to come
         return self.number(path, said, goes if goes.size else held, least, "goes at", cut=bool(rises))
+
+    def speed_aside(self, path: str, said: Amount, seen: Seen, once: Act) -> Finding:
+        """How fast somebody comes aside: the most over a while."""
+        steps = round(HELD / seen.dt)
+        offset = seen.offset[once.began :]
+        over = np.abs(offset[steps:] - offset[:-steps]) / (steps * seen.dt)
+        return self.number(path, said, over, SLACK_OVER, "comes aside at", most=True)
 
     def acceleration(self, path: str, deed: Deed, seen: Seen, once: Act) -> Finding | None:
         """How hard speed changes by a deed: the mean over all of what is lost, or over most of what is gained."""

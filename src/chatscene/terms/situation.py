@@ -15,6 +15,7 @@ from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.amount import Acceleration, Duration, Length, Share, Speed
 from chatscene.terms.surroundings import Light, Surface, Weather
 from chatscene.terms.vocabulary import (
+    GLIDES,
     SLOWS,
     Act,
     Breach,
@@ -45,6 +46,10 @@ class _Closed:
 
     __slots__ = ()
     __pydantic_config__: ClassVar[Mapping[str, Any]] = {"extra": "forbid"}
+
+
+CREEPS = 2.0  # [m/s]: a speed below it of what leads aside says how fast somebody comes aside, and not along
+MUCH_FASTER = 2.0  # times that, the least speed of another road user of whom it says so
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -170,6 +175,17 @@ class Other(_Closed):
     starts: Start
     hidden_by: str | None = None
     does: tuple[Deed, ...] = ()
+
+    def speed_aside(self, k: int) -> Speed | None:
+        """How fast it comes aside by its k-th deed, and not along the road, if that was said.
+
+        It is what a speed says at which nobody drives who changes lanes or drifts, and who was said to be much faster.
+        """
+        deed, before = self.does[k], (self.starts.speed, *(one.speed for one in self.does[:k]))
+        was = next((one for one in reversed(before) if one is not None), None)
+        if deed.act not in GLIDES or deed.speed is None or was is None or deed.speed.than_ego or was.than_ego:
+            return None
+        return deed.speed if deed.speed.high < CREEPS and was.least > MUCH_FASTER * deed.speed.high else None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -603,6 +603,8 @@ SWINGS = acts_of(Heads.SWINGS)
 """What leads somebody to both sides of its line."""
 SIDEWAYS = ASIDE | SWINGS | acts_of(Heads.BEFORE, Heads.MERGES, Heads.OVER, Heads.OUT)
 """What is done by moving to a side on the road."""
+GLIDES = SIDEWAYS - SWINGS - acts_of(Heads.ASIDE)
+"""The same, with what is not abrupt."""
 ROLLING = acts_of(Heads.ACROSS, Heads.IN)
 """What a thing does that rolls or is blown."""
 COMES_IN = acts_of(Heads.ACROSS, Heads.IN, Heads.FROM_EDGE)

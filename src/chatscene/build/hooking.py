@@ -1,0 +1,66 @@
+"""Who passes the ego and turns off across its way: it has passed by the junction, or the driveway, and turns there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from chatscene.build.asked import Meets
+from chatscene.build.coming import wanted_by
+from chatscene.build.deeds import EASES, OFF
+from chatscene.build.gaps import seconds_to_get_by
+from chatscene.build.place import DRIVEWAYS, at_junction
+from chatscene.build.sideways import USUAL
+from chatscene.maps.open_road import OPEN_ROAD
+from chatscene.maps.routes import APPROACHES
+from chatscene.maps.sites import PAST
+from chatscene.terms.situation import EGO
+from chatscene.terms.vocabulary import Act
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+
+SLOWED = 0.7  # of what it wants, below which an ego is told to be slower
+NEARLY = 0.9  # of the road that it needs, from which on it is told to turn at its place
+
+
+def hooks_at(actor: Actor) -> int | None:
+    """The number of the deed by which somebody turns off just after it passed the ego, where the road has a place.
+
+    None of who does not, and where it turns off over the edge of the road.
+    """
+    deeds, there = actor.deeds, at_junction(actor.ledger.situation) or _at_driveway(actor)
+    if not there or actor.stand.meets is not Meets.ALONG or actor.walks or actor.stand.rolls:
+        return None
+    turns = (k for k in range(1, len(deeds)) if deeds[k].act in OFF and deeds[k].when is None)
+    k = next(turns, None)
+    passes = k is not None and deeds[k - 1].act is Act.OVERTAKE and deeds[k - 1].done_to == EGO
+    return k if passes else None
+
+
+def _at_driveway(actor: Actor) -> bool:
+    return actor.found.query.get("site") in DRIVEWAYS.values()
+
+
+def road_to_turn(actor: Actor) -> float:
+    """How far [m] from where the ego is somebody turns who then begins to pass it, comes back and slows down."""
+    k = hooks_at(actor)
+    assert k is not None
+    numbers, fast = actor.numbers, f"FAST_{k - 1}"
+    passes = seconds_to_get_by(actor, k - 1)
+    ahead = numbers.middle("AHEAD") + 0.5 * (actor.limits.length + actor.ego_limits.length)
+    slows = (numbers.middle(fast) ** 2 - numbers.middle("SLOW") ** 2) / (2.0 * EASES * actor.limits.brake)
+    return actor.ego_speed * passes + ahead + USUAL * numbers.middle(fast) + slows
+
+
+def take_road_to_turn(actor: Actor) -> None:
+    """Let the road be so long up to there; where none is, tell that it turns off beyond."""
+    needs, there = road_to_turn(actor), actor.found.route.eventAt
+    place = "the junction" if at_junction(actor.ledger.situation) else "the driveway"
+    usual = APPROACHES[0] if at_junction(actor.ledger.situation) else PAST[0]
+    if there < NEARLY * needs:
+        actor.takes = max(actor.takes, actor.found.route.line.length + 1.0, needs / usual * OPEN_ROAD)
+        if actor.found.sought:
+            actor.ledger.lack(f"{actor.one.id} turns off beyond {place}, since the road before that is too short")
+    elif actor.ego_speed < SLOWED * wanted_by(actor.ledger.told or actor.ledger.situation):
+        told = f"the ego is slow, or {actor.one.id} would not be by before {place}: the road before that is too short"
+        actor.ledger.lack(told)
