@@ -64,7 +64,7 @@ def _carry_on(kept: runs.Workspace, workers: Workers, progress: Progress) -> Sum
             tell("writing the report", 0, 0)
             write_report(kept.path, followed=True)
             if_drawn(f"the animation in {kept.path}", lambda: write_gif(kept.path))
-    return Summary.of(runs.read_record(kept), runs.read_counts(kept), runs.read_scenes(kept, some=True))
+    return Summary.of(kept)
 
 
 def search(kept: runs.Workspace, workers: Workers, progress: Progress) -> None:

@@ -247,3 +247,18 @@ def test_an_ego_that_sets_off_at_a_speed_is_no_faster_then() -> None:
     stands = int(np.flatnonzero(speed < 0.1)[0])
     assert float(speed[:stands].max()) > 5.0
     assert 2.0 < float(speed[stands:].max()) < 3.0
+
+
+def test_who_is_seen_to_come_before_the_ego_begins_no_farther_back_than_its_way_does() -> None:
+    dog = {"id": "A", "kind": "dog", "starts": {"where": "median"}, "does": [deed("fall")]}
+    one = car("B", "in-roundabout", deed("go-straight", speed="21 km/h"), kind="motorcycle")
+    other = car("C", "exit-crossing", deed("go-straight"), kind="emergency-vehicle", side="right")
+    made = build(
+        from_plain(
+            {
+                "ego": {"route": "straight", "speed": "23 km/h"},
+                "others": [dog, *(who | {"role": "supporting"} for who in (one, other))],
+            }
+        )
+    )
+    assert isinstance(drive(made, seed=0), Episode)

@@ -86,8 +86,7 @@ class Run:
         """How many scenes were driven, collided, left the road and were kept, and who drove."""
         from chatscene.report.summary import Summary
 
-        counts, rows = runs.read_counts(self._workspace), runs.read_scenes(self._workspace)
-        return Summary.of(self._record, counts, rows)
+        return Summary.of(self._workspace)
 
     @property
     def scenes(self) -> Table:
@@ -99,7 +98,9 @@ class Run:
     @property
     def kept(self) -> tuple[DrivenScene, ...]:
         """The scenes worth keeping, the best first."""
-        return tuple(self._driven(row) for row in self._ranked() if row["selected"])
+        from chatscene.report.viewer import ranked
+
+        return tuple(self._driven(row) for row in ranked(runs.read_scenes(self._workspace, selected=True)))
 
     @property
     def best(self) -> DrivenScene:
@@ -108,9 +109,11 @@ class Run:
         Raises:
             RunError: None was driven.
         """
-        if not (rows := self._ranked()):
+        from chatscene.report.viewer import best
+
+        if (row := best(self._workspace)) is None:
             raise RunError(f"no scene of {self.folder} was driven")
-        return self._driven(rows[0])
+        return self._driven(row)
 
     def scene(self, scene_id: str) -> DrivenScene:
         """A scene by its id.
@@ -118,8 +121,8 @@ class Run:
         Raises:
             RunError: The run has none of that id, or it was rejected and never driven.
         """
-        for row in self._ranked():
-            if row["scene_id"] == scene_id:
+        for row in runs.read_scenes(self._workspace, ids=[scene_id]):
+            if row["status"] == "ran":
                 return self._driven(row)
         raise RunError(f"{self.folder} has no scene {scene_id!r} that was driven; `scenes` lists them")
 
@@ -216,11 +219,6 @@ class Run:
         if not self._record.edited_from:
             raise RunError(f"{self.folder} is not an edit of another run")
         return Run(self._record.edited_from)
-
-    def _ranked(self) -> list[Mapping[str, Any]]:
-        from chatscene.report.viewer import ranked
-
-        return ranked(runs.read_scenes(self._workspace))
 
     def _driven(self, row: Mapping[str, Any]) -> DrivenScene:
         joining = replace(self._repeated, sampler=(), embedder=(), language_model=())  # no text is read for a scene

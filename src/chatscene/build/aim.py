@@ -46,6 +46,7 @@ _END = 0.8  # of half its length: from there on it is its end that is met, as go
 _ENDS = frozenset(("front", "rear"))
 _FAR = 40.0  # [m] of the way over the road
 _COMES_THROUGH = acts_of(Heads.THROUGH, Heads.TURNS)
+AT_START = 0.5  # [s] that who comes from the beginning of its way is at most slower in curves
 LATEST_MET = 10.0  # [s] that somebody needs to where it meets the ego, if only a least was said
 Window = tuple[float, float]
 
@@ -103,7 +104,8 @@ def _from_outside(actor: Actor) -> float | None:
         return None
     metres = found.meets_at - found.entry + 0.5 * actor.limits.length + BEFORE
     seconds = actor.ego.time_at(found.ego_meets_at) + actor.ego.late_at(found.ego_meets_at)
-    return seconds - metres / actor.numbers.middle("SPEED") - COMES
+    least = seconds - (found.meets_at / actor.numbers.range_of("SPEED")[1] - AT_START)  # its way is no longer
+    return max(seconds - metres / actor.numbers.middle("SPEED") - COMES, least)
 
 
 def _let_by(actor: Actor) -> Window | None:

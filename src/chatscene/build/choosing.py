@@ -70,6 +70,8 @@ def steps_of(actor: Actor, k: int) -> Steps:
     if where in ROUNDABOUT_PLACES:
         check_round(actor, k)
     table, across = dict(_table(actor, k)), actor.stand.meets is Meets.ACROSS
+    if deed.act is Act.REVERSE and actor.walks:
+        raise NothingBuilds(f"cannot be built yet: {deed.act}, {where}; who walks does not go backwards; say turn-back")
     if deed.act is Act.REVERSE and across and any(one.act in COMES_IN for one in actor.deeds[:k]):
         table[Act.REVERSE] = BACK_OUT
     if deed.act not in table or (deed.act in _ASIDE and where in ROUNDABOUT_PLACES):  # nobody sees it on a bend

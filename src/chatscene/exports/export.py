@@ -94,8 +94,8 @@ def kept_scenes(folder: Path, scene_ids: Sequence[str] = ()) -> Iterator[KeptSce
     record = read_record(run)
     if not scene_ids:
         require_done(run, record)
-    rows = {row["scene_id"]: row for row in read_scenes(run)}
-    chosen = list(dict.fromkeys(scene_ids)) or [name for name, row in rows.items() if row["selected"]]
+    rows = {row["scene_id"]: row for row in read_scenes(run, selected=not scene_ids, ids=scene_ids or None)}
+    chosen = list(dict.fromkeys(scene_ids)) or list(rows)
     if not chosen:
         raise RunError(f"{run.path} keeps no scene; name one, scenes.parquet lists them")
     path = map_of(record)

@@ -16,8 +16,8 @@ from chatscene.errors import RunError
 from chatscene.maps.picture import HEIGHT, WIDEST, WIDTH, Camera, draw_frame, draw_ground, reduced
 from chatscene.report.caption import above, below, between
 from chatscene.report.span import AFTER, span
-from chatscene.report.viewer import ranked
-from chatscene.runs import note, open_run, read_drawing, read_episode, read_record, read_scenes
+from chatscene.report.viewer import best
+from chatscene.runs import note, open_run, read_drawing, read_episode, read_record
 from chatscene.runs.atomic import write_bytes
 from chatscene.terms.episode import Episode
 
@@ -62,10 +62,10 @@ def write_gif(folder: Path, scene_id: str | None = None) -> Path:
     """
     run = open_run(folder)
     if scene_id is None:
-        order = ranked(read_scenes(run))
-        if not order:
+        first = best(run)
+        if first is None:
             raise RunError(f"{folder} has no scene that was driven, so there is nothing to animate")
-        scene_id = str(order[0]["scene_id"])
+        scene_id = str(first["scene_id"])
     record = read_record(run)
     content = animate(read_episode(run, scene_id), read_drawing(run), said=record.title, ego=record.ego)
     path = run.file(f"{quote(scene_id.replace('/', '-'), safe='')}.gif")

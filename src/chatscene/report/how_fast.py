@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from array import array
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from statistics import median
 from typing import Any
@@ -19,26 +19,47 @@ NARROW = 1.05  # how far apart speeds are at most that are told as one
 STILL = 0.1  # [m/s]
 
 
-def how_fast(rows: Sequence[Row]) -> str:
+TOLD_BY = (
+    *("scene_id", "status", "collision", "ego_speed_before", "other_kind", "other_speed_most"),
+    *("distance", "time_to_collision", "impact_speed", "closing_speed"),
+)
+"""The columns of `scenes.parquet` that `how_fast` reads of every scene."""
+
+
+def how_fast(rows: Iterable[Row], *, whole: Callable[[Row], Row] = lambda row: row) -> str:
     """How fast the ego and whom it met were, how near the nearest miss was, and how hard the hardest crash.
 
     Args:
-        rows: Of `scenes.parquet`.
+        rows: Of `scenes.parquet`, with the columns of `TOLD_BY` at least; each is seen once.
+        whole: Gives all columns of a row.
 
     Returns:
         Sentences; empty where nothing was driven, or before speeds were kept.
     """
-    ran = [row for row in rows if row["status"] == "ran" and row.get("ego_speed_before") is not None]
-    if not ran:
+    egos = array("d")
+    others: dict[str, array[float]] = {}
+    nearest: Row | None = None
+    hardest: Row | None = None
+    crashes, fastest = 0, 0.0
+    for row in rows:
+        if row["status"] != "ran" or row.get("ego_speed_before") is None:
+            continue
+        egos.append(row["ego_speed_before"])
+        if (kind := row["other_kind"]) is not None:
+            others.setdefault(kind, array("d")).append(row["other_speed_most"])
+        if row["collision"]:
+            crashes, fastest = crashes + 1, max(fastest, row["impact_speed"] or 0.0)
+            hardest = row if hardest is None or hardness(row) > hardness(hardest) else hardest
+        elif row["distance"] is not None:
+            nearest = row if nearest is None or row["distance"] < nearest["distance"] else nearest
+    if not egos:
         return ""
-    drove = [f"The ego drove at {_about(row['ego_speed_before'] for row in ran)}", *_others(ran)]
-    lines = [f"{', '.join(drove)}."]
-    if missed := [row for row in ran if not row["collision"] and row["distance"] is not None]:
-        lines.append(f"{_nearest(missed)}.")
-    if crashed := [row for row in ran if row["collision"]]:
-        fastest = max(row["impact_speed"] or 0.0 for row in crashed)
-        lines.append(f"{_hardest(max(crashed, key=hardness), len(crashed), fastest)}.")
-    return " ".join(lines)
+    lines = [", ".join([f"The ego drove at {_about(egos)}", *_others(others)])]
+    if nearest is not None:
+        lines.append(f"In the closest near miss they came within {_within(nearest)}")
+    if hardest is not None:
+        lines.append(_hardest(whole(hardest), crashes, fastest))
+    return " ".join(f"{line}." for line in lines)
 
 
 def harm(row: Row) -> tuple[list[Found], list[Found]]:
@@ -67,27 +88,20 @@ def scene_in_words(row: Row) -> str:
     return begins + near
 
 
-def _others(ran: Sequence[Row]) -> Iterator[str]:
-    """How fast whom it met were at their fastest, kind by kind."""
-    met = Counter(row["other_kind"] for row in ran if row["other_kind"] is not None)
-    for kind, count in met.most_common(KINDS):
-        fast = [row["other_speed_most"] for row in ran if row["other_kind"] == kind]
-        where = f" in {count}" if len(met) > 1 else ""
+def _others(met: Mapping[str, Sequence[float]]) -> Iterator[str]:
+    """How fast whom it met were at their fastest, kind by kind, the most frequent first."""
+    for kind, fast in sorted(met.items(), key=lambda one: -len(one[1]))[:KINDS]:
+        where = f" in {len(fast)}" if len(met) > 1 else ""
         yield f"the {noun_of(kind)}{where} " + ("stood" if max(fast) < STILL else f"at up to {_about(fast)}")
 
 
-def _about(speeds: Iterable[float]) -> str:
+def _about(values: Sequence[float]) -> str:
     """The middle of some speeds, and from where to where they are if that is more than a little."""
-    values = list(speeds)
     least, most = min(values), max(values)
     middle = in_kmh(median(values))
     if in_kmh(least) == in_kmh(most) or most <= NARROW * least:
         return middle
     return f"{middle} ({KMH * least:.0f} to {KMH * most:.0f})"
-
-
-def _nearest(missed: Sequence[Row]) -> str:
-    return f"In the closest near miss they came within {_within(min(missed, key=lambda row: row['distance']))}"
 
 
 def _within(row: Row) -> str:

@@ -7,23 +7,29 @@ with the reason.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
+from itertools import groupby
 from pathlib import Path
-from statistics import median
 from typing import Any
 
+import numpy as np
 import pyarrow as pa
 
 from chatscene import runs
 from chatscene.errors import ChatSceneError, RunError
-from chatscene.report.index_columns import TABLES, schema_of
-from chatscene.runs.tables import EVENTS, RANGES, SCENES, Table, read_table, rows_of
+from chatscene.report.index_columns import IN_SQL, TABLES, schema_of
+from chatscene.report.sql import literal, quoted
+from chatscene.runs.tables import EVENTS, RANGES, SCENES, Table, columns_of, read_table, rows_of, scan_table
 from chatscene.runs.workspace import RECORD
 from chatscene.terms.scenario import Slots
 
 _BLOCK = ("scenario_id", "route_id", "block")
 _AT_ONCE = 20_000  # scenes whose parameters are made rows at a time
+LARGE = 20_000  # scenes of a run, above which they are read as a query needs them
+_PATTERN = frozenset("*?[")  # which DuckDB reads in the name of a file as a pattern
+_OF_A_RUN = ("scenario_id", "ego_speed_before", "other_speed_before", "impact_speed")
+_HAS_RUN = "scenes.parquet has a column 'run', which an index has for the run's name"
 _COUNTS = ("scenes", "ran", "rejected", "collided", "off_road", "timeout", "waiting", "selected", "fill_in")
 OTHERWISE_CALLED = {"distance": "start_distance", "group": "in_group", "ego": "ego_state"}
 """Slots whose names are words of SQL, or columns of `scenes`, by their columns in `facts`."""
@@ -47,18 +53,46 @@ class LeftOut:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Large:
+    """A run with so many scenes that an index reads no row of them before it is asked for.
+
+    Attributes:
+        run: What it is called.
+        folder: Where it is.
+        selects: By table (`scenes`, `parameters`, `events`), its rows as a SELECT in DuckDB's SQL.
+        files: What these read.
+    """
+
+    run: str
+    folder: Path
+    selects: Mapping[str, str]
+    files: tuple[Path, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Index:
     """What an index holds.
 
     Attributes:
         tables: Arrow tables by name, with the columns of `chatscene.report.index_columns.TABLES`.
+        large: The runs whose scenes, parameters and events are in none of them, as these are too many.
         evaluations: The records of evaluations, by folder; they have no scenes of their own.
         left_out: Folders whose scenes are in none of them.
     """
 
     tables: Mapping[str, Table]
+    large: tuple[Large, ...] = ()
     evaluations: Mapping[Path, runs.EvaluationRecord | runs.ComparisonRecord]
     left_out: tuple[LeftOut, ...]
+
+    def scenes(self, names: Sequence[str]) -> dict[str, Iterable[Mapping[str, Any]]]:
+        """Rows of scenes with some columns, by run; those of a large run are read as they are asked for, once."""
+        rows = self.tables["scenes"].select(["run", *names]).to_pylist()
+        by_run: dict[str, Iterable[Mapping[str, Any]]] = {
+            run: [{name: row[name] for name in names} for row in some]
+            for run, some in groupby(rows, key=lambda row: row["run"])
+        }
+        return by_run | {one.run: runs.each_scene(runs.Workspace(one.folder), names) for one in self.large}
 
 
 def index(folder: Path) -> Index:
@@ -73,6 +107,7 @@ def index(folder: Path) -> Index:
     if not folder.is_dir():
         raise RunError(f"no folder '{folder}' here; start where your runs are, or name their folder")
     read: list[Mapping[str, Table]] = []
+    large: list[Large] = []
     evaluations: dict[Path, runs.EvaluationRecord | runs.ComparisonRecord] = {}
     left_out: list[LeftOut] = []
     for path in sorted(found.parent for found in folder.rglob(RECORD)):
@@ -82,9 +117,10 @@ def index(folder: Path) -> Index:
                 evaluations[path] = record
             if isinstance(record, runs.RunRecord):
                 run = runs.open_run(path, runs.RunRecord)
-                one = _read(run, record, name_of(path, folder))
+                one, unread = _read(run, record, name_of(path, folder))
                 _joined([one])  # alone first: what does not fit must not keep the others from being shown
                 read.append(one)
+                large += unread
                 if record.status is not runs.Status.REFUSED:  # which has all that it ever will
                     runs.require_done(run, record)
         except ChatSceneError as error:
@@ -94,13 +130,15 @@ def index(folder: Path) -> Index:
             left_out.append(LeftOut(folder=path, why=why))
     if not (read or evaluations or left_out):
         raise RunError(f"there is no run in {folder}; give a folder with those that `chatscene run` named")
-    return Index(tables=_joined(read), evaluations=evaluations, left_out=tuple(left_out))
+    return Index(tables=_joined(read), large=tuple(large), evaluations=evaluations, left_out=tuple(left_out))
 
 
 def _joined(read: list[Mapping[str, Table]]) -> dict[str, Table]:
     """The tables of all runs, one after the other."""
     return {
-        name: pa.concat_tables([schema_of(name).empty_table(), *(one[name] for one in read)], promote_options="default")
+        name: pa.concat_tables(
+            [schema_of(name).empty_table(), *(one[name] for one in read if name in one)], promote_options="default"
+        )
         for name in TABLES
     }
 
@@ -111,13 +149,16 @@ def name_of(path: Path, folder: Path) -> str:
     return name.encode("utf-8", "backslashreplace").decode()
 
 
-def _read(run: runs.Workspace, record: runs.RunRecord, name: str) -> Mapping[str, Table]:
-    """The rows of one run in each table.
+def _read(run: runs.Workspace, record: runs.RunRecord, name: str) -> tuple[Mapping[str, Table], list[Large]]:
+    """The rows of one run in each table; of a large one, where those of its scenes are.
 
     Raises:
         RunError: A file of it cannot be read, or is no such table.
     """
     done = record.status is runs.Status.DONE
+    if done and record.counts.get("scenes", 0) > LARGE and not _PATTERN.intersection(str(run.path.absolute())):
+        scenes = pa.concat_tables(scan_table(run.file("scenes.parquet"), SCENES, names=_OF_A_RUN))
+        return _of_all(run, record, name, scenes), [_large(run, name)]
     scenes, ranges, events = (
         read_table(run.file(file), columns) if done else columns.empty_table()
         for file, columns in (("scenes.parquet", SCENES), ("ranges.parquet", RANGES), ("events.parquet", EVENTS))
@@ -125,12 +166,74 @@ def _read(run: runs.Workspace, record: runs.RunRecord, name: str) -> Mapping[str
     named = {str(one) for one in ranges.column("parameter").to_pylist()} - set(SCENES.names)
     parameters = [one for one in scenes.column_names if one.startswith("OPT_") or one in named]
     return {
-        "runs": _table("runs", [{"run": name, **_run_row(run.path, record), **_speeds(scenes)}]),
-        "facts": _table("facts", [{"run": name, **row} for row in _facts(run, scenes)]),
+        **_of_all(run, record, name, scenes),
         "scenes": _of_run(name, scenes.drop_columns(parameters)),
         "parameters": _parameters(name, scenes, ranges, parameters),
         "events": _of_run(name, events),
+    }, []
+
+
+def _of_all(run: runs.Workspace, record: runs.RunRecord, name: str, scenes: Table) -> dict[str, Table]:
+    """The rows that are not of single scenes."""
+    return {
+        "runs": _table("runs", [{"run": name, **_run_row(run.path, record), **_speeds(scenes)}]),
+        "facts": _table("facts", [{"run": name, **row} for row in _facts(run, scenes)]),
     }
+
+
+def _large(run: runs.Workspace, name: str) -> Large:
+    """Where the rows of a large run are.
+
+    Raises:
+        RunError: A file of it is no such table.
+    """
+    scenes, ranges, events = (run.file(f"{one}.parquet").absolute() for one in ("scenes", "ranges", "events"))
+    there, lacking = columns_of(scenes, SCENES)
+    named = {str(one) for one in read_table(ranges, RANGES).column("parameter").to_pylist()} - set(SCENES.names)
+    parameters = [one for one in there if one.startswith("OPT_") or one in named]
+    own = [one for one in there if one not in parameters]
+    if "run" in own:
+        raise RunError(_HAS_RUN)
+    drawn, block = ", ".join(map(quoted, parameters)), ", ".join(_BLOCK)
+    values = (
+        f"SELECT * FROM (SELECT scene_id, {block}, {drawn} FROM {_file(scenes)}) UNPIVOT (value FOR name IN ({drawn}))"
+        if parameters
+        else f"SELECT scene_id, {block}, '' AS name, 0.0 AS value FROM {_file(scenes)} LIMIT 0"
+    )
+    return Large(
+        run=name,
+        folder=run.path,
+        selects={
+            "scenes": _select(name, own, {one: (SCENES, usual) for one, usual in lacking.items()}, scenes),
+            "parameters": (
+                f"SELECT {literal(name)} AS run, scene_id, name, value, unit, low, high, meaning FROM ({values}) "
+                f"LEFT JOIN (SELECT {block}, parameter AS name, unit, low, high, meaning FROM {_file(ranges)}) "
+                f"USING ({block}, name)"
+            ),
+            "events": _select(name, *_events(events), events),
+        },
+        files=(scenes, ranges, events),
+    )
+
+
+def _events(path: Path) -> tuple[list[str], dict[str, tuple[Any, str | None]]]:
+    there, lacking = columns_of(path, EVENTS)
+    return there, {one: (EVENTS, usual) for one, usual in lacking.items()}
+
+
+def _select(name: str, there: Sequence[str], lacking: Mapping[str, tuple[Any, str | None]], path: Path) -> str:
+    """The rows of a file as they are in an index."""
+    added = (
+        f"(CASE WHEN status = 'ran' THEN {literal(usual)} END)::{IN_SQL[columns.field(one).type]} AS {quoted(one)}"
+        if usual is not None
+        else f"NULL::{IN_SQL[columns.field(one).type]} AS {quoted(one)}"
+        for one, (columns, usual) in lacking.items()
+    )
+    return f"SELECT {', '.join((f'{literal(name)} AS run', *map(quoted, there), *added))} FROM {_file(path)}"
+
+
+def _file(path: Path) -> str:
+    return f"read_parquet({literal(str(path))})"
 
 
 def _table(name: str, rows: list[dict[str, Any]]) -> Table:
@@ -144,7 +247,7 @@ def _of_run(name: str, rows: Table) -> Table:
         RunError: They have one already: a metric took it.
     """
     if "run" in rows.column_names:
-        raise RunError("scenes.parquet has a column 'run', which an index has for the run's name")
+        raise RunError(_HAS_RUN)
     return rows.add_column(0, "run", pa.array([name] * rows.num_rows, pa.string()))
 
 
@@ -174,9 +277,10 @@ def _run_row(path: Path, record: runs.RunRecord) -> dict[str, Any]:
 def _speeds(scenes: Table) -> dict[str, float | None]:
     """How fast its drives were [m/s]."""
     of = {"ego_speed": "ego_speed_before", "other_speed": "other_speed_before", "impact_speed": "impact_speed"}
-    told = {name: [one for one in scenes.column(column).to_pylist() if one is not None] for name, column in of.items()}
+    columns = {name: scenes.column(column).to_numpy() for name, column in of.items()}
+    told = {name: values[~np.isnan(values)] for name, values in columns.items()}
     return {
-        name: (max(values) if name == "impact_speed" else median(values)) if values else None
+        name: float(np.max(values) if name == "impact_speed" else np.median(values)) if len(values) else None
         for name, values in told.items()
     }
 

@@ -30,7 +30,7 @@ from chatscene.terms.scenario import (
 from chatscene.terms.surroundings import Light, Surface, Weather
 
 TEXT, TEXTS, NUMBER, WHOLE, TRUTH = pa.string(), pa.list_(pa.string()), pa.float64(), pa.int64(), pa.bool_()
-_IN_SQL = {
+IN_SQL = {
     pa.string(): "VARCHAR",
     pa.list_(pa.string()): "VARCHAR[]",
     pa.float64(): "DOUBLE",
@@ -60,7 +60,7 @@ class Column:
     @property
     def in_sql(self) -> str:
         """Its type as SQL names it."""
-        return _IN_SQL[self.type]
+        return IN_SQL[self.type]
 
     def as_dict(self) -> dict[str, str]:
         """For a script."""

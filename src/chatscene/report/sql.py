@@ -13,7 +13,7 @@ import math
 import os
 import subprocess
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, BinaryIO, cast
@@ -32,7 +32,6 @@ PROCESSOR_TIME = 600  # [s]
 _ALL_MEMORY = 4 * 2**30  # bytes of the process that answers, besides the tables
 _ANSWER, _REFUSAL = b"A", b"R"
 _SHUT: dict[str, str | bool | int | float | list[str]] = {
-    "enable_external_access": "false",  # files, addresses, other databases
     "autoinstall_known_extensions": "false",
     "autoload_known_extensions": "false",
     "allow_community_extensions": "false",
@@ -60,7 +59,17 @@ def ask(query: str, index: Index) -> Table:
     if find_spec("duckdb") is None:
         raise MissingExtra("SQL over runs needs duckdb", extra="sql")
     asked = pa.BufferOutputStream()
-    _write(asked, json.dumps({"query": query, "tables": list(index.tables)}).encode())
+    setup = {
+        "query": query,
+        "tables": list(index.tables),
+        "files": [str(path) for one in index.large for path in one.files],
+        "selects": {
+            name: [one.selects[name] for one in index.large if name in one.selects]
+            for name in index.tables
+            if index.large
+        },
+    }
+    _write(asked, json.dumps(setup).encode())
     for table in index.tables.values():
         _write(asked, _packed(table))
     # -P: the working folder is no place of modules
@@ -86,7 +95,8 @@ def main() -> None:
     packed = {name: _read(source) for name in setup["tables"]}
     _hold(_ALL_MEMORY + 4 * sum(map(len, packed.values())))
     try:
-        told = _ANSWER + _packed(answer(setup["query"], {name: _unpacked(one) for name, one in packed.items()}))
+        tables = {name: _unpacked(one) for name, one in packed.items()}
+        told = _ANSWER + _packed(answer(setup["query"], tables, selects=setup["selects"], files=setup["files"]))
     except QueryError as error:
         told = _REFUSAL + str(error).encode(errors="replace")
     with out:
@@ -124,12 +134,20 @@ def _read(source: BinaryIO) -> bytes:
     return source.read(int.from_bytes(source.read(8), "big"))
 
 
-def answer(query: str, tables: Mapping[str, Table]) -> Table:
+def answer(
+    query: str,
+    tables: Mapping[str, Table],
+    *,
+    selects: Mapping[str, Sequence[str]] | None = None,
+    files: Sequence[str] = (),
+) -> Table:
     """The answer to a query, found in this process: it may take what DuckDB takes.
 
     Args:
         query: As for `ask`.
         tables: Those that it may name.
+        selects: Further rows of these, as SELECT statements over files.
+        files: Which files those read. Only the columns and parts that the query needs are read of them.
 
     Raises:
         QueryError: It is no SQL, names what there is not, or would do more than read these tables.
@@ -141,10 +159,8 @@ def answer(query: str, tables: Mapping[str, Table]) -> Table:
     import duckdb
 
     with duckdb.connect(":memory:", config=_SHUT) as connection:
-        for name, table in tables.items():
-            connection.register(name, table)
-        connection.execute("SET lock_configuration = true")
         try:
+            _open(connection, tables, selects or {}, files)
             statements = connection.extract_statements(query)
             if [one.type for one in statements] != [duckdb.StatementType.SELECT]:
                 kinds = " and ".join(one.type.name for one in statements) or "none"
@@ -162,6 +178,32 @@ def answer(query: str, tables: Mapping[str, Table]) -> Table:
     if found.num_rows > ROWS:
         raise QueryError(f"the answer has more than {ROWS:,} rows; count or average them, or end it with LIMIT")
     return found
+
+
+def _open(
+    connection: Any, tables: Mapping[str, Table], selects: Mapping[str, Sequence[str]], files: Sequence[str]
+) -> None:
+    """Give a connection its tables, and shut all else."""
+    if files:
+        connection.execute(f"SET allowed_paths = [{', '.join(map(literal, files))}]")
+    connection.execute("SET enable_external_access = false")  # files, addresses, other databases
+    for name, table in tables.items():
+        more = selects.get(name, ())
+        connection.register(f"{name} of small runs" if more else name, table)
+        if more:
+            every = (f"SELECT * FROM {quoted(f'{name} of small runs')}", *more)
+            connection.execute(f"CREATE TEMP VIEW {quoted(name)} AS {' UNION ALL BY NAME '.join(every)}")
+    connection.execute("SET lock_configuration = true")
+
+
+def literal(text: str) -> str:
+    """A text in SQL."""
+    return "'" + text.replace("'", "''") + "'"
+
+
+def quoted(name: str) -> str:
+    """A name in SQL."""
+    return '"' + name.replace('"', '""') + '"'
 
 
 def _refuse_what_does_more(connection: Any, query: str) -> None:

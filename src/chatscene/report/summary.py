@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from chatscene import runs
 from chatscene.measure.score import wilson
 from chatscene.report.egos import egos_in_words
-from chatscene.report.how_fast import how_fast
+from chatscene.report.how_fast import TOLD_BY, how_fast
 from chatscene.report.what_happened import kept_in_words
 
 SHORTEST = 0.1  # [s] of a phase that is told
@@ -38,22 +38,17 @@ class Summary:
     kept: str = ""
 
     @classmethod
-    def of(cls, record: runs.RunRecord, counts: Mapping[str, int], rows: Sequence[Mapping[str, Any]]) -> Summary:
-        """The summary of a run.
-
-        Args:
-            record: Its record.
-            counts: What its drives came to (`chatscene.runs.read_counts`).
-            rows: Its scenes (`chatscene.runs.read_scenes`).
-        """
+    def of(cls, run: runs.Workspace) -> Summary:
+        """The summary of a run."""
+        record = runs.read_record(run)
         return cls(
-            counts=counts,
+            counts=runs.read_counts(run),
             seconds=record.timings.get("total", 0.0),
             ego=egos_in_words(record)[0],
             phases={name: spent for name, spent in record.timings.items() if name != "total"},
             stepped=stepped_in_words(record),
-            fast=how_fast(rows),
-            kept=kept_in_words(rows),
+            fast=how_fast(runs.each_scene(run, TOLD_BY), whole=lambda row: _whole(run, row)),
+            kept=kept_in_words(runs.read_scenes(run, selected=True)),
         )
 
     def in_words(self) -> str:
@@ -74,6 +69,10 @@ class Summary:
             + (f"\n{self.stepped}" if self.stepped else "")
             + (f"\ntime: {phases}" if phases else "")
         )
+
+
+def _whole(run: runs.Workspace, row: Mapping[str, Any]) -> Mapping[str, Any]:
+    return runs.read_scenes(run, ids=[row["scene_id"]])[0]
 
 
 def outcomes_in_words(counts: Mapping[str, int]) -> str:

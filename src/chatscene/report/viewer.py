@@ -20,6 +20,7 @@ from chatscene.runs import (
     RunRecord,
     Workspace,
     criticality_of,
+    each_scene,
     metrics_of,
     note,
     open_run,
@@ -78,15 +79,27 @@ def write_report(folder: Path, *, followed: bool = False) -> Path:
     return path
 
 
+_RANKED_BY = ("scene_id", "status", "selected", "collision", "meaning_ok", "overall_score")
+
+
 def ranked(scenes: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
     """The driven scenes: selected ones first, then collisions, then what means what was said, then by score."""
+    return sorted((row for row in scenes if row["status"] == "ran"), key=_rank)
 
-    def rank(row: Mapping[str, Any]) -> tuple[bool, bool, bool, float, str]:
-        score = row["overall_score"]
-        unlike = (not row["selected"], not row["collision"], not row["meaning_ok"])
-        return *unlike, 1.0 if score is None else score, row["scene_id"]
 
-    return sorted((row for row in scenes if row["status"] == "ran"), key=rank)
+def best(run: Workspace) -> Mapping[str, Any] | None:
+    """The first of the driven scenes, as they are ranked, of a run with any number of them; None if none was driven."""
+    if kept := ranked(read_scenes(run, selected=True)):
+        return kept[0]
+    driven = (row for row in each_scene(run, _RANKED_BY) if row["status"] == "ran")
+    first = min(driven, key=_rank, default=None)
+    return None if first is None else read_scenes(run, ids=[first["scene_id"]])[0]
+
+
+def _rank(row: Mapping[str, Any]) -> tuple[bool, bool, bool, float, str]:
+    score = row["overall_score"]
+    unlike = (not row["selected"], not row["collision"], not row["meaning_ok"])
+    return *unlike, 1.0 if score is None else score, row["scene_id"]
 
 
 def _page(run: Workspace, *, followed: bool) -> str:

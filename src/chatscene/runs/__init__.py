@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from chatscene.runs.blocks import (
         done_blocks,
         drop_blocks,
+        each_scene,
         finish,
         read_adversaries,
         read_counts,
@@ -129,6 +130,7 @@ __all__ = [
     "criticality_of",
     "done_blocks",
     "drop_blocks",
+    "each_scene",
     "ego_digests",
     "explain",
     "finish",
@@ -173,7 +175,7 @@ __all__ = [
 _NAMES = {
     "asked": "asked_benchmark asked_evaluation asked_run ego_digests scenario_of",
     "blocks": (
-        "done_blocks drop_blocks finish read_adversaries read_episode read_episodes read_events "
+        "done_blocks drop_blocks each_scene finish read_adversaries read_episode read_episodes read_events "
         "read_counts read_ranges read_scenes read_signals resume write_block"
     ),
     "checking": "Condition check",

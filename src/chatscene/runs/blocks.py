@@ -13,11 +13,11 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
-from functools import lru_cache
-from itertools import groupby
+from itertools import chain, groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import pyarrow as pa
 from pydantic import ValidationError
 
 from chatscene.errors import RunError
@@ -31,8 +31,11 @@ from chatscene.runs.tables import (
     RANGES,
     SCENES,
     SIGNALS,
+    Among,
     Names,
     Table,
+    copied,
+    each_row,
     events_table,
     names_in,
     ranges_table,
@@ -42,6 +45,7 @@ from chatscene.runs.tables import (
     route_index,
     rows_by,
     rows_of,
+    scan_table,
     scenes_table,
     signals_table,
     write_table,
@@ -60,6 +64,7 @@ if TYPE_CHECKING:
     from chatscene.search.explore import Block
 
 AT_ONCE = 5_000  # scenes that are folded at a time, which takes some 17 kB each
+AHEAD = 64, 512  # drives that are read at a time, at first and at most; a block has several of them
 ON_A_PAGE = 10_000  # scenes that are read for a page, beside those that were kept
 
 
@@ -447,7 +452,9 @@ def read_counts(run: Workspace) -> dict[str, int]:
     return counts_of(read_scenes(run), read_events(run))
 
 
-def read_scenes(run: Workspace, *, selected: bool = False, some: bool = False) -> list[dict[str, Any]]:
+def read_scenes(
+    run: Workspace, *, selected: bool = False, some: bool = False, ids: Iterable[str] | None = None
+) -> list[dict[str, Any]]:
     """A row per scene with the columns of `scenes.parquet`; of an unfinished run, those done so far.
 
     Args:
@@ -455,34 +462,60 @@ def read_scenes(run: Workspace, *, selected: bool = False, some: bool = False) -
         selected: Whether to read those alone that were kept.
         some: Whether to read, of a run with more than `ON_A_PAGE` scenes, those that were kept and at most as many of
             the others, evenly over the run.
+        ids: Those to read, in the order of the table; all if None. It is given alone.
     """
     if some and (every := -(-read_record(run, MapRecord).counts.get("scenes", 0) // ON_A_PAGE)) > 1:
         return rows_of(read_some(run.file("scenes.parquet"), SCENES, every=every, always="selected"))
-    return _rows(run, "scenes.parquet", SCENES, scenes_table, "selected" if selected else "")
+    among = ("selected", (True,)) if selected else _among(ids)
+    return list(chain.from_iterable(_rows(run, "scenes.parquet", SCENES, scenes_table, among)))
 
 
-def read_events(run: Workspace) -> list[dict[str, Any]]:
-    """A row per event with the columns of `events.parquet`."""
-    return _rows(run, "events.parquet", EVENTS, events_table)
+def each_scene(run: Workspace, names: Sequence[str]) -> Iterator[dict[str, Any]]:
+    """A row per scene with some columns of `scenes.parquet`, read as they are asked for: there may be any number.
+
+    Args:
+        run: Which run.
+        names: The columns.
+    """
+    return chain.from_iterable(_rows(run, "scenes.parquet", SCENES, scenes_table, names=names))
 
 
-def read_signals(run: Workspace) -> list[dict[str, Any]]:
-    """A row per drive and traffic signal with the columns of `signals.parquet`."""
-    return _rows(run, "signals.parquet", SIGNALS, signals_table)
+def read_events(run: Workspace, ids: Iterable[str] | None = None) -> list[dict[str, Any]]:
+    """A row per event with the columns of `events.parquet`, of all scenes or of some."""
+    return list(chain.from_iterable(_rows(run, "events.parquet", EVENTS, events_table, _among(ids))))
+
+
+def read_signals(run: Workspace, ids: Iterable[str] | None = None) -> list[dict[str, Any]]:
+    """A row per drive and traffic signal with the columns of `signals.parquet`, of all scenes or of some."""
+    return list(chain.from_iterable(_rows(run, "signals.parquet", SIGNALS, signals_table, _among(ids))))
 
 
 def read_ranges(run: Workspace) -> list[dict[str, Any]]:
     """A row per block and parameter with the columns of `ranges.parquet`."""
-    return _rows(run, "ranges.parquet", RANGES, ranges_table)
+    return list(chain.from_iterable(_rows(run, "ranges.parquet", RANGES, ranges_table)))
+
+
+def _among(ids: Iterable[str] | None) -> Among | None:
+    return None if ids is None else ("scene_id", ids)
 
 
 def _rows(
-    run: Workspace, name: str, columns: Any, fold: Callable[[list[Part]], Table], where: str = ""
-) -> list[dict[str, Any]]:
+    run: Workspace,
+    name: str,
+    columns: Any,
+    fold: Callable[[list[Part]], Table],
+    among: Among | None = None,
+    names: Sequence[str] = (),
+) -> Iterator[Iterable[dict[str, Any]]]:
+    """The rows of a table, part by part."""
     record = read_record(run, Record)
-    folded = record.status is Status.DONE or record.files
-    table: Table = read_table(run.file(name), columns) if folded else fold(read_parts(run))
-    return rows_of(table.filter(table.column(where)) if where else table)
+    if record.status is Status.DONE or record.files:
+        for table in scan_table(run.file(name), columns, names=names, among=among):
+            yield each_row(table)
+    else:
+        rows = rows_of(fold(read_parts(run)))
+        wanted = among and frozenset(among[1])
+        yield [row for row in rows if not among or (wanted and row[among[0]] in wanted)]
 
 
 def read_episode(run: Workspace, scene_id: str) -> Episode:
@@ -495,26 +528,44 @@ def read_episode(run: Workspace, scene_id: str) -> Episode:
 
 
 def read_episodes(run: Workspace, scene_ids: Iterable[str]) -> Iterator[Episode]:
-    """The drives through some scenes, in the order asked for, each read when it is asked for."""
-    scenes = {row["scene_id"]: row for row in read_scenes(run)}
-    events, signals = _by_scene(read_events(run)), _by_scene(read_signals(run))
+    """The drives through some scenes, in the order asked for, some tens or hundreds read at a time."""
+    scene_ids = list(scene_ids)
+    scenes = {row["scene_id"]: row for row in read_scenes(run, ids=scene_ids)}
+    events, signals = _by_scene(read_events(run, scene_ids)), _by_scene(read_signals(run, scene_ids))
+    first, many = 0, AHEAD[0]
+    while first < len(scene_ids):
+        some = scene_ids[first : first + many]
+        first, many = first + many, min(2 * many, AHEAD[1])
+        tracks = _tracks(run, [scenes[scene_id] for scene_id in some if scene_id in scenes])
+        for scene_id in some:
+            scene = _driven(run, scene_id, scenes.get(scene_id))
+            rows = tracks.get(scene_id, EPISODES.empty_table())
+            try:
+                episode = episode_of(rows, scene, events.get(scene_id, []), signals.get(scene_id, []))
+            except (ValueError, IndexError) as error:
+                raise RunError(
+                    f"{_tracks_of(run, scene)} and the tables do not hold a drive of {scene_id!r} ({error}); they were "
+                    "changed or damaged after they were written"
+                ) from error
+            yield episode
 
-    @lru_cache(maxsize=8)  # of a block, which has several of them
-    def by_scene(path: Path) -> dict[str, Table]:
-        return rows_by(read_table(path, EPISODES), "scene_id")
 
-    for scene_id in scene_ids:
-        scene = _driven(run, scene_id, scenes.get(scene_id))
-        path = run.episodes(scene["scenario_id"], route_index(scene["route_id"]), scene["block"])
-        rows = by_scene(path).get(scene_id, EPISODES.empty_table())
-        try:
-            episode = episode_of(rows, scene, events.get(scene_id, []), signals.get(scene_id, []))
-        except (ValueError, IndexError) as error:
-            raise RunError(
-                f"{path} and the tables do not hold a drive of {scene_id!r} ({error}); they were changed or damaged "
-                "after they were written"
-            ) from error
-        yield episode
+def _tracks(run: Workspace, scenes: Iterable[Mapping[str, Any]]) -> dict[str, Table]:
+    """The rows of the drives through some scenes, by scene; each block is read once."""
+    there = dict[Path, list[str]]()
+    for scene in scenes:
+        if scene["status"] == "ran":
+            there.setdefault(_tracks_of(run, scene), []).append(scene["scene_id"])
+    found = dict[str, Table]()
+    for path, names in there.items():
+        rows = pa.concat_tables(scan_table(path, EPISODES, among=("scene_id", names)))
+        own = rows_by(rows, "scene_id")
+        found |= own if len(there) == 1 else {name: copied(one) for name, one in own.items()}
+    return found
+
+
+def _tracks_of(run: Workspace, scene: Mapping[str, Any]) -> Path:
+    return run.episodes(scene["scenario_id"], route_index(scene["route_id"]), scene["block"])
 
 
 def read_adversaries(run: Workspace, scenario_id: str, route: int, block: int, scene_ids: Iterable[str]) -> list[Track]:

@@ -41,7 +41,7 @@ def branch_scene(
         raise SettingsError(f"an ego cannot take over at {at!r}; give seconds from the beginning of the scene, 0")
     run = open_run(folder, RunRecord)
     follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
-    row = next((row for row in read_scenes(run) if row["scene_id"] == scene_id and row["status"] == "ran"), None)
+    row = next((row for row in read_scenes(run, ids=[scene_id]) if row["status"] == "ran"), None)
     if row is None:
         raise RunError(f"{folder} has no scene {scene_id!r} that was driven")
     again = remade(run)

@@ -90,7 +90,7 @@ def replay(
     follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
     kept = read_record(run)
     stored = read_episode(run, scene_id)
-    row = next(row for row in read_scenes(run) if row["scene_id"] == scene_id)
+    (row,) = read_scenes(run, ids=[scene_id])
     made = remade(run)
     scene, simulator = scene_of(row, made.program), made.simulator
     if watch or record:

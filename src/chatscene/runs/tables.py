@@ -8,7 +8,7 @@ from __future__ import annotations
 import hashlib
 import io
 from collections import defaultdict
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import MISSING, asdict, fields
 from pathlib import Path
@@ -155,6 +155,7 @@ _NEEDED = frozenset(
 
 _FEW = 500  # rows
 _MOST_VALUES = 50_000_000  # of a table: a few hundred MB of numbers. What is a few kB on disk may unpack to any size.
+_MOST_OF_A_BYTE = 8  # values; of a million scenes that we wrote, a byte is about one
 
 
 _AS_WRITTEN: dict[str, Any] = {
@@ -201,35 +202,102 @@ def write_table(path: Path, table: Table) -> str:
     return hashlib.sha256(sink.getvalue()).hexdigest()
 
 
-def read_table(path: Path, columns: Any, **filters: str) -> Table:
-    """Read a Parquet file, or its rows where each named column has the given value.
+def read_table(path: Path, columns: Any, **among: str) -> Table:
+    """Read a Parquet file, or its rows where a named column has the given value.
 
     Args:
         path: Of the file.
         columns: Those it has here, as one of the schemas of this module. One that the file lacks, since there was none
             when it was written, is read as what held then, or as null. Further ones are kept if they hold numbers, as
             parameters and metrics of one's own do, and left out if not.
-        filters: By column.
+        among: One column, and its value.
 
     Raises:
         RunError: It is not there, not readable, or not such a table.
     """
+    where = next(((name, (value,)) for name, value in among.items()), None)
+    return pa.concat_tables(scan_table(path, columns, among=where))
+
+
+Among = tuple[str, Iterable[Any]]
+"""A column, and the values of it in the rows that are wanted."""
+
+
+def scan_table(path: Path, columns: Any, *, names: Sequence[str] = (), among: Among | None = None) -> Generator[Table]:
+    """Read a Parquet file part by part, as it was written, so that it may be of any size.
+
+    Args:
+        path: Of the file.
+        columns: As for `read_table`.
+        names: Those of the columns that are wanted; all if none is named.
+        among: The rows that are wanted. Parts of the file that have none are not read.
+
+    Yields:
+        Some rows; at least once.
+
+    Raises:
+        RunError: As for `read_table`.
+    """
     try:
         with pq.ParquetFile(path, page_checksum_verification=True) as file:
             _check_size(file.metadata, path.stat().st_size)
-            table = file.read()
-        for name, value in filters.items():
-            table = rows_with(table, name, value)
-        if unknown := [field.name for field in table.schema if _is_unknown(field, columns)]:
-            table = table.drop_columns(unknown)
-        _check_columns(table, columns)
-        there = frozenset(table.column_names)
-        for field in columns:
-            if field.name not in there:
-                table = table.append_column(field, _as_before(field, table))
+            yield from _parts_of(file, columns, names, among)
     except (OSError, ValueError, KeyError, pa.ArrowException) as error:
         raise RunError(f"cannot read {path}: {error}; it is missing or was changed or damaged") from error
-    return table
+
+
+def _parts_of(file: Any, columns: Any, names: Sequence[str], among: Among | None) -> Iterator[Table]:
+    wanted, none = among and frozenset(among[1]), True
+    read = [name for name in file.schema_arrow.names if name in {*names, "status"}] if names else None
+    for group in range(file.num_row_groups):
+        numbers = list[int]()
+        if among and wanted is not None:
+            values = file.read_row_group(group, columns=[among[0]]).column(among[0]).to_pylist()
+            numbers = [number for number, value in enumerate(values) if value in wanted]
+            if not numbers:
+                continue
+        rows = file.read_row_group(group, columns=read)
+        yield _as_known(_of_numbers(rows, numbers) if among else rows, columns, names)
+        none = False
+    if none:
+        yield _as_known(file.schema_arrow.empty_table(), columns, names)
+
+
+def _as_known(table: Table, columns: Any, names: Sequence[str]) -> Table:
+    """A table with the columns that this version knows, or with some of them.
+
+    Raises:
+        ValueError: It lacks what no drive is without, or holds something else.
+    """
+    if unknown := [field.name for field in table.schema if _is_unknown(field, columns)]:
+        table = table.drop_columns(unknown)
+    known = [field for field in columns if not names or field.name in {*names, "status"}]
+    _check_columns(table, pa.schema(known))
+    there = frozenset(table.column_names)
+    for field in known:
+        if field.name not in there:
+            table = table.append_column(field, _as_before(field, table))
+    return table.select(list(names)) if names else table
+
+
+def columns_of(path: Path, columns: Any) -> tuple[list[str], dict[str, str | None]]:
+    """The columns that `read_table` would give of a Parquet file, without its rows.
+
+    Returns:
+        Those that it has; and those that it lacks, with what held in every scene that was driven when there were none.
+
+    Raises:
+        RunError: As for `read_table`; whether values are lacking is not looked at.
+    """
+    try:
+        with pq.ParquetFile(path) as file:
+            _check_size(file.metadata, path.stat().st_size)
+            known = _as_known(file.schema_arrow.empty_table(), columns, ()).column_names
+            there = frozenset(file.schema_arrow.names)
+    except (OSError, ValueError, KeyError, pa.ArrowException) as error:
+        raise RunError(f"cannot read {path}: {error}; it is missing or was changed or damaged") from error
+    lacking = {name: _LATER.get(name) if "status" in there else None for name in known if name not in there}
+    return [name for name in known if name in there], lacking
 
 
 def read_some(path: Path, columns: Any, *, every: int, always: str) -> Table:
@@ -238,19 +306,12 @@ def read_some(path: Path, columns: Any, *, every: int, always: str) -> Table:
     Raises:
         RunError: As for `read_table`.
     """
-    try:
-        with pq.ParquetFile(path, page_checksum_verification=True) as file:
-            found, before = list[Table](), 0
-            for batch in file.iter_batches(batch_size=1 << 14):
-                rows = pa.Table.from_batches([batch])
-                numbers = np.arange(before, before + rows.num_rows) % every == 0
-                found.append(rows.filter(pa.array(numbers | rows.column(always).to_numpy())))
-                before += rows.num_rows
-        table = pa.concat_tables(found)
-        _check_columns(table, columns)
-    except (OSError, ValueError, KeyError, pa.ArrowException) as error:
-        raise RunError(f"cannot read {path}: {error}; it is missing or was changed or damaged") from error
-    return table
+    found, before = list[Table](), 0
+    for rows in scan_table(path, columns):
+        numbers = np.arange(before, before + rows.num_rows) % every == 0
+        found.append(rows.filter(pa.array(numbers | rows.column(always).to_numpy())))
+        before += rows.num_rows
+    return pa.concat_tables(found)
 
 
 def rows_of(table: Table) -> list[dict[str, Any]]:
@@ -261,8 +322,18 @@ def rows_of(table: Table) -> list[dict[str, Any]]:
     if table.num_rows < _FEW:
         rows: list[dict[str, Any]] = table.to_pylist()
         return rows
+    return list(each_row(table))
+
+
+def each_row(table: Table) -> Iterator[dict[str, Any]]:
+    """The rows of a table as `rows_of` gives them, one by one, so that no more than one need be kept."""
+    if table.num_rows < _FEW:
+        yield from table.to_pylist()
+        return
+    names = table.column_names
     columns = [_values(column) for column in table.columns]
-    return [dict(zip(table.column_names, values, strict=True)) for values in zip(*columns, strict=True)]
+    for values in zip(*columns, strict=True):
+        yield dict(zip(names, values, strict=True))
 
 
 def _values(column: Any) -> list[Any]:
@@ -294,6 +365,11 @@ def rows_by(table: Table, column: str) -> dict[str, Table]:
     return {value: _of_numbers(table, numbers) for value, numbers in there.items()}
 
 
+def copied(table: Table) -> Table:
+    """A table of its own, where rows of another are a view that keeps all of that."""
+    return table.take(np.arange(table.num_rows))
+
+
 def _of_numbers(table: Table, numbers: list[int]) -> Table:
     if numbers[-1] - numbers[0] == len(numbers) - 1:  # as those of a scene lie in what we write
         return table.slice(numbers[0], len(numbers))
@@ -302,7 +378,7 @@ def _of_numbers(table: Table, numbers: list[int]) -> Table:
 
 def _check_size(told: Any, packed: int) -> None:
     """Refuse a table that unpacks to far more than its bytes on disk, before it is unpacked."""
-    if told.num_rows * told.num_columns > max(_MOST_VALUES, packed):
+    if told.num_rows * told.num_columns > max(_MOST_VALUES, _MOST_OF_A_BYTE * packed):
         raise ValueError(f"it unpacks to {told.num_rows:,} rows, more than any work leaves")
 
 

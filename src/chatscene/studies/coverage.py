@@ -40,7 +40,7 @@ from chatscene.report.coverage import coverage_page
 from chatscene.report.filled import explain_text
 from chatscene.report.stated import Stated
 from chatscene.report.understood import Understood
-from chatscene.report.viewer import ranked
+from chatscene.report.viewer import best as best_of
 from chatscene.runs.atomic import write_bytes, write_json
 from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
@@ -261,7 +261,7 @@ class _Desk:
         found = runs.read_record(run)
         searched = Searched(folder=name, status=found.status.value, counts=found.counts)
         wanted = not row.picture and found.status is runs.Status.DONE
-        best = next(iter(ranked(runs.read_scenes(run))), None) if wanted else None
+        best = best_of(run) if wanted else None
         if best is None:
             return replace(row, searched=searched)
         episode, drawing = runs.read_episode(run, best["scene_id"]), runs.read_drawing(run)

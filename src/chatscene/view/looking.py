@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 from collections import Counter, defaultdict
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from pathlib import Path
 from statistics import median
@@ -17,7 +17,7 @@ from chatscene.measure.severity import in_kmh
 from chatscene.report.animation import still as still_of
 from chatscene.report.index import Index, index, name_of
 from chatscene.report.stated import lines_changed
-from chatscene.report.viewer import ranked
+from chatscene.report.viewer import best
 from chatscene.runs.workspace import RECORD
 from chatscene.view.below import COVERAGE, REPORT, run_below
 
@@ -38,14 +38,14 @@ def listed(folder: Path) -> dict[str, Any]:
         return {"runs": [], "pages": coverages, "left_out": []}
     found = index(folder)
     facts = _by_run(found, "facts")
-    scenes = _by_run(found, "scenes")
+    scenes = found.scenes(("status", "avoidable", "fault"))
     evaluations = [
         _page(folder, path / REPORT, "evaluation", _compared(record))
         for path, record in found.evaluations.items()
         if (path / REPORT).is_file()
     ]
     return {
-        "runs": [_line(run, facts[run["run"]], scenes[run["run"]]) for run in found.tables["runs"].to_pylist()],
+        "runs": [_line(run, facts[run["run"]], scenes.get(run["run"], ())) for run in found.tables["runs"].to_pylist()],
         "pages": [*evaluations, *coverages],
         "left_out": [str(one) for one in found.left_out],
     }
@@ -78,8 +78,12 @@ def _by_run(found: Index, table: str) -> dict[str, list[Row]]:
     return rows
 
 
-def _line(run: Row, facts: list[Row], scenes: list[Row]) -> dict[str, Any]:
-    driven = [row for row in scenes if row["status"] == "ran"]
+def _line(run: Row, facts: list[Row], scenes: Iterable[Row]) -> dict[str, Any]:
+    driven, avoidable, struck = 0, 0, Counter[str]()
+    for row in scenes:
+        if row["status"] == "ran":
+            driven, avoidable = driven + 1, avoidable + (row["avoidable"] is True)
+            struck.update([row["fault"]] if row["fault"] else [])
     folder = Path(run["folder"])
     return {
         "run": run["run"],
@@ -91,11 +95,11 @@ def _line(run: Row, facts: list[Row], scenes: list[Row]) -> dict[str, Any]:
         "ran": run["ran"],
         "collided": run["collided"],
         "off_road": run["off_road"],
-        "avoidable": sum(row["avoidable"] is True for row in driven) if run["status"] == "done" else None,
+        "avoidable": avoidable if run["status"] == "done" else None,
         "kept": run["selected"],
-        "struck": dict(Counter(row["fault"] for row in driven if row["fault"])),
+        "struck": dict(struck),
         "report": (folder / REPORT).is_file(),
-        "still": bool(driven),
+        "still": driven > 0,
         "began": (folder / RECORD).stat().st_mtime,
     }
 
@@ -127,7 +131,8 @@ def _told(folder: Path) -> dict[str, dict[str, str]]:
     if found.left_out:
         raise RunError(str(found.left_out[0]))
     (run,), facts = found.tables["runs"].to_pylist(), found.tables["facts"].to_pylist()
-    driven = [row for row in found.tables["scenes"].to_pylist() if row["status"] == "ran"]
+    scenes = found.scenes(_COUNTED)
+    driven = [row for row in scenes.get(run["run"], ()) if row["status"] == "ran"]
     return {
         "asked": {name: str(run[name]) for name in _ASKED if run[name] not in (None, "")},
         "read": {
@@ -140,6 +145,7 @@ def _told(folder: Path) -> dict[str, dict[str, str]]:
     }
 
 
+_COUNTED = ("status", "collision", "avoidable", "selected", "meaning_ok", "impact_speed", "fault")
 _ENDED = {"off_road": "left the road", "timeout": "ran out of time", "waiting": "waited behind somebody to the end"}
 
 
@@ -177,8 +183,8 @@ def still(folder: Path, name: str) -> dict[str, Any]:
 def _still(folder: Path, _written: int) -> str:
     """The picture; drawn again once the record is another."""
     run = runs.open_run(folder, runs.RunRecord)
-    order = ranked(runs.read_scenes(run))
-    if not order:
+    first = best(run)
+    if first is None:
         raise RunError(f"no scene of {folder} was driven")
-    picture = still_of(runs.read_episode(run, order[0]["scene_id"]), runs.read_drawing(run))
+    picture = still_of(runs.read_episode(run, first["scene_id"]), runs.read_drawing(run))
     return base64.b64encode(picture).decode()
