@@ -66,9 +66,9 @@ def test_a_deed_is_begun_while_another_is_under_way(what: str) -> None:
 
 
 def test_a_deed_that_waits_for_what_nobody_sees_is_refused() -> None:
-    waits = car("A", "ahead", deed("brake") | {"when": {"after": "B.0"}})
-    with pytest.raises(NotBuilt, match=r"does\.0\.when\.after: B\.0: it cannot be seen when u-turn happens"):
-        build(others(waits, car("B", "oncoming", deed("u-turn"))))
+    waits = car("A", "ahead", deed("brake") | {"when": {"after": "B.1"}})
+    with pytest.raises(NotBuilt, match=r"does\.0\.when\.after: B\.1: it cannot be seen when turn-back happens"):
+        build(others(waits, car("B", "driveway", deed("enter"), deed("turn-back"), side="right")))
 
 
 WHOM = {

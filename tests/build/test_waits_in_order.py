@@ -77,12 +77,12 @@ def test_a_delay_that_counts_from_another_moment_than_the_end_of_the_deed_before
         build(from_plain({"others": [{"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": does}]}))
 
 
-def test_a_later_deed_of_the_egos_wheel_that_waits_for_somebody_is_refused() -> None:
+def test_a_later_deed_of_the_egos_wheel_waits_for_a_phase_of_another() -> None:
     later = {"act": "swerve", "to": "right", "when": {"after": "A.stop"}}
     swerves = [{"act": "swerve", "to": "left", "when": {"ego_within": "40 m", "of": "A"}}, later]
     ahead = {"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": deeds("stop")}
-    with pytest.raises(NotBuilt, match=r"ego\.does\.1\.when\.after"):
-        build(from_plain({"ego": {"speed": "50 km/h", "does": swerves}, "others": [ahead]}))
+    source = build(from_plain({"ego": {"speed": "50 km/h", "does": swerves}, "others": [ahead]})).program.source
+    assert re.search(r"Order\(since=[\d.]+, till=[\d.]+, aside=-2.6, whom='A', phase=\d", source)
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, Heads, Side, Where, acts_of
 from chatscene.world.control import curve_speeds
-from chatscene.world.places import lastLane, ringTraffic, trafficFrom, wayOf
+from chatscene.world.places import lastLane, ownLane, ringTraffic, trafficFrom, wayOf
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -239,7 +239,8 @@ def slow_enough(asked: Asked) -> None:
         NotBuilt: It was said to be.
     """
     route = asked.found.route
-    _on_the_road(asked, room_against(route) - route.eventAt, route.eventAt)
+    room = room_against(route) or ownLane(route).length  # the ego's own lane, where none of the others' lies beside it
+    _on_the_road(asked, room - route.eventAt, route.eventAt)
 
 
 def _on_the_road(asked: Asked, room: float, meets_at: float) -> None:

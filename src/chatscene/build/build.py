@@ -222,8 +222,9 @@ def _built(said: Ledger, usual: float, name: str) -> Built:
     _check_road(situation, [actor for actor, _ in everybody])
     numbers = sorted((one for actor, _ in everybody for one in actor.numbers.declared(body)), key=lambda one: one.name)
     around = _around(ledger)
-    if (contact := situation.contact) is not None and contact.whom in {one.id for one in situation.adversaries}:
-        ledger.take("contact.whom")
+    contact = situation.contact
+    if contact is not None and (not contact.happens or contact.whom in {one.id for one in situation.adversaries}):
+        ledger.take("contact.whom")  # a drive in which the ego touches nobody shows that it does not touch that one
     ledger.take(*parts_in_line(situation))
     if contact is not None and not contact.happens:  # drives without a contact are those that are kept
         ledger.take("contact.happens")

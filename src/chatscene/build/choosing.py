@@ -23,9 +23,11 @@ from chatscene.build.deeds import (
     OFF,
     OFF_BY_RAMP,
     SHIES,
+    STEPS_BACK,
     Steps,
     gets_by,
     hooks,
+    lets_by,
     passes_against,
     pulls_out,
     seen_to_pass,
@@ -70,10 +72,12 @@ def steps_of(actor: Actor, k: int) -> Steps:
     if where in ROUNDABOUT_PLACES:
         check_round(actor, k)
     table, across = dict(_table(actor, k)), actor.stand.meets is Meets.ACROSS
-    if deed.act is Act.REVERSE and actor.walks:
+    if deed.act is Act.REVERSE and actor.walks and not across:
         raise NothingBuilds(f"cannot be built yet: {deed.act}, {where}; who walks does not go backwards; say turn-back")
     if deed.act is Act.REVERSE and across and any(one.act in COMES_IN for one in actor.deeds[:k]):
         table[Act.REVERSE] = BACK_OUT
+    if deed.act is Act.REVERSE and across and actor.walks:
+        table[Act.REVERSE] = STEPS_BACK
     if deed.act not in table or (deed.act in _ASIDE and where in ROUNDABOUT_PLACES):  # nobody sees it on a bend
         along = (
             "; a road user that goes along the road starts ahead, beside or behind"
@@ -201,7 +205,9 @@ def _to_another(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         yield Act.FOLLOW, BEHIND_ANOTHER
     elif deed.act is Act.OVERTAKE and actor.stand.meets is Meets.TOWARD:
         yield Act.OVERTAKE, passes_against(comes_back=actor.then(k) not in _COMES_BACK)
-    elif deed.act is Act.YIELD and actor.stand.meets is not Meets.ACROSS:
+    elif deed.act is Act.YIELD and actor.stand.meets is Meets.ACROSS:
+        yield Act.YIELD, lets_by(name_of(done_to(deed)))
+    elif deed.act is Act.YIELD:
         against = actor.stand.meets is Meets.TOWARD and actor.ledger.situation[done_to(deed)].starts.where in ALONG_EGO
         to = actor.ledger.situation[done_to(deed)].starts.where
         junction = at_junction(actor.ledger.situation) and to in (Where.ARM, Where.ONCOMING)

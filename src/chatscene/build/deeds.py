@@ -393,6 +393,14 @@ def yielding_to(name: str, *, against: bool = False, through: bool = False) -> S
     return Steps(does=(BRAKES, *by), last=(BRAKES, *by, GO), still=True, going=True, pace=Pace.STANDS)
 
 
+def lets_by(name: str) -> Steps:
+    """How somebody who heads over the road lets another by: it stands until that is level with it, and past."""
+    past = (
+        f"Halt() until abs(offsetFrom(way{name}, self)) < 20 and headway(way{name}, self, {name}) > {name}.length / 2"
+    )
+    return replace(ACROSS[Act.YIELD], does=(_STOOD, past), last=(_STOOD, past, MOVE))
+
+
 SEEN_TO_STAND = 0.5  # [s]
 BEHIND_ANOTHER = _paced("ROOM")
 """Of somebody who follows another: ``ego`` is then whom it follows."""
@@ -512,6 +520,7 @@ ACROSS: dict[Act, Steps] = {
         going=True,
         pace=Pace.LOSES,
     ),
+    Act.YIELD: Steps(does=(_STOOD, _BY), last=(_STOOD, _BY, MOVE), still=True, going=True, pace=Pace.STANDS),
     Act.TURN_BACK: Steps(does=(_BACK + " for {back} seconds",), last=(_BACK,), binds={"speed": "SPEED"}, going=True),
     Act.GO_ALONG: Steps(
         does=(MOVE + " for $GO_TIME seconds",),
@@ -542,6 +551,10 @@ ACROSS_RIDING = {
 }
 
 
+STEPS_BACK = Steps(
+    does=(_STOOD, _BACK + " for {back} seconds"), last=(_STOOD, _BACK), binds={"speed": "SPEED"}, pace=Pace.KEEPS
+)
+"""Of somebody on foot who goes back to where it came from: it turns round to."""
 BACK_OUT = Steps(
     does=(_STOOD, "ReverseStraight($BACK) for $BACK_TIME seconds"),
     last=(_STOOD, "ReverseStraight($BACK) for $BACK_TIME seconds", "Halt()"),

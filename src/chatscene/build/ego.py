@@ -245,6 +245,7 @@ def _orders(
         yield from _waits_first(ledger, deeds, k, stop)
         if along := tuple(_along_its_way(ledger, deed, at, speed)):
             ledger.take(*along)
+            yield from _breaks(ledger, deed, at, stop, speed)
             continue
         if is_own(deed):
             if row := _own_from(deeds, k):
@@ -252,8 +253,7 @@ def _orders(
                 yield from own_orders(ledger, row, k, drives, sides)
             continue
         ledger.take(f"{at}.act", *_in_a_row(deed, at))
-        if deed.breaks is not None:
-            yield from _breaks(ledger, deed, at, stop, speed)
+        yield from _breaks(ledger, deed, at, stop, speed)
         if (answers := ledger.situation.answered(deed)) is not None:  # it does so by itself, as it has to
             ledger.take(f"{at}.whom", *(f"{at}.when.{name}" for name in ("after", "during")), f"{at}.manner")
             ledger.assume(f"the ego's {deed.act} {_for_which(ledger.situation, *answers)} is left to its driver")
@@ -388,7 +388,8 @@ def _goes_past(ledger: Ledger, deed: Deed, at: str, speed: float) -> Iterator[st
 
 def _breaks(ledger: Ledger, deed: Deed, at: str, stop: float, speed: float) -> Iterator[Order]:
     """An ego that breaks a rule does not slow down for it: no driver sees lights or signs, and all see others."""
-    ledger.take(f"{at}.breaks")
+    if deed.breaks is not None:
+        ledger.take(f"{at}.breaks")
     if deed.breaks is Breach.RIGHT_OF_WAY:
         keeps = min(GOES_THROUGH, KEEPS * speed)
         till = (stop + THROUGH) / keeps

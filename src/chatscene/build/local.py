@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import shapely
 
-from chatscene.build.asked import Meets
+from chatscene.build.asked import Meets, stops_on_its_way
 from chatscene.build.place import LANE, at_roundabout, only_side_signs, ring_arms
 from chatscene.build.turning_round import WIDER
 from chatscene.errors import MapError, NotBuilt, NothingBuilds
@@ -53,7 +53,8 @@ def breaks(actor: Actor, deed: Deed) -> bool:
         case Breach.STOP_SIGN:
             return moves and (control == "stop-sign" or only_side_signs(actor.ledger.situation))
         case _:
-            return moves or deed.act in _INTO_THE_WAY or _comes_on(actor, deed)
+            in_the_way = stops_on_its_way(actor.stand.meets, actor.deeds, actor.deeds.index(deed))
+            return moves or in_the_way or deed.act in _INTO_THE_WAY or _comes_on(actor, deed)
 
 
 def _check_opposite(actor: Actor, deed: Deed) -> None:

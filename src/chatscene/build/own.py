@@ -104,8 +104,10 @@ def own_orders(
     Raises:
         NotBuilt: It is to gain speed faster than it can, or by numbers of which one is not true.
     """
-    begins, speed = _begins(ledger, deeds, first, drives, sides), drives.speed
+    begins, speed, over = _begins(ledger, deeds, first, drives, sides), drives.speed, 0.0
     for k, deed in enumerate(deeds, start=first):
+        if k > first and awaited(deed) is not None:
+            begins = _begins(ledger, deeds[k - first :], k, drives, sides)
         at = f"ego.does.{k}"
         ledger.take(f"{at}.act", f"{at}.to", f"{at}.whom", *((f"{at}.manner",) if deed.manner is Manner.SUDDEN else ()))
         if deed.when is not None and (k > first or drives.since):  # its own deeds come one after the other
@@ -117,18 +119,27 @@ def own_orders(
             lasts, does = _lasts(ledger, deed, at), deed
             if begins.by > 0.0 and deed.act is Act.SWERVE and deed.time is None and deed.distance is None:
                 lasts, does = max(lasts, begins.by), replace(deed, distance=Length(BY, BY))
-            yield from _aside(ledger, does, at, begins, lasts, speed, sides)
+            from_there = over if deed.act is Act.LANE_CHANGE else 0.0
+            yield from _aside(ledger, does, at, begins, lasts, speed, sides, from_there)
+            over += _to_left(ledger.situation, does, sides) if deed.act is Act.LANE_CHANGE else 0.0
         begins = replace(begins, since=round(begins.since + lasts, 2))
 
 
 def _aside(
-    ledger: Ledger, deed: Deed, at: str, begins: Near, lasts: float, speed: float, sides: Mapping[str, Side]
+    ledger: Ledger,
+    deed: Deed,
+    at: str,
+    begins: Near,
+    lasts: float,
+    speed: float,
+    sides: Mapping[str, Side],
+    from_there: float,
 ) -> Iterator[Order]:
     far, aside, side = _far(ledger.situation, deed, sides), _comes_aside(deed), _side_of(ledger.situation, deed, sides)
     ledger.take(f"{at}.distance", *(f"{at}.lateral.{name}" for name in LATERALS))
     if deed.lateral is not None and deed.lateral.side is side:
         ledger.take(f"{at}.lateral.side")
-    left = far if side is Side.LEFT else -far
+    left = from_there + _to_left(ledger.situation, deed, sides)
     if aside is not None:  # how fast it comes aside, and not along
         lasts = max(lasts, far / aside.high)
     since, over = round(begins.since, 2), min(_OVER[deed.act] if aside is None else far / aside.high, lasts)
@@ -148,6 +159,12 @@ def _aside(
     if deed.act is Act.PARK:
         braking = round(max(2.0 * speed / lasts, 1.5), 2)  # in the second half of it
         yield begins.order(at_most=0.0, since=round(since + lasts, 2), braking=braking)
+
+
+def _to_left(situation: Situation, deed: Deed, sides: Mapping[str, Side]) -> float:
+    """How far [m] to the left the ego goes by a deed of its wheel."""
+    far = _far(situation, deed, sides)
+    return far if _side_of(situation, deed, sides) is Side.LEFT else -far
 
 
 def _comes_aside(deed: Deed) -> Speed | None:

@@ -51,7 +51,7 @@ _FROM: dict[Tempo | Heads | Act, frozenset[Where]] = {
     Heads.OUT: frozenset((Where.AHEAD,)),
     Heads.OVER: _LANES - {Where.ARM} | {Where.ON_RAMP},
     Heads.TURNS: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
-    Tempo.WAITS: _JOINS | _AGAINST | {Where.ARM},
+    Tempo.WAITS: _JOINS | _LANES,
     Heads.BACK: OFF_ROAD | {Where.AHEAD, Where.ARM},
     Act.OPEN_DOOR: frozenset((Where.KERB, Where.AHEAD, Where.AHEAD_BESIDE, Where.BESIDE, Where.ONCOMING)),
     Act.DROP_LOAD: frozenset((Where.AHEAD,)),
@@ -96,7 +96,7 @@ OVERTAKEN = NEXT_LANE | {Where.AHEAD, Where.KERB, Where.BUS_BAY, Where.ROADSIDE}
 """Where somebody can be whom the ego overtakes."""
 _KEEPS_ROOM = acts_of(Heads.BEHIND, Heads.CLOSE, Heads.BEFORE, Heads.BY)
 """By what the distance, or the time, is the room between two."""
-_WHERE_IT_STANDS = frozenset(LETS_GO)
+_WHERE_IT_STANDS = frozenset(LETS_GO) | acts_of(Tempo.WAITS)
 """What is done standing, too."""
 
 

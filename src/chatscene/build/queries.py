@@ -32,6 +32,7 @@ from chatscene.maps.open_road import SHORT_ROAD
 from chatscene.situations.check import TURNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import BACKWARDS, backs
+from chatscene.terms.changing import waits_for_another
 from chatscene.terms.route import Beside, Equipment
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
@@ -133,6 +134,7 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
     against = any(one.starts.where in AGAINST for one in others)  # for whom that lane is
     if not (against or lanes or beside_lane(situation) or road.lanes == 1):
         over = [str(side) for one in others if (side := _goes_over(one)) is not None]
+        over = [*dict.fromkeys(_lanes_of_ego(situation)), *over]
     places = [*(base | only for only in _sites(situation, sides)), base | _only_there(situation)]
     for here in (*(place | exactly for place in places), *(places if road.lanes not in (None, 1) else ())):
         if over:
@@ -185,6 +187,16 @@ _GOES_OVER = {
     Heads.OVER: frozenset((Where.AHEAD, Where.BEHIND)),
     Heads.BY: frozenset((Where.BEHIND,)),
 }
+
+
+def _lanes_of_ego(situation: Situation) -> Iterator[str]:
+    """On which sides of its lane the ego is once it has changed lanes because of what another did."""
+    changes = [deed for deed in situation.ego.does if deed.act is Act.LANE_CHANGE]
+    left = 0
+    for deed in changes if any(map(waits_for_another, changes)) else ():
+        left += -1 if deed.to is Side.RIGHT else 1
+        if left:
+            yield str(Side.LEFT if left > 0 else Side.RIGHT)
 
 
 def _goes_over(one: Other) -> Side | None:

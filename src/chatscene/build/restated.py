@@ -11,12 +11,13 @@ from dataclasses import dataclass, field, replace
 from chatscene.build.asked import stands_first
 from chatscene.build.coming import wanted_by
 from chatscene.build.paces import AT_ONE_SPEED
-from chatscene.build.place import NEXT_LANE
+from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.possible import OVERTAKEN
 from chatscene.build.timing import Body
 from chatscene.build.waiting import SIGNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Length, Speed
+from chatscene.terms.changing import changes_later
 from chatscene.terms.situation import EGO, LATERALS, Deed, Ego, Lateral, Other, Situation, When
 from chatscene.terms.vocabulary import (
     FOR_SOMEBODY,
@@ -61,6 +62,7 @@ def restated(situation: Situation) -> Restated:
     """A situation in the form in which it is built."""
     made = Restated(situation)
     _go_past(made)
+    _over_when_told(made)
     _met_at_a_point(made)
     for rule in (_comes_aside, _on_foot_against, _on_foot_at_arm, _at_its_first_speed, _for_whom, _comes_into_view):
         made.each(rule)
@@ -218,6 +220,19 @@ def _go_past(made: Restated) -> None:
     for k, (was, now) in enumerate(zip(ego.does, does, strict=True)):
         if was.act is not now.act:  # others name it as it was called
             made.each(lambda _, one, old=f"{EGO}.{was.act}", new=f"{EGO}.{k}": _naming(one, old, new))
+
+
+def _over_when_told(made: Restated) -> None:
+    """An ego that changes lanes once another does something: not its way, which waits for nobody, but its own deed."""
+    ego = made.situation.ego
+    if ego.route is None or not changes_later(ego):
+        return
+    usual = GOES_OVER.get(ego.route, Side.LEFT)
+    does = tuple(
+        replace(deed, to=usual) if deed.act is Act.LANE_CHANGE and deed.to is None else deed for deed in ego.does
+    )
+    made.taken.append("ego.route")
+    made.situation = replace(made.situation, ego=replace(ego, route=EgoRoute.STRAIGHT, does=does))
 
 
 def _naming(one: Other, old: str, new: str) -> Other:

@@ -40,6 +40,7 @@ TURNS_OUT = 1.2  # [s] in which somebody at speed is clear of what stands in the
 UNDER_WAY, STILL = 0.3, 0.1  # [m/s]
 OVER_OURS, BEFORE_IT = 2.4, 2.0  # [m] from the ego's line, and before the junction, who has gone through that
 SEEN_BEFORE = 1.5  # [s] for which somebody is seen before the ego is as near as was said
+COMES_NEAR = 40.0  # [m] from somebody who waits for one who goes along from the first
 CLOSES_IN = 0.9  # of the ego's speed: on who is slower the ego closes in
 
 
@@ -86,6 +87,7 @@ _OF: dict[Tempo | Heads | Act, Sign] = {
     **dict.fromkeys((Heads.ACROSS, Heads.IN, Heads.FROM_EDGE, Heads.BEFORE, Heads.MERGES, Heads.TURNS), _IN),
     **dict.fromkeys((Heads.ASIDE, Heads.DRIFTS, Heads.SWINGS), _ASIDE),
     Heads.OUT: _OVER,
+    **dict.fromkeys((Heads.ROUND, Heads.OFF), _OVER_ITS_OWN),
     Heads.BY: Sign(
         f"headway(way{{who}}, {{whom}}, {{who}}) > -{_NEAR} - 3", f"headway(way{{who}}, {{whom}}, {{who}}) > {_NEAR}"
     ),
@@ -313,7 +315,7 @@ def _in_turn(actor: Actor, who: str, n: int, *, done: bool) -> tuple[str, ...] |
     if before is None:
         return None
     if act in _SETS_OFF and (goes or drives):
-        return _in_turn(actor, who, n - 1, done=True) if n and does[n - 1].act not in _GOES_ON else None
+        return _in_turn(actor, who, n - 1, done=True) if n and does[n - 1].act not in _GOES_ON else _comes(actor, who)
     if act in _STILL | _LOSES_SOME | _GAINS and (stood is not None or any(deed.act in LOSES for deed in does[:n])):
         return _of_speed(one, n, before, stood=stood is not None, goes=goes)
     sign = _sign_of(situation, one, n)
@@ -328,6 +330,15 @@ def _in_turn(actor: Actor, who: str, n: int, *, done: bool) -> tuple[str, ...] |
     elif act not in _SETS_OFF:
         before = ()
     return None if before is None else (*before, text)
+
+
+def _comes(actor: Actor, who: str) -> tuple[str, ...] | None:
+    """What shows that somebody who goes along from the first has come near to who waits for it.
+
+    None of who does not come toward that one, so that it may be near from the first.
+    """
+    toward = actor.ledger.situation[who].starts.where in AGAINST | {Where.BEHIND, Where.BEHIND_BESIDE}
+    return (f"gap({name_of(who)}, self) < {COMES_NEAR:g}",) if toward else None
 
 
 def _as_said(sign: Sign, deed: Deed, usual: float, *, done: bool) -> str:

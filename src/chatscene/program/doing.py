@@ -329,6 +329,18 @@ def exits(s: Seen) -> Iterator[Act]:
         yield Act(int(np.argmax(along)), int(np.argmax(along)))
 
 
+def _waits(s: Seen) -> Iterator[Act]:
+    """It comes to a stand, or stands on, as who has stopped before."""
+    yield from ACTIONS[Action.STOP](s)
+    yield from (Act(first + 1, first + 1) for first, end in runs(_speed(s) < STANDING) if first and end > first + 1)
+
+
+def _goes_back(s: Seen) -> Iterator[Act]:
+    """It goes backwards; on foot it turns back, since nobody walks so."""
+    walks = manner_of(s.track.kind) is Manner.WALKS
+    yield from _turns_back(s) if walks else ACTIONS[Action.REVERSE](s)
+
+
 def _parks(s: Seen) -> Iterator[Act]:
     """It comes to stand outside the ego's lane, or aside of the line on which it came."""
     for once in ACTIONS[Action.STOP](s):
@@ -351,13 +363,13 @@ def follows(s: Seen) -> Iterator[Act]:
 ACTS: Mapping[Said, Callable[[Seen], Iterable[Act]]] = by_act(
     {
         Tempo.STANDS: _stands_at_first,
-        Tempo.WAITS: ACTIONS[Action.STOP],
+        Tempo.WAITS: _waits,
         Tempo.HALTS: ACTIONS[Action.STOP],
         Tempo.LIES: ACTIONS[Action.STOP],  # that it lies then, no track tells
         Tempo.BRAKES: _brakes,
         Tempo.SLOWS: _slows_down,
         Tempo.PAUSES: ACTIONS[Action.HESITATE],
-        Tempo.BACKS: ACTIONS[Action.REVERSE],
+        Tempo.BACKS: _goes_back,
         Tempo.GAINS: accelerates,
         Tempo.SETS_OFF: _sets_off,
         Heads.ALONG: _moves_on,

@@ -15,6 +15,7 @@ from chatscene.program.meaning import EGO_STATES
 from chatscene.program.watching import watch
 from chatscene.terms.arrays import Array
 from chatscene.terms.backing import backs
+from chatscene.terms.changing import changes_later
 from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import EgoState
@@ -46,12 +47,13 @@ def of_ego(situation: Situation, episode: Episode, route: Route, contact: int | 
         path = f"ego.does.{k}"
         if deed.act is Act.REVERSE and not backs(situation):
             yield _backs_up(f"{path}.act", episode, until)
-        elif deed.act is Act.LANE_CHANGE and situation.ego.route in CHANGES:
+        elif deed.act is Act.LANE_CHANGE and situation.ego.route in CHANGES and not changes_later(situation.ego):
             yield not_judged(f"{path}.act")  # which its way is, and is judged as that
         elif deed.act is Act.OVERTAKE:
             yield from _passes(path, deed, situation, episode, route, contact)
         elif deed.act in _ASIDE:
-            yield from _aside(path, deed, episode, route, contact)
+            back = any(one.act is deed.act is Act.LANE_CHANGE for one in situation.ego.does[:k])
+            yield from _aside(path, deed, episode, route, contact, back=back)
         else:
             left = situation.answered(deed) is not None  # to whoever drives it
             yield from _pedals(f"{path}.act", deed, speed, episode, route, contact, first=k == 0, left=left)
@@ -123,11 +125,18 @@ def _passes(
     yield Finding(path=f"{path}.act", shown=shown or (None if contact is not None else False), told=told)
 
 
-def _aside(path: str, deed: Deed, episode: Episode, route: Route, contact: int | None) -> Iterator[Finding]:
-    """Whether the ego leaves its line, and to the side that was said; one that was hit before may yet have done so."""
+def _aside(
+    path: str, deed: Deed, episode: Episode, route: Route, contact: int | None, *, back: bool
+) -> Iterator[Finding]:
+    """Whether the ego leaves its line, and to the side that was said; one that was hit before may yet have done so.
+
+    Of one that had changed lanes `back`, whether it leaves where it was then.
+    """
     seen = watch(episode, route, episode.ego_track, contact)
     left = seen.offset if deed.to is not Side.RIGHT else -seen.offset
     aside = left if deed.to is not None else np.abs(seen.offset)
+    if back:  # from where it was then
+        aside = aside - np.minimum.accumulate(aside)
     most, least = float(aside.max()), _ASIDE[deed.act]
     shown = most > least
     if deed.act is Act.PARK:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from chatscene.program.finding import Finding, not_judged
 from chatscene.program.meaning import is_place, maneuver_of
 from chatscene.situations.phrases import ROADS
+from chatscene.terms.changing import changes_later
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 from chatscene.terms.routing import CONTROLS, PLACES
@@ -39,7 +40,9 @@ def of_road(situation: Situation, episode: Episode, route: Route, until: int | N
     """What a drive shows of the ego's way, of the road and of what surrounds it."""
     way, road = situation.ego.route, situation.road
     goes = maneuver_of(route)
-    if way in _ROUTES:
+    if changes_later(situation.ego):
+        yield not_judged("ego.route")  # which its deed is, and is judged as that
+    elif way in _ROUTES:
         yield Finding(path="ego.route", shown=goes in _ROUTES[way], told=f"said {way}, its route goes {goes}")
     elif way is not None:
         yield not_judged("ego.route")
