@@ -65,6 +65,14 @@ def test_a_deed_is_done_as_it_can_be_from_there(said: Situation) -> None:
     assert unseen(said) == ()
 
 
+def test_an_ego_that_slows_down_by_a_number_once_another_comes_in_does_so_by_that_number() -> None:
+    slows = after(deed("slow-down", acceleration="1 m/s²"), "A.0")
+    ego = {"kind": "truck", "speed": "80 km/h", "does": [slows]}
+    said = others(car("A", "behind-beside", deed("cut-in"), side="left", speed="90 km/h"), ego=ego)
+    source = build(said).program.source
+    assert "braking=1, whom='A', phase=" in source
+
+
 def test_no_ego_that_overtakes_on_a_divided_road_meets_somebody_who_drives_backwards() -> None:
     ego = {"speed": "110 km/h", "route": "overtake"}
     road = {"kind": "motorway", "lanes": 2, "ego_lane": 2, "has": ["median"]}

@@ -72,12 +72,11 @@ def steps_of(actor: Actor, k: int) -> Steps:
     if where in ROUNDABOUT_PLACES:
         check_round(actor, k)
     table, across = dict(_table(actor, k)), actor.stand.meets is Meets.ACROSS
-    if deed.act is Act.REVERSE and actor.walks and not across:
+    crossed = across and any(one.act in COMES_IN for one in actor.deeds[:k])
+    if deed.act is Act.REVERSE and actor.walks and not crossed:
         raise NothingBuilds(f"cannot be built yet: {deed.act}, {where}; who walks does not go backwards; say turn-back")
-    if deed.act is Act.REVERSE and across and any(one.act in COMES_IN for one in actor.deeds[:k]):
-        table[Act.REVERSE] = BACK_OUT
-    if deed.act is Act.REVERSE and across and actor.walks:
-        table[Act.REVERSE] = STEPS_BACK
+    if deed.act is Act.REVERSE and crossed:
+        table[Act.REVERSE] = STEPS_BACK if actor.walks else BACK_OUT
     if deed.act not in table or (deed.act in _ASIDE and where in ROUNDABOUT_PLACES):  # nobody sees it on a bend
         along = (
             "; a road user that goes along the road starts ahead, beside or behind"

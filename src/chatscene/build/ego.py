@@ -51,6 +51,7 @@ STAND = 4.0  # [s] that somebody stands who sets off again
 BESIDE = 3.0  # [s] that the ego stands beside its lane before it comes into it
 SLOW = 3.0  # [m/s]
 EASED = 0.4  # of its speed that an ego keeps that loses some before it does something with its wheel
+AT_ONCE = 0.1  # [s] after which an ego begins to lose speed that waited for somebody
 SLOWED = 1.0  # [s] that it has lost speed, so that it is seen to, when it does something else
 GOES_THROUGH, THROUGH = 5.0, 14.0  # [m/s], [m] before and beyond where it is to give way, that an ego goes on
 OVER_LANE, INTO_TURN = 3.0, 9.0  # [m] on its way into a lane, or through a turn, that an ego is across a lane
@@ -256,6 +257,9 @@ def _orders(
         yield from _breaks(ledger, deed, at, stop, speed)
         if (answers := ledger.situation.answered(deed)) is not None:  # it does so by itself, as it has to
             ledger.take(f"{at}.whom", *(f"{at}.when.{name}" for name in ("after", "during")), f"{at}.manner")
+            if (order := _as_told(ledger, deed, at, speed)) is not None:
+                yield order
+                continue
             ledger.assume(f"the ego's {deed.act} {_for_which(ledger.situation, *answers)} is left to its driver")
             continue
         if backs_up(ledger.situation, deed):
@@ -269,6 +273,18 @@ def _orders(
         else:
             begins = yield from _pedals(ledger, deed, at, _then(deeds, k), there, begins, speed)
         stood = _wait(deed, deeds[k + 1 :]) or stood
+
+
+def _as_told(ledger: Ledger, deed: Deed, at: str, speed: float) -> Order | None:
+    """An order to lose speed by numbers that were said, once another does something; None where none were.
+
+    It ends when the ego has lost it: what comes then is left to its driver.
+    """
+    waits, said = awaited(deed), deed.speed is not None or deed.acceleration is not None
+    if waits is None or not said or deed.act not in acts_of(Tempo.SLOWS, Tempo.BRAKES):
+        return None
+    order = _slower(ledger, deed, at, 0.0, AT_ONCE, speed, EASED * speed)
+    return waiting(replace(order, till=round(order.since + SLOWED, 1)), *waits)
 
 
 def backs_up(situation: Situation, deed: Deed) -> bool:
