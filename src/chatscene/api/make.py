@@ -15,7 +15,7 @@ from chatscene.errors import SettingsError, Unsatisfiable, no_such
 from chatscene.files.bounded import is_there
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
-from chatscene.settings import EGO, EXECUTOR, SIMULATOR, RetrievalSettings, Settings, SimulationSettings
+from chatscene.settings import EGO, EXECUTOR, SIMULATOR, RetrievalSettings, SearchSettings, Settings, SimulationSettings
 from chatscene.terms.conflict import Conflict
 from chatscene.terms.description import Description
 from chatscene.terms.scenario import BaseScenario
@@ -153,11 +153,8 @@ def run(
     if own and speed is not None:
         own = replace(own, program=_at_speed(own.program, speed))
     if own:
-        from chatscene.imports.collection import map_for
-        from chatscene.search.generators.their_map import their_map
-
-        map, notes = their_map(own.map_path, map_for(own, on, shut_in=within is not None))  # noqa: A001
-        for line in (*own.changed(), *notes):
+        map, looking, lines = _told_of(own, on, looking, shut_in=within is not None)  # noqa: A001
+        for line in lines:
             progress(f"{line}\n", 0, 0)
     situation = made.record if isinstance(made, Stated) else None
     if isinstance(made, Stated):
@@ -185,6 +182,20 @@ def run(
         embedder=chosen.embedder,
         language_model=chosen.language_model or (),
     )
+
+
+def _told_of(
+    own: ForeignProgram, chosen: str | None, search: SearchSettings, *, shut_in: bool
+) -> tuple[str | None, SearchSettings, tuple[str, ...]]:
+    """On which map a program of the user's own runs, what its search is set to, and lines for a person about it."""
+    from chatscene.imports.collection import map_for
+    from chatscene.search.generators.their_map import their_map
+
+    there, notes = their_map(own.map_path, map_for(own, chosen, shut_in=shut_in))
+    if own.varies():
+        return there, search, (*own.changed(), *notes)
+    once = f"nothing in {own.path.name} varies, so it is driven once on each of its routes"
+    return there, replace(search, scenes=1), (*own.changed(), *notes, once)
 
 
 @contextmanager

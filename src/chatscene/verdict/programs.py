@@ -61,7 +61,8 @@ def watch_program(path: Path, settings: VerifySettings) -> Watching:
     settings = replace(settings, map_name=named or "")
     driver = "its own ego drives" if own.program.as_written else f"{settings.ego or EGO} drives the ego"
     notes = (*own.changed(), driver, *left_out(own.program))
-    return _watched([_Part(own, range(settings.draws))], "Scenic program", settings, notes, _Variants())
+    drives = range(settings.draws if own.varies() else 1)  # more would be the same
+    return _watched([_Part(own, drives)], "Scenic program", settings, notes, _Variants())
 
 
 def watch_openscenario(path: Path, settings: VerifySettings) -> Watching:

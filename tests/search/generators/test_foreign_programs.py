@@ -128,7 +128,7 @@ def test_a_foreign_program_is_driven_and_searched_like_our_own(simulator: Confin
         (MINE.replace("do Halt()", "do choose Halt(), Park()\n    do Halt()"), "let a parameter decide"),
         (MINE.replace("do Halt()", "require always 1 < 2\n    do Halt()"), "over time in a behavior"),
         (MINE.replace("Range(10, 30)", "Range(30, 10)"), "the lower first"),
-        (MINE.replace("Range(10, 30)", "12"), "Range"),
+        (MINE.replace("Range(10, 30)", "3 * 4"), "Range"),
         (MINE + "import os\n", "line 16: import"),
         ("model chatscene.world.model\nx = (\n", "line 2, column 5: not Scenic: this ( is never closed"),
         ("x" * 50_000, "at most 20000"),

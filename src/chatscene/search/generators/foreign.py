@@ -17,6 +17,7 @@ from typing import Any, cast
 
 from chatscene.errors import ForeignCodeRefused, SettingsError
 from chatscene.library.load import parameters_in, stated_in
+from chatscene.search.generators.one_scene import as_searched
 from chatscene.search.generators.parameters import stated, unstated
 from chatscene.simulate.confined.allow_list import check_foreign, model_of, parse_foreign, refused
 from chatscene.simulate.confined.asked_map import map_of
@@ -71,6 +72,18 @@ class ForeignProgram:
             return ()
         name = self.path.name
         return (f"{name} is rewritten before it is run:", *self.rewritten.reasons(), self.rewritten.diff(name))
+
+    def varies(self) -> bool:
+        """Whether two scenes of it on one route may differ; what does not keep to the allow-list may draw anyhow."""
+        program = self.program
+        if program.drawn or any(one.high > one.low for one in program.parameters) or check_foreign(program.source):
+            return True
+        tree: Any = parse_foreign(program.source)
+        nodes: Iterator[Any] = (part for node in tree.body for part in _outside_params(node))
+        return any(
+            (isinstance(one, ast.Name) and one.id in _DISTRIBUTIONS) or getattr(one, "prob", None) is not None
+            for one in nodes
+        )
 
     def check_map(self, within: Path) -> None:
         """Hold the map that it asks for to lying in a folder, links followed; one that is not there is never read.
@@ -149,8 +162,10 @@ def read_foreign(
         raise ForeignCodeRefused(f"{path} is not UTF-8 text: {error.reason} at byte {error.start}") from error
     rewritten = as_scenic_3(text.replace("\r\n", "\n"), trusted=trusted)
     rewritten, given = _with_meanings(rewritten, given or {}, trusted=trusted)
-    text = stated(rewritten.source, given)
+    scene = as_searched(rewritten.source, trusted=trusted)
+    text = stated(scene.source, given)
     program, renamed, asked = _made(path.stem, text, trusted, as_written, own=str(path), searched_with=searched_with)
+    asked = scene.map or asked
     # Not Path.resolve(), which raises where links lead round in a circle.
     map_path = None if asked is None else Path(os.path.realpath(path.parent / asked))
     return ForeignProgram(path=path, program=program, renamed=renamed, map_path=map_path, rewritten=rewritten)
@@ -396,6 +411,10 @@ def _adversary_behavior(called: str, tree: Any, as_written: bool, searched_with:
         f"{called}: which road user is the adversary? Define `behavior {ADVERSARY_BEHAVIOR}():` and give it to "
         f"one, with `AdvAgent = new Car …, with behavior {ADVERSARY_BEHAVIOR}()`; {found}"
     )
+
+
+def _outside_params(statement: Any) -> Iterator[Any]:
+    return iter(()) if type(statement).__name__ == "Param" else ast.walk(statement)
 
 
 def _things(tree: Any) -> Iterator[Any]:
