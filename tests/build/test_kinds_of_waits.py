@@ -9,6 +9,7 @@ from test_in_time import deed, unseen
 from test_towards import car, others
 
 from chatscene.build.build import build
+from chatscene.errors import NotBuilt
 from chatscene.terms.situation import Situation
 
 
@@ -71,6 +72,18 @@ def test_an_ego_that_slows_down_by_a_number_once_another_comes_in_does_so_by_tha
     said = others(car("A", "behind-beside", deed("cut-in"), side="left", speed="90 km/h"), ego=ego)
     source = build(said).program.source
     assert "braking=1, whom='A', phase=" in source
+
+
+def test_the_way_within_which_the_ego_changes_lanes_late_is_no_way_to_the_side() -> None:
+    within = [deed("lane-change", to="right", distance="30 m"), after(deed("lane-change", to="left"), "A.0")]
+    said = others(car("A", "behind", deed("overtake")), ego={"speed": "50 km/h", "does": within})
+    with pytest.raises(NotBuilt, match=r"ego\.does\.0\.distance: 30 m: at its speed the ego is in the next lane after"):
+        build(said)
+
+
+def test_who_goes_on_from_the_first_where_it_was_said_to_be_starts_there() -> None:
+    aside: dict[str, Any] = deed("go-along") | {"lateral": {"side": "right", "edge": "0.3 m"}}
+    assert unseen(others(car("A", "ahead", aside, kind="bicycle"))) == ()
 
 
 def test_no_ego_that_overtakes_on_a_divided_road_meets_somebody_who_drives_backwards() -> None:

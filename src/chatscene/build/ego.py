@@ -12,7 +12,7 @@ from chatscene.build.awaiting import awaited, waiting
 from chatscene.build.coming import Coming, coming, keeps_limits, wanted_by
 from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import FIRM, MOST
-from chatscene.build.own import FIRST, KEEPS, Drives, fastest, is_own, own_orders
+from chatscene.build.own import FIRST, KEEPS, LATER, Drives, fastest, is_own, own_orders
 from chatscene.build.own_speeds import at_own_speeds
 from chatscene.build.place import GOES_OVER, NEXT_LANE, Found, at_junction, changed_at, merged_at
 from chatscene.build.relations import PASSES, speed_of
@@ -57,7 +57,6 @@ GOES_THROUGH, THROUGH = 5.0, 14.0  # [m/s], [m] before and beyond where it is to
 OVER_LANE, INTO_TURN = 3.0, 9.0  # [m] on its way into a lane, or through a turn, that an ego is across a lane
 UP, UP_FOR, UP_AFTER = 1.5, 2.5, 1.0  # [m/s], [s] that an ego goes back, and [s] that it has stood before
 UP_GAIN = 2.0  # [m/s²] about with which it gets there
-LATER = 1.15  # of the way within which the ego was said to be over
 _OVER_BY_ITS_WAY = CHANGES | {EgoRoute.MERGE}
 _BESIDE_ROAD = frozenset((*BEGINS, *ENDS))
 BACKS = 20.0  # [m] at most that an ego backs, if only a bound was said

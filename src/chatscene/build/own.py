@@ -39,6 +39,7 @@ SLOWER = 0.6  # of its speed that an ego has that is to gain speed, if no speed 
 FIRST = 2.0  # [s] after which it does
 AT_ONCE = 0.5  # [m/s] by which its speed is raised at a time where it was said how fast it gains speed
 OFF = 0.25  # of a speed, by which two numbers may be off a third that follows from them
+LATER = 1.15  # of the way within which the ego was said to be over
 SAME = 1.0  # [m/s] by which two go as fast
 NOT_AHEAD = frozenset((Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE))
 
@@ -136,6 +137,7 @@ def _aside(
     from_there: float,
 ) -> Iterator[Order]:
     far, aside, side = _far(ledger.situation, deed, sides), _comes_aside(deed), _side_of(ledger.situation, deed, sides)
+    _check_within(deed, at, lasts * speed)
     ledger.take(f"{at}.distance", *(f"{at}.lateral.{name}" for name in LATERALS))
     if deed.lateral is not None and deed.lateral.side is side:
         ledger.take(f"{at}.lateral.side")
@@ -161,6 +163,19 @@ def _aside(
         yield begins.order(at_most=0.0, since=round(since + lasts, 2), braking=braking)
 
 
+def _check_within(deed: Deed, at: str, way: float) -> None:
+    """Hold that the ego is in the next lane within the way that was said, where it takes `way` [m].
+
+    Raises:
+        NotBuilt: It is not.
+    """
+    if deed.act is Act.LANE_CHANGE and deed.distance is not None and way > LATER * deed.distance.most:
+        raise NotBuilt(
+            f"{at}.distance: {deed.distance}: at its speed the ego is in the next lane after {way:.0f} m;"
+            " say that, or a slower ego"
+        )
+
+
 def _to_left(situation: Situation, deed: Deed, sides: Mapping[str, Side]) -> float:
     """How far [m] to the left the ego goes by a deed of its wheel."""
     far = _far(situation, deed, sides)
@@ -174,7 +189,9 @@ def _comes_aside(deed: Deed) -> Speed | None:
 
 def _far(situation: Situation, deed: Deed, sides: Mapping[str, Side]) -> float:
     """How far [m] the ego leaves its line by a deed."""
-    usual = ASIDE[deed.act] if deed.distance is None else deed.distance.near(ASIDE[deed.act])
+    usual = ASIDE[deed.act]
+    if deed.distance is not None and deed.act is not Act.LANE_CHANGE:  # of which it says within what way
+        usual = deed.distance.near(usual)
     if deed.lateral is None:
         return usual
     return _far_aside(situation, deed.lateral, _side_of(situation, deed, sides), sides, usual)

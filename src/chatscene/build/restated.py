@@ -18,6 +18,7 @@ from chatscene.build.waiting import SIGNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Length, Speed
 from chatscene.terms.changing import changes_later
+from chatscene.terms.lateral import PLACED
 from chatscene.terms.situation import EGO, LATERALS, Deed, Ego, Lateral, Other, Situation, When
 from chatscene.terms.vocabulary import (
     FOR_SOMEBODY,
@@ -64,7 +65,15 @@ def restated(situation: Situation) -> Restated:
     _go_past(made)
     _over_when_told(made)
     _met_at_a_point(made)
-    for rule in (_comes_aside, _on_foot_against, _on_foot_at_arm, _at_its_first_speed, _for_whom, _comes_into_view):
+    for rule in (
+        _keeps_aside,
+        _comes_aside,
+        _on_foot_against,
+        _on_foot_at_arm,
+        _at_its_first_speed,
+        _for_whom,
+        _comes_into_view,
+    ):
         made.each(rule)
     return made
 
@@ -74,6 +83,18 @@ def _comes_aside(_: Restated, one: Other) -> Other:
     aside = [one.speed_aside(k) is not None for k in range(len(one.does))]
     does = (replace(deed, speed=None) if aside[k] else deed for k, deed in enumerate(one.does))
     return replace(one, does=tuple(does)) if any(aside) else one
+
+
+def _keeps_aside(made: Restated, one: Other) -> Other:
+    """Who goes on from the first where it was said to be across the road starts there."""
+    first = one.does[0] if one.does else None
+    if first is None or first.act is not Act.GO_ALONG or first.lateral is None or first.when is not None:
+        return one
+    if one.starts.lateral is not None or one.starts.where not in PLACED:
+        return one
+    made.taken.append(f"others.{one.id}.does.0.lateral")
+    does = (replace(first, lateral=None), *one.does[1:])
+    return replace(one, starts=replace(one.starts, lateral=first.lateral), does=does)
 
 
 def _at_its_first_speed(made: Restated, one: Other) -> Other:
