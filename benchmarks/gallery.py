@@ -79,9 +79,9 @@ SITUATIONS = {
 HEAD = """# Gallery
 
 **What can I say, and what does it look like?** Each sentence was run with two egos, `planner` and `idm`: ten scenes on
-one route, at the usual speed for the road. Both see every road user and can use full braking. Each picture shows the
-more dramatic of the two reports' first scenes, and the most dramatic pictures come first. The ego is blue, adversaries
-are orange, occluders and blockers are brown, and a star marks the contact.
+one route, at the usual speed for the road. Both see every road user nearby that nothing hides, and can use full
+braking. Each picture shows the more dramatic of the two reports' first scenes, and the most dramatic pictures come
+first. The ego is blue, adversaries are orange, occluders and blockers are brown, and a star marks the contact.
 `python benchmarks/gallery.py --out runs/gallery` made this page (seed 0).
 
 [All of these scenes as OpenSCENARIO](gallery/openscenario.zip), with the maps, for esmini or another
