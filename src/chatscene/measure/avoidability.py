@@ -349,7 +349,7 @@ def _stopped(track: Track, eye: _Places, points: _Places, at: float, high: float
     for start, way, half in zip(
         starts, (dx * cos + dy * sin, dy * cos - dx * sin), (track.length / 2, track.width / 2), strict=True
     ):
-        along = np.where(way == 0.0, 1e-12, way)  # a line along a slab divides by nothing
+        along = np.where(np.abs(way) < 1e-12, 1e-12, way)  # a line along a slab divides by nothing
         first, second = (-half - start) / along, (half - start) / along
         enter, leave = np.maximum(enter, np.minimum(first, second)), np.minimum(leave, np.maximum(first, second))
     rise = high - at

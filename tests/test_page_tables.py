@@ -1,4 +1,4 @@
-"""Tables of pages that are made of what the code says; `UPDATE_GOLDEN=1 pytest tests/test_tables.py` writes them."""
+"""Tables of pages that are made of what the code says; `UPDATE_GOLDEN=1 pytest tests/test_page_tables.py` writes them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from chatscene.search.sampler import SAMPLERS
 from chatscene.terms.criticality import Criticality
 from places import ROOT
 
-COMMAND = "UPDATE_GOLDEN=1 pytest tests/test_tables.py"
+COMMAND = "UPDATE_GOLDEN=1 pytest tests/test_page_tables.py"
 ENDS = "<!-- end of it -->\n"
 Row = Sequence[str]
 
