@@ -1,4 +1,4 @@
-"""Tables of pages that are made of what the code says; `UPDATE_GOLDEN=1 pytest tests/test_page_tables.py` writes them."""
+"""Tables of pages, made of what the code says; `UPDATE_GOLDEN=1 pytest tests/test_page_tables.py` writes them."""
 
 from __future__ import annotations
 
