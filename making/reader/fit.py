@@ -3,8 +3,8 @@
     python -m making.reader.fit --told benchmarks/texts/filled.jsonl --told benchmarks/texts/told-first.jsonl \
         --drawn drawn.jsonl --epochs 8 --seed 0 --out FOLDER
 
-Writes `reader.npz`, which the reader loads, and `reader.pt`, from which the next call goes on if it was stopped, in
-FOLDER. The same comes out again with as many threads. Needs the extra ``train``.
+Writes `reader.npz` and `reader.json`, which the reader loads, and `reader.pt`, from which the next call goes on if it
+was stopped, in FOLDER. The same comes out again with as many threads. Needs the extra ``train``.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize
 
 from chatscene.read.learned.reader import LearnedReader
-from chatscene.read.learned.weights import AS_IT_IS, load, save
+from chatscene.read.learned.weights import AS_IT_IS, load, save_trust
 from chatscene.situations.main_facts import same_in_the_main, within_the_main
 from making.reader.texts import told_in
 
@@ -21,14 +21,14 @@ _LEAST = 1e-6  # of a probability
 
 
 def calibrate(weights: Path, texts: Sequence[Path]) -> tuple[int, int]:
-    """Fit how sure the reader is on situations with texts, and write it into its file.
+    """Fit how sure the reader is on situations with texts, and write it beside its weights.
 
     A part of a reading is right if it has no main fact that the situation has not.
 
     Returns:
         How many texts there were, and of how many the main facts were read rightly.
     """
-    save(replace(load(weights), trust=AS_IT_IS, trust_in_parts=AS_IT_IS), weights)
+    save_trust(replace(load(weights), trust=AS_IT_IS, trust_in_parts=AS_IT_IS), weights)
     load.cache_clear()
     sure, in_parts = list[tuple[float, bool]](), list[tuple[float, bool]]()
     reader = LearnedReader(weights)
@@ -41,7 +41,7 @@ def calibrate(weights: Path, texts: Sequence[Path]) -> tuple[int, int]:
             for part in read.parts:
                 right = said is not None and within_the_main(part.situation, said)
                 in_parts.append((part.probability, right))
-    save(replace(load(weights), trust=trust_of(sure), trust_in_parts=trust_of(in_parts)), weights)
+    save_trust(replace(load(weights), trust=trust_of(sure), trust_in_parts=trust_of(in_parts)), weights)
     load.cache_clear()
     return len(sure), sum(right for _, right in sure)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,7 @@ from chatscene.read.learned.decoder import WIDTH, Decoder, Written
 from chatscene.read.learned.reader import LearnedReader, ranked_of
 from chatscene.read.learned.sequence import steps_of
 from chatscene.read.learned.text import prepared
-from chatscene.read.learned.weights import PACKAGED, load, save
+from chatscene.read.learned.weights import PACKAGED, load, save, trust_file
 from chatscene.read.quotes import not_in_words
 from chatscene.read.reader import Reader
 from chatscene.report.filled import filled, is_filled
@@ -89,8 +90,18 @@ def test_the_file_holds_what_was_saved(tmp_path: Path) -> None:
 def test_a_damaged_file_is_refused(tmp_path: Path) -> None:
     with np.load(PACKAGED) as arrays:
         np.savez(tmp_path / "old.npz", **{name: value for name, value in arrays.items() if name != "text"})
-    with pytest.raises(SnippetError, match="cannot be read"):
+    shutil.copy(trust_file(PACKAGED), trust_file(tmp_path / "old.npz"))
+    with pytest.raises(SnippetError, match=r"cannot be read \(.*text"):
         load(tmp_path / "old.npz")
+
+
+@pytest.mark.parametrize("trust", [None, "", "[]", '{"whole": [1.0, 0.0]}', '{"whole": [1.0], "in parts": [1.0, 0.0]}'])
+def test_weights_without_how_sure_they_may_be_are_refused(trust: str | None, tmp_path: Path) -> None:
+    shutil.copy(PACKAGED, tmp_path / "reader.npz")
+    if trust is not None:
+        trust_file(tmp_path / "reader.npz").write_text(trust)
+    with pytest.raises(SnippetError, match="install chatscene again"):
+        load(tmp_path / "reader.npz")
 
 
 def test_a_missing_file_is_told_with_how_to_get_it(tmp_path: Path) -> None:

@@ -1,9 +1,13 @@
-"""The file of the learned reader: what was trained of the encoder, and its decoder."""
+"""The files of the learned reader: what was trained of the encoder, its decoder, and how sure it may be.
+
+How sure it may be stands in a text file of its own beside the weights, so that fitting it anew leaves them as they are.
+"""
 
 from __future__ import annotations
 
 import hashlib
 import io
+import json
 import zipfile
 import zlib
 from collections.abc import Mapping
@@ -50,8 +54,13 @@ class Weights:
     trust_in_parts: Trust = AS_IT_IS
 
 
+def trust_file(path: Path) -> Path:
+    """Where it stands how sure a reader may be, beside its weights."""
+    return path.with_suffix(".json")
+
+
 def save(weights: Weights, path: Path) -> None:
-    """Write the file."""
+    """Write both files."""
     packer = zlib.compressobj(strategy=zlib.Z_HUFFMAN_ONLY)  # small numbers without repeats (decision 0042)
     changes = b"".join(weights.changes.values())
     np.savez_compressed(
@@ -63,13 +72,19 @@ def save(weights: Weights, path: Path) -> None:
         following=np.frombuffer(weights.following, np.uint8),
         tokens=np.array("\n".join("\t".join(token) for token in weights.tokens)),
         places=np.array("\n".join(weights.places)),
-        trust=np.array([weights.trust, weights.trust_in_parts]),
     )
+    save_trust(weights, path)
+
+
+def save_trust(weights: Weights, path: Path) -> None:
+    """Write how sure the reader may be, beside its weights."""
+    fitted = {"whole": weights.trust, "in parts": weights.trust_in_parts}
+    trust_file(path).write_text(f"{json.dumps(fitted, indent=2)}\n", encoding="utf-8")
 
 
 @lru_cache(maxsize=2)
 def load(path: Path = PACKAGED) -> Weights:
-    """Read the file. What it unpacks to is kept between processes, since that takes longer than all else about it.
+    """Read the files. What the weights unpack to is kept between processes, since that takes longer than all else.
 
     Raises:
         SnippetError: It is missing or damaged.
@@ -80,15 +95,16 @@ def load(path: Path = PACKAGED) -> Weights:
         ends = np.cumsum(arrays["lengths"]).tolist()
         changes = arrays["changes"].tobytes()
         places = zip(arrays["at"].tolist(), [0, *ends[:-1]], ends, strict=False)
-        whole, in_parts = arrays["trust"].tolist()
+        fitted = json.loads(trust_file(path).read_text(encoding="utf-8"))
+        (scale, offset), (of_parts, added) = fitted["whole"], fitted["in parts"]
         return Weights(
             changes={at: changes[low:high] for at, low, high in places},
             text=arrays["text"].tobytes(),
             following=arrays["following"].tobytes(),
             tokens=tuple(_token(line) for line in str(arrays["tokens"]).split("\n")),
             places=tuple(str(arrays["places"]).split("\n")),
-            trust=tuple(whole),
-            trust_in_parts=tuple(in_parts),
+            trust=(float(scale), float(offset)),
+            trust_in_parts=(float(of_parts), float(added)),
         )
     except (OSError, ValueError, KeyError, TypeError, MemoryError, zipfile.BadZipFile, zlib.error) as error:
         raise SnippetError(f"the learned reader {path} cannot be read ({error}); install chatscene again") from error
