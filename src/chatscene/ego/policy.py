@@ -132,9 +132,9 @@ def in_words(senses: Mapping[str, str]) -> str:
     share = PEDALS[pedals]
     brake = LIMITS.get(senses.get("body", CAR), LIMITS[CAR]).brake
     part = "the full brake pedal" if share == 1.0 else f"{share:g} of the pedal"
-    hidden = {"safebench": "", "unseen": ", not hidden ones"}.get(
-        seen if seen == "safebench" else senses.get("hidden", ""), ", hidden ones too"
-    )
+    hidden = ", not hidden ones" if senses.get("hidden") == "unseen" else ", hidden ones too"
+    if seen == "safebench":  # which sees only who is ahead in its lane
+        hidden = ""
     return f"{IN_WORDS[seen]}{hidden}; brakes at up to {share * brake:g} m/s² ({part})"
 
 
