@@ -24,8 +24,6 @@ class Check:
     """One thing that was tried.
 
     Attributes:
-        what: Its name.
-        ok: Whether it works.
         found: What was found, or what is wrong and what to do.
     """
 

@@ -266,11 +266,7 @@ def _road_speed(context: click.Context, parameter: click.Parameter, value: str |
 
 
 def road_speed(said: str) -> Decorator:
-    """The option that says how fast egos drive on ordinary roads [km/h].
-
-    Args:
-        said: Its help: whose speed, and what holds without it.
-    """
+    """The option that says how fast egos drive on ordinary roads [km/h]."""
     return click.option("--speed", default=None, callback=_road_speed, metavar="KMH|road", help=said)
 
 
@@ -381,11 +377,7 @@ def parameters(context: click.Context, option: click.Parameter, said: tuple[str,
 
 
 def param_option(told: str) -> Decorator:
-    """The option that gives a program parameters.
-
-    Args:
-        told: What they are, for its help.
-    """
+    """The option that gives a program parameters."""
     return click.option(
         "--param",
         multiple=True,

@@ -22,11 +22,6 @@ DEFAULT = SimulationSettings().simulator
 def examine_simulator(name: str, map_name: str, scenes: int = 10) -> Iterator[Check]:
     """Try a simulator: is it there, has it what scenes need, does it repeat one, do they end as in the default?
 
-    Args:
-        name: As after `--simulator`.
-        map_name: Where.
-        scenes: How many are driven.
-
     Yields:
         What was tried; no more after what is needed for the rest and does not work.
 

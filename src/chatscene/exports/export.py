@@ -33,7 +33,6 @@ class Exported:
     """What an export wrote.
 
     Attributes:
-        folder: Where.
         files: The names of the files of each scene, by its id; one that several scenes need stands with each.
     """
 

@@ -112,10 +112,6 @@ def joints(library: Library, only: Collection[str] | None = None) -> Iterator[Jo
     """Every behavior that names a direction with every geometry and arm it joins, and every spawn with every geometry.
 
     Of the spawns that a behavior can have there, and of the behaviors that a spawn can, the next in turn is taken.
-
-    Args:
-        library: The snippets.
-        only: Ids of which one must be among the three; None for all.
     """
     joint = compatibility(library)
     acting = list(_acting(joint))

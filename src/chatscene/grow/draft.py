@@ -105,13 +105,6 @@ def snippet_of(
 ) -> Snippet | tuple[Finding, ...]:
     """Make a snippet of a draft; its code is read and not run.
 
-    Args:
-        draft: What a model wrote.
-        snippet_id: What it is to be called.
-        component: What it is to be.
-        library: Its partners.
-        origin: Where it comes from, for the header.
-
     Returns:
         The snippet, or what is wrong with the draft.
     """

@@ -183,12 +183,7 @@ def world_names() -> frozenset[str]:
 
 
 def trials(library: Library, only: Collection[str] | None = None) -> Iterator[tuple[Triple, AdversaryKind]]:
-    """Programs to try: every behavior as every kind, with geometries and spawns that were not tried yet first.
-
-    Args:
-        library: Who can be tried, and be a partner.
-        only: Ids to try; None for all.
-    """
+    """Programs to try: every behavior as every kind, with geometries and spawns that were not tried yet first."""
     joint = compatibility(library)
     # The town has none of the places that are a site; what is there is held by tests of routes and facts.
     mask = joint.mask & np.array([g.slots.site is None for g in joint.geometries])[None, :, None]

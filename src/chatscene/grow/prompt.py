@@ -91,14 +91,7 @@ on simulated tracks. parameters: the unit and meaning of each OPT_ parameter."""
 
 
 def question(component: Component, base: BaseScenario, have: Sequence[str], tried: Sequence[str]) -> str:
-    """The question itself.
-
-    Args:
-        component: What is wanted.
-        base: For which base scenario.
-        have: Names of what there is already.
-        tried: What was proposed before and not wanted, with the reason.
-    """
+    """The question itself."""
     lines = [f"Write a new {component} for the base scenario {base}. It does what none of these does:"]
     lines.append(", ".join(have[:MOST_NAMES]))
     if tried:

@@ -28,13 +28,7 @@ Progress = Callable[[str, int, int], None]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Kept:
-    """A proposal that passed and waits.
-
-    Attributes:
-        id: Of the proposal.
-        path: Its file.
-        attempts: Drafts it took.
-    """
+    """A proposal that passed and waits."""
 
     id: str
     path: Path
@@ -60,13 +54,7 @@ class Refused:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Summary:
-    """What came of asking.
-
-    Attributes:
-        kept: What waits for review.
-        refused: What does not, with reasons.
-        spending: What the model cost.
-    """
+    """What came of asking."""
 
     kept: tuple[Kept, ...]
     refused: tuple[Refused, ...]
@@ -99,15 +87,6 @@ def propose(
     progress: Progress,
 ) -> Summary:
     """Ask for snippets that the library has not.
-
-    Args:
-        model: Who is asked; what it writes is data.
-        component: What is wanted.
-        base: For which base scenario.
-        n: How many to ask for; each may be mended twice, and fewer may pass.
-        shelf: Where those that pass are put, in the queue.
-        judge: Who says what is wrong with one. It is taught those that pass.
-        progress: Told what is done.
 
     Raises:
         SettingsError: None is asked for.

@@ -37,11 +37,6 @@ class Pending:
     """A proposal that waits for a person.
 
     Attributes:
-        id: To accept, reject or edit it by.
-        path: Its file.
-        says: What it is, in one line.
-        model: Who proposed it.
-        date: When.
         fault: Why it cannot be accepted as it is, as far as that can be seen without driving; empty if it can.
     """
 
@@ -61,12 +56,6 @@ def pending(shelf: Shelf) -> tuple[Pending, ...]:
 
 def accept(shelf: Shelf, proposal_id: str, *, make_judge: MakeJudge, embedder: Callable[[], Embedder]) -> Path:
     """Check a proposal again, behind both walls, and move it into the library.
-
-    Args:
-        shelf: The folder.
-        proposal_id: Which.
-        make_judge: Makes the judge of a snippet, of the library as it is.
-        embedder: Loads the judge of wordings.
 
     Returns:
         The file of the snippet, or of its wordings.

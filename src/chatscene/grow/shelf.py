@@ -35,11 +35,7 @@ _ID = re.compile(rf"(?:{REPHRASINGS}/)?(?:{'|'.join(Component)})/[a-z0-9]+(?:-[a
 
 @dataclass(frozen=True, slots=True)
 class Shelf:
-    """A user's folder of snippets.
-
-    Attributes:
-        folder: It; need not exist yet.
-    """
+    """A user's folder of snippets."""
 
     folder: Path
 

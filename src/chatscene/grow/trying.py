@@ -56,12 +56,7 @@ class Judge:
         self.library = Library(tuple(sorted((*self.library, snippet), key=lambda s: s.id)))
 
     def faults(self, snippet: Snippet, base: BaseScenario | None) -> tuple[Finding, ...]:
-        """The faults of the first rung that fails: its code, then drives with partners, then that it is new.
-
-        Args:
-            snippet: Whatever the library has under its id is not looked at.
-            base: The base scenario it is for; None for any.
-        """
+        """The faults of the first rung that fails: its code, then drives with partners, then that it is new."""
         others = Library(tuple(s for s in self.library if s.id != snippet.id and s.slots.site is None))
         if faults := code_faults(snippet, others):
             return faults

@@ -45,14 +45,7 @@ SHARES = (0.5, 0.2, 0.8)  # where in every range the scenes lie
 def twins(
     library: Library, simulator: Simulator, ego: EgoPolicy, only: Collection[str] | None = None
 ) -> Iterator[tuple[str, str, str]]:
-    """Pairs of snippets that do the same, and how that was seen.
-
-    Args:
-        library: The snippets, and the partners they are seen with.
-        simulator: Where to run them.
-        ego: Who drives.
-        only: Ids of which one must be in a pair; None for all pairs.
-    """
+    """Pairs of snippets that do the same, and how that was seen."""
     joint = compatibility(library)
     seen = _Seen(joint, simulator, ego)
     for one, other in _pairs(joint.behaviors, only):

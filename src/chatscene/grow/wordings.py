@@ -33,14 +33,7 @@ class Wordings(BaseModel):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rephrased:
-    """What came of asking for wordings.
-
-    Attributes:
-        snippet_id: Of what.
-        kept: Wordings that wait for review.
-        refused: Those that do not, with reasons.
-        spending: What the model cost.
-    """
+    """What came of asking for wordings."""
 
     snippet_id: str
     kept: tuple[str, ...]
@@ -56,13 +49,6 @@ none out. Call the car under test the ego, us or vehicle 1."""
 
 def rephrase(model: LanguageModel, snippet_id: str, n: int, *, shelf: Shelf, embedder: Embedder) -> Rephrased:
     """Ask for wordings of a snippet that lies in the folder; what passes waits in the queue.
-
-    Args:
-        model: Who is asked.
-        snippet_id: Of which snippet.
-        n: How many wordings; fewer come back if the model runs out of usable ones.
-        shelf: The folder.
-        embedder: Measures whether a wording finds its snippet.
 
     Raises:
         SettingsError: None is asked for, or more than one reply holds.
@@ -123,15 +109,7 @@ def own_snippet(shelf: Shelf, library: Library, snippet_id: str) -> Snippet:
 def fault_of(
     text: str, snippet: Snippet, library: Library, embedder: Embedder, *, besides: Collection[str] = ()
 ) -> Refused | None:
-    """Why a text is no new wording of a snippet; None if it is one.
-
-    Args:
-        text: The wording.
-        snippet: What it is for.
-        library: Of which no other snippet may have it or be much nearer to it.
-        embedder: Measures that.
-        besides: Other wordings that it must differ from.
-    """
+    """Why a text is no new wording of a snippet; None if it is one."""
     if problem := wording_fault(text):
         return Refused(name=text[:80], reason="text", message=problem)
     for other in library.of(snippet.component):

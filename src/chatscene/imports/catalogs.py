@@ -30,12 +30,6 @@ def written_out(root: Element, path: Path, given: Given, catalogs: Catalogs) -> 
 
     Entries of controllers are not looked for, as controllers are not taken. Whatever cannot be found is refused by its
     line, among the refusals of the file.
-
-    Args:
-        root: The file.
-        path: Where it lies.
-        given: Its parameters.
-        catalogs: Its catalogs.
     """
     return _Writer(root, path, given, catalogs).element(root, {}, 0, "")
 
@@ -120,12 +114,7 @@ def _bracketed(value: str) -> str:
 
 
 class Catalogs:
-    """The catalogs in the folders that a scenario names; opened once, however often the scenario is read.
-
-    Args:
-        root: The scenario.
-        path: Where it lies.
-    """
+    """The catalogs in the folders that a scenario names; opened once, however often the scenario is read."""
 
     def __init__(self, root: Element, path: Path) -> None:
         self._root, self._path = root, path

@@ -65,15 +65,7 @@ class _Record(_Frozen):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CollectedProgram:
-    """A program of a collection.
-
-    Attributes:
-        name: Its path from the folder.
-        path: Its file.
-        map_path: The map that it lies on.
-        file: The path of the file that it was made of.
-        about: What that file says of itself.
-    """
+    """A program of a collection."""
 
     name: str
     path: Path
@@ -84,13 +76,7 @@ class CollectedProgram:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Collection:
-    """A folder of programs that were imported.
-
-    Attributes:
-        folder: Where they are.
-        programs: In order of the files that they were made of.
-        refused: Why other files became none, by their paths.
-    """
+    """A folder of programs that were imported."""
 
     folder: Path
     programs: tuple[CollectedProgram, ...]
@@ -99,11 +85,6 @@ class Collection:
 
 def write_record(folder: Path, files: Sequence[FileRecord], maps: Sequence[Path]) -> None:
     """Leave the record in the folder of the programs.
-
-    Args:
-        folder: The folder.
-        files: What each file became.
-        maps: The files of the maps of all programs.
 
     Raises:
         RunError: It cannot be written.
@@ -159,11 +140,6 @@ def _record(folder: Path) -> _Record:
 
 def map_for(own: ForeignProgram, chosen: str | None, *, shut_in: bool) -> str | None:
     """The map that a program's user names, else the one that it was imported with, where it names none itself.
-
-    Args:
-        own: The program.
-        chosen: The map that its user names, or None.
-        shut_in: Whether no record beside it may tell its map.
 
     Raises:
         RunError: The map was changed.

@@ -37,24 +37,13 @@ _NOT_AFTER = "it does not wait for the event before; a plan goes through its eve
 
 
 class Conditions:
-    """Reads the triggers of an actor's events.
-
-    Args:
-        player: Whose.
-        given: The parameters of the file.
-        state: What it does after the events so far.
-    """
+    """Reads the triggers of an actor's events."""
 
     def __init__(self, player: Player, given: Given, state: State) -> None:
         self._player, self._given, self._state = player, given, state
 
     def ends(self, event: Element, before: Element | None, first: list[Element]) -> list[After | Until] | None:
         """When an event begins after the one before; None for at once.
-
-        Args:
-            event: The event.
-            before: The one before; None for the first.
-            first: Conditions that come before it begins to wait, as those of an act.
 
         Raises:
             Refused: It does not wait for the one before, or waits for what no plan waits for.

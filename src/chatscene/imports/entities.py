@@ -31,11 +31,6 @@ _EGOS = re.compile(r"(?i)(ego|hero)")
 class Entities:
     """The entities of a file.
 
-    Args:
-        root: The file.
-        given: Its parameters.
-        ego: Which one is the ego; None where the file tells it.
-
     Attributes:
         objects: Their elements, by name.
         groups: The names of those that a selection holds, by its name.

@@ -34,12 +34,6 @@ from chatscene.terms.sums import Sum, number, quotient
 def plan_of(player: Player, events: list[Element], given: Given, first: list[Element] | None = None) -> Plan:
     """The plan that events are.
 
-    Args:
-        player: Whose.
-        events: In their order.
-        given: The parameters of the file.
-        first: Conditions that hold before any event, such as those of an act.
-
     Raises:
         Refused: It is none.
     """

@@ -230,11 +230,6 @@ def _read(
 def _program(read: Imported | Carried, path: Path, out: Path) -> _Program:
     """The program of what was read.
 
-    Args:
-        read: What was read.
-        path: Of what it is made.
-        out: What it will be called.
-
     Raises:
         ScenarioError: It is more than a program of a user's may be.
     """

@@ -76,12 +76,7 @@ def _first(refused: str) -> str:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ImportedFolder:
-    """What the files of a folder became.
-
-    Attributes:
-        out: Where the programs are.
-        files: A row for each file, in order of names.
-    """
+    """What the files of a folder became."""
 
     out: Path
     files: tuple[ImportedFile, ...]

@@ -17,12 +17,7 @@ from chatscene.maps.network import PACKAGED, load_network, resolve_map
 
 
 class Maps:
-    """Finds the map of a scenario, each once: the one that is asked for, else the one that the scenario names.
-
-    Args:
-        path: Where the scenario lies.
-        map_name: The map that is asked for; None for the one that the scenario names by a path from its own folder.
-    """
+    """Finds the map of a scenario, each once: the one that is asked for, else the one that the scenario names."""
 
     def __init__(self, path: Path, map_name: str | None) -> None:
         self._path, self._asked = path, map_name
@@ -31,10 +26,6 @@ class Maps:
 
     def of(self, given: Given, root: Element) -> Path:
         """The map, where parameters have these values.
-
-        Args:
-            given: The parameters.
-            root: The scenario, with its catalogs written out.
 
         Raises:
             ScenarioError: The scenario names one that does not lie there, or none, and its places are told by roads.

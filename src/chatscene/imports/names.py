@@ -16,11 +16,7 @@ def plain(text: str) -> str:
 
 
 class Names:
-    """What a program calls what a file names: texts that may stand in it, no two names of the file by the same.
-
-    Args:
-        used: What some names of the file are called.
-    """
+    """What a program calls what a file names: texts that may stand in it, no two names of the file by the same."""
 
     def __init__(self, used: Mapping[str, str]) -> None:
         self._used = dict(used)
@@ -34,12 +30,7 @@ class Names:
 
 
 class Apart:
-    """Tells texts apart: one that is taken gets the first number behind that makes it another.
-
-    Args:
-        before: What stands before the number.
-        taken: The texts that are taken.
-    """
+    """Tells texts apart: one that is taken gets the first number behind that makes it another."""
 
     def __init__(self, before: str, taken: Iterable[str] = ()) -> None:
         self._before, self._taken, self._next = before, set(taken), dict[str, int]()

@@ -26,11 +26,6 @@ _BY_ROADS = frozenset(
 def open_ground(root: Element, given: Given, path: Path) -> Path:
     """The map, kept in the user's cache folder by its content.
 
-    Args:
-        root: The scenario, which names no road network.
-        given: Its parameters.
-        path: Where it lies.
-
     Raises:
         ScenarioError: Its places are told by roads, its ego is not placed, or there is no cache folder.
     """

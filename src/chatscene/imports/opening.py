@@ -43,14 +43,7 @@ EGO_DOES = "what the ego does is left to the ego under test"
 
 
 class Opening:
-    """Reads who is where at first.
-
-    Args:
-        root: The file, with its catalogs written out.
-        given: Its parameters.
-        map_path: The map.
-        ego: What the file calls the ego; None for what is told by the file.
-    """
+    """Reads who is where at first."""
 
     def __init__(self, root: Element, given: Given, map_path: Path, ego: str | None) -> None:
         self._root, self._given, self._map_path = root, given, map_path

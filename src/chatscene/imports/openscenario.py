@@ -124,10 +124,6 @@ class ScenarioFile:
     ) -> Imported:
         """What the scenario says.
 
-        Args:
-            told: Values of parameters in place of those in the file, by name.
-            spans: Ends between which parameters vary in place of a value, by name.
-
         Raises:
             ScenarioError: It says what cannot be said here; the message names elements and lines.
             MapError: The map is not there, or is broken.
@@ -174,10 +170,6 @@ class ScenarioFile:
         """The program that the scenario carries; None where it carries none, or its events or map were changed since.
 
         Nor is it taken where somebody is named as the ego: then what the events say of that one is asked for.
-
-        Args:
-            told: As of `said`.
-            spans: As of `said`.
 
         Raises:
             ScenarioError: A parameter has a range or a value that cannot be.

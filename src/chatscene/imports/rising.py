@@ -54,13 +54,7 @@ class _First:
 
 
 def holds_at_first(story: StoryProgram, network: Any, values: Mapping[str, float]) -> bool:
-    """Whether somebody but the ego waits for an edge to rise of what holds from the beginning on.
-
-    Args:
-        story: What happens.
-        network: Scenic's, of its map.
-        values: What its parameters are.
-    """
+    """Whether somebody but the ego waits for an edge to rise of what holds from the beginning on."""
     asked = [what for edge, _, *what in _conditions(story) if edge == "rising" and what[0] not in _OF_THE_WORLD]
     if not asked:
         return False

@@ -22,11 +22,7 @@ _SHAPES = frozenset(["linear", "cubic", "sinusoidal", "step"])
 
 
 class StoryActions:
-    """Reads actions.
-
-    Args:
-        cast: Whom the story may speak of.
-    """
+    """Reads actions."""
 
     def __init__(self, cast: Cast) -> None:
         self._cast, self._given = cast, cast.given

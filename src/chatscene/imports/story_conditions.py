@@ -29,13 +29,7 @@ _ALWAYS: Told = ("always",)
 
 
 class StoryConditions:
-    """Reads triggers.
-
-    Args:
-        cast: Whom the story may speak of.
-        changing: Names of parameters and variables that actions set.
-        variables: What they are at first; those that conditions ask for are added.
-    """
+    """Reads triggers."""
 
     def __init__(self, cast: Cast, changing: frozenset[str], variables: dict[str, Any]) -> None:
         self._cast, self._given = cast, cast.given

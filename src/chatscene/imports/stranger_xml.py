@@ -25,10 +25,6 @@ class Element:
     """An element of XML.
 
     Attributes:
-        tag: Its name.
-        attributes: As they are written.
-        line: Where it begins, from 1.
-        inside: The elements in it, in order.
         file: The name of the file that it stands in; empty for the file that was asked for.
     """
 
@@ -64,11 +60,6 @@ class Element:
 
 def read_xml(path: Path, *, file: str = "", most: int = MOST) -> Element:
     """The root of a file of XML.
-
-    Args:
-        path: Where it lies.
-        file: What its elements say of the file that they stand in.
-        most: Elements that it may have.
 
     Raises:
         ScenarioError: It cannot be read, is not XML, or is larger, deeper or more than an XML file of a scenario is.

@@ -20,11 +20,6 @@ _COLUMNS = 100
 def written(board: Storyboard, name: str, whole: StoryProgram | None = None) -> str:
     """The program of a storyboard.
 
-    Args:
-        board: What it says.
-        name: Of what it was made, for its first line.
-        whole: The same with what the ego does, event by event, if the file says that.
-
     Raises:
         ScenarioError: Nobody in it but the ego does anything.
     """

@@ -68,18 +68,7 @@ class Member:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StoryProgram:
-    """A scenario that is played as a story.
-
-    Attributes:
-        members: The ego first.
-        route: The ego's.
-        lines: Others, by name.
-        acts: What happens.
-        stop: When the drive is over.
-        variables: Values that conditions ask for, at first.
-        parameters: What varies, each within its range.
-        surroundings: Light, weather and road.
-    """
+    """A scenario that is played as a story."""
 
     members: tuple[Member, ...]
     route: Polyline
@@ -92,12 +81,7 @@ class StoryProgram:
 
 
 def written_story(story: StoryProgram, name: str) -> str:
-    """The program of a story.
-
-    Args:
-        story: What happens.
-        name: Of what it was made, for its first line.
-    """
+    """The program of a story."""
     around = ", ".join(f"{key} = '{value}'" for key, value in asdict(story.surroundings).items())
     acting = [one for one in story.members[1:] if one.acts]
     other = next(iter(acting or story.members[1:]), None)

@@ -15,13 +15,7 @@ from chatscene.terms.situation import Deed, Other, Situation
 
 
 def with_changes(situation: Situation, before: Facts, after: Facts) -> Situation:
-    """A situation with what differs between facts of it and others; all else stays as it is.
-
-    Args:
-        situation: What it was.
-        before: The facts of it that have names.
-        after: What they are to be.
-    """
+    """A situation with what differs between facts of it and others; all else stays as it is."""
     parties = parties_of(situation)
     if parties is None:
         return situation

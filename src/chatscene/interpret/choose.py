@@ -18,11 +18,6 @@ from chatscene.terms.snippet import Retrieval, Tried
 def choose(scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> tuple[Retrieval, Triple]:
     """Choose the snippets of a scenario.
 
-    Args:
-        scenario: What was understood.
-        settings: Which library and encoder, and the confidence below which nothing is chosen.
-        tried: Choices that did not show what was said; they are not made again.
-
     Returns:
         The choice with its reasons, and its snippets with every parameter narrowed to what was said.
 

@@ -36,13 +36,7 @@ _SENTENCE_ENDS = re.compile(r"(?<=[.!?])\s+(?=[A-Z\"'“(])")
 
 @dataclass(frozen=True, slots=True)
 class _Passage:
-    """A passage of a report.
-
-    Attributes:
-        text: Its words.
-        tells: Whether it tells a conflict.
-        paragraph: The number of the paragraph that it ends in.
-    """
+    """A passage of a report."""
 
     text: str
     tells: bool
@@ -105,11 +99,6 @@ def conflicts_in(
     told: Callable[[str, int, int], None] | None = None,
 ) -> tuple[Conflict, ...]:
     """The conflicts that a report tells, in its order.
-
-    Args:
-        text: The report.
-        name: What it is called.
-        told: Told how many of its sentences are read.
 
     Raises:
         NothingFits: It tells none, or is not English.

@@ -37,10 +37,6 @@ def as_worded(frame: Frame, settings: RetrievalSettings) -> Frame:
 
     Where it is done is what the text was read to say, as far as there is a place for it that the behavior can be
     joined with; what there is none for is a note.
-
-    Args:
-        frame: What the text says.
-        settings: Which library, and what the user stated beside the text.
     """
     own = _worded(frame, settings) if settings.library else ()
     if not own or frame.reader or settings.reading or settings.stated:

@@ -23,10 +23,6 @@ SHOWN, SHOWN_FROM = 3, 0.1
 def edited(situation: Situation, text: str) -> Edited:
     """Apply an edit in words.
 
-    Args:
-        situation: What it is about.
-        text: The edit, such as ``make it a truck, from the left``.
-
     Raises:
         EditRefused: It was not understood, contradicts what stays, or changes nothing.
     """

@@ -28,10 +28,6 @@ def once_known(ranked: Sequence[Ranked], with_facts: WithFacts) -> tuple[Ranked,
 
     It is told as the likeliest of them in which the reader itself has what was stated, else as the likeliest.
 
-    Args:
-        ranked: What a reader gave, the likeliest first.
-        with_facts: Sets what was stated.
-
     Raises:
         SettingsError: A fact has no place in the likeliest reading.
         SituationError: The same of a fact that is stated by its path.
@@ -62,11 +58,6 @@ def taken(
     read: SituationReading, with_facts: WithFacts, settings: RetrievalSettings
 ) -> tuple[Ranked, tuple[Ranked, ...]]:
     """The reading of a text that is taken, and all that there are with what the user stated, the likeliest first.
-
-    Args:
-        read: What a reader gave.
-        with_facts: Sets what was stated.
-        settings: Which reading the user took.
 
     Raises:
         NothingFits: The text tells no situation.

@@ -20,13 +20,7 @@ _STAND_BESIDE = {
 
 
 def otherwise(scenario: Scenario, retrieval: Retrieval, words: Sequence[Mapping[str, Any]]) -> tuple[str, ...]:
-    """Lines for a person, empty where what was chosen is what was read.
-
-    Args:
-        scenario: What was read.
-        retrieval: What was chosen.
-        words: What became of each word, as in `explanation.json`.
-    """
+    """Lines for a person, empty where what was chosen is what was read."""
     return (
         *_instead(retrieval),
         *_acts(scenario.slots, retrieval),

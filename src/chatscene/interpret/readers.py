@@ -14,10 +14,6 @@ from chatscene.terms.situation import Situation
 def reader_of(settings: RetrievalSettings, cannot_build: Callable[[Situation], str] = lambda _: "") -> Reader:
     """Who reads texts: the language model or the reader that the settings name.
 
-    Args:
-        settings: Which, as their language model.
-        cannot_build: Says a language model why a situation cannot be built; empty if it can.
-
     Raises:
         SettingsError: There is no such model or reader.
         MissingExtra: Its package is missing.

@@ -76,12 +76,6 @@ def retrieve(
 ) -> Retrieval:
     """Choose the compatible triple that serves a scenario best.
 
-    Args:
-        scenario: What was understood.
-        library: What can be chosen.
-        settings: How many candidates are named, and the confidence below which nothing is chosen.
-        tried: Choices that did not show what was said; they are not made again.
-
     Raises:
         NothingFits: No triple serves it well enough; the message names the nearest.
     """

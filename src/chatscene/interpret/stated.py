@@ -79,10 +79,6 @@ def _said(value: object) -> str:
 def with_named(situation: Situation, facts: Mapping[str, Any]) -> Situation:
     """A situation in which facts that a user stated by name are as was said; what follows from them follows.
 
-    Args:
-        situation: As it was read.
-        facts: As `facts_stated` gives them.
-
     Raises:
         SettingsError: A fact has no place in it, such as the side of somebody straight ahead.
     """

@@ -186,11 +186,6 @@ def train(folder: Path, settings: TrainSettings, *, progress: Progress) -> Train
 def resume(folder: Path, *, progress: Progress = silent, repeated: Repeated | None = None) -> Trained:
     """Go on with a training that was killed or failed.
 
-    Args:
-        folder: Which.
-        progress: Told what is done.
-        repeated: What the record names and the user as well.
-
     Raises:
         RunError: There is none in the folder, or it names what must be repeated (`chatscene.runs.trust.follow`).
     """

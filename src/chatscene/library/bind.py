@@ -66,10 +66,6 @@ class Bound:
 def bound(triple: Triple, scenario: Scenario) -> Bound:
     """Narrow the parameters that quantities speak of, and those that make a start near or far.
 
-    Args:
-        triple: The snippets.
-        scenario: What was said.
-
     Raises:
         NothingFits: A quantity lies outside of what the snippet can do, by more than a person means by a number.
     """

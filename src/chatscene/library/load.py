@@ -20,11 +20,7 @@ PACKAGED = Path(__file__).parent / "packaged"
 
 @dataclass(frozen=True, slots=True)
 class Library:
-    """Snippets, sorted by id.
-
-    Attributes:
-        snippets: All of them.
-    """
+    """Snippets, sorted by id."""
 
     snippets: tuple[Snippet, ...]
     _by_id: dict[str, Snippet] = field(init=False, repr=False, compare=False)
@@ -76,9 +72,6 @@ def load_library(folder: Path | None = None) -> Library:
 @lru_cache(maxsize=4)
 def library_with(folder: str = "") -> Library:
     """The packaged library and a user's own beside it.
-
-    Args:
-        folder: Of the user's snippets; empty for none.
 
     Raises:
         SnippetError: A file is malformed, or takes the id of a packaged snippet.
@@ -144,10 +137,6 @@ class CodeNames:
 
 def names_of(source: str, known: Collection[str]) -> CodeNames:
     """Compute the contract of a piece of Scenic from its syntax tree.
-
-    Args:
-        source: Scenic text.
-        known: Names that the world model and Python define.
 
     Raises:
         SnippetError: It is not Scenic.

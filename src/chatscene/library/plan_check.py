@@ -43,12 +43,7 @@ _DIMENSIONS: dict[str, Dimension] = {"m": (1, 0), "m/s": (1, -1), "s": (0, 1), "
 
 
 def check_plan(plan: Plan, parameters: Iterable[ParameterRange]) -> Iterator[str]:
-    """What is wrong with a plan.
-
-    Args:
-        plan: What is checked.
-        parameters: What is known of its parameters: the units.
-    """
+    """What is wrong with a plan."""
     declared, read = {p.name for p in plan.parameters}, set(_parameters_in(plan))
     yield from (f"{name} changes nothing, no phase reads it" for name in sorted(declared - read))
     yield from (f"{name} is read and not declared" for name in sorted(read - declared))

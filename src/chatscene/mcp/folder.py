@@ -20,9 +20,6 @@ SIMULATORS = ("native", "embedded", "confined")
 class Folder:
     """Paths below a folder, by names that somebody else gives.
 
-    Args:
-        root: The folder.
-
     Raises:
         SettingsError: There is none.
     """

@@ -24,13 +24,7 @@ PAGE = 100  # resources that are listed at a time
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """What a resource holds.
-
-    Attributes:
-        kind: Its media type.
-        text: In words; empty of a picture.
-        picture: As PNG.
-    """
+    """What a resource holds."""
 
     kind: str
     text: str = ""

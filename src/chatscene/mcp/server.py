@@ -61,12 +61,7 @@ def require_mcp() -> None:
 
 
 class Worker:
-    """The process that works, for one call at a time.
-
-    Args:
-        folder: Where.
-        reading: How sentences are read: options of `chatscene.explain`.
-    """
+    """The process that works, for one call at a time."""
 
     def __init__(self, folder: Path, reading: Mapping[str, Any]) -> None:
         import anyio
@@ -151,10 +146,6 @@ async def _beats(ctx: ServerRequestContext[Any, Any], state: Mapping[str, Any], 
 
 class Agents:
     """Answers agents in one folder.
-
-    Args:
-        folder: The folder.
-        reading: How sentences are read: options of `chatscene.explain`.
 
     Raises:
         SettingsError: There is no such folder.
@@ -270,10 +261,6 @@ class Agents:
 
 def agent_server(folder: Path, reading: Mapping[str, Any] | None = None) -> Server[Any]:
     """The server of a folder, for any transport.
-
-    Args:
-        folder: Where agents work.
-        reading: How sentences are read: options of `chatscene.explain`.
 
     Raises:
         MissingExtra: The package of the protocol is not installed.

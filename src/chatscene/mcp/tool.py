@@ -33,9 +33,7 @@ class Desk:
     """What a tool works with.
 
     Attributes:
-        folder: Where everything is.
         reading: How sentences are read: options of `chatscene.explain`.
-        progress: Told what is done.
     """
 
     folder: Folder
@@ -115,12 +113,7 @@ class Tool:
 
 
 def first_of(lines: Sequence[str], more: str = "") -> list[str]:
-    """The first of many lines, and how many more there are.
-
-    Args:
-        lines: All of them.
-        more: Where the others can be seen.
-    """
+    """The first of many lines, and how many more there are."""
     left_out = len(lines) - MOST_LISTED
     return [*lines[:MOST_LISTED], *[f"  and {left_out} more{more}"] * (left_out > 0)]
 

@@ -47,11 +47,7 @@ async def _over_stdio(server: Server[Any]) -> None:
 
 
 class _Lines:
-    """Lines of messages, of which none has an id that no request can have: the package takes such for a notification.
-
-    Args:
-        file: Where they come from.
-    """
+    """Lines of messages, of which none has an id that no request can have: else it would pass for a notification."""
 
     def __init__(self, file: AsyncIterable[str]) -> None:
         self._file = file

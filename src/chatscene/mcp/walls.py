@@ -59,11 +59,6 @@ def served_model(name: str) -> str:
 def stay_in(folder: Path, temporary: Path, language_model: str = OFFLINE) -> tuple[str, ...]:
     """Give up for ever, in this process, every file but those of a folder and what working in it takes.
 
-    Args:
-        folder: The agent's.
-        temporary: A folder for what is in between.
-        language_model: Who reads sentences, as `served_model` gives it.
-
     Returns:
         What the kernel does not keep to here, in words.
     """

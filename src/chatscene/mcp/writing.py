@@ -161,10 +161,6 @@ def situation_in(desk: Desk, file: str) -> Situation:
 class Saving:
     """Where a situation and its program are to be written, held to the folder before anything is done for them.
 
-    Args:
-        desk: What a tool works with.
-        save_as: The name of the situation's file; None for nowhere.
-
     Raises:
         SettingsError: Nothing can be written there.
     """

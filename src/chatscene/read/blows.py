@@ -32,13 +32,7 @@ from chatscene.terms.vocabulary import Act, Striker, Where
 
 
 def settled(situation: Situation, text: str, marked: Mapping[str, Sequence[Span]]) -> Situation:
-    """A situation whose contact is as the grammar of its text has it.
-
-    Args:
-        situation: As it was read.
-        text: The text.
-        marked: Where the words of each fact stand, by its path.
-    """
+    """A situation whose contact is as the grammar of its text has it."""
     contact = situation.contact
     if contact is None or contact.striker is None:
         return situation
@@ -56,12 +50,7 @@ def settled(situation: Situation, text: str, marked: Mapping[str, Sequence[Span]
 
 @lru_cache(maxsize=256)
 def striker_in(text: str, verbs: Sequence[Span]) -> Striker | None:
-    """Who strikes, if the grammar of a text says so.
-
-    Args:
-        text: The text.
-        verbs: Where the words stand that tell of the contact.
-    """
+    """Who strikes, if the grammar of a text says so."""
     tokens = tokens_of(text)
     told = (at for at in in_spans(tokens, verbs) if tokens[at].may_be_verb)
     strikers = (_by_passive(tokens, at) or _by_active(tokens, at) for at in told)

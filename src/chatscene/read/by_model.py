@@ -50,12 +50,7 @@ class Answer(BaseModel):
 
 @dataclass(frozen=True, slots=True)
 class ModelReader:
-    """Reads by a language model; see `chatscene.read.reader.Reader` for the contract.
-
-    Attributes:
-        model: Who is asked.
-        cannot_build: Says why a situation cannot be built; empty if it can.
-    """
+    """Reads by a language model; see `chatscene.read.reader.Reader` for the contract."""
 
     model: LanguageModel
     cannot_build: Callable[[Situation], str] = lambda _: ""

@@ -38,13 +38,7 @@ _ENDS = frozenset(".;:!?\n")
 
 @dataclass(frozen=True, slots=True)
 class Token:
-    """A word or a mark of a text.
-
-    Attributes:
-        word: In small letters.
-        span: Where it begins and ends.
-        ego: Whether it names the ego.
-    """
+    """A word or a mark of a text."""
 
     word: str
     span: Span

@@ -15,12 +15,7 @@ _ENDS = re.compile(
 
 
 def cut(text: str, words: Sequence[Word]) -> Clauses:
-    """Cut a text into clauses; one whose words gave no fact belongs to whoever came before, the first to the ego.
-
-    Args:
-        text: The text, in one line.
-        words: Its words, each with the path of the fact that it gave.
-    """
+    """Cut a text into clauses; one whose words gave no fact belongs to whoever came before, the first to the ego."""
     ego: list[str] = []
     others: list[str] = []
     whose = ego

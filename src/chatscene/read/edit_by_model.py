@@ -37,12 +37,7 @@ Rules:
 
 
 def edited_by(model: LanguageModel, cannot_build: Callable[[Situation], str]) -> Callable[[Situation, str], Edited]:
-    """Who applies edits: a situation and an edit in words to what becomes of it.
-
-    Args:
-        model: Who is asked.
-        cannot_build: Says why a situation cannot be built; empty if it can.
-    """
+    """Who applies edits: a situation and an edit in words to what becomes of it."""
 
     def edited(situation: Situation, text: str) -> Edited:
         if not text.strip() or len(text) > LONGEST:

@@ -88,12 +88,7 @@ _SAID: tuple[tuple[str, re.Pattern[str]], ...] = (
 
 
 def without_effect(text: str, span: tuple[int, int]) -> str:
-    """Why a word of a text is known to be without effect; empty if it is not.
-
-    Args:
-        text: As a user wrote it.
-        span: Where the word begins and ends.
-    """
+    """Why a word of a text is known to be without effect; empty if it is not."""
     start, end = span
     return next((why for low, high, why in _found(text) if low <= start and end <= high), "")
 

@@ -40,12 +40,7 @@ class Part:
 
 
 def parts_of(text: str, words: Sequence[Mapping[str, Any]]) -> list[Part]:
-    """A text in parts, of which the last may only hold what stands behind all words.
-
-    Args:
-        text: As it was read.
-        words: What became of each word, as in `explanation.json`.
-    """
+    """A text in parts, of which the last may only hold what stands behind all words."""
     found: list[Part] = []
     facts: dict[str, int] = {}
     at = 0

@@ -30,12 +30,7 @@ T = TypeVar("T")
 
 
 def if_drawn(what: str, draw: Callable[[], T]) -> T | None:
-    """What a drawing gives; None, with a warning, where it fails: the drives that it would show are done, and stand.
-
-    Args:
-        what: What is drawn, for the warning.
-        draw: Draws it.
-    """
+    """What a drawing gives; None, with a warning, where it fails: the drives that it would show are done, and stand."""
     try:
         return draw()
     except Exception as error:  # noqa: BLE001 - whatever it is, it is told

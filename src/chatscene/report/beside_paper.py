@@ -13,12 +13,7 @@ PAPER = "paper"
 
 
 def beside_paper(table: ResultTable, name: str) -> ResultTable:
-    """A table of ours with the paper's row below each of ours that the paper has.
-
-    Args:
-        table: Ours; its rows are named as `paper_tables.json` names them.
-        name: ``table1`` to ``table5``.
-    """
+    """A table of ours with the paper's row below each of ours that the paper has."""
     paper = _paper()[name]
     rows: list[tuple[str, tuple[Cell, ...]]] = []
     for label, cells in table.rows:

@@ -17,11 +17,7 @@ WIDEST_SCALE = WIDTH / 5  # [px]
 
 
 def above(said: str) -> Image.Image:
-    """A band with the sentence, as much of it as has room.
-
-    Args:
-        said: The sentence.
-    """
+    """A band with the sentence, as much of it as has room."""
     lines = _wrapped(" ".join(said.split()))
     band = Image.new("RGB", (WIDTH, len(lines) * LINE + EDGE), PAINT)
     ImageDraw.Draw(band).multiline_text((EDGE, EDGE / 2), "\n".join(lines), fill=INK, font=_font(), spacing=LINE - FONT)
@@ -29,13 +25,7 @@ def above(said: str) -> Image.Image:
 
 
 def below(episode: Episode, camera: Camera, ego: str) -> Image.Image:
-    """A band with who is who and how long some metres are.
-
-    Args:
-        episode: Who is on the picture.
-        camera: From where it is seen.
-        ego: Who drives; may be empty.
-    """
+    """A band with who is who and how long some metres are."""
     band = Image.new("RGB", (WIDTH, LINE + EDGE), PAINT)
     brush, font = ImageDraw.Draw(band), _font()
     left = float(EDGE)

@@ -21,16 +21,7 @@ def collection_page(
     partly: Mapping[str, str],
     failures: Mapping[str, str],
 ) -> str:
-    """The page: one file that needs nothing but a browser.
-
-    Args:
-        collection: What was driven.
-        fared: How each ego fared in all its drives.
-        drives: What was driven.
-        lost: Why programs were not driven at all, by their names.
-        partly: Of those that were, how many drives were not made, and why.
-        failures: Why egos were given up, by ego.
-    """
+    """The page: one file that needs nothing but a browser."""
     script = scripts("sort", "table", "evaluation")
     egos = [one["ego"] for one in fared]
     why = {**lost, **partly}

@@ -12,11 +12,7 @@ from chatscene.terms.coverage import SHOWN, Answer, Catalogue, Covered, Tally
 
 
 def coverage_page(found: Sequence[tuple[Catalogue, Sequence[Covered]]]) -> str:
-    """The page.
-
-    Args:
-        found: Each catalogue with what became of its entries.
-    """
+    """The page."""
     return fill(
         "coverage.html",
         title="Coverage",

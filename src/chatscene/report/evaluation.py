@@ -28,9 +28,6 @@ Row = Mapping[str, Any]
 def write_evaluation(run: Workspace) -> Path:
     """Write `report.html` into the folder of an evaluation whose scenes were driven.
 
-    Args:
-        run: The folder.
-
     Returns:
         The path of the page: one file, no requests, works from ``file://``. It links the reports of the runs that the
         scenes are from, where these have one.
@@ -137,14 +134,7 @@ def _situation(run: Workspace, number: int, source: SourceRecord) -> dict[str, A
 
 
 def fared_of(ego: str, senses: str, rows: Sequence[Row], *, by_selection: int = 0) -> dict[str, Any]:
-    """How an ego fared in all its drives.
-
-    Args:
-        ego: Its name.
-        senses: What it sees, in words.
-        rows: Its drives, as `scenes.parquet` has them.
-        by_selection: How many of the scenes were kept for what it did in them.
-    """
+    """How an ego fared in all its drives."""
     crashes = [row for row in rows if row["collision"]]
     impacts = [row["impact_speed"] for row in crashes]
     kinds = {row["crash_type"] for row in crashes}

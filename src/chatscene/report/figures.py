@@ -20,12 +20,6 @@ def two_curves(path: Path, curves: Mapping[str, Curve], *, x: str, second: str) 
 
     The same curves give the same bytes.
 
-    Args:
-        path: Where to.
-        curves: By method.
-        x: What the curves run over.
-        second: What the other number is.
-
     Raises:
         RunError: The file system refuses.
     """

@@ -33,13 +33,6 @@ def filled(
 ) -> Stated:
     """The situation that a text tells, with some facts set, and its program.
 
-    Args:
-        text: The text.
-        settings: Who reads, and which reading is taken.
-        facts: Facts that the user states: by their paths or by their names.
-        map_name: The map that it is to be built on; None for any.
-        speed: What the ego drives at [km/h], if the text does not say.
-
     Raises:
         SettingsError: The text is empty or too long, there is no such model, reading or fact, or a fact has no
             place.
@@ -69,11 +62,6 @@ def filled(
 def read_in(text: str, settings: RetrievalSettings, facts: Mapping[str, object] | None = None) -> Ranked:
     """What a text is read as, with some facts set, whether or not it can be built.
 
-    Args:
-        text: The text.
-        settings: Who reads, and which reading is taken.
-        facts: Facts that the user states: by their paths or by their names.
-
     Raises:
         SettingsError: The text is empty or too long, there is no such model, reading or fact, or a fact has no
             place.
@@ -99,14 +87,6 @@ def explain_text(
     speed: float | None = None,
 ) -> Understood | Stated:
     """What becomes of a text, and of edits of it, before anything is run.
-
-    Args:
-        text: The text.
-        settings: Who reads it, among others.
-        facts: Facts that the user states.
-        edits: What is to be another than it says, in words, one after the other.
-        map_name: The map that it is to be built on; None for any.
-        speed: What the ego drives at [km/h], if the text does not say.
 
     Raises:
         SettingsError: The text is empty or too long, or a speed or a map is given where snippets are chosen for it.

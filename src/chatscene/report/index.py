@@ -37,12 +37,7 @@ OTHERWISE_CALLED = {"distance": "start_distance", "group": "in_group", "ego": "e
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LeftOut:
-    """A folder whose scenes are not in an index.
-
-    Attributes:
-        folder: Which.
-        why: What is wrong with it, or what it lacks, and what to do.
-    """
+    """A folder whose scenes are not in an index."""
 
     folder: Path
     why: str
@@ -97,9 +92,6 @@ class Index:
 
 def index(folder: Path) -> Index:
     """Read all runs below a folder, in the order of their paths.
-
-    Args:
-        folder: A run folder, or one with run folders somewhere below.
 
     Raises:
         RunError: There is no such folder, or neither run nor evaluation in it.

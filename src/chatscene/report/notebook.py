@@ -13,12 +13,7 @@ from chatscene.terms.scenario import Scenario, grouped
 
 
 def framed(page: str, *, height: int = 720) -> str:
-    """A page in a frame: its script may run there, and reach nothing outside.
-
-    Args:
-        page: Whole page that loads nothing.
-        height: Height of the frame [px].
-    """
+    """A page in a frame: its script may run there, and reach nothing outside."""
     return (
         f'<iframe sandbox="allow-scripts" srcdoc="{escape(page)}" '
         f'style="width: 100%; height: {height}px; border: 0"></iframe>'
@@ -26,12 +21,7 @@ def framed(page: str, *, height: int = 720) -> str:
 
 
 def understanding_frame(scenario: Scenario, explanation: Mapping[str, Any]) -> str:
-    """How a sentence was understood, as the report shows it.
-
-    Args:
-        scenario: The scenario.
-        explanation: What `chatscene.runs.explain` gives, and the program's text as ``program``.
-    """
+    """How a sentence was understood, as the report shows it."""
     page = fill(
         "understanding.html",
         style=asset("viewer.css"),
@@ -44,10 +34,5 @@ def understanding_frame(scenario: Scenario, explanation: Mapping[str, Any]) -> s
 
 
 def picture(content: bytes, *, said: str) -> str:
-    """A GIF as part of the page.
-
-    Args:
-        content: The GIF.
-        said: What it shows, in words.
-    """
+    """A GIF as part of the page."""
     return f'<img src="data:image/gif;base64,{base64.b64encode(content).decode()}" alt="{escape(said)}">'

@@ -41,13 +41,7 @@ _COMPONENTS = {"behavior": "Adversary's behavior", "geometry": "Road geometry", 
 
 
 def heading(record: RunRecord, explanation: Row, around: str) -> Markup:
-    """The sentence, what was read in it, and how far the run came where it did not end well.
-
-    Args:
-        record: Of the run.
-        explanation: What was understood.
-        around: Light, weather and road (`chatscene.report.surroundings`).
-    """
+    """The sentence, what was read in it, and how far the run came where it did not end well."""
     facts = "; ".join(f"{_words(name)}: {_slot(value)}" for name, value in facts_of(explanation))
     told = " ".join(scenario.get("told", "") for scenario in explanation.get("scenarios", []))
     own = record.program is not None
@@ -73,13 +67,7 @@ def _words(name: str) -> str:
 
 
 def verdict(scenes: Sequence[Row], counts: Mapping[str, int], *, read: bool) -> Markup:
-    """How many scenes there are, how many crashed, how many were kept and show what was read.
-
-    Args:
-        scenes: Driven ones and rejected ones.
-        counts: What they came to (`chatscene.runs.read_counts`).
-        read: Whether anything was read that scenes are held against.
-    """
+    """How many scenes there are, how many crashed, how many were kept and show what was read."""
     ran = [row for row in scenes if row["status"] == "ran"]
     if not ran:
         return fill_section("undriven")

@@ -272,11 +272,6 @@ def stated(
 def explain_stated(situation: Situation, reader: str = "", edits: Sequence[str] = ()) -> Stated:
     """What becomes of a situation, and of edits of it, one after the other.
 
-    Args:
-        situation: What is to happen.
-        reader: Who read it in a text; empty if it was stated.
-        edits: What is to be another than it says, in words.
-
     Raises:
         NotBuilt: A fact of it cannot be built.
         EditRefused: An edit was not understood.

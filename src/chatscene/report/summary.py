@@ -76,11 +76,7 @@ def _whole(run: runs.Workspace, row: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def outcomes_in_words(counts: Mapping[str, int]) -> str:
-    """What the ego did in the drives, in one line: no collision alone is not yet a drive that went well.
-
-    Args:
-        counts: As in `run.json`; what a folder did not count is not named.
-    """
+    """What the ego did in the drives, in one line: no collision alone is not yet a drive that went well."""
     ran, collided = counts["ran"], counts["collided"]
     low, high = wilson(collided, ran)
     told = [f"collided in {collided} ({collided / max(ran, 1):.0%}, 95 % interval {low:.0%} to {high:.0%})"]

@@ -14,22 +14,12 @@ if TYPE_CHECKING:
 
 
 def fill(template: str, **values: object) -> str:
-    """A whole page.
-
-    Args:
-        template: Name of its file.
-        values: What it shows; text is escaped, markup is not.
-    """
+    """A whole page."""
     return _environment().get_template(template).render(**values)
 
 
 def fill_section(name: str, *values: object) -> Markup:
-    """A section of a page.
-
-    Args:
-        name: Name of its macro in ``sections.html``.
-        values: What it shows; text is escaped, markup is not.
-    """
+    """A section of a page."""
     return getattr(_environment().get_template("sections.html").module, name)(*values)
 
 

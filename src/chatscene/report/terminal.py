@@ -96,13 +96,7 @@ def _print_doubts(console: Console, scenario: Scenario, retrieval: Retrieval) ->
 
 
 def readings_in_words(readings: Sequence[OfferedReading], *, also: bool = False, talk: bool = False) -> list[str]:
-    """What a sentence may say, and how to take one of the readings, in lines.
-
-    Args:
-        readings: Which.
-        also: Whether it is served as something else.
-        talk: Whether the answer is a line of a talk, not an option.
-    """
+    """What a sentence may say, and how to take one of the readings, in lines."""
     if not readings:
         return []
     option = "" if talk else "--"

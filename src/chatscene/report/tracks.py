@@ -132,12 +132,7 @@ def extent(episode: Episode, margin: float = MARGIN) -> Box:
 
 
 def pack_drawing(drawing: Mapping[str, Any], boxes: Sequence[Box]) -> dict[str, Any]:
-    """The parts of the map's drawing that reach into any of the boxes, in differences of centimetres.
-
-    Args:
-        drawing: What `chatscene.maps.drawing.map_drawing` gives, and ``routes`` by name; anything may be missing.
-        boxes: Where the drives are.
-    """
+    """The parts of the map's drawing that reach into any of the boxes, in differences of centimetres."""
     around = shapely.union_all([shapely.box(*box) for box in sorted(set(boxes))])
     packed: dict[str, Any] = {
         kind: [[_pack_line(ring) for ring in area] for area in drawing.get(kind, ()) if _reaches(area[0], around)]

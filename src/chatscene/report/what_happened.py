@@ -23,11 +23,7 @@ _OTHERWISE = {
 
 
 def outcome_in_words(row: Mapping[str, Any]) -> str:
-    """What came of a drive, in a few words: a collision, the nearest gap, or how it ended where that was not kept.
-
-    Args:
-        row: A scene that was driven (`chatscene.runs.read_scenes`).
-    """
+    """What came of a drive, in a few words: a collision, the nearest gap, or how it ended where that was not kept."""
     if row["collision"]:
         return "collision"
     if row.get("happened") not in frozenset(Happening):  # or a folder that somebody changed
@@ -37,11 +33,7 @@ def outcome_in_words(row: Mapping[str, Any]) -> str:
 
 
 def kept_in_words(rows: Sequence[Mapping[str, Any]]) -> str:
-    """What the kept scenes are, such as ``1 collision with an impact speed of 9 km/h, 1 with a smallest gap of 1.1 s``.
-
-    Args:
-        rows: Scenes of a run (`chatscene.runs.read_scenes`); empty where none is kept, or its folder does not tell.
-    """
+    """What the kept scenes are, such as ``1 collision with an impact speed of 9 km/h, 1 with a gap of 1.1 s``."""
     kept = [row for row in rows if row["selected"]]
     if not kept or any(row.get("happened") is None for row in kept):
         return ""

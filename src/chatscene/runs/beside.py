@@ -31,12 +31,7 @@ REPEATING = ("native", "embedded")  # simulators that give the same drive again,
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Mark:
-    """A moment of a scene.
-
-    Attributes:
-        step: Which.
-        said: What could have been done then.
-    """
+    """A moment of a scene."""
 
     step: int
     said: str
@@ -44,12 +39,7 @@ class Mark:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Story:
-    """How a scene crashed, and until when braking would have avoided it.
-
-    Attributes:
-        said: Sentences.
-        marks: Its moments, in order.
-    """
+    """How a scene crashed, and until when braking would have avoided it."""
 
     said: tuple[str, ...]
     marks: tuple[Mark, ...]
@@ -75,13 +65,7 @@ class Beside:
 
 
 def drive_beside(run: Workspace, rows: Sequence[Mapping[str, Any]], *, followed: bool) -> Beside:
-    """Drive scenes of a run again: with another ego, and the first that crashed with the brake pressed earlier.
-
-    Args:
-        run: The run.
-        rows: The scenes, as rows of its table.
-        followed: Whether the user named what the run names, so that all of it may be run; else only what is packaged.
-    """
+    """Drive scenes of a run again: with another ego, and the first that crashed with the brake pressed earlier."""
     if not rows:
         return Beside()
     record = read_record(run, RunRecord)

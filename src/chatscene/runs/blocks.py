@@ -239,10 +239,6 @@ def resume(
     ``running`` again. If every block is done and folded, the status is ``done`` again, even if what came after failed,
     and the answer is empty: ask `read_record` for the status next.
 
-    Args:
-        run: Which run.
-        told: Told of each block that has to be run again, and why.
-
     Returns:
         By scenario and route: for each block done, from block 0 without a gap, what came of its scenes, in order;
         what `chatscene.search.explore.explore` takes as ``done``.
@@ -308,9 +304,6 @@ def finish(
 
 class _Kept:
     """The blocks of a run in order, read again each time that they are asked for, unless they are few.
-
-    Args:
-        run: Which run.
 
     Attributes:
         there: Scenario, route and number of each.
@@ -421,12 +414,7 @@ def _counts(scenes: Table, parts: Sequence[Part]) -> dict[str, int]:
 
 
 def counts_of(scenes: Sequence[Mapping[str, Any]], events: Sequence[Mapping[str, Any]]) -> dict[str, int]:
-    """What drives came to, in numbers: what every summary, page and script shows.
-
-    Args:
-        scenes: Rows of `scenes.parquet`.
-        events: Rows of `events.parquet`.
-    """
+    """What drives came to, in numbers: what every summary, page and script shows."""
     off_road = {(row["scene_id"], row["ego"]) for row in events if row["kind"] == EventKind.OFF_ROAD}
     return {
         "scenes": len(scenes),
@@ -471,12 +459,7 @@ def read_scenes(
 
 
 def each_scene(run: Workspace, names: Sequence[str]) -> Iterator[dict[str, Any]]:
-    """A row per scene with some columns of `scenes.parquet`, read as they are asked for: there may be any number.
-
-    Args:
-        run: Which run.
-        names: The columns.
-    """
+    """A row per scene with some columns of `scenes.parquet`, read as they are asked for: there may be any number."""
     return chain.from_iterable(_rows(run, "scenes.parquet", SCENES, scenes_table, names=names))
 
 

@@ -67,11 +67,7 @@ class Contact:
         )
 
     def in_words(self, kinds: Mapping[str, str]) -> str:
-        """One sentence, without its end.
-
-        Args:
-            kinds: The class of everybody else in the scene, by name.
-        """
+        """One sentence, without its end."""
         called = named(self.other, self.kind, kinds)
         met = struck_in_words(self.strike, ("the ego", self.ego_part), (called, self.other_part), past=True)
         return (

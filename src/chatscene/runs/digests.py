@@ -81,11 +81,6 @@ def write_sealed(path: Path, content: Mapping[str, Any], *, for_a_person: bool =
 
 
 def is_sealed(content: bytes, digest: object) -> bool:
-    """Whether a JSON file is, to the byte, as `write_sealed` wrote it.
-
-    Args:
-        content: Of the file.
-        digest: What it says its digest is.
-    """
+    """Whether a JSON file is, to the byte, as `write_sealed` wrote it."""
     told, blank = _BLANK.format(digest).encode(), _BLANK.format("").encode()
     return hashlib.sha256(content.replace(told, blank)).hexdigest() == digest

@@ -24,12 +24,7 @@ from chatscene.terms.surroundings import Surroundings
 
 
 def explain(text: str, understood: Sequence[tuple[Scenario, Retrieval | None]]) -> dict[str, Any]:
-    """The explanation of a run; `docs/run-folder.md` lists the keys.
-
-    Args:
-        text: What the user wrote.
-        understood: Each scenario with what was retrieved for it, or None where retrieval was not reached.
-    """
+    """The explanation of a run; `docs/run-folder.md` lists the keys."""
     return {"text": text, "scenarios": [_scenario(*pair) for pair in understood]}
 
 

@@ -25,11 +25,6 @@ class Processes(ProcessPoolExecutor):
 
     Python puts it first in a process that is started with ``-c``, as these are, unless it is told otherwise. On Linux
     they are forked from a process that loads what most of them need, once for all pools of this one.
-
-    Args:
-        max_workers: How many.
-        initializer: What each calls first.
-        initargs: With what.
     """
 
     def __init__(self, max_workers: int, *, initializer: Callable[..., object], initargs: tuple[Any, ...]) -> None:

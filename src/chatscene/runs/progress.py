@@ -16,11 +16,7 @@ def silent(_what: str, _done: int, _total: int) -> None:
 
 
 class Slowly:
-    """Counts what is done one by one, and tells of it no more often than once a second.
-
-    Args:
-        tell: Told how much was done since the counting began.
-    """
+    """Counts what is done one by one, and tells of it no more often than once a second."""
 
     def __init__(self, tell: Callable[[int], None]) -> None:
         self._tell = tell

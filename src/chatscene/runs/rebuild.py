@@ -52,8 +52,6 @@ class Rebuilt:
     """What a run drove.
 
     Attributes:
-        scenario: What was understood.
-        program: What was made of it.
         generator: Whose program it is now, which says whether it runs in the sandbox.
     """
 
@@ -100,13 +98,7 @@ def rebuild(run: Workspace) -> Rebuilt:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Remade:
-    """What drives the scenes of a run again.
-
-    Attributes:
-        program: Of its scenario.
-        simulator: Where.
-        ego: Who.
-    """
+    """What drives the scenes of a run again."""
 
     program: ScenicProgram
     simulator: Simulator

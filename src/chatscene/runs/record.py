@@ -70,12 +70,7 @@ class _Frozen(BaseModel):
 
 
 class ProgramRecord(_Frozen):
-    """A program of the user's own.
-
-    Attributes:
-        name: What it is called.
-        source: All of its code.
-    """
+    """A program of the user's own."""
 
     name: str
     source: str
@@ -85,7 +80,6 @@ class SituationRecord(_Frozen):
     """A situation that was stated.
 
     Attributes:
-        name: What it is called.
         text: All of it, in YAML, with the map that it is built on.
         read_by: Who read it in the text by which it is called; empty if it was stated.
     """
@@ -400,14 +394,7 @@ Numbers = dict[str, int | float]
 
 
 class LessonsRecord(_Frozen):
-    """Which scenes a fine-tuning has.
-
-    Attributes:
-        digest: Of their programs and all values.
-        train: How many are trained on.
-        choice: How many choose the checkpoint.
-        test: How many test it.
-    """
+    """Which scenes a fine-tuning has."""
 
     digest: str
     train: int

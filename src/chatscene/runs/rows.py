@@ -88,13 +88,7 @@ class Part(_Row):
     """A finished block without its tracks.
 
     Attributes:
-        scenario_id: Which scenario.
-        route: Index of the route.
-        block: Which block, from 0.
-        ranges: What its scenes were drawn from.
         scenes: Driven ones in order, then rejected ones in order.
-        events: By scene, then by step.
-        signals: By scene.
         tracks: SHA-256 of the file with its tracks.
         digest: SHA-256 of the part itself, while this one is empty.
     """

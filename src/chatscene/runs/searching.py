@@ -45,14 +45,7 @@ Keep = Callable[[Scenario, Written | None], None]  # what was read and, if it ca
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Common:
-    """What searches have in common, and every worker needs to know.
-
-    Attributes:
-        generator: Who explores, by name.
-        map: The map.
-        ego: The surrogate ego, by name.
-        settings: All settings.
-    """
+    """What searches have in common, and every worker needs to know."""
 
     generator: str
     map: CarriedMap
@@ -72,14 +65,7 @@ class Common:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Prepared:
-    """What is searched with.
-
-    Attributes:
-        scenario: What was read.
-        written: The program that stands on the validation ladder.
-        routes: On which routes.
-        drawing: The map around them.
-    """
+    """What is searched with."""
 
     scenario: Scenario
     written: Written
@@ -92,12 +78,8 @@ class Search:
     """One scenario to search with, into its run folder.
 
     Attributes:
-        run: The folder.
-        record: What it asks.
-        settings: How much is searched, and kept.
         done: For each scenario and route, what came of each block that is done (`chatscene.runs.resume`).
         prepared: What is searched with; None until somebody prepared it.
-        refused: Why it cannot be searched with; empty if it can.
     """
 
     run: Workspace
@@ -222,11 +204,6 @@ class Desk:
     def prepare(self, record: RunRecord, keep: Keep, progress: Progress = silent) -> Prepared:
         """Steps 2 to 4 for what a run asks.
 
-        Args:
-            record: Of the run.
-            keep: Told each time what was read and chosen, as far as it came.
-            progress: Told what is done.
-
         Raises:
             NothingFits: The library cannot serve the sentence.
             MeansSomethingElse: Its scenes do not show what was read.
@@ -288,10 +265,6 @@ class Desk:
 
 def search_all(searches: Sequence[Search], *, workers: Workers) -> Iterator[Search]:
     """Search with scenarios, each as far as it is not done yet, and fold what is done.
-
-    Args:
-        searches: With what, into which folders; they differ in what is said alone.
-        workers: Who does it.
 
     Yields:
         A search, after each step of it: it is prepared or refused, or a block is kept.

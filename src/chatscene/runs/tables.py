@@ -435,11 +435,6 @@ def scenes_table(
 ) -> Table:
     """One row per scene.
 
-    Args:
-        parts: The finished blocks, in order.
-        selected: The scenes kept, by id; whether it is a fill-in (kept although nothing collided).
-        names: What the parameters and metrics are called of all blocks of which these are some; None for those here.
-
     Raises:
         RunError: A metric has the name of another column.
     """

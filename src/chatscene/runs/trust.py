@@ -34,17 +34,7 @@ _READING = (*_JOINING, "sampler", "embedder", "language_model")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Repeated:
-    """What the user names beside a run folder, by the name of its option.
-
-    Attributes:
-        ego: Egos.
-        generator: Who made scenes.
-        sampler: Who said where to look next.
-        simulator: What ran scenes.
-        library: Folders of snippets.
-        embedder: Who measures wording.
-        language_model: Who reads sentences.
-    """
+    """What the user names beside a run folder, by the name of its option."""
 
     ego: tuple[str, ...] = ()
     generator: tuple[str, ...] = ()

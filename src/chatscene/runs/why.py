@@ -248,11 +248,6 @@ class Why:
 def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why:
     """Say why a scene of a run crashed, by driving it otherwise.
 
-    Args:
-        folder: The run's.
-        scene_id: Which scene.
-        repeated: What the run names and the user as well.
-
     Raises:
         RunError: The run has no such scene, or it did not crash, or does not crash any more; or it names what must be
             repeated (`chatscene.runs.trust.follow`).

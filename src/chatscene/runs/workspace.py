@@ -45,11 +45,7 @@ _UPGRADED = 2  # the oldest schema that is read
 
 @dataclass(frozen=True, slots=True)
 class Workspace:
-    """A run folder by its path; the state is on disk, so any process may hold one.
-
-    Attributes:
-        path: The folder.
-    """
+    """A run folder by its path; the state is on disk, so any process may hold one."""
 
     path: Path
 
@@ -75,10 +71,6 @@ def take_up(folder: Path, asked: Record) -> Workspace:
 
     A run that was refused, and so was never searched with, makes way for another. What may be another the next time is
     from now on what `asked` says.
-
-    Args:
-        folder: Made if it is not there.
-        asked: What is asked for.
 
     Raises:
         RunError: The folder holds something else, or what was asked for with other settings; or it is damaged, or
@@ -194,10 +186,6 @@ def free_folder(parent: Path, text: str) -> Path:
 def open_run(folder: Path, of: type[Record] = Record) -> Workspace:
     """Open a folder that is there, and check that this version can read it and that it is whole.
 
-    Args:
-        folder: Its path.
-        of: The record that it must have; of any kind if none is named.
-
     Raises:
         RunError: There is no record in the folder, or it is of another kind, broken, or of a version that this one does
             not read; or a file was changed, damaged or removed after it was written.
@@ -252,10 +240,6 @@ def standing(run: Workspace, record: Record) -> str:
     A process that was killed could not write down that it is no more; whether one is at work is seen at the folder, in
     which nothing is written.
 
-    Args:
-        run: The folder.
-        record: What was read from it.
-
     Returns:
         The status of the record, but `STOPPED` for one that is running by its record and that no process works on.
     """
@@ -289,10 +273,6 @@ def read_record(run: Workspace) -> RunRecord: ...
 def read_record(run: Workspace, of: type[R]) -> R: ...
 def read_record(run: Workspace, of: type[Record] = RunRecord) -> Record:
     """What `run.json` says now.
-
-    Args:
-        run: Which folder.
-        of: The record that it must have; `Record` for any.
 
     Raises:
         RunError: It is missing, broken, of another kind, or of a version that this one does not read.
@@ -434,10 +414,6 @@ def _read_program(path: Path) -> str:
 
 def run_folders(sources: Sequence[Path], *, readable: bool = False) -> list[Path]:
     """Every folder of a search among or below some folders, in a fixed order.
-
-    Args:
-        sources: The folders.
-        readable: Whether a folder whose record cannot be read is passed over.
 
     Raises:
         RunError: There is none in one of them, or none is named, or a record cannot be read.

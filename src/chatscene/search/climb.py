@@ -43,14 +43,6 @@ def climb(
 ) -> tuple[Written, Checked]:
     """The best program of a scenario that climbs the validation ladder: where one shows something else, the next best.
 
-    Args:
-        generator: Who writes the programs.
-        scenario: What was said.
-        first: The best choice, not tried yet.
-        settings: Of the retrieval.
-        simulator: Where to drive.
-        ego: Who drives.
-
     Raises:
         MeansSomethingElse: Neither the first choice nor the next ones show it; this is about the first.
         ChatSceneError: The first choice fails in another way.

@@ -19,14 +19,7 @@ TRIED = 2  # scenes on each map, as one may fail by its values alone
 
 @dataclass(frozen=True, slots=True)
 class Elsewhere:
-    """Which maps have what a program asks for.
-
-    Attributes:
-        there: Those on which a scene of it was drawn.
-        without: Those that have no such place, whatever is drawn.
-        not_drawn: Those on which none of the scenes that were tried could be drawn.
-        left: Those at hand that were not tried, as they are large.
-    """
+    """Which maps have what a program asks for."""
 
     there: tuple[str, ...]
     without: tuple[str, ...]
@@ -53,14 +46,7 @@ def elsewhere(
     simulator_on: Callable[[Path], Simulator],
     tell: Callable[[str, int, int], None],
 ) -> Elsewhere:
-    """Try a program on every other map at hand: the packaged ones, and CARLA's towns where they are installed.
-
-    Args:
-        program: One that draws its places itself.
-        but: The map that it was tried on.
-        simulator_on: Where it is run, by the map.
-        tell: Told which map is tried, how many were, and of how many.
-    """
+    """Try a program on every other map at hand: the packaged ones, and CARLA's towns where they are installed."""
     towns, left = towns_at_hand()
     content = map_digest(but)
     names = [name for name in (*towns, *PACKAGED) if map_digest(resolve_map(name)) != content]

@@ -26,16 +26,7 @@ DRAWN_TRIES = 3  # scenes to try for one place where each is drawn until it meet
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Block:
-    """The scenes between two range updates.
-
-    Attributes:
-        scenario_id: Which scenario.
-        route: Index of the route.
-        number: Which block, from 0.
-        ranges: What its scenes were drawn from.
-        ran: Scenes that were driven, in order.
-        rejected: Draws that could not be placed, in order.
-    """
+    """The scenes between two range updates."""
 
     scenario_id: str
     route: int

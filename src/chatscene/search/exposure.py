@@ -84,12 +84,7 @@ def _density(name: str, table: _Uniform | _Normal | _Lognormal) -> Density:
 
 @dataclass(frozen=True, slots=True)
 class Exposure:
-    """The densities of all parameters that can vary, as one over the unit cube of their declared ranges.
-
-    Attributes:
-        cube: The ranges.
-        densities: One for each dimension of the cube, in order.
-    """
+    """The densities of all parameters that can vary, as one over the unit cube of their declared ranges."""
 
     cube: UnitCube
     densities: tuple[Density, ...]

@@ -42,13 +42,7 @@ class Written:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Choice:
-    """What was retrieved for a scenario, as far as its program depends on it.
-
-    Attributes:
-        snippet_ids: Behavior, geometry, spawn.
-        adversary: The kind of adversary.
-        ranges: What each parameter was bound to, by name.
-    """
+    """What was retrieved for a scenario, as far as its program depends on it."""
 
     snippet_ids: tuple[str, str, str]
     adversary: AdversaryKind

@@ -114,15 +114,6 @@ def describe_with(
 ) -> Told:
     """Have a model make up scenarios, and keep those that can be run.
 
-    Args:
-        model: Who is asked.
-        base: The base scenario they are to belong to; None for any.
-        n: How many.
-        library: What has to serve them.
-        settings: Of the retrieval. Sentences are always read offline: a model does not judge its own.
-        seed: Of the sentences that are written offline.
-        instruction: What they are to be about; the model is told, and the offline sentences keep to it.
-
     Raises:
         NothingFits: The library has nothing of the base scenario and the instruction.
         SettingsError: None is asked for.
@@ -159,13 +150,6 @@ def describe_for(
     settings: RetrievalSettings, base: BaseScenario | None, n: int, *, seed: int, instruction: str = ""
 ) -> Told:
     """Make up scenarios by the language model of the settings, or offline.
-
-    Args:
-        settings: Which library, embedder and language model.
-        base: The base scenario they are to belong to; None for any.
-        n: How many.
-        seed: Seed of the sentences that are written offline.
-        instruction: What they are to be about.
 
     Raises:
         NothingFits: The library has nothing of the base scenario and the instruction.

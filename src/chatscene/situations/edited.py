@@ -10,13 +10,7 @@ from chatscene.terms.situation import Situation
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Edited:
-    """A situation after an edit.
-
-    Attributes:
-        text: The edit.
-        before: What it was.
-        after: What it is.
-    """
+    """A situation after an edit."""
 
     text: str
     before: Situation

@@ -12,12 +12,7 @@ MOST_TOLD = 10  # faults of one situation that a message lists
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """What is wrong with a written situation.
-
-    Attributes:
-        path: Where, by names and numbers from the top.
-        said: What.
-    """
+    """What is wrong with a written situation."""
 
     path: Path
     said: str

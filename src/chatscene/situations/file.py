@@ -47,10 +47,6 @@ def read_file(file: Path) -> Situation:
 def read_text(text: str, called: str = "the situation") -> Situation:
     """The situation that a text in YAML or JSON says.
 
-    Args:
-        text: The text.
-        called: What messages call it.
-
     Raises:
         SituationError: It is none; the message lists each fault with its line.
     """

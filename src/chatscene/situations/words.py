@@ -58,12 +58,7 @@ _IS = "[are/is/being]"
 
 
 def told(situation: Situation, voice: Voice = Voice.PLAIN) -> str:
-    """A situation in a few short sentences; nothing of one that says nothing.
-
-    Args:
-        situation: What is to happen.
-        voice: Who tells it.
-    """
+    """A situation in a few short sentences; nothing of one that says nothing."""
     return _whole(situation, voice).text
 
 
@@ -75,12 +70,7 @@ def facts_told(situation: Situation, voice: Voice = Voice.PLAIN) -> tuple[tuple[
 
 
 def title(situation: Situation, most: int = TITLE) -> str:
-    """What a situation that nobody gave a name is called: as many of its first sentences as there is room for.
-
-    Args:
-        situation: What is to happen.
-        most: How many characters there are.
-    """
+    """What a situation that nobody gave a name is called: as many of its first sentences as there is room for."""
     made = ""
     for one in _Telling.of(situation, Voice.PLAIN).sentences():
         longer = f"{made} {one.text}".strip()

@@ -88,14 +88,6 @@ def compared(
 ) -> Iterator[tuple[Compared, ...]]:
     """Scenes of a program, drawn uniformly, in several simulators; one that none of them can place is drawn again.
 
-    Args:
-        program: Whose.
-        count: How many.
-        route: Index of the route.
-        seed: Of the draws.
-        ego: Who drives.
-        simulators: Each is compared with the first.
-
     Yields:
         For each scene, what each further simulator tells beside the first.
     """

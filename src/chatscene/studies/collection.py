@@ -218,13 +218,6 @@ def _failed(error: ChatSceneError) -> dict[str, Any]:
 def evaluate_collection(folder: Path, out: Path, driving: Driving, *, workers: Workers, progress: Progress) -> Compared:
     """Let egos drive every program of a folder that was imported, and write how they fared.
 
-    Args:
-        folder: What `chatscene.imports.import_folder` left.
-        out: Where to; a new folder, or one in which the same was cut.
-        driving: Who drives, and how.
-        workers: Who simulates.
-        progress: Told what is done.
-
     Raises:
         RunError: The collection is none, or was changed; or the folder holds something else.
         EgoError: An ego cannot be loaded.

@@ -90,12 +90,6 @@ def cover(
 ) -> tuple[Covered, ...]:
     """Ask for every entry of catalogues; runs that are missing can be killed at any time, and are gone on with.
 
-    Args:
-        catalogues: What to ask for; no two have the same name.
-        asked: What is asked of each entry.
-        workers: Who works; where runs are made, which are folders, processes of this machine.
-        progress: Told what is done.
-
     Returns:
         A row for each entry, in their order.
 

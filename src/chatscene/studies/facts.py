@@ -33,10 +33,6 @@ def differing(said: Slots, read: Slots) -> tuple[str, ...]:
     drives on while doing something else. A place may be read as one of its kinds, a lane change beside the ego as a
     cut-in. Of two of whom one leaves the lane before the other, either may be called the adversary. A side that nobody
     said is no fault, since somebody has to be on one.
-
-    Args:
-        said: The facts written down.
-        read: Those that were read.
     """
     said, read = _in_target_lane(leaving_first(said)), _in_target_lane(leaving_first(read))
     wrong = {

@@ -48,13 +48,7 @@ def catalogue_of(folder: Path) -> Catalogue:
 
 
 def covered(row: Covered, driver: Driver | None, egos: Sequence[str]) -> Covered:
-    """The row of a program that was imported: whether it runs, whether its events happen, how egos fare.
-
-    Args:
-        row: What is known of it.
-        driver: Who drives it; None where nothing is driven.
-        egos: Who are driven.
-    """
+    """The row of a program that was imported: whether it runs, whether its events happen, how egos fare."""
     entry = row.entry
     if driver is None:
         try:

@@ -264,15 +264,7 @@ def measure(
     workers: Workers = ONE,
     progress: Progress,
 ) -> tuple[Judged, ...]:
-    """Judge sentences, in their order.
-
-    Args:
-        sentences: What to read.
-        settings: Of the retrieval.
-        drive: Whether to run the programs, which takes most of the time.
-        workers: Who judges; any number gives the same.
-        progress: Told what is done.
-    """
+    """Judge sentences, in their order."""
     setup = _Setup(settings, drive)
     judged: dict[int, Judged] = {}
     for number, one in spread(_Judge, setup, list(enumerate(sentences)), workers=workers):

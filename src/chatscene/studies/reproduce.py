@@ -45,13 +45,7 @@ BEFORE = "before"  # the surrogate as it was, in table 3
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Budget:
-    """How much is spent on the tables.
-
-    Attributes:
-        benchmark: A budget of `chatscene.studies.benchmark`, for every method.
-        finetune: Every fine-tuning of table 3.
-        bases: The base scenarios of table 3.
-    """
+    """How much is spent on the tables."""
 
     benchmark: str
     finetune: FinetuneSettings
@@ -96,14 +90,7 @@ class _Common:
 
 @dataclass(frozen=True, slots=True)
 class _Lessons:
-    """The fine-tunings of a table 3.
-
-    Attributes:
-        folder: Of the whole reproduction.
-        where: Of these.
-        bases: One per method and each of these base scenarios.
-        settings: Of each.
-    """
+    """The fine-tunings of a table 3."""
 
     folder: Path
     where: Path

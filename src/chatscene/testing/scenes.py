@@ -90,15 +90,7 @@ class Marked:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Found:
-    """The scenes of a test.
-
-    Attributes:
-        text: The sentence.
-        scenes: Those that are tests.
-        unfit: How many were left out, by reason.
-        simulator: Where they are driven.
-        map_path: On which map.
-    """
+    """The scenes of a test."""
 
     text: str
     scenes: tuple[Solvable, ...]

@@ -20,12 +20,7 @@ AWAY = "(100000, 100000)"  # [m], beyond what anybody sees on any map
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Twin:
-    """A program whose adversary may be harmless.
-
-    Attributes:
-        program: It.
-        told: What the adversary does in it.
-    """
+    """A program whose adversary may be harmless."""
 
     program: ScenicProgram
     told: str

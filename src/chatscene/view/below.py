@@ -13,10 +13,6 @@ REPORT, COVERAGE = "report.html", "coverage.html"
 def run_below(folder: Path, name: str) -> Path:
     """The folder of a run.
 
-    Args:
-        folder: The folder below which it is, or which it is.
-        name: Its path below that folder, or the name of that folder itself, as `chatscene.report.index` has it.
-
     Raises:
         RunError: There is none of that name.
     """
@@ -28,10 +24,6 @@ def run_below(folder: Path, name: str) -> Path:
 
 def page_below(folder: Path, path: str) -> Path:
     """The page of a run, of an evaluation or of catalogues.
-
-    Args:
-        folder: The folder below which it is.
-        path: The name of what it is of, as above, and of the file.
 
     Raises:
         RunError: There is none of that name.

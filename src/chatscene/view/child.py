@@ -50,10 +50,6 @@ class Child:
     def ask(self, question: Mapping[str, Any], told: Callable[[Answer], None] = lambda _: None) -> Answer:
         """Its answer to a question.
 
-        Args:
-            question: In words of JSON.
-            told: Given each line that comes before the answer, such as how far the work is.
-
         Raises:
             Ended: It ended first.
         """

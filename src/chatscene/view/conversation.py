@@ -41,9 +41,6 @@ class Conversation:
     def say(self, line: str) -> None:
         """Begin to work on a line.
 
-        Args:
-            line: What is said; white space is as good as any other.
-
         Raises:
             Busy: Another one is worked on.
         """
@@ -67,9 +64,6 @@ class Conversation:
 
     def state(self, since: int) -> dict[str, Any]:
         """What there is to show.
-
-        Args:
-            since: How many turns are known.
 
         Returns:
             The turns after these, how many there are, and what is worked on, as far as it is.

@@ -107,11 +107,6 @@ def _line(run: Row, facts: list[Row], scenes: Iterable[Row]) -> dict[str, Any]:
 def compared(folder: Path, first: str, second: str) -> dict[str, Any]:
     """Two runs beside each other: what was asked, what was read, what came of it, and the lines of their programs.
 
-    Args:
-        folder: The folder below which they are.
-        first: One, by its path below the folder.
-        second: The other.
-
     Raises:
         RunError: There is no such run, or it is damaged.
     """

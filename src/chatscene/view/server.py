@@ -53,12 +53,7 @@ _OF_A_REPORT = (
 
 
 class Refused(Exception):  # noqa: N818 - reads as what it says
-    """A request is refused.
-
-    Args:
-        status: Of HTTP.
-        message: Why.
-    """
+    """A request is refused."""
 
     def __init__(self, status: HTTPStatus, message: str) -> None:
         super().__init__(message)
@@ -75,8 +70,6 @@ class Server(ThreadingHTTPServer):
         search: How a run is searched: options of `chatscene.run`.
 
     Attributes:
-        folder: As it was given.
-        search: As it was given.
         secret: What paths begin with.
         of_reports: What paths of reports begin with.
         conversation: What is said in it.

@@ -23,14 +23,7 @@ Turn = dict[str, Any]
 
 
 def turn_of(talk: Talk, line: str, progress: Progress, embedder: str) -> Turn:
-    """Have a talk hear a line, and say what came of it.
-
-    Args:
-        talk: Which.
-        line: What is said.
-        progress: Told what is done of a run.
-        embedder: Who measures which sentence is near one that was refused.
-    """
+    """Have a talk hear a line, and say what came of it."""
     try:
         if re.match(r"run\s+\S+$", line):
             raise SettingsError("a run of this page has a folder of its own below the page's; say run alone")
@@ -110,12 +103,7 @@ def _changed(edited: Changed, *, back: bool = False) -> Turn:
 
 
 def between(before: str, after: str) -> list[dict[str, str]]:
-    """Two texts as one, word by word, in parts: in both (``same``), the first (``gone``), the second (``new``).
-
-    Args:
-        before: The first.
-        after: The second.
-    """
+    """Two texts as one, word by word, in parts: in both (``same``), the first (``gone``), the second (``new``)."""
     first, second = before.split(), after.split()
     parts: list[dict[str, str]] = []
     for tag, a, b, c, d in difflib.SequenceMatcher(None, first, second, autojunk=False).get_opcodes():

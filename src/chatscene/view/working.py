@@ -27,9 +27,6 @@ def serve(made: Callable[[Question, Tell], Answering]) -> None:
     """Read what to be and then questions, a line of JSON each, from the standard input; answer on the standard output.
 
     Whatever else is printed goes to the standard error output, so that no word of a package is taken for an answer.
-
-    Args:
-        made: Who answers, from what is told first, and what may tell before an answer how far the work is.
     """
     lines: Queue[bytes] = Queue()
     heard = os.fdopen(os.dup(0), "rb")  # not that of sys.stdin, on whose lock an interpreter that ends would wait

@@ -71,12 +71,6 @@ class Finetuned:
 def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, *, progress: Progress) -> Finetuned:
     """Fine-tune into a new folder, or go on in one where the same fine-tuning was cut.
 
-    Args:
-        folder: Where to.
-        sources: Run folders, finished; or folders with run folders somewhere below.
-        settings: What is done.
-        progress: Told what is done.
-
     Raises:
         MissingExtra: Stable-Baselines3 is not installed.
         EgoError: The ego cannot be loaded, or is no SAC.
@@ -144,11 +138,6 @@ def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, 
 def resume(folder: Path, *, progress: Progress = silent, repeated: Repeated | None = None) -> Finetuned:
     """Go on with a fine-tuning that was killed or failed.
 
-    Args:
-        folder: Which.
-        progress: Told what is done.
-        repeated: What the record names and the user as well.
-
     Raises:
         RunError: There is none in the folder, its scenes are not there any more, or it names what must be repeated
             (`chatscene.runs.trust.follow`).
@@ -169,9 +158,6 @@ def choose(curve: Sequence[Mapping[str, Any]]) -> tuple[Row, str]:
 
     The lowest collision rate among those that complete more than `LEAST_COMPLETION` of their routes (paper); of equal
     ones the higher overall score, then the earlier. Where none completes so much: the one that completes most.
-
-    Args:
-        curve: Rows; those without figures were not up for choice.
 
     Raises:
         RunError: None was.
@@ -225,13 +211,7 @@ def _rounds(
 
 
 class _Judging:
-    """Drives an ego for its figures.
-
-    Args:
-        parts: Scenes by what they are for.
-        simulator: Where they are driven, and ordinary routes.
-        progress: Told what is done.
-    """
+    """Drives an ego for its figures."""
 
     def __init__(self, parts: Mapping[str, tuple[KeptScene, ...]], simulator: Simulator, progress: Progress) -> None:
         self._parts = parts

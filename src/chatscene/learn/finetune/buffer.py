@@ -31,14 +31,6 @@ class SplitBuffer(ReplayBuffer):
     ``infos[0]["collision"]`` says which a transition is. Each part keeps the latest it was given. A batch has one in
     five from the crashes, or all of them where there are fewer, and is filled up with ordinary steps; nothing is in a
     batch twice.
-
-    Args:
-        buffer_size: Ordinary transitions kept.
-        observation_space: As Gymnasium has it.
-        action_space: As Gymnasium has it.
-        device: Where batches go.
-        collisions: Transitions with a collision kept.
-        arguments: The rest of what Stable-Baselines3 gives.
     """
 
     def __init__(

@@ -204,12 +204,7 @@ class Learner:
             return float((0.5 * (first + second)[:, 0] - returns).square().mean())
 
     def learn(self, number: int, episodes: range) -> int:
-        """Drive some episodes, and learn after each; how many collided.
-
-        Args:
-            number: Of the round; everything random derives from it.
-            episodes: Which.
-        """
+        """Drive some episodes, and learn after each; how many collided."""
         self._seed(number)
         collisions = 0
         for episode in episodes:

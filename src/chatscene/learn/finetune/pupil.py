@@ -131,12 +131,7 @@ class Pupil:
         return {}
 
     def learn(self, number: int, episodes: range) -> int:
-        """Drive some episodes, then learn from all driven so far; how many collided.
-
-        Args:
-            number: Of the round; everything random derives from it.
-            episodes: Which.
-        """
+        """Drive some episodes, then learn from all driven so far; how many collided."""
         rng = np.random.default_rng((self._seed, number))
         collisions = 0
         for episode in episodes:

@@ -26,12 +26,7 @@ TRAIN, CHOICE, TEST = "train", "choice", "test"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class KeptScene:
-    """A kept scene of a run, with what it takes to drive it.
-
-    Attributes:
-        program: The program, made again.
-        scene: The concrete values.
-    """
+    """A kept scene of a run, with what it takes to drive it."""
 
     program: ScenicProgram
     scene: Scene
@@ -44,13 +39,7 @@ class KeptScene:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lessons:
-    """The kept scenes of some runs.
-
-    Attributes:
-        map_name: The map of all of them.
-        simulation: Step and limits of all of them.
-        scenes: In the order of the runs and their tables.
-    """
+    """The kept scenes of some runs."""
 
     map_name: str
     simulation: SimulationSettings
@@ -162,12 +151,6 @@ def judge(
     ego: EgoPolicy, scenes: Sequence[KeptScene], simulator: Simulator, *, on_scene: Callable[[int, int], None]
 ) -> Judged:
     """Drive each scene once.
-
-    Args:
-        ego: Who drives.
-        scenes: What.
-        simulator: Where.
-        on_scene: Told after each scene how many were driven, and of how many.
 
     Raises:
         EgoError: The ego fails.

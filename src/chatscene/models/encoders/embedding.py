@@ -276,10 +276,6 @@ class SentenceT5:
     def __init__(self, name: str, where: str) -> None:
         """Load from a folder, or from what huggingface_hub has fetched before.
 
-        Args:
-            name: What the user calls it by.
-            where: The folder, or the model's name at Hugging Face.
-
         Raises:
             MissingExtra: sentence-transformers is not installed.
             SettingsError: The weights are not on this machine, or are broken.

@@ -42,11 +42,7 @@ class OnnxFile:
     """The content of an ONNX file, of which parts can be cut out."""
 
     def __init__(self, content: bytes) -> None:
-        """Look through the framing.
-
-        Args:
-            content: A whole and faultless file that keeps its arrays as raw numbers.
-        """
+        """Look through the framing."""
         self._content = content
         self._beside = b""  # what the model says besides its graph
         self._nodes: list[_Node] = []

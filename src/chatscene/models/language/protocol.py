@@ -173,11 +173,6 @@ class LanguageModel(Protocol):
     ) -> Reply[Answer]:
         """Ask, and validate what comes back.
 
-        Args:
-            prompt: What is asked.
-            schema: What an answer is.
-            check: What else is wrong with one, in words for the model; empty if nothing is.
-
         Raises:
             LanguageModelError: No usable reply, or none within the budget.
         """

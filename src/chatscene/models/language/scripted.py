@@ -22,9 +22,6 @@ class Scripted:
     A list is said in order, whatever is asked. A mapping answers by the user's text; where its value is a list, the
     first is said first and the next when the question is asked again. What is not a string is said as JSON. Words
     count as tokens.
-
-    Attributes:
-        asked: Every conversation it was given, in order.
     """
 
     price = FREE

@@ -102,11 +102,7 @@ class Decoder:
         return fixed(made)
 
     def written(self, read: Read) -> tuple[Written, ...]:
-        """The likeliest sequences of a text, the likeliest first.
-
-        Args:
-            read: The text.
-        """
+        """The likeliest sequences of a text, the likeliest first."""
         states = self._encoder.states_of(read.pieces)
         share, forms = _spans(read)
         *told, amounts, words = self._text.run(None, {"states": states[None], "share": share, "forms": forms})

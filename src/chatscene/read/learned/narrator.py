@@ -57,12 +57,6 @@ def told_by(situation: Situation, text: str, marked: Mapping[str, Sequence[Span]
     """Whom of the others the narrator is: its path, with the word of the first person; empty if that is the ego.
 
     It is whose deed has the first person as its subject; else, of a narrator on foot, the first who is on foot.
-
-    Args:
-        situation: What was read.
-        text: The text.
-        marked: Where the words of each fact stand, by its path.
-        on_foot: Whether the narrator is.
     """
     for other in situation.others:
         for number in range(len(other.does)):

@@ -46,11 +46,7 @@ _SURE, _IMPOSSIBLE = 1.0 - 1e-6, 1e-6
 
 @dataclass(frozen=True, slots=True)
 class LearnedReader:
-    """Reads with what was learned; see `chatscene.read.reader.Reader` for the contract.
-
-    Attributes:
-        weights: The file of what was learned.
-    """
+    """Reads with what was learned; see `chatscene.read.reader.Reader` for the contract."""
 
     weights: Path = field(default=PACKAGED)
 
@@ -147,11 +143,6 @@ def ranked_of(read: Read, written: Sequence[Written], *, on_foot: bool = False) 
 
     The probability of one is that of all sequences that come to a situation with the same main facts, of which it
     is the likeliest.
-
-    Args:
-        read: The text.
-        written: The sequences.
-        on_foot: Whether who tells it is.
     """
     told: dict[Way, float] = {}
     for one in (_by_grammar(way, read) for way in ways_of(written)):

@@ -242,12 +242,6 @@ def _expression(name: str, value: object) -> str:
 def foreign_program(name: str, source: str, *, trusted: bool = False, as_written: bool = False) -> ScenicProgram:
     """A user's text as a program.
 
-    Args:
-        name: How to call it; becomes the scenario's id.
-        source: Scenic text.
-        trusted: Whether it may use all of Scenic and Python; else it is held against the allow-list.
-        as_written: Whether its own ego drives.
-
     Raises:
         ForeignCodeRefused: It uses what strangers may not use, or lacks an ego, a route or an adversary.
     """

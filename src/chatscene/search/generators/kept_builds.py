@@ -28,12 +28,7 @@ _RESTS_ON = ("numpy", "scenic", "scipy", "shapely")
 
 
 def keep_program(program: ScenicProgram, *made_of: str) -> None:
-    """Keep a program for the next process.
-
-    Args:
-        program: What was built.
-        made_of: All that it follows from, but for the code.
-    """
+    """Keep a program for the next process."""
     content = json.dumps({**{name: getattr(program, name) for name in _STATED}, "parameters": _plain(program)})
     if (folder := only_mine(cache_folder("builds"))) is not None and _program(content) == program:
         keep(folder / _name(made_of), sealed(content.encode()), lasting=False)

@@ -38,11 +38,7 @@ _TO_A_SIMULATOR = frozenset(
 
 
 def left_out(program: ScenicProgram) -> tuple[str, ...]:
-    """Lines for a person; none where all that a program says is in its drives.
-
-    Args:
-        program: One of a user's own.
-    """
+    """Lines for a person; none where all that a program says is in its drives."""
     tree = parse_foreign(program.source)
     if isinstance(tree, Refusal):
         return ()

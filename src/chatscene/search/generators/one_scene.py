@@ -45,12 +45,7 @@ class OneScene(NamedTuple):
 
 
 def as_searched(source: str, *, trusted: bool = False) -> OneScene:
-    """A program of our world model as a search has it; any other, and a text that is none, as it is.
-
-    Args:
-        source: Scenic text.
-        trusted: Whether it is read without a look at its length and depth.
-    """
+    """A program of our world model as a search has it; any other, and a text that is none, as it is."""
     tree = None if not trusted and check_text(source) else parse_foreign(source)
     if tree is None or isinstance(tree, Refusal) or model_of(tree) != OWN_MODEL:
         return OneScene(source, None)

@@ -24,10 +24,6 @@ _BY_SCENIC = frozenset(("map", "map_options", "route", "use2DMap", "snapToGround
 def stated(source: str, values: Mapping[str, object]) -> str:
     """A program with `param` lines for some parameters before all other code.
 
-    Args:
-        source: Scenic text.
-        values: By name: numbers, texts, and lists and mappings of such.
-
     Raises:
         SettingsError: One has an odd name, or a value of another kind.
     """
@@ -46,11 +42,7 @@ def stated(source: str, values: Mapping[str, object]) -> str:
 
 
 def unstated(tree: Any) -> tuple[str, ...]:
-    """The parameters that a program reads and neither it nor its world model states, in order of their names.
-
-    Args:
-        tree: Scenic's syntax tree of a program.
-    """
+    """The parameters that a program reads and neither it nor its world model states, in order of their names."""
     every: list[Any] = list(ast.walk(tree))
     states = {one.identifier for node in every if type(node).__name__ == "Param" for one in node.elts}
     return tuple(sorted(set(_read(tree)) - states - _BY_SCENIC - _of_models()))

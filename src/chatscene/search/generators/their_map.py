@@ -12,10 +12,6 @@ from chatscene.maps.network import TOWN, resolve_map
 def their_map(asked: Path | None, chosen: str | None) -> tuple[str | None, tuple[str, ...]]:
     """The user's choice; else the map that a program names, if it is there; else CARLA's town of that name.
 
-    Args:
-        asked: The map that the program names; None if it names none.
-        chosen: The map that its user names, or None.
-
     Returns:
         The map by its file or name, None for the packaged town; and lines for a person, none where there is nothing to
         say.
