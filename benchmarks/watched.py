@@ -4,26 +4,72 @@
 
 TEXTS has a JSON object a line with `id` and `text`. Each is run as `chatscene run` does, on one route with seed 0.
 FOLDER gets a file per text: what is told first, the reading in words and how many drives our own judge sees it in, or
-the refusal; and of the first drives that the run shows, where everybody is, twice a second: `gone` metres of the ego's
-way, `ahead` and `left` of the ego's middle in metres, seen by the ego, `km/h`, and `faces` in degrees against the ego.
+the refusal; and of the first drives that the run shows, what is drawn of the road along the ego's way, and where
+everybody is, twice a second: `gone` metres of the ego's way, `ahead` and `left` of the ego's middle in metres, seen by
+the ego, `km/h`, and `faces` in degrees against the ego.
 A text that has a file already is not run again, so that one that was stopped goes on.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 import click
 import numpy as np
+from shapely import LineString, Point, Polygon, get_parts
 
 import chatscene
 from chatscene.errors import ChatSceneError
+from chatscene.runs import open_run, read_drawing
 from chatscene.terms.episode import Episode, Track
 
-EVERY = 0.5  # s
+EVERY = 0.5  # [s]
+WIDE = 20.0  # [m] to each side of the ego, that is told of the road
+NEAR = 1.0  # [m] from the ego's way that a stop line, or a stripe, is one that it leads over
+
+
+def road(drawing: Mapping[str, Any], ego: Track) -> Iterator[str]:
+    """Lines that say what is drawn of the road: what lies beside the ego at first, then what its way leads over.
+
+    The first are seen from the ego's middle, from left to right: `centre` parts the two directions, `solid` is an edge.
+    """
+    beside = ", ".join(f"{what} {left:.1f}" for left, what in sorted(_beside_ego(drawing, ego), reverse=True))
+    yield f"road: beside the ego at first, metres to its left: {beside or 'nothing is drawn'}"
+    over = ", ".join(f"{at} {what}" for at, what in sorted(_led_over(drawing, ego)))
+    yield f"road: after metres of the ego's way: {over or 'nothing is drawn'}"
+
+
+def _beside_ego(drawing: Mapping[str, Any], ego: Track) -> Iterator[tuple[float, str]]:
+    x, y, c, s = ego.x[0], ego.y[0], np.cos(ego.heading[0]), np.sin(ego.heading[0])
+    across = LineString([(x - WIDE * s, y + WIDE * c), (x + WIDE * s, y - WIDE * c)])
+    lines = [(str(one["kind"]), LineString(one["points"])) for one in drawing["lane_boundaries"]]
+    areas = [(name[:-1], Polygon(one[0])) for name in ("shoulders", "sidewalks") for one in drawing[name]]
+    for name, shape in (*lines, *areas):
+        for part in get_parts(across.intersection(shape)):
+            if not part.is_empty:
+                wide = f" {part.length:.1f} m wide" if part.length else ""
+                yield (part.centroid.y - y) * c - (part.centroid.x - x) * s, name + wide
+
+
+def _led_over(drawing: Mapping[str, Any], ego: Track) -> Iterator[tuple[int, str]]:
+    way = LineString(np.column_stack((ego.x, ego.y)))
+    yield from ((round(way.project(way.intersection(one).centroid)), "a crosswalk") for one in _zebras(drawing, way))
+    for line in drawing["stop_lines"]:
+        if way.distance(drawn := LineString(line["points"])) < NEAR:
+            yield round(way.project(drawn.centroid)), f"a stop line ({line['control']})"
+    for area in drawing["junctions"]:
+        if not (part := way.intersection(Polygon(area[0]))).is_empty:
+            yield round(way.project(Point(get_parts(part)[0].coords[0]))), "a junction"
+
+
+def _zebras(drawing: Mapping[str, Any], way: LineString) -> Iterator[Polygon]:
+    """The stripes that the ego's way leads over, the first of each crosswalk."""
+    stripes = [one for rings in drawing.get("crosswalks", ()) if way.intersects(one := Polygon(rings[0]).buffer(NEAR))]
+    return (one for n, one in enumerate(stripes) if all(one.distance(other) > WIDE for other in stripes[:n]))
 
 
 def seen(episode: Episode) -> Iterator[str]:
@@ -61,6 +107,7 @@ def watched(text: str, ego: str, scenes: int, drives: int) -> Iterator[str]:
         rows = [row for row in run.scenes.to_pylist() if row["status"] == "ran"]
         shown = sum(bool(row["meaning_ok"]) for row in rows)
         yield f"our judge: {shown} of {len(rows)} drives show it; {sum(bool(r['collision']) for r in rows)} collide"
+        drawing = read_drawing(open_run(Path(folder) / "run"))
         ids = [run.best.id, *(one.id for one in run.kept if one.id != run.best.id)]
         for name in ids[:drives]:
             episode = run.scene(name).episode
@@ -69,6 +116,7 @@ def watched(text: str, ego: str, scenes: int, drives: int) -> Iterator[str]:
             yield f"\n# drive {name}: ends with {episode.ending.value}; {light}"
             for one in episode.events:
                 yield f"event: {one.kind.value} at {one.step * episode.dt:.1f} s, {one.other} {one.side}"
+            yield from road(drawing, episode.tracks[0])
             yield from seen(episode)
 
 

@@ -82,3 +82,26 @@ def test_a_sign_stands_before_who_is_met_and_cones_where_nobody_comes_over_the_e
     assert sum("new WarningSign" in line for line in lines) == 1
     assert sum("new Cone" in line for line in lines) == cones
     assert all('"left"' in line for line in lines if "new Cone" in line)
+
+
+STOP = {"has": ["bus-stop"]}
+PASSES = {"id": "A", "kind": "car", "starts": {"where": "behind-beside", "side": "left"}, "does": [{"act": "overtake"}]}
+
+
+def _stop_of(built: Built) -> str:
+    (line,) = (one for one in built.program.source.splitlines() if "new BusStop" in one)
+    return line.partition("besideRoad(")[2].partition(")")[0]
+
+
+def test_a_bus_that_leaves_a_stop_leaves_it_from_beside_itself() -> None:
+    ego = {"kind": "bus", "does": [{"act": "stand"}, {"act": "set-off"}]}
+    assert _stop_of(made(PASSES, ego=ego, road=STOP)) == 'egoRoute, 2.875, "right", 3.6'
+
+
+def test_a_bus_stop_is_where_a_bus_stands_or_stops_on_its_own_side() -> None:
+    bus = {"id": "B", "kind": "bus", "role": "supporting"}
+    stands = bus | {"starts": {"where": "oncoming"}, "does": [{"act": "stand"}]}
+    assert _stop_of(made(CROSSES, stands, road=STOP)).endswith('OPT_B_Y - 2.875, "left", 3.6')
+    stops = bus | {"starts": {"where": "ahead"}, "does": [{"act": "stop"}]}
+    assert _stop_of(made(PASSES, stops, road=STOP)).startswith("egoRoute, egoRoute.eventAt + globalParameters.OPT_B_Y")
+    assert _stop_of(made(CROSSES, road=STOP)).endswith('+ 5, "right", 3.6')

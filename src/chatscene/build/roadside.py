@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import stands_first
+from chatscene.build.asked import FROM_A_STAND, stands_first
 from chatscene.build.hiding import BESIDE
 from chatscene.build.ledger import Ledger
-from chatscene.build.place import between_bays
+from chatscene.build.place import at_junction, between_bays
 from chatscene.terms.backing import backs
-from chatscene.terms.vocabulary import Feature, Side, UserKind, Where
+from chatscene.terms.situation import Deed, Other, Situation
+from chatscene.terms.vocabulary import Act, Feature, Side, UserKind, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 SHELTER = 5.0  # [m] beyond who is met
+DOOR = 0.25  # of its length that the front door of a bus is before its middle
+HARD = 0.75  # of its brake with which who stops does
 SHELTER_ASIDE = 3.6  # [m] outside the lanes: clear of a bus at the kerb and of who walks there
 PARKED = (12.0, 18.5, 25.0)  # [m] beyond who is met, where nobody who comes out from between is hidden by them
 ROW = tuple(-26.5 + 6.5 * n for n in range(9))  # [m] beyond who is met, on a side on which nobody is
@@ -39,7 +42,7 @@ def beside_road(ledger: Ledger, everybody: Sequence[Actor]) -> Iterator[str]:
         if feature is Feature.BUS_STOP:
             ledger.take(f"road.has.{i}")
             if all(actor.one.kind is not UserKind.BUS_SHELTER for actor in everybody):
-                yield from _things("bus-stop", "BusStop", _at_stop(everybody), (SHELTER,), SHELTER_ASIDE)
+                yield from _shelter(ledger.situation, everybody)
         elif feature in _TOLD and not backs(ledger.situation):
             ledger.take(f"road.has.{i}")
             yield from _signed(ledger, feature, everybody)
@@ -54,9 +57,55 @@ def beside_road(ledger: Ledger, everybody: Sequence[Actor]) -> Iterator[str]:
                 yield from _things(f"parked-{side}", "Car", everybody[0], row, AT_KERB, side)
 
 
-def _at_stop(everybody: Sequence[Actor]) -> Actor:
-    """By whom a bus stop is: a bus that stands, else who is met."""
-    return next((one for one in everybody if one.one.kind is UserKind.BUS and stands_first(one.one)), everybody[0])
+def _shelter(situation: Situation, everybody: Sequence[Actor]) -> Iterator[str]:
+    """The line of a bus stop, beside the front door of who stands or stops at it, on the side of its own lane.
+
+    That is the ego that sets off, a bus that stands or stops, or another vehicle that does. Where none does, it is
+    beyond who is met, on the side of that one.
+    """
+    ego = situation.ego
+    halts = [actor for actor in everybody if not actor.walks and (_waits(actor.one) or _halts(actor.one))]
+    halts.sort(key=lambda actor: (actor.one.kind is not UserKind.BUS, _halts(actor.one)))
+    if at_junction(situation):
+        yield from _things("bus-stop", "BusStop", everybody[0], (SHELTER,), SHELTER_ASIDE)
+    elif ego.does and ego.does[0].act in FROM_A_STAND and (ego.kind is UserKind.BUS or not halts):
+        yield _thing("bus-stop-0", "BusStop", f"{DOOR * ego.body.row.limits.length:g}", Side.RIGHT, SHELTER_ASIDE)
+    elif halts:
+        at, side = _where_it_halts(halts[0])
+        yield _thing("bus-stop-0", "BusStop", at, side, SHELTER_ASIDE)
+    else:
+        yield from _things("bus-stop", "BusStop", everybody[0], (SHELTER,), SHELTER_ASIDE)
+
+
+def _waits(one: Other) -> bool:
+    """Whether somebody stands at first where a bus does at a stop: at the kerb, or in a lane."""
+    return stands_first(one) and one.starts.where in _AT_STOPS
+
+
+def _halts(one: Other) -> bool:
+    """Whether somebody stops where a bus does at a stop, and for nobody."""
+    return not _waits(one) and one.starts.where is Where.AHEAD and any(map(_of_itself, one.does))
+
+
+def _of_itself(deed: Deed) -> bool:
+    return deed.act is Act.STOP and deed.whom is None and deed.when is None
+
+
+def _where_it_halts(actor: Actor) -> tuple[str, Side]:
+    """Where along the ego's way the front door of somebody is who stands or stops, and on which side of the road."""
+    against = actor.one.starts.where is Where.ONCOMING
+    beyond = actor.room + DOOR * actor.limits.length * (-1.0 if against else 1.0)
+    event = "eventAt" in actor.stand.at
+    if _halts(actor.one):  # it goes as far as the ego until then, and on until it has lost its speed
+        speed, event = actor.along_speed, True
+        beyond += speed * speed / (2.0 * HARD * actor.limits.brake) - actor.needs * speed
+    kerb = actor.one.starts.side if actor.one.starts.where is Where.KERB else None
+    side = Side.LEFT if against else kerb or Side.RIGHT
+    return f"{'egoRoute.eventAt + ' if event else ''}{actor.filled('$Y')} {_added(beyond)}", side
+
+
+_AT_STOPS = frozenset((Where.AHEAD, Where.KERB, Where.BUS_BAY, Where.ONCOMING))
+"""Where a vehicle stands that is at a bus stop."""
 
 
 def _taken(everybody: Sequence[Actor]) -> set[Side]:
@@ -89,10 +138,18 @@ def _things(
     if route.route.junction is not None:  # beyond which there is another road
         level = f"egoRoute.eventAt - {BEFORE_JUNCTION + ahead[-1]:g}"
     for n, further in enumerate(ahead):
-        at = f"{level} {'+' if further >= 0 else '-'} {abs(further):g}"
-        faces = f"directionOn(egoRoute, {at})"
-        if cls == "Car" and between_bays(met.found):
-            beyond, faces = IN_BAY, f'crossingDirection(egoRoute, {at}, "{side}")'
-        place = f'besideRoad(egoRoute, {at}, "{side}", {beyond:g})'
-        label = f"with label '{name}-{n}', with role 'background'"
-        yield f"new {cls} at {place}, facing {faces}, {label}"
+        in_bay = cls == "Car" and between_bays(met.found)
+        at, aside = f"{level} {_added(further)}", IN_BAY if in_bay else beyond
+        yield _thing(f"{name}-{n}", cls, at, side, aside, across=in_bay)
+
+
+def _thing(label: str, cls: str, at: str, side: Side, beyond: float, *, across: bool = False) -> str:
+    """The line of a thing so far along the ego's way, as a text of Scenic, and beyond the lanes [m]."""
+    faces = f'crossingDirection(egoRoute, {at}, "{side}")' if across else f"directionOn(egoRoute, {at})"
+    place = f'besideRoad(egoRoute, {at}, "{side}", {beyond:g})'
+    return f"new {cls} at {place}, facing {faces}, with label '{label}', with role 'background'"
+
+
+def _added(metres: float) -> str:
+    """What is added to a place or taken off it, as a text of Scenic."""
+    return f"{'+' if metres >= 0.0 else '-'} {abs(metres):g}"
