@@ -6,9 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from chatscene.interpret import wording_index
-from chatscene.interpret.wording_index import MANY, WordingIndex
+from chatscene.interpret.wording_index import MANY, WordingIndex, best_of_each
 
 WORDS = ("bus", "pulls", "out", "brakes", "twice", "left", "kerb", "cuts", "in", "stops")
 WORDINGS = tuple(f"the {WORDS[i % 10]} {WORDS[i // 10 % 10]} {WORDS[i // 100 % 10]} near {i // 7}" for i in range(MANY))
@@ -68,3 +70,12 @@ def test_kept_counts_that_cannot_be_right_cost_time_and_nothing_else(cache: Path
         np.savez(path, **kept)
     assert found(WordingIndex(WORDINGS, OWNERS)) == first
     assert path.read_bytes() == whole
+
+
+@given(st.lists(st.lists(st.integers(0, 3), min_size=1, max_size=5), min_size=1, max_size=6))
+def test_the_best_of_each_owner_is_the_first_of_its_highest_scores(scores: list[list[int]]) -> None:
+    owners = np.array([owner for owner, own in enumerate(scores) for _ in own])
+    best, rows = best_of_each(np.array([float(score) for own in scores for score in own]), owners)
+    for owner, own in enumerate(scores):
+        assert best[owner] == max(own)
+        assert rows[owner] == np.flatnonzero(owners == owner)[own.index(max(own))]

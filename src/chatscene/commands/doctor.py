@@ -96,7 +96,7 @@ def _python() -> str:
 def _packages() -> str:
     from importlib.metadata import version
 
-    names = ("chatscene", "scenic", "numpy", "pyarrow", "onnxruntime", "faiss-cpu")
+    names = ("chatscene", "scenic", "numpy", "pyarrow", "onnxruntime")
     return ", ".join(f"{name} {version(name)}" for name in names)
 
 

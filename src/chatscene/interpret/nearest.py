@@ -11,10 +11,9 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.interpret.vector_index import VectorIndex, build_cached
 from chatscene.interpret.wording_index import WordingIndex
 from chatscene.library.load import Library
-from chatscene.models.encoders.embedding import Embedder, encode_cached
+from chatscene.models.encoders.embedding import Embedder, Vectors, encode_cached
 from chatscene.terms.scenario import Component
 from chatscene.terms.snippet import Snippet
 
@@ -44,12 +43,13 @@ def nearest(
 
 def cosines(text: str, snippets: tuple[Snippet, ...], embedder: Embedder) -> NDArray[np.float64]:
     """(N,) the cosine of a text and the description of each snippet."""
-    return _descriptions(snippets, embedder).cosines(embedder.encode([text])).astype(np.float64)
+    rows = _descriptions(snippets, embedder)
+    return np.einsum("nd,d->n", rows, embedder.encode([text])[0]).astype(np.float64)  # the same bits on any threads
 
 
 @lru_cache(maxsize=16)
-def _descriptions(snippets: tuple[Snippet, ...], embedder: Embedder) -> VectorIndex:
-    return build_cached(encode_cached(embedder, [s.description for s in snippets]))
+def _descriptions(snippets: tuple[Snippet, ...], embedder: Embedder) -> Vectors:
+    return encode_cached(embedder, [s.description for s in snippets])
 
 
 @lru_cache(maxsize=16)
