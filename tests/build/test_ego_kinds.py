@@ -64,9 +64,16 @@ def at_lights(**ego: Any) -> Situation:
 
 
 def test_who_drives_or_rides_may_be_the_ego_and_nobody_else() -> None:
-    assert [*map(str, KINDS)] == [
-        *("car", "van", "truck", "bus", "tractor", "tram", "motorcycle", "bicycle", "e-scooter", "emergency-vehicle")
-    ]
+    assert {str(kind) for kind in KINDS} >= {
+        "car",
+        "pickup",
+        "minibus",
+        "auto-rickshaw",
+        "cargo-bike",
+        "bicycle",
+        "tram",
+    }
+    assert not {str(kind) for kind in KINDS} & {"vehicle", "road-user", "pram", "horse-rider", "cone"}
     for kind in set(UserKind) - set(KINDS):
         with pytest.raises(SituationError, match=r"ego\.kind: .*the ego is one of car, van"):
             stops_ahead(kind=str(kind))

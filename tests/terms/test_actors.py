@@ -72,8 +72,8 @@ def test_a_list_of_kinds_is_recognised_as_one(source: str) -> None:
 
 @every_kind
 def test_a_kind_has_a_class_in_the_world_and_a_blueprint_in_carla(kind: AdversaryKind) -> None:
-    size = f"length: _LIMITS['{kind.row.scenic}'].length; width: the same"
-    said = f"world/model.scenic: add `class {kind.row.scenic}(…)`, with {size}, as the others of its manner have it"
+    name = kind.row.scenic
+    said = f"world/model.scenic: add `class {name}(…)`, with `kind: '{name}'`, as the others of its manner have it"
     assert kind.row.scenic in world_words(), said
     known = {name for models in vars(blueprints).values() if isinstance(models, list) for name in models}
     assert kind.row.blueprint in known, f"terms/actors.py: CARLA has no blueprint {kind.row.blueprint!r}"

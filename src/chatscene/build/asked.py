@@ -27,12 +27,10 @@ from chatscene.terms.vocabulary import (
     Heads,
     Manner,
     Tempo,
-    UserKind,
     Where,
     acts_of,
 )
 
-ANIMALS = frozenset((UserKind.ANIMAL, UserKind.DEER, UserKind.DOG))
 ROOM = 3.0  # [m] between who stand in a row
 SOME = 3  # of a group whose size was not said
 APART = 1.0  # [s] between who drive in a row, from nose to tail
@@ -266,7 +264,7 @@ class Asked:
 
 def bolts(one: Other) -> bool:
     """Whether it is an animal on the road of which nothing else is said: it runs over it when the ego comes."""
-    return one.kind in ANIMALS and one.starts.where is Where.AHEAD and not one.does and one.starts.facing is None
+    return one.kind.is_animal and one.starts.where is Where.AHEAD and not one.does and one.starts.facing is None
 
 
 def between(one: Other, speed: float) -> float:

@@ -7,12 +7,12 @@ from collections.abc import Iterable
 from functools import lru_cache
 
 from chatscene.situations.phrases import KINDS
-from chatscene.terms.vocabulary import UserKind
+from chatscene.terms.vocabulary import WHEELS, UserKind
 
 _PARTED = re.compile(r", not said.*|, (?:with|electric) .*| or |, |\|")
 _BEFORE = re.compile(r"^(?:somebody (?:on|in|who stands on) )?(?:(?:another|an?|the|with) )?")
 _BEHIND = re.compile(r" (?:of any|on|in|with) .*")
-_ANYBODY = frozenset(("somebody", "person", "child", "boy", "man", "woman", "rider"))
+_ANYBODY = frozenset(("somebody", "people", "person", "child", "boy", "man", "woman", "rider"))
 """What those are called who may be of several kinds."""
 
 
@@ -48,6 +48,29 @@ def names_another(words: str, there: Iterable[UserKind]) -> bool:
     return bool(named) and not {kind.row.body for kind in named} & {kind.row.body for kind in kinds}
 
 
+def finer(kind: UserKind, place: tuple[int, int], text: str, kinds: Iterable[UserKind]) -> UserKind:
+    """What the noun at a place in a text says that somebody is: one of some kinds, or what it was taken for.
+
+    Args:
+        kind: What it was taken for. It moves as the other does, or was left open.
+        place: Where the words for it begin and end; they are in the noun, or the noun is in them.
+        text: The text.
+        kinds: What it may be instead.
+    """
+    low, high = place
+    for one in kinds:
+        alike = kind.row.general or one.moves is kind.moves or {one.moves, kind.moves} <= WHEELS
+        for noun in nouns_of(one) if alike else ():
+            for start, end in (found.span() for found in re.finditer(_pattern(noun), text, re.IGNORECASE)):
+                if start <= low < end or low <= start < high:
+                    return one
+    return kind
+
+
 def _has(words: str, noun: str) -> bool:
-    pattern = re.escape(noun).replace(r"\ ", r"[\s-]+")
-    return re.search(rf"(?<!\w){pattern}(?:s|es)?(?!\w)", words.replace("_", " "), re.IGNORECASE) is not None
+    return re.search(_pattern(noun), words.replace("_", " "), re.IGNORECASE) is not None
+
+
+def _pattern(noun: str) -> str:
+    named = re.escape(noun).replace(r"\ ", r"[\s-]+")
+    return rf"(?<!\w){named}(?:s|es)?(?!\w)"

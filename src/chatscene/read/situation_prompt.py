@@ -31,7 +31,7 @@ Rules:
 - The ego is who is tested or tells it: I, we, our car, VUT, AV, vehicle or unit 1; else the driver whose way the text
   follows and before whom another turns up, be it claimant or defendant. If who tells it is on foot, the
   ego is the vehicle that endangers them. What the ego does is never told of another, even if its words lack.
-  ego.kind: what it is, if no car.
+  ego.kind: what it is, if no car, also by what its driver tells of it (cab, rig, passengers).
 - others: all who matter, or are only mentioned, ids A, B, C. Several who do the same are one with a count: a
   queue that stands has count 0.
 - role: who meets the ego is an adversary; who brings it about unmet, as a lead that brakes, supporting; hidden_by names

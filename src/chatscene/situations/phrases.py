@@ -230,11 +230,19 @@ _KINDS: Mapping[UserKind, Noun] = {
     UserKind.E_SCOOTER: Noun(
         one="an e-scooter rider", many="e-scooter riders", goes=_RIDES, somebody=True, vehicle="an e-scooter"
     ),
+    UserKind.CARGO_BIKE: Noun(
+        one="a cargo-bike rider", many="cargo-bike riders", goes=_RIDES, somebody=True, vehicle="a cargo bike"
+    ),
+    UserKind.QUAD: Noun(one="a quad rider", many="quad riders", goes=_RIDES, somebody=True, vehicle="a quad bike"),
     UserKind.EMERGENCY_VEHICLE: Noun(one="an emergency vehicle", many="emergency vehicles", goes=_DRIVES),
     UserKind.VEHICLE: Noun(one="a vehicle", many="vehicles", goes=_DRIVES),
     UserKind.PEDESTRIAN: Noun(one="a pedestrian", many="pedestrians", goes=_WALKS, somebody=True),
     UserKind.CHILD: Noun(one="a child", many="children", goes=_WALKS, somebody=True),
     UserKind.WHEELCHAIR: Noun(one="a wheelchair user", many="wheelchair users", goes=_MOVES, somebody=True),
+    UserKind.PRAM: Noun(one="a pram", many="prams", goes=_MOVES),
+    UserKind.HORSE_RIDER: Noun(one="a horse rider", many="horse riders", goes=_RIDES, somebody=True),
+    UserKind.SHEEP: Noun(one="a sheep", many="sheep", goes=_WALKS),
+    UserKind.MOOSE: Noun(one="a moose", many="moose", goes=_RUNS),
     UserKind.DOG: Noun(one="a dog", many="dogs", goes=_RUNS),
     UserKind.DEER: Noun(one="a deer", many="deer", goes=_RUNS),
     UserKind.ANIMAL: Noun(one="an animal", many="animals", goes=_MOVES),

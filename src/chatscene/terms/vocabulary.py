@@ -172,7 +172,7 @@ class Feature(Word):
 
 # Who there is
 
-_WHEELS = frozenset((Moves.DRIVES, Moves.RIDES))
+WHEELS = frozenset((Moves.DRIVES, Moves.RIDES))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -211,25 +211,47 @@ class UserKind(RowWord):
     row: KindRow
 
     CAR = ("car", "a passenger car, an SUV, a taxi", _is(AdversaryKind.CAR))
-    VAN = ("van", "a van, a minibus, a pickup truck", _is(AdversaryKind.VAN))
+    VAN = ("van", "a van, a camper", _is(AdversaryKind.VAN))
     TRUCK = ("truck", "a lorry of any size, with or without a trailer", _is(AdversaryKind.TRUCK))
     BUS = ("bus", "a bus or a coach", _is(AdversaryKind.BUS))
-    TRACTOR = ("tractor", "a tractor of a farm, a harvester, with or without a trailer", _is(AdversaryKind.TRACTOR))
+    PICKUP = _as_body(AdversaryKind.PICKUP)
+    MINIBUS = ("minibus", "a minibus, a matatu, a jeepney", _is(AdversaryKind.MINIBUS))
+    TRACTOR = ("tractor", "a tractor of a farm", _is(AdversaryKind.TRACTOR))
+    HARVESTER = ("harvester", "a combine, another wide machine", _is(AdversaryKind.HARVESTER))
+    CART = ("cart", "a cart, a carriage that an animal draws", _is(AdversaryKind.CART))
     TRAM = _as_body(AdversaryKind.TRAM)
     MOTORCYCLE = ("motorcycle", "a motorcycle, a moped, a motor scooter", _is(AdversaryKind.MOTORCYCLE))
+    AUTO_RICKSHAW = (
+        "auto-rickshaw",
+        "an auto-rickshaw, a tuk-tuk, a motor tricycle",
+        _is(AdversaryKind.AUTO_RICKSHAW),
+    )
+    QUAD = _as_body(AdversaryKind.QUAD)
     BICYCLE = ("bicycle", "somebody on a bicycle, electric or not", _is(AdversaryKind.BICYCLE))
+    CARGO_BIKE = ("cargo-bike", "a cargo bike, a cycle rickshaw", _is(AdversaryKind.CARGO_BIKE))
     E_SCOOTER = ("e-scooter", "somebody who stands on an electric scooter", _is(AdversaryKind.E_SCOOTER))
     EMERGENCY_VEHICLE = (
         "emergency-vehicle",
-        "an ambulance, a fire engine, a police car",
+        "an ambulance, another with a siren",
         _is(AdversaryKind.EMERGENCY_VEHICLE),
     )
+    POLICE_CAR = _as_body(AdversaryKind.POLICE_CAR)
+    FIRE_ENGINE = _as_body(AdversaryKind.FIRE_ENGINE)
     VEHICLE = ("vehicle", "a motor vehicle, not said of which kind", KindRow(body=AdversaryKind.CAR, general=True))
     PEDESTRIAN = ("pedestrian", "a grown-up on foot", _is(AdversaryKind.PEDESTRIAN))
     CHILD = ("child", "a child on foot", _is(AdversaryKind.CHILD))
+    PRAM = ("pram", "somebody with a pram, a trolley, a handcart", _is(AdversaryKind.PRAM))
     WHEELCHAIR = ("wheelchair", "somebody in a wheelchair", _is(AdversaryKind.WHEELCHAIR))
+    HORSE_RIDER = ("horse-rider", "a rider on a horse", _is(AdversaryKind.HORSE_RIDER))
+    HORSE = ("horse", "a horse, a donkey", _is(AdversaryKind.HORSE))
+    COW = ("cow", "a cow, a bull, a buffalo", _is(AdversaryKind.COW))
+    SHEEP = ("sheep", "a sheep, a goat", _is(AdversaryKind.SHEEP))
     DOG = _as_body(AdversaryKind.DOG)
-    DEER = ("deer", "a deer or another large wild animal", _is(AdversaryKind.DEER))
+    SMALL_ANIMAL = ("small-animal", "a cat, a fox, a hare, a bird", _is(AdversaryKind.SMALL_ANIMAL))
+    DEER = ("deer", "a deer or another wild animal of its size", _is(AdversaryKind.DEER))
+    MOOSE = ("moose", "a moose, a camel", _is(AdversaryKind.MOOSE))
+    BOAR = ("boar", "a wild boar, a pig", _is(AdversaryKind.BOAR))
+    KANGAROO = _as_body(AdversaryKind.KANGAROO)
     ANIMAL = ("animal", "an animal, not said of which kind", KindRow(body=AdversaryKind.DEER, general=True))
     BALL = ("ball", "a ball that rolls", KindRow(body=AdversaryKind.DOG, prop="Ball"))
     OBJECT = (
@@ -255,7 +277,12 @@ class UserKind(RowWord):
     @property
     def may_be_ego(self) -> bool:
         """Whether an ego may be said to be one: it drives or rides, and the word says what it is."""
-        return self.moves in _WHEELS and not self.row.general
+        return self.moves in WHEELS and not self.row.general
+
+    @property
+    def is_animal(self) -> bool:
+        """Whether it is an animal, and nobody on one."""
+        return self.row.body.row.openscenario == "animal" and not self.row.prop
 
     def can(self, act: Act) -> bool:
         """Whether one of the kind can do something."""
@@ -426,7 +453,7 @@ class ActRow:
 
 
 _FEET = frozenset((Moves.WALKS,))
-_ALL = _WHEELS | _FEET
+_ALL = WHEELS | _FEET
 _THINGS = _ALL | {Moves.LIES}
 
 
@@ -450,19 +477,19 @@ class Act(RowWord):
     GO_STRAIGHT = (
         "go-straight",
         "goes straight on through a junction",
-        _act(_WHEELS, "speed acceleration time", Heads.THROUGH, lasting=True),
+        _act(WHEELS, "speed acceleration time", Heads.THROUGH, lasting=True),
     )
     TURN_LEFT = (
         "turn-left",
         "turns to its own left at a junction or off the road",
-        _act(_WHEELS, "speed acceleration time", Heads.TURNS),
+        _act(WHEELS, "speed acceleration time", Heads.TURNS),
     )
     TURN_RIGHT = (
         "turn-right",
         "turns to its own right at a junction or off the road",
-        _act(_WHEELS, "speed acceleration time", Heads.TURNS),
+        _act(WHEELS, "speed acceleration time", Heads.TURNS),
     )
-    U_TURN = ("u-turn", "turns round on the road", _act(_WHEELS, "speed", Heads.ROUND))
+    U_TURN = ("u-turn", "turns round on the road", _act(WHEELS, "speed", Heads.ROUND))
     CROSS = (
         "cross",
         "crosses the ego's way from beside the road to the other side",
@@ -487,37 +514,37 @@ class Act(RowWord):
     PULL_OUT = (
         "pull-out",
         "leaves where it stood at the edge for the ego's lane",
-        _act(_WHEELS, "speed acceleration", Heads.FROM_EDGE, placed=True),
+        _act(WHEELS, "speed acceleration", Heads.FROM_EDGE, placed=True),
     )
     CUT_IN = (
         "cut-in",
         "comes from the next lane into the ego's, close in front",
-        _act(_WHEELS, "speed distance time", Heads.BEFORE, sided=True, whom=True, placed=True),
+        _act(WHEELS, "speed distance time", Heads.BEFORE, sided=True, whom=True, placed=True),
     )
     LANE_CHANGE = (
         "lane-change",
         "changes lanes in any other way",
-        _act(_WHEELS, "speed time distance", Heads.OVER, ego=True, sided=True, placed=True),
+        _act(WHEELS, "speed time distance", Heads.OVER, ego=True, sided=True, placed=True),
     )
     CUT_OUT = (
         "cut-out",
         "leaves the ego's lane, and so shows what is ahead",
-        _act(_WHEELS, "speed time", Heads.OUT, sided=True),
+        _act(WHEELS, "speed time", Heads.OUT, sided=True),
     )
     MERGE = (
         "merge",
         "comes from a ramp or a lane that ends into the ego's lane",
-        _act(_WHEELS, "speed distance time", Heads.MERGES, placed=True),
+        _act(WHEELS, "speed distance time", Heads.MERGES, placed=True),
     )
     OVERTAKE = (
         "overtake",
         "passes somebody and is ahead then",
-        _act(_WHEELS, "speed distance", Heads.BY, ego=True, sided=True, whom=True, placed=True),
+        _act(WHEELS, "speed distance", Heads.BY, ego=True, sided=True, whom=True, placed=True),
     )
     DRIFT = (
         "drift",
         "leaves its line gradually, not meaning to",
-        _act(_WHEELS, "speed time distance", Heads.DRIFTS, ego=True, sided=True, placed=True),
+        _act(WHEELS, "speed time distance", Heads.DRIFTS, ego=True, sided=True, placed=True),
     )
     SWERVE = (
         "swerve",
@@ -528,25 +555,25 @@ class Act(RowWord):
     KEEP_LEVEL = (
         "keep-level",
         "stays level with somebody",
-        _act(_WHEELS, "time", Heads.LEVEL, whom=True, lasting=True),
+        _act(WHEELS, "time", Heads.LEVEL, whom=True, lasting=True),
     )
     FOLLOW = (
         "follow",
         "drives behind somebody at a distance",
-        _act(_WHEELS, "speed distance time", Heads.BEHIND, ego=True, whom=True, lasting=True),
+        _act(WHEELS, "speed distance time", Heads.BEHIND, ego=True, whom=True, lasting=True),
     )
     TAILGATE = (
         "tailgate",
         "drives close behind somebody",
-        _act(_WHEELS, "distance time", Heads.CLOSE, whom=True, lasting=True),
+        _act(WHEELS, "distance time", Heads.CLOSE, whom=True, lasting=True),
     )
     TURN_BACK = ("turn-back", "goes back to where it came from", _act(_ALL, "speed", Heads.BACK))
     PARK = (
         "park",
         "comes to a stand at the edge of the road or in a parking place",
-        _act(_WHEELS, "speed", Heads.EDGE, ego=True),
+        _act(WHEELS, "speed", Heads.EDGE, ego=True),
     )
-    EXIT = ("exit", "leaves the road by a ramp, or a roundabout", _act(_WHEELS, "speed", Heads.OFF))
+    EXIT = ("exit", "leaves the road by a ramp, or a roundabout", _act(WHEELS, "speed", Heads.OFF))
     YIELD = ("yield", "waits until somebody has gone by", _act(_ALL, "", Tempo.WAITS, ego=True, whom=True))
     OPEN_DOOR = (
         "open-door",

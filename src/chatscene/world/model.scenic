@@ -80,10 +80,11 @@ class Car(Driven, Car):
     parentOrientation: _NORTH
     yaw: (roadDirection at self.position).yaw + self.roadDeviation if self.parentOrientation is _NORTH else 0
     color: (0.75, 0.75, 0.78)
-    length: _LIMITS['Car'].length
-    width: _LIMITS['Car'].width
-    wheelbase: _wheelbase_of('Car', self.length)
-    wheelAngle: _LIMITS['Car'].wheel_angle
+    kind: 'Car'
+    length: _LIMITS[self.kind].length
+    width: _LIMITS[self.kind].width
+    wheelbase: _wheelbase_of(self.kind, self.length)
+    wheelAngle: _LIMITS[self.kind].wheel_angle
     isWalker: False
     label: ''
     role: ''
@@ -94,118 +95,136 @@ class Car(Driven, Car):
     backwards: False
 
 class Truck(Car):
-    length: _LIMITS['Truck'].length
-    width: _LIMITS['Truck'].width
-    wheelbase: _wheelbase_of('Truck', self.length)
-    wheelAngle: _LIMITS['Truck'].wheel_angle
+    kind: 'Truck'
 
 class Bus(Car):
-    length: _LIMITS['Bus'].length
-    width: _LIMITS['Bus'].width
-    wheelbase: _wheelbase_of('Bus', self.length)
-    wheelAngle: _LIMITS['Bus'].wheel_angle
+    kind: 'Bus'
 
 class EmergencyVehicle(Car):
-    length: _LIMITS['EmergencyVehicle'].length
-    width: _LIMITS['EmergencyVehicle'].width
-    wheelbase: _wheelbase_of('EmergencyVehicle', self.length)
-    wheelAngle: _LIMITS['EmergencyVehicle'].wheel_angle
+    kind: 'EmergencyVehicle'
 
 class Motorcycle(Car):
-    length: _LIMITS['Motorcycle'].length
-    width: _LIMITS['Motorcycle'].width
-    wheelbase: _wheelbase_of('Motorcycle', self.length)
-    wheelAngle: _LIMITS['Motorcycle'].wheel_angle
+    kind: 'Motorcycle'
 
 class Bicycle(Car):
-    length: _LIMITS['Bicycle'].length
-    width: _LIMITS['Bicycle'].width
-    wheelbase: _wheelbase_of('Bicycle', self.length)
-    wheelAngle: _LIMITS['Bicycle'].wheel_angle
+    kind: 'Bicycle'
 
 class Pedestrian(Walking, Pedestrian):
     regionContainedIn: everywhere
     position: _unplaced()
     parentOrientation: 0
-    length: _LIMITS['Pedestrian'].length
-    width: _LIMITS['Pedestrian'].width
+    kind: 'Pedestrian'
+    length: _LIMITS[self.kind].length
+    width: _LIMITS[self.kind].width
     isWalker: True
     label: ''
     role: ''
 
 class EScooter(Car):
-    length: _LIMITS['EScooter'].length
-    width: _LIMITS['EScooter'].width
-    wheelbase: _wheelbase_of('EScooter', self.length)
-    wheelAngle: _LIMITS['EScooter'].wheel_angle
+    kind: 'EScooter'
 
 class Wheelchair(Pedestrian):
-    length: _LIMITS['Wheelchair'].length
-    width: _LIMITS['Wheelchair'].width
+    kind: 'Wheelchair'
 
 class Dog(Pedestrian):
-    length: _LIMITS['Dog'].length
-    width: _LIMITS['Dog'].width
+    kind: 'Dog'
 
 class Deer(Pedestrian):
-    length: _LIMITS['Deer'].length
-    width: _LIMITS['Deer'].width
+    kind: 'Deer'
 
 class Van(Car):
-    length: _LIMITS['Van'].length
-    width: _LIMITS['Van'].width
-    wheelbase: _wheelbase_of('Van', self.length)
-    wheelAngle: _LIMITS['Van'].wheel_angle
+    kind: 'Van'
 
 class Child(Pedestrian):
-    length: _LIMITS['Child'].length
-    width: _LIMITS['Child'].width
+    kind: 'Child'
 
 class Tractor(Car):
-    length: _LIMITS['Tractor'].length
-    width: _LIMITS['Tractor'].width
-    wheelbase: _wheelbase_of('Tractor', self.length)
-    wheelAngle: _LIMITS['Tractor'].wheel_angle
+    kind: 'Tractor'
 
 class Tram(Car):
-    length: _LIMITS['Tram'].length
-    width: _LIMITS['Tram'].width
-    wheelbase: _wheelbase_of('Tram', self.length)
-    wheelAngle: _LIMITS['Tram'].wheel_angle
+    kind: 'Tram'
+
+class Pickup(Car):
+    kind: 'Pickup'
+
+class Minibus(Car):
+    kind: 'Minibus'
+
+class AutoRickshaw(Car):
+    kind: 'AutoRickshaw'
+
+class Quad(Car):
+    kind: 'Quad'
+
+class CargoBike(Car):
+    kind: 'CargoBike'
+
+class PoliceCar(Car):
+    kind: 'PoliceCar'
+
+class FireEngine(Car):
+    kind: 'FireEngine'
+
+class Harvester(Car):
+    kind: 'Harvester'
+
+class Cart(Car):
+    kind: 'Cart'
+
+class Pram(Pedestrian):
+    kind: 'Pram'
+
+class HorseRider(Pedestrian):
+    kind: 'HorseRider'
+
+class Horse(Pedestrian):
+    kind: 'Horse'
+
+class Cow(Pedestrian):
+    kind: 'Cow'
+
+class Moose(Pedestrian):
+    kind: 'Moose'
+
+class Sheep(Pedestrian):
+    kind: 'Sheep'
+
+class Boar(Pedestrian):
+    kind: 'Boar'
+
+class Kangaroo(Pedestrian):
+    kind: 'Kangaroo'
+
+class SmallAnimal(Pedestrian):
+    kind: 'SmallAnimal'
 
 class Box(Lying, DrivingObject):
     regionContainedIn: everywhere
     position: _unplaced()
-    length: _LIMITS['Box'].length
-    width: _LIMITS['Box'].width
+    kind: 'Box'
+    length: _LIMITS[self.kind].length
+    width: _LIMITS[self.kind].width
     isWalker: False
     label: ''
     role: ''
 
 class Cone(Box):
-    length: _LIMITS['Cone'].length
-    width: _LIMITS['Cone'].width
+    kind: 'Cone'
 
 class Debris(Box):
-    length: _LIMITS['Debris'].length
-    width: _LIMITS['Debris'].width
+    kind: 'Debris'
 
 ## What somebody lets go
 
 class Ball(Pedestrian):
-    length: _LIMITS['Ball'].length
-    width: _LIMITS['Ball'].width
+    kind: 'Ball'
 
 class Door(Pedestrian):
-    length: _LIMITS['Door'].length
-    width: _LIMITS['Door'].width
+    kind: 'Door'
     allowCollisions: True
 
 class Load(Car):
-    length: _LIMITS['Load'].length
-    width: _LIMITS['Load'].width
-    wheelbase: _wheelbase_of('Load', self.length)
-    wheelAngle: _LIMITS['Load'].wheel_angle
+    kind: 'Load'
     allowCollisions: True
 
 ## Things that stand in the way or in the line of sight
@@ -218,29 +237,22 @@ class Prop(Lying, DrivingObject):
     role: ''
 
 class BusStop(Prop):
-    length: _PROPS['BusStop'].length
-    width: _PROPS['BusStop'].width
+    kind: 'BusStop'
 
 class VendingMachine(Prop):
-    length: _PROPS['VendingMachine'].length
-    width: _PROPS['VendingMachine'].width
+    kind: 'VendingMachine'
 
 class Kiosk(Prop):
-    length: _PROPS['Kiosk'].length
-    width: _PROPS['Kiosk'].width
+    kind: 'Kiosk'
 
 class Container(Prop):
-    length: _PROPS['Container'].length
-    width: _PROPS['Container'].width
+    kind: 'Container'
 
 class Hedge(Prop):
-    length: _PROPS['Hedge'].length
-    width: _PROPS['Hedge'].width
+    kind: 'Hedge'
 
 class Billboard(Prop):
-    length: _PROPS['Billboard'].length
-    width: _PROPS['Billboard'].width
+    kind: 'Billboard'
 
 class WarningSign(Prop):
-    length: _PROPS['WarningSign'].length
-    width: _PROPS['WarningSign'].width
+    kind: 'WarningSign'

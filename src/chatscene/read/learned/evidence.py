@@ -10,10 +10,11 @@ import numpy as np
 
 from chatscene.read.kinds import names_another
 from chatscene.read.learned.decoder import Written
-from chatscene.read.learned.grammar import Token, grammar
+from chatscene.read.learned.grammar import Token
 from chatscene.read.learned.numbers import Found
 from chatscene.read.learned.sequence import path_of
 from chatscene.read.learned.text import Read
+from chatscene.read.learned.weights import load
 from chatscene.read.learned.words import is_learned, stems_in
 from chatscene.read.quotes import says_nothing
 from chatscene.situations.facts import GAP, within
@@ -169,7 +170,8 @@ def _says_another(token: Token | None, word: str) -> bool:
 
 @cache
 def _words_of(field: str) -> frozenset[str]:
-    return frozenset(word for each, word in grammar().tokens if each == field)
+    """What a reader could have said in a field: of a word that it never learned another was said."""
+    return frozenset(word for each, word in load().tokens if each == field)
 
 
 def _words(text: str, taken: Sequence[tuple[int, int]], copied: Found | None) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 from chatscene.read.blows import settled
 from chatscene.read.ego_named import owned_kind
 from chatscene.read.english import check_english
+from chatscene.read.kinds import finer, is_named
 from chatscene.read.learned.decoder import Decoder, Written
 from chatscene.read.learned.evidence import marked_in, quoted_of
 from chatscene.read.learned.grammar import NAMES
@@ -28,6 +29,7 @@ from chatscene.situations.main_facts import same_in_the_main, within_the_main
 from chatscene.situations.parts import fullness, left_open, parts_of
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Evidence, Situation
+from chatscene.terms.vocabulary import UserKind
 
 PLUGIN = {
     "name": "offline",
@@ -39,6 +41,7 @@ YOU_ON_FOOT = (
     "you are on foot in it, but the ego drives or rides; write it as the driver who meets you, as in 'a pedestrian "
     "crosses from the right while we turn left'"
 )
+_KIND = "Other.kind"
 _LEFT = 3
 """Readings of which parts are looked at."""
 _SURE, _IMPOSSIBLE = 1.0 - 1e-6, 1e-6
@@ -73,7 +76,7 @@ class LearnedReader:
         for one in written:
             verdicts[verdict_of(one.steps)] += math.exp(one.likely)
         on_foot = _tells_on_foot(read, ways_of(written), self.weights)
-        ranked = ranked_of(read, written, on_foot=on_foot)
+        ranked = ranked_of(read, written, on_foot=on_foot, weights=self.weights)
         tells = verdicts[Verdict.SITUATION] / sum(verdicts.values())
         verdict = max(verdicts, key=lambda one: verdicts[one])
         if verdict is not Verdict.SITUATION or not ranked:
@@ -138,18 +141,46 @@ def ways_of(written: Sequence[Written]) -> tuple[Way, ...]:
     return tuple(Way(one, likely[one], first[one]) for one in sorted(likely, key=lambda one: -likely[one]))
 
 
-def ranked_of(read: Read, written: Sequence[Written], *, on_foot: bool = False) -> tuple[Ranked, ...]:
+def ranked_of(
+    read: Read, written: Sequence[Written], *, on_foot: bool = False, weights: Path = PACKAGED
+) -> tuple[Ranked, ...]:
     """The situations that differ in the main, the likeliest first.
 
     The probability of one is that of all sequences that come to a situation with the same main facts, of which it
     is the likeliest.
     """
     told: dict[Way, float] = {}
-    for one in (_by_grammar(way, read) for way in ways_of(written)):
+    never = [kind for kind in _never_learned(weights) if is_named(kind, read.text)]
+    for one in (_by_nouns(_by_grammar(way, read), read, never) for way in ways_of(written)):
         same = next((way for way in told if same_in_the_main(one.situation, way.situation)), one)
         told[same] = told.get(same, 0.0) + one.probability  # each counts for one of them
     ranked = (Ranked(situation=_evident(one, read, on_foot=on_foot), probability=p) for one, p in told.items())
     return tuple(sorted(ranked, key=lambda one: -one.probability))
+
+
+@lru_cache(maxsize=2)
+def _never_learned(weights: Path) -> tuple[UserKind, ...]:
+    """The kinds that came after a reader was trained."""
+    known = {word for key, word in load(weights).tokens if key == _KIND}
+    return tuple(kind for kind in UserKind if kind.value not in known)
+
+
+def _by_nouns(way: Way, read: Read, never: Sequence[UserKind]) -> Way:
+    """A way whose road users are of the kinds that were never learned, where the text calls them by a noun of one."""
+    if not never:
+        return way
+    marked = marked_in(read, way.written)
+
+    def of(kind: UserKind, path: str) -> UserKind:
+        found = (finer(kind, place, read.text, never) for place in marked.get(path, ()))
+        return next((one for one in found if one is not kind), kind)
+
+    situation = way.situation
+    ego = situation.ego
+    if ego.kind is not None and (one := of(ego.kind, "ego.kind")).may_be_ego:
+        ego = replace(ego, kind=one)
+    others = tuple(replace(one, kind=of(one.kind, f"others.{one.id}.kind")) for one in situation.others)
+    return replace(way, situation=replace(situation, ego=ego, others=others))
 
 
 def _by_grammar(way: Way, read: Read) -> Way:
