@@ -21,7 +21,7 @@ import numpy as np
 
 from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
-from chatscene.measure.crash_type import STANDING
+from chatscene.measure.sums import STANDING
 from chatscene.runs.executor import Workers
 from chatscene.runs.parallel import spread
 from chatscene.search.explore import explore

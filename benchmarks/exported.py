@@ -17,7 +17,6 @@ import sys
 from collections import Counter
 from importlib import import_module
 from importlib.metadata import version
-from importlib.resources import files
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -28,7 +27,7 @@ import chatscene
 from chatscene.errors import ChatSceneError, RunError
 
 HERE = Path(__file__).parent
-TEXTS = files("chatscene.studies") / "sentences" / "held-out.jsonl"
+TEXTS = Path(__file__).with_name("held-out.jsonl")
 
 
 @click.group()

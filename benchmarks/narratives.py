@@ -17,6 +17,7 @@ from tempfile import TemporaryDirectory
 import click
 from labelled import TEXTS, labelled
 from shown import silent
+from slots_read import differing
 
 from chatscene import pipeline, runs
 from chatscene.errors import ChatSceneError, NothingFits
@@ -27,7 +28,6 @@ from chatscene.runs.rebuild import rebuild
 from chatscene.search.climb import simulator_of
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
-from chatscene.studies.facts import differing
 from chatscene.terms.scenario import Slots
 from chatscene.terms.slots import SLOTS
 

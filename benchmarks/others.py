@@ -18,11 +18,11 @@ from pathlib import Path
 
 import click
 from labelled import auc, labelled
+from slots_read import differing
 
 from chatscene.errors import NothingFits
 from chatscene.search.generators.retrieved import Retrieved
-from chatscene.settings import READERS, RetrievalSettings
-from chatscene.studies.facts import differing
+from chatscene.settings import READ_AS, RetrievalSettings
 
 KEPT = ("kept", "kept-second", "kept-third", "kept-fourth", "narratives-kept")
 
@@ -30,7 +30,7 @@ KEPT = ("kept", "kept-second", "kept-third", "kept-fourth", "narratives-kept")
 @click.command()
 @click.option("--narratives", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 @click.argument("names", nargs=-1)
-@click.option("--reader", type=click.Choice(READERS[:2]), default=READERS[0])
+@click.option("--reader", type=click.Choice(READ_AS[:2]), default=READ_AS[0])
 @click.option("--styles", is_flag=True, help="Of each style right, wrong and refused, too.")
 def main(narratives: Path | None, names: tuple[str, ...], reader: str, styles: bool) -> None:
     generator, settings = Retrieved(), RetrievalSettings(reader=reader)

@@ -4,7 +4,7 @@
 
 `pairs`: 99 pairs by a writer who knew the facts to tell and not the reader, labelled again by a second reader: 50 of
 the same meaning in other words, 49 of which the second differs in one fact. Nothing is driven or refused: what is
-compared are the facts that are decided on (`studies/facts.py`), right or wrong, and, in brackets, those pairs of which
+compared are the facts that are decided on (`slots_read.py`), right or wrong, and, in brackets, those pairs of which
 both texts are served.
 """
 
@@ -14,11 +14,11 @@ import json
 from collections import Counter
 
 from labelled import TEXTS
+from slots_read import differing
 
 from chatscene.errors import NothingFits
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings
-from chatscene.studies.facts import differing
 from chatscene.terms.scenario import Slots
 
 

@@ -5,7 +5,7 @@
 
 Of texts with slots: a reader's situation is turned back into slots, and so are the slots that people wrote down, by
 the same table, so that what a situation has no place for counts against nobody; a text is right if no fact differs
-(`chatscene.studies.facts.differing`). Prints how many are right, how many are right when as many are refused as leaves
+(`slots_read.differing`). Prints how many are right, how many are right when as many are refused as leaves
 six of a hundred wrong, and how often what is right is trusted more than what is wrong (AUC).
 Of texts with situations that a language model filled: how many facts are read that it has, how many of those read it
 has not, how many texts have the same main facts (`chatscene.situations.main_facts`), how many if as many are refused as
@@ -16,6 +16,7 @@ such, and others; whether what is served can be built is not looked at. Others a
 from __future__ import annotations
 
 import json
+import sys
 import time
 from collections import Counter
 from collections.abc import Iterator
@@ -24,6 +25,7 @@ from pathlib import Path
 
 import click
 from labelled import TEXTS, auc, labelled
+from slots_read import differing
 
 from chatscene.errors import ChatSceneError
 from chatscene.interpret.known import taken_in_part
@@ -32,7 +34,6 @@ from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.read.by_model import situation_in
 from chatscene.read.learned.numbers import same
 from chatscene.read.learned.reader import LearnedReader
-from chatscene.read.learned.sequence import with_plain_names
 from chatscene.read.learned.weights import PACKAGED
 from chatscene.read.reader import Reader
 from chatscene.report.filled import lacked
@@ -40,13 +41,16 @@ from chatscene.settings import RetrievalSettings
 from chatscene.situations.facts import said_in
 from chatscene.situations.faults import Malformed
 from chatscene.situations.main_facts import same_in_the_main, within_the_main
-from chatscene.studies.facts import differing
 from chatscene.terms.amount import Acceleration, Duration, Length, Share, Speed
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.reading import SituationReading, Verdict
 from chatscene.terms.scenario import Slots
 from chatscene.terms.situation import Situation
 from chatscene.terms.surroundings import Surroundings
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from making.reader.sequence import with_plain_names
 
 WRONG = 0.06  # of all, that may be wrong
 READING = Path(__file__).parent / "reading"

@@ -27,6 +27,7 @@ import click
 from building import outcome
 from labelled import TEXTS
 from pydantic import TypeAdapter
+from slots_read import differing
 
 from chatscene.build.build import build
 from chatscene.build.place import at_junction
@@ -35,7 +36,6 @@ from chatscene.interpret.slots_of import facts_of, parties_of
 from chatscene.models.language.checked import CheckedModel
 from chatscene.models.language.scripted import Scripted
 from chatscene.read.by_model import LIMITS, ModelReader
-from chatscene.studies.facts import differing
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.reading import Verdict
 from chatscene.terms.scenario import Place, Slots

@@ -38,7 +38,6 @@ from chatscene.read.by_model import situation_in
 from chatscene.settings import VerifySettings
 from chatscene.situations.faults import Malformed
 from chatscene.situations.form import to_plain
-from chatscene.studies.facts import differing
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.reading import Verdict
 from chatscene.terms.situation import Evidence, Situation
@@ -51,6 +50,7 @@ sys.path.insert(0, str(ROOT / "benchmarks"))
 
 from labelled import labelled
 from readers import slots_of
+from slots_read import differing
 
 OURS = "Apache-2.0"
 PERSONS, DROPPED = HERE / "persons.jsonl", HERE / "dropped.jsonl"

@@ -15,7 +15,7 @@ from chatscene.read.by_model import situation_in
 from chatscene.read.learned.edits import CHANGE, asked
 from chatscene.read.learned.grammar import NAMES, grammar
 from chatscene.read.learned.numbers import Form, same
-from chatscene.read.learned.sequence import Step, path_of, steps_of
+from chatscene.read.learned.sequence import Step, path_of
 from chatscene.read.learned.text import Read, prepared
 from chatscene.read.quotes import spans_of
 from chatscene.situations.faults import Malformed
@@ -25,6 +25,7 @@ from chatscene.situations.words import facts_told, told
 from chatscene.terms.amount import Amount
 from chatscene.terms.reading import Verdict
 from chatscene.terms.situation import Situation
+from making.reader.sequence import steps_of
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import json
 import sys
-from pathlib import Path
-from typing import Unpack
 
 import click
 
-from chatscene.commands.options import JSON, MANY, READER, READING, WORKERS, Reading
+from chatscene.commands.options import JSON, MANY, WORKERS
 from chatscene.commands.output import console, progress, say
 
 COMPONENT = click.Choice(["behavior", "geometry", "spawn"])
@@ -112,49 +110,3 @@ def lint(own: str, scenes: int, jobs: int, executor: str, as_json: bool) -> None
         say(f"{sum(checked.values())} snippets ({counts}), {len(findings)} findings")
     if findings:
         sys.exit(1)
-
-
-@library.command()
-@click.option("--sentences", default="held-out", show_default=True, help="A packaged set, or a file of JSON lines.")
-@click.option("--no-drive", is_flag=True, help="Do not run the programs.")
-@click.option(
-    "--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Folder for tables and sentences."
-)
-@WORKERS
-@READING
-@READER
-def evaluate(
-    sentences: str,
-    no_drive: bool,
-    out: Path | None,
-    jobs: int,
-    executor: str,
-    reader: str,
-    **reading: Unpack[Reading],
-) -> None:
-    """Measure how well sentences are understood, against facts that people wrote down for them.
-
-    \b
-    chatscene library evaluate --jobs 2
-    chatscene library evaluate --sentences mine.jsonl --library my-snippets --out runs/reading
-    """
-    from chatscene.report.tables import as_text, write_tables
-    from chatscene.runs.executor import Workers
-    from chatscene.settings import RetrievalSettings
-    from chatscene.studies import reading as understanding
-
-    settings = RetrievalSettings(**reading, reader=reader)
-    found = understanding.load_sentences(sentences)
-    judged = understanding.measure(
-        found, settings=settings, drive=not no_drive, workers=Workers(jobs, executor), progress=progress()
-    )
-    tables = {"understanding": understanding.summary_table(judged), "facts": understanding.slot_table(judged)}
-    for table in tables.values():
-        say(as_text(table))
-    for confusion, times in understanding.confusions(judged):
-        say(f"{times:4d}  {confusion}")
-    if out is not None:
-        write_tables(out, tables)
-        lines = (json.dumps(row, ensure_ascii=False) for row in understanding.as_rows(judged))
-        (out / "sentences.jsonl").write_text("\n".join(lines) + "\n", encoding="utf-8")
-        say(f"tables and every sentence: {out}")

@@ -14,12 +14,12 @@ from chatscene.read.learned import edits
 from chatscene.read.learned.decoder import Written
 from chatscene.read.learned.edits import CHANGE, asked
 from chatscene.read.learned.numbers import Found
-from chatscene.read.learned.sequence import steps_of
 from chatscene.read.learned.text import Read
 from chatscene.situations.form import from_plain, to_plain
 from chatscene.terms.amount import Speed
 from chatscene.terms.reading import Verdict
 from chatscene.terms.situation import Situation
+from making.reader.sequence import steps_of
 from making.reader.texts import example
 
 CAR = {"kind": "car", "starts": {"where": "ahead", "speed": "50 km/h"}, "does": [{"act": "brake"}]}

@@ -13,7 +13,6 @@ import pytest
 from chatscene.errors import SettingsError, SnippetError
 from chatscene.read.learned.decoder import WIDTH, Decoder, Written
 from chatscene.read.learned.reader import LearnedReader, ranked_of
-from chatscene.read.learned.sequence import steps_of
 from chatscene.read.learned.text import prepared
 from chatscene.read.learned.weights import PACKAGED, load, save, trust_file
 from chatscene.read.quotes import not_in_words
@@ -26,6 +25,7 @@ from chatscene.terms.amount import Acceleration
 from chatscene.terms.reading import Verdict
 from chatscene.terms.scenario import Side
 from chatscene.terms.vocabulary import Act, Where
+from making.reader.sequence import steps_of
 
 TEXT = "The van ahead brakes at 6 m/s²."
 

@@ -1,7 +1,7 @@
 """Whether what was read of a text is what people wrote down for it, fact by fact.
 
-Stricter than what a snippet has to do (`chatscene.studies.reading`): one wrong fact, or one that nobody said, makes a
-reading wrong. Lanes, distances, groups and numbers are not compared, and of others only how many act.
+One wrong fact, or one that nobody said, makes a reading wrong. Lanes, distances, groups and numbers are not compared,
+and of others only how many act.
 """
 
 from __future__ import annotations
