@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.stats import binomtest
 
 from chatscene.errors import SettingsError
-from chatscene.measure.intervals import METRICS, bootstrap, percentiles, resample, resample_scores
+from chatscene.measure.intervals import METRICS, bootstrap, percentiles, resample, resample_means, resample_scores
 from chatscene.measure.score import score, wilson
 from chatscene.terms.metrics import Measurements, Mode
 
@@ -68,6 +68,21 @@ def test_the_interval_of_a_mean_is_that_of_student_for_many_draws() -> None:
     """Ten groups: the mean is 4.5, its standard error 0.957, t with 9 degrees of freedom 2.262."""
     low, high = bootstrap([[float(k)] for k in range(10)], mean, seed=0, draws=20_000)
     assert (low, high) == pytest.approx((4.5 - 2.262 * 0.957, 4.5 + 2.262 * 0.957), abs=0.1)
+
+
+@few
+@given(
+    st.lists(
+        st.dictionaries(st.sampled_from("abc"), st.lists(st.floats(0.0, 100.0), min_size=1), min_size=1), min_size=1
+    )
+)
+def test_resampled_means_are_means_of_resampled_groups(groups: list[dict[str, list[float]]]) -> None:
+    def statistic(some: Sequence[tuple[str, float]]) -> float:
+        sets = [[value for of, value in some if of == ego] for ego in "abc"]
+        return mean([mean(own) for own in sets if own])
+
+    drives = [[(ego, value) for ego, own in group.items() for value in own] for group in groups]
+    assert resample_means(groups, seed=1, draws=20).tolist() == resample(drives, statistic, seed=1, draws=20).tolist()
 
 
 def test_the_percentiles_of_five_routes_are_taken_out_by_the_table_of_student() -> None:

@@ -8,7 +8,8 @@ other sentences, other egos or another training of the same ego would give is in
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence, Sized
+from operator import mul
 from typing import TypeVar
 
 import numpy as np
@@ -75,6 +76,34 @@ def resample(
             for row in counts.tolist()
         ]
     )
+
+
+def resample_means(groups: Sequence[Mapping[str, Sequence[float]]], *, seed: int, draws: int = DRAWS) -> Array:
+    """(draws,) The mean over egos of each one's mean, of resampled groups; an ego that is in none of them has none.
+
+    Sums are whole numbers of the smallest fraction that any value has, so that the order of a draw is nothing to them.
+
+    Args:
+        groups: The values of each ego in a group.
+        seed: As for `bootstrap`.
+        draws: As for `bootstrap`.
+
+    Raises:
+        SettingsError: As by `bootstrap`.
+    """
+    counts = _counts(groups, seed, draws).tolist()
+    ratios = {value: value.as_integer_ratio() for group in groups for own in group.values() for value in own}
+    finest = max(below for _, below in ratios.values())
+    whole = {value: above * (finest // below) for value, (above, below) in ratios.items()}
+    egos = sorted({ego for group in groups for ego in group})
+    sums = [[sum(whole[value] for value in group.get(ego, ())) for group in groups] for ego in egos]
+    sizes = [[len(group.get(ego, ())) for group in groups] for ego in egos]
+    means: list[float] = []
+    for row in counts:
+        drawn = [sum(map(mul, row, of)) for of in sizes]
+        own = [sum(map(mul, row, of)) / finest / size for of, size in zip(sums, drawn, strict=True) if size]
+        means.append(math.fsum(own) / len(own))
+    return np.array(means)
 
 
 def percentiles(values: Array, groups: Sequence[int], *, level: float = LEVEL) -> tuple[float, float]:
@@ -169,9 +198,7 @@ def _overall_score() -> tuple[float, Array]:
     return float(scores[0]), scores[1:] - scores[0]
 
 
-def _counts(
-    groups: Sequence[Sequence[object]], seed: int, draws: int
-) -> np.ndarray[tuple[int, int], np.dtype[np.int64]]:
+def _counts(groups: Sequence[Sized], seed: int, draws: int) -> np.ndarray[tuple[int, int], np.dtype[np.int64]]:
     """(draws, groups) How often each group is drawn."""
     if not groups or not all(groups):
         raise SettingsError("there is nothing to resample: no group, or an empty one")

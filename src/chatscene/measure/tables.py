@@ -14,7 +14,7 @@ from typing import Literal, TypeVar
 
 import numpy as np
 
-from chatscene.measure.intervals import DRAWS, percentiles, resample, resample_scores
+from chatscene.measure.intervals import DRAWS, percentiles, resample_means, resample_scores
 from chatscene.measure.score import score, wilson
 from chatscene.terms.arrays import Array
 from chatscene.terms.criticality import Fault
@@ -193,21 +193,21 @@ def _distances(displacements: Sequence[Displacement]) -> dict[BaseScenario, _Fou
     """The ADE on each base scenario, mean over scenarios and routes, then over the egos."""
     found: dict[BaseScenario, _Found] = {}
     for base, own in _by_base(displacements).items():
-        routes = _routes(own)
+        routes = [_by_ego(route) for route in _routes(own)]
         found[base] = _Found(
-            values={"ADE": _mean_displacement(own)},
-            resampled={"ADE": resample(routes, _mean_displacement, seed=_seed(base))},
+            values={"ADE": _mean([_mean(values) for values in _by_ego(own).values()])},
+            resampled={"ADE": resample_means(routes, seed=_seed(base))},
             drives=len(own),
             routes=len(routes),
         )
     return found
 
 
-def _mean_displacement(displacements: Sequence[Displacement]) -> float:
+def _by_ego(displacements: Sequence[Displacement]) -> dict[str, list[float]]:
     values: dict[str, list[float]] = {}
     for each in displacements:
         values.setdefault(each.ego, []).append(each.value)
-    return _mean([_mean(own) for own in values.values()])
+    return values
 
 
 def _cells(found: dict[BaseScenario, _Found], name: str) -> tuple[Cell, ...]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import json
 import re
 from collections.abc import Generator
 from contextlib import contextmanager
@@ -13,6 +12,7 @@ from typing import Any, cast
 from chatscene.errors import RunError
 from chatscene.files.atomic import write_whole
 from chatscene.files.bounded import check_file, parse_json
+from chatscene.files.indented import indented
 
 _LEFTOVER = re.compile(r"\..+\.\d+\.tmp")  # how `write_whole` calls its temporary files
 
@@ -52,7 +52,7 @@ def write_bytes(path: Path, content: bytes, *, lasting: bool = True) -> None:
 
 def write_json(path: Path, content: object) -> None:
     """Write JSON with `write_bytes`: readable, keys in the order given."""
-    write_bytes(path, (json.dumps(content, indent=1, ensure_ascii=False) + "\n").encode())
+    write_bytes(path, (indented(content) + "\n").encode())
 
 
 def read_json(path: Path) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.errors import RunError
+from chatscene.files.indented import indented
 from chatscene.runs.atomic import write_bytes
 
 _TABLES = tuple(f"{name}.parquet" for name in ("scenes", "events", "signals", "ranges"))
@@ -70,7 +71,8 @@ def write_sealed(path: Path, content: Mapping[str, Any], *, for_a_person: bool =
     Raises:
         RunError: It holds what is no text, or the file system refuses.
     """
-    blank = json.dumps({**content, "digest": ""}, indent=1 if for_a_person else None, ensure_ascii=False) + "\n"
+    whole = {**content, "digest": ""}
+    blank = (indented(whole) if for_a_person else json.dumps(whole, ensure_ascii=False)) + "\n"
     try:
         digest = hashlib.sha256(blank.encode()).hexdigest()
     except UnicodeEncodeError as error:

@@ -6,6 +6,7 @@ import platform
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from itertools import zip_longest
 from pathlib import Path
@@ -463,6 +464,7 @@ def changed_versions(record: Record) -> dict[str, tuple[str, str]]:
     return {name: (version, now[name]) for name, version in then.items() if version != now[name]}
 
 
+@cache
 def _version(package: str) -> str:
     try:
         return version(package)
