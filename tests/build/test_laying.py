@@ -7,9 +7,14 @@ from typing import Any
 import pytest
 
 from chatscene.build.build import Built, build
-from chatscene.build.laying import road_for
+from chatscene.build.laying import roads_for
 from chatscene.errors import NotBuilt
+from chatscene.maps.loading import load_roads
+from chatscene.maps.network import resolve_map
+from chatscene.maps.routes import find_routes
 from chatscene.situations.form import from_plain
+from chatscene.terms.route import RouteQuery
+from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import Situation
 
 
@@ -87,7 +92,7 @@ def test_a_hill_is_left_out_and_no_road_is_laid_for_it() -> None:
 
 
 def test_what_does_not_go_together_is_not_laid() -> None:
-    assert road_for(said("ahead", "brake", road={"kind": "roundabout", "lanes": 4})) is None
+    assert not [*roads_for(said("ahead", "brake", road={"kind": "roundabout", "lanes": 4}))]
     with pytest.raises(NotBuilt, match="no map has such a place"):
         made("ahead", "brake", road={"lanes": 9})
 
@@ -101,3 +106,35 @@ def test_who_comes_from_a_side_road_may_run_its_stop_sign_where_the_ego_has_prio
     one = {"id": "A", "kind": "car", "starts": {"where": "arm", "side": "right"}, "does": [runs]}
     built = build(from_plain({"road": {"kind": "junction", "control": "priority"}, "others": [one]}))
     assert not any("stop" in told or "sign" in told for told in (*built.assumed, *built.left_out))
+
+
+def test_an_ego_on_a_bicycle_rides_in_the_cycle_lane_beside_the_lane_of_cars() -> None:
+    road = {"has": ["cycle-lane"]}
+    built = made("behind-beside", "overtake", side="left", road=road, ego={"kind": "bicycle"})
+    assert built.map == "road:2+1,cycle-lane,ridden"
+    assert "lane=1" in built.program.source
+    assert built.lacking == ()
+    assert "ridden" not in made("behind-beside", "overtake", side="left", road=road).map
+
+
+def test_an_ego_on_a_bicycle_that_has_others_on_its_right_rides_beside_the_cycle_lane_which_is_told() -> None:
+    road = {"has": ["cycle-lane"]}
+    built = made("beside", "cut-in", side="right", road=road, ego={"kind": "bicycle"})
+    assert "the ego rides beside the cycle lane, not in it" in built.lacking
+
+
+@pytest.mark.parametrize(("kind", "lane"), [("bus", 1), ("emergency-vehicle", 1), ("car", 2)])
+def test_a_bus_drives_in_the_bus_lane_and_a_car_beside_it(kind: str, lane: int) -> None:
+    built = made("behind-beside", "cut-in", side="left", road={"has": ["bus-lane"]}, ego={"kind": kind})
+    assert "bus-lane" in built.map
+    assert f" lane={lane}" in built.program.source
+
+
+def test_a_lane_that_was_said_is_that_lane_where_it_happens() -> None:
+    for name in ("region", "outskirts"):
+        path = resolve_map(name)
+        query = RouteQuery(maneuver=Maneuver.STRAIGHT, site=Site.MOTORWAY, lane=2, approach=150.0)
+        network: Any = load_roads(path)
+        for route in find_routes(network, name, query):
+            lane = network.laneAt(route.line.point_at(route.event_at))
+            assert [one.uid for one in lane.group.lanes].index(lane.uid) == 1

@@ -34,6 +34,8 @@ EVERY = (
     "road:2+1,drop",
     "road:1+1,cycle-lane,crosswalk",
     "road:2+1,bus-lane",
+    "road:2+1,cycle-lane,ridden,crosswalk",
+    "road:2+1,cycle-lane,ridden,junction=four,signs=signal",
 )
 STRAIGHT = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD)
 

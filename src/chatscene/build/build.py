@@ -21,7 +21,7 @@ from chatscene.build.ego import BuiltEgo, ego_of, ordered
 from chatscene.build.finding import find, started, without_one_fact
 from chatscene.build.keeping import as_kept, take_kept
 from chatscene.build.lane_order import check_hidden, cross_before_who_brakes, leaves_row, set_in_order
-from chatscene.build.laying import road_for
+from chatscene.build.laying import roads_for
 from chatscene.build.ledger import Ledger, as_written
 from chatscene.build.naming import name_of
 from chatscene.build.passing import come_after_who_passes, come_by_before_who_crosses, stand_beyond_who_passes
@@ -116,11 +116,13 @@ def _where_it_can(situation: Situation, name: str, at_most: float) -> Built:
         raise
     except NotBuilt as error:
         refused = error
-    if situation.map is None and (made is None or made.lacking) and (laid := road_for(situation)) is not None:
+    for laid in () if situation.map is not None else roads_for(situation):
+        if made is not None and not made.lacking:
+            break
         with suppress(NotBuilt):
             ordered = _as_fast_as_it_can(replace(situation, map=str(laid)), name, at_most)
             if made is None or len(ordered.lacking) < len(made.lacking):
-                return ordered
+                made = ordered
     if made is None:
         raise refused or NotBuilt(NOBODY)
     return made

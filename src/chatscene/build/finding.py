@@ -22,6 +22,8 @@ from chatscene.build.place import (
     beside_lane,
     from_left,
     hooks_off,
+    in_bus_lane,
+    in_cycle_lane,
     only_others_stop,
     only_side_signs,
     room_against,
@@ -451,6 +453,7 @@ def _take(ledger: Ledger, found: Found) -> None:
     if situation.road.kind is RoadKind.RAIL_CROSSING and situation.road.control is RightOfWay.SIGNAL:
         ledger.assume("the rail crossing has no lights, since no map has any there")
         ledger.take("road.control")
+    _lack_own_lane(ledger, found)
     _lack_signs_and_ways(ledger, found)
     for name, side in found.sides.items():
         if comes_from(situation[name]) is side:
@@ -463,6 +466,14 @@ def _take(ledger: Ledger, found: Found) -> None:
     if said is not None and 1 < said < there:  # what lies beyond is used by nobody
         ledger.lack(f"the road has {there} lanes in the ego's direction, since no suitable road has {said}")
         ledger.take("road.lanes")
+
+
+def _lack_own_lane(ledger: Ledger, found: Found) -> None:
+    """Whether the ego drives beside the lane that is for such as it."""
+    if in_cycle_lane(ledger.situation) and not (found.laid is not None and found.laid.ridden):
+        ledger.lack("the ego rides beside the cycle lane, not in it")
+    if in_bus_lane(ledger.situation) and not (found.laid is not None and found.laid.bus_lane):
+        ledger.lack("the ego drives in no bus lane, since no suitable road has one")
 
 
 def _lack_signs_and_ways(ledger: Ledger, found: Found) -> None:

@@ -126,8 +126,8 @@ def lanes_there(found: Found) -> int:
     """How many lanes go the ego's way where its route begins; of a ramp, on the road that it joins."""
     joins = found.query.get("site") == Site.ON_RAMP
     group = found.route.network.elements[found.route.route.lane_ids[-1 if joins else 0]].group
-    buses = found.laid is not None and found.laid.bus_lane
-    return len(group.lanes) - beside_ramp(found.query) - buses
+    others = found.laid is not None and (found.laid.bus_lane or found.laid.ridden)  # of which nobody speaks
+    return len(group.lanes) - beside_ramp(found.query) - others
 
 
 def _is_kind(kind: RoadKind | None, found: Found) -> bool:

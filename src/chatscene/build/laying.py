@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 from chatscene.build.coming import further, wanted_by
 from chatscene.build.fitting import abreast
@@ -14,6 +15,8 @@ from chatscene.build.place import (
     at_junction,
     at_roundabout,
     hooks_off,
+    in_bus_lane,
+    in_cycle_lane,
     only_side_signs,
     rides_at_edge,
 )
@@ -51,18 +54,28 @@ _OFF = acts_of(Heads.TURNS, Heads.IN)
 _OVER = {EgoRoute.LANE_CHANGE_LEFT, EgoRoute.LANE_CHANGE_RIGHT, EgoRoute.LANE_CHANGE}
 
 
-def road_for(situation: Situation) -> LaidRoad | None:
-    """The road that has all that was said of it, as far as roads are laid; None where none is.
+def roads_for(situation: Situation) -> Iterator[LaidRoad]:
+    """The roads that have all that was said of it, as far as roads are laid, best first.
+
+    An ego that rides in no lane for bicycles, since others are beside it, rides beside one.
 
     Args:
         situation: What was said, as it is built.
     """
+    for rides in (True, False) if in_cycle_lane(situation) else (False,):
+        if (road := _road_for(situation, rides=rides)) is not None:
+            yield road
+
+
+def _road_for(situation: Situation, *, rides: bool) -> LaidRoad | None:
     road, others = situation.road, situation.others
     places = {one.starts.where for one in others}
     ramps = situation.ego.route in (EgoRoute.EXIT,) or bool(places & _UNLAID_PLACES)
     if at_roundabout(situation) or road.kind in _UNLAID_KINDS or ramps or _UNLAID & {*road.has} - {Feature.HILL}:
         return None
     ahead = _ahead(situation)
+    own = situation.road.lanes is None and (rides or in_bus_lane(situation))  # which is one that others need not have
+    ahead = max(1, ahead - own)
     back = _back(situation, ahead)
     along = _along(situation)
     has = {*road.has}
@@ -73,7 +86,7 @@ def road_for(situation: Situation) -> LaidRoad | None:
     divided = bool(back) and (_is_divided(situation) or along is Along.MOTORWAY)
     try:
         return LaidRoad(
-            ahead=ahead + (Feature.BUS_LANE in has),
+            ahead=ahead + (Feature.BUS_LANE in has) + rides,
             back=back,
             lane=(PASSABLE if back else NARROW) if narrow else 3.5,
             along=along,
@@ -82,6 +95,7 @@ def road_for(situation: Situation) -> LaidRoad | None:
             shoulder=HARD_SHOULDER if Feature.SHOULDER in has and along is not Along.MOTORWAY else 0.0,
             parking=None if drop or bay else _parking(has),
             cycle_lane=Feature.CYCLE_LANE in has,
+            ridden=rides,
             bus_lane=Feature.BUS_LANE in has,
             bend=_bend(situation) if road.kind in _BENDS and junction is None else None,
             crosswalk=not drop and (Feature.CROSSWALK in has or bool(places & AT_CROSSWALKS)),

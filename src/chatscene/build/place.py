@@ -27,6 +27,7 @@ from chatscene.terms.vocabulary import (
     RoadKind,
     Side,
     Tempo,
+    UserKind,
     Where,
     acts_of,
 )
@@ -117,6 +118,18 @@ def is_marked(found: Found) -> bool:
 def has_crosswalks(found: Found) -> bool:
     """Whether it leads over one before its junction, and over one behind it."""
     return Equipment.CROSSWALKS in found.query.get("has", ())
+
+
+def in_bus_lane(situation: Situation) -> bool:
+    """Whether the ego drives in the lane for buses that the road has: a bus, or who may in an emergency."""
+    drives = situation.ego.kind in (UserKind.BUS, UserKind.EMERGENCY_VEHICLE)
+    return drives and Feature.BUS_LANE in situation.road.has and situation.road.ego_lane in (None, 1)
+
+
+def in_cycle_lane(situation: Situation) -> bool:
+    """Whether the ego rides in the lane for bicycles that the road has."""
+    rides = situation.ego.kind in (UserKind.BICYCLE, UserKind.E_SCOOTER)
+    return rides and Feature.CYCLE_LANE in situation.road.has
 
 
 def lacks_at(found: Found, where: Where) -> str | None:

@@ -22,6 +22,7 @@ from chatscene.build.place import (
     beside_ramp,
     control_of,
     hooks_off,
+    in_bus_lane,
     leaves_by_ramp,
     only_others_stop,
     rides_at_edge,
@@ -37,7 +38,7 @@ from chatscene.terms.route import Beside, Equipment
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Feature, Heads, RoadKind, Setting, Side, UserKind, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Feature, Heads, RoadKind, Setting, Side, Where
 
 IN_BEND = 0.29  # of its radius: so much of a bend before and beyond the middle of a route turns by 33°
 _CURVES = (RoadKind.CURVE, RoadKind.LEFT_CURVE, RoadKind.RIGHT_CURVE)
@@ -75,9 +76,11 @@ def _on_laid(situation: Situation, laid: LaidRoad, query: dict[str, Any]) -> dic
         asked.pop("beside") if asked.get("beside") == "none" else None
     if laid.bend is not None and "approach" not in asked:
         asked["approach"] = max(SHORT_ROAD / 2, ceil(IN_BEND * laid.bend.radius))
-    if laid.bus_lane and situation.ego.kind is not UserKind.BUS:
-        asked |= {name: asked[name] + 1 for name in ("most", "lane") if name in asked}
-        asked |= {"lanes": asked.get("lanes", 1) + 1, "lane": asked.get("lane", 2)}
+    if laid.bus_lane or laid.ridden:  # the outermost, which is none of those that were counted
+        beside = not (laid.ridden or in_bus_lane(situation))
+        more = int(beside or situation.road.lanes is not None)  # else the ego's own is it
+        asked |= {name: asked[name] + more for name in ("most", "lanes") if name in asked}
+        asked |= {"lanes": max(2, asked.get("lanes", 2)), "lane": asked.get("lane", 1) + beside}
         asked.pop("beside", None) if asked.get("beside") == "none" else None
     return asked
 

@@ -112,7 +112,9 @@ def read_furniture(root: Xml.Element, network: Any) -> Furniture:
             crosswalks += [(number, area) for area in _areas(road, lines[number], "type", "crosswalk")]
             tracks += _tracks(road, number, lines[number])
             driveways += [(number, area) for area in _areas(road, lines[number], "subtype", DRIVEWAY)]
-            bus_lanes |= {(number, int(lane.get("id", "0")) < 0) for lane in road.iter("lane") if _is_for_buses(lane)}
+            bus_lanes |= {
+                (number, int(lane.get("id", "0")) < 0) for lane in road.iter("lane") if _is_only_for(lane, "bus")
+            }
             cycle_lanes |= _cycle_lanes(road, roads[number])
     return Furniture(
         tuple(crosswalks),
@@ -166,17 +168,17 @@ def _use(lane: Xml.Element, length: float) -> Stand | None:
         return Stand.BUS
     if kind != "parking":
         return None
-    return Stand.BUS if _only_buses(lane) else Stand.PARKING
+    return Stand.BUS if _allows_only(lane, "bus") else Stand.PARKING
 
 
-def _only_buses(lane: Xml.Element) -> bool:
-    """Whether buses alone may be on a lane."""
-    return {access.get("restriction") for access in lane.iter("access") if access.get("rule") == "allow"} == {"bus"}
+def _allows_only(lane: Xml.Element, who: str) -> bool:
+    """Whether one kind of road user alone may be on a lane."""
+    return {access.get("restriction") for access in lane.iter("access") if access.get("rule") == "allow"} == {who}
 
 
-def _is_for_buses(lane: Xml.Element) -> bool:
-    """Whether a lane to drive on is for buses."""
-    return lane.get("type") == "driving" and _only_buses(lane)
+def _is_only_for(lane: Xml.Element, who: str) -> bool:
+    """Whether a lane to drive on is for one kind of road user."""
+    return lane.get("type") == "driving" and _allows_only(lane, who)
 
 
 def _areas(road: Xml.Element, line: Polyline, name: str, value: str) -> Iterator[shapely.Polygon]:
@@ -189,15 +191,16 @@ def _areas(road: Xml.Element, line: Polyline, name: str, value: str) -> Iterator
 
 
 def _cycle_lanes(road: Xml.Element, there: Any) -> dict[tuple[int, bool], shapely.Polygon]:
-    """The areas beside the lanes to drive on that are for bicycles, all along the road."""
+    """The areas beside the lanes of cars that are for bicycles, all along the road."""
     found: dict[tuple[int, bool], shapely.Polygon] = {}
     for lane in road.iter("lane"):
         right = int(lane.get("id", "0")) < 0
         group = there.forwardLanes if right else there.backwardLanes
-        if lane.get("type") == "biking" and group is not None:
+        beside = lane.get("type") == "biking"
+        if group is not None and (beside or _is_only_for(lane, "bicycle")):
             edge = shapely.LineString(np.array(group.rightEdge.points)[:, :2])
             wide = max((_number(width, "a") for width in lane.iter("width")), default=0.0)
-            found[int(road.get("id", "0")), right] = edge.buffer(-wide, single_sided=True)
+            found[int(road.get("id", "0")), right] = edge.buffer(-wide if beside else wide, single_sided=True)
     return found
 
 

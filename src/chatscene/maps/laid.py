@@ -108,6 +108,7 @@ class LaidRoad:
         parking: On which sides one parks beside the lanes, all along.
         bus_lane: Whether the outermost lane ahead is for buses.
         cycle_lane: Whether lanes for bicycles lie beside the lanes.
+        ridden: Whether that ahead is the outermost of the lanes, for an ego that rides in it.
         bend: In its middle.
         crosswalk: Whether one leads across its middle, or across each arm of its junction.
         bus_bay: Whether a bay for buses lies on its right.
@@ -128,6 +129,7 @@ class LaidRoad:
     parking: Sides | None = None
     bus_lane: bool = False
     cycle_lane: bool = False
+    ridden: bool = False
     bend: Bend | None = None
     crosswalk: bool = False
     bus_bay: bool = False
@@ -161,7 +163,11 @@ class LaidRoad:
             (bool(self.median) and not self.back, "a median lies between two directions"),
             (bool(self.shoulder) and bool(self.parking or self.cycle_lane), "one strip lies beside the lanes"),
             (self.signs is not None and self.junction is None, "signs stand at a junction"),
-            (self.bus_lane and self.ahead < 2, "a bus lane lies beside another"),
+            ((self.bus_lane or self.ridden) and self.ahead < 2, "a lane for buses or bicycles lies beside another"),
+            (
+                self.ridden and (self.bus_lane or not self.cycle_lane),
+                "bicycles ride in a cycle lane, beside no bus lane",
+            ),
             (self.bend is not None and self.junction is not None, "no junction lies in a bend"),
             (self.junction is not None and not self.back, "a junction is on a road of two directions"),
             (self.drop and (self.ahead < 2 or self.bend is not None or self.junction is not None), _DROP),
@@ -214,7 +220,7 @@ _READ: Mapping[str, Callable[[str], Any]] = {
     "length": int,
 }
 """How each word of a name that has a value is read."""
-_PLAIN = {"bus-lane", "cycle-lane", "crosswalk", "bus-bay", "drop"}
+_PLAIN = {"bus-lane", "cycle-lane", "ridden", "crosswalk", "bus-bay", "drop"}
 WORDS = ", ".join((*(f"{word}=…" for word in _READ), *sorted(_PLAIN)))
 
 
@@ -393,6 +399,7 @@ def _street(road: LaidRoad, street: Street, length: float) -> Street:
         bays=bays,
         cycle=road.cycle_lane,
         bus_lane=road.bus_lane and street.id in (1, 2) and street.lanes > 1,
+        ridden=road.ridden and street.id in (1, 2) and street.lanes > 1,
         crosswalks=(Crosswalk(at=middle),) if road.crosswalk and road.junction is None else (),
         driveways=tuple(Driveway(right=right, at=middle) for right in _on(road.driveway)),
     )
@@ -462,7 +469,7 @@ def _meeting(road: LaidRoad) -> tuple[Street, ...]:
             end_at=end,
         )
         streets += _parted(main, _street(main, street, length), node, length)
-    side = replace(main, ahead=1, back=1, median=0.0, parking=None, bus_lane=False, cycle_lane=False)
+    side = replace(main, ahead=1, back=1, median=0.0, parking=None, bus_lane=False, cycle_lane=False, ridden=False)
     for number in arms:
         far = half if number == 3 else -half
         streets.append(_street(side, Street(id=number, start=node, end=None, lanes=1, end_at=(0.0, far)), length))

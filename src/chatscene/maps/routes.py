@@ -331,6 +331,8 @@ def _along_roads(network: Any, map_name: str, query: RouteQuery, variant: int) -
         found = on_road(network, run, *window, query)
         if found is not None:
             line, lanes, event_at = found
+            if query.lane is not None and _number_of(run.lane_at(window[0] + event_at)) != query.lane:
+                continue  # another lane begins, or ends, before what happens there
             route = Route(
                 id="",
                 map_name=map_name,

@@ -55,7 +55,8 @@ class RouteQuery:
         site: What it leads along or through. At ramps, lane drops and where traffic weaves, a lane change is the one
             that is driven for there, and straight on stays in the lane. A roundabout is turned right, left or
             straight through, as seen from its entry.
-        lane: Which lane of its direction it starts in, 1 for the outermost.
+        lane: Which lane of its direction it starts in, 1 for the outermost, and on open road still is where its
+            manoeuvre begins.
         approach: How far [m] it leads up to where its manoeuvre begins, on open road as far beyond; None for as far as
             is usual there.
         begins: Where it begins beside its lane: at the ``kerb`` or in a ``driveway`` on its right. One that is driven

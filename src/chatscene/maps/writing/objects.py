@@ -115,8 +115,8 @@ def _at_junctions(street: Street, length: float) -> Iterator[Crosswalk]:
 def _across(street: Street) -> tuple[float, float]:
     """How far the lanes and shoulders of a street lie to the left and the right of its reference line [m]."""
     left, right = (
-        street.lane * lanes + street.shoulder if lanes or street.kerbs else 0.0
-        for lanes in (street.lanes_back, street.lanes)
+        street.edge(right=on_right) + street.shoulder if lanes or street.kerbs else 0.0
+        for lanes, on_right in ((street.lanes_back, False), (street.lanes, True))
     )
     return left, right
 
@@ -194,8 +194,7 @@ def _crosswalk(objects: Xml.Element, object_id: str, street: Street, crosswalk: 
 
 
 def _driveway(objects: Xml.Element, object_id: str, street: Street, driveway: Driveway) -> None:
-    edge = street.lane * (street.lanes if driveway.right else street.lanes_back)
-    middle = edge + driveway.depth / 2
+    middle = street.edge(right=driveway.right) + driveway.depth / 2
     _box(
         objects,
         object_id,
@@ -210,8 +209,7 @@ def _driveway(objects: Xml.Element, object_id: str, street: Street, driveway: Dr
 
 
 def _bus_stop(signals: Xml.Element, signal_id: str, street: Street, bay: Bay) -> None:
-    driving = street.lanes if bay.right else street.lanes_back
-    out = street.lane * driving + bay.width + 0.5
+    out = street.edge(right=bay.right) + bay.width + 0.5
     signal_on(
         signals,
         signal_id,

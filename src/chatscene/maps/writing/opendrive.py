@@ -25,7 +25,7 @@ from chatscene.maps.writing.reference_lines import (
     rounded_line,
     wrapped,
 )
-from chatscene.maps.writing.streets import LANE, Node, Street
+from chatscene.maps.writing.streets import LANE, RIDDEN, Node, Street
 from chatscene.terms.scenario import Control
 
 NOWHERE = "+proj=tmerc +lat_0=0 +lon_0=0 +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs"  # in the Gulf of Guinea
@@ -48,6 +48,16 @@ class _Arm:
     @property
     def lanes_out(self) -> int:
         return self.street.lanes if self.at_start else self.street.lanes_back
+
+    @property
+    def ridden_in(self) -> bool:
+        """Whether the outermost lane that leads into the junction is for bicycles."""
+        return self.street.ridden and not self.at_start
+
+    @property
+    def ridden_out(self) -> bool:
+        """Whether the outermost lane that leads out of it is."""
+        return self.street.ridden and self.at_start
 
     def incoming(self, lane: int) -> int:
         """OpenDRIVE id of the `lane`-th lane (from 1, innermost first) that leads into the junction."""
@@ -252,7 +262,7 @@ def _lane(
     driving = street.lanes if right else street.lanes_back
     bay = next((b for b in street.bays if b.right is right and (b.start, b.end) == (begin, end)), None)
     kind = "driving" if number <= driving else "sidewalk" if number > driving + bool(street.shoulder) else "shoulder"
-    if kind == "shoulder" and (bay is not None or street.cycle):
+    if kind == "shoulder" and (bay is not None or (street.cycle and not (street.ridden and right))):
         kind = "parking" if bay is not None else "biking"
     element = Xml.SubElement(side, "lane", id=str(-number if right else number), type=kind, level="false")
     for s, here, there, over in _profile(street, number, right, bay, length):
@@ -260,8 +270,11 @@ def _lane(
             _width(element, max(s - begin, 0.0), here, there, over)
     _mark(element, "broken" if number < driving else "solid" if number == driving else "none")
     buses = kind == "parking" and bay is not None and bay.use is Use.BUS
-    if buses or (street.bus_lane and right and number == driving):
+    outermost = right and number == driving
+    if buses or (street.bus_lane and outermost):
         Xml.SubElement(element, "access", sOffset="0", rule="allow", restriction="bus")
+    elif street.ridden and outermost:
+        Xml.SubElement(element, "access", sOffset="0", rule="allow", restriction="bicycle")
     return element
 
 
@@ -276,7 +289,7 @@ def _profile(
         knots = [(0.0, none), (b0, none), (b1, full), (c0, full), (c1, 0.0 if street.ceases else full)]
         knots.append((length, knots[-1][1]))
     elif number <= driving:
-        knots = [(0.0, street.lane), (length, street.lane)]
+        knots = [(0.0, wide := street.width_of(number, right=right)), (length, wide)]
     elif number > driving + bool(street.shoulder):
         knots = [(0.0, street.sidewalk), (length, street.sidewalk)]
     elif bay is not None:
@@ -357,9 +370,7 @@ def _connections(arms: list[_Arm], *, abreast: bool) -> list[_Connection]:
                     lane_in == n and (turn < -math.pi / 4 or (straight and not anyone_right and lane_out == m)),
                 )
                 for lane_in, lane_out in (
-                    _straight_pairs(source, target, turn)
-                    if straight
-                    else _turning_pairs(n, m, left=turn > 0, abreast=abreast)
+                    _straight_pairs(source, target, turn) if straight else _turns(source, target, turn, abreast=abreast)
                 )
             ]
     return found
@@ -376,6 +387,14 @@ def _straight_pairs(source: _Arm, target: _Arm, turn: float) -> list[tuple[int, 
         for j in range(1, m + 1)
         if abs(source.before(i).left_of(target.beyond(j).x, target.beyond(j).y)) < source.street.lane / 2
     ]
+
+
+def _turns(source: _Arm, target: _Arm, turn: float, *, abreast: bool) -> Iterator[tuple[int, int]]:
+    """Lanes from which one turns, with those into which one does: cars beside lanes for bicycles, these beside cars."""
+    n, m = source.lanes_in - source.ridden_in, target.lanes_out - target.ridden_out
+    yield from _turning_pairs(n, m, left=turn > 0, abreast=abreast)
+    if source.ridden_in and turn < 0:
+        yield source.lanes_in, target.lanes_out
 
 
 def _turning_pairs(n: int, m: int, *, left: bool, abreast: bool) -> list[tuple[int, int]]:
@@ -415,18 +434,20 @@ def _connecting_road(root: Xml.Element, node: Node, connection: _Connection, roa
     right = Xml.SubElement(section, "right")
     length = sum(piece.length for piece in pieces)
     kerb = zip(source.strips, target.strips, strict=True) if connection.kerb else ()
-    widths = [(source.street.lane, target.street.lane), *(ends for ends in kerb if all(ends))]
-    for beyond, (here, there) in enumerate(widths):
+    before = RIDDEN if source.ridden_in and connection.lane_in == source.lanes_in else source.street.lane
+    beyond = RIDDEN if target.ridden_out and connection.lane_out == target.lanes_out else target.street.lane
+    widths = [(before, beyond), *(ends for ends in kerb if all(ends))]
+    for strip, (here, there) in enumerate(widths):
         lane = Xml.SubElement(
             right,
             "lane",
-            id=str(-1 - beyond),
-            type=("driving", "shoulder", "sidewalk")[beyond],
+            id=str(-1 - strip),
+            type=("driving", "shoulder", "sidewalk")[strip],
             level="false",
         )
         _width(lane, 0.0, here, there, length)
         _mark(lane, "none")
-        _lane_links(lane, source.incoming(connection.lane_in + beyond), target.outgoing(connection.lane_out + beyond))
+        _lane_links(lane, source.incoming(connection.lane_in + strip), target.outgoing(connection.lane_out + strip))
     if node.control is not Control.NONE and (not node.minor or source.street.id in node.minor):
         named, kind = _SIGNALS[node.control is Control.SIGNAL, node.gives_way]
         signal_on(

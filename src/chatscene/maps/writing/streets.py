@@ -12,6 +12,7 @@ from chatscene.terms.scenario import Control
 LANE = 3.5  # [m]
 SHOULDER = 1.5  # [m]
 SIDEWALK = 2.5  # [m]
+RIDDEN = 2.6  # [m] of a lane for bicycles that is one to drive on: no narrower one is
 SETBACK = 20.0  # [m], from a junction's centre to where its arms end: corner sidewalks must not overlap
 
 
@@ -85,6 +86,7 @@ class Street:
         tram: Whether rails lie in the innermost lane of each direction.
         rails: Where rails lead across it [m along the street].
         bus_lane: Whether its outermost lane is for buses.
+        ridden: Whether its outermost lane is for bicycles, and as narrow as they need it.
         kerbs: Whether a carriageway has a shoulder and a sidewalk on its left, too.
         driveways: That lead off it.
         allowed: The speed allowed [km/h], if not what its surroundings have.
@@ -113,6 +115,7 @@ class Street:
     tram: bool = False
     rails: tuple[float, ...] = ()
     bus_lane: bool = False
+    ridden: bool = False
     kerbs: bool = False
     driveways: tuple[Driveway, ...] = ()
     allowed: int | None = None
@@ -121,3 +124,12 @@ class Street:
     def lanes_back(self) -> int:
         """Lanes in the other direction."""
         return self.lanes if self.back is None else self.back
+
+    def width_of(self, number: int, *, right: bool) -> float:
+        """How wide [m] a lane is, from 1 for the innermost."""
+        return RIDDEN if self.ridden and right and number == self.lanes else self.lane
+
+    def edge(self, *, right: bool) -> float:
+        """How far [m] the lanes of a direction reach from the reference line."""
+        lanes = self.lanes if right else self.lanes_back
+        return sum(self.width_of(number, right=right) for number in range(1, lanes + 1))
