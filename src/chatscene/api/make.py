@@ -477,9 +477,6 @@ def _check_asked(program: bool, *, told: bool, driven: bool, changed: bool, read
         changed: Whether facts or edits are said.
         reading: Which reading of a text is taken; 0 where that is not said.
         reads: What says how a text is read; empty where nothing does.
-
-    Raises:
-        SettingsError: There is such a thing.
     """
     if driven and not program:
         raise SettingsError("`trust`, `as_written`, `within` and `param` are for a program, and none is given")
@@ -514,11 +511,7 @@ def _generator_of(situation: object | None, own: ForeignProgram | None, *, trust
 
 
 def _at_speed(program: ScenicProgram, speed: float) -> ScenicProgram:
-    """A program whose ego wants a speed [km/h], if it says none.
-
-    Raises:
-        SettingsError: Nothing can be wanted of its ego.
-    """
+    """A program whose ego wants a speed [km/h], if it says none."""
     if program.drawn or program.as_written:
         why = "drives as it is written" if program.as_written else "is written for another world model"
         raise SettingsError(f"{program.called} {why}, so its ego gets no speed")

@@ -117,11 +117,7 @@ def verify(
 
 
 def _made_of(folder: Path) -> Situation:
-    """The situation that a run was made of.
-
-    Raises:
-        SettingsError: It is no run, or one that was made of none.
-    """
+    """The situation that a run was made of."""
     from chatscene.situations.file import read_text
     from chatscene.verdict.sources import check_there
 

@@ -306,11 +306,7 @@ def _in_words(one: Diversity, count: int) -> str:
 
 
 def _model(name: str) -> LanguageModel:
-    """A model whose replies may be as long as a snippet.
-
-    Raises:
-        SettingsError: There is none of this name.
-    """
+    """A model whose replies may be as long as a snippet."""
     from chatscene.errors import SettingsError
     from chatscene.files.caches import cache_folder
     from chatscene.models.language.protocol import Limits, load_language_model

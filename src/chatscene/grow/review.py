@@ -159,11 +159,7 @@ def _pending(shelf: Shelf, library: Library, proposal_id: str) -> Pending:
 
 
 def _checked(shelf: Shelf, proposal_id: str, make_judge: MakeJudge) -> Snippet:
-    """A proposed snippet, if it passes; what is written is what was checked, not the file as it is then.
-
-    Raises:
-        SnippetError: It does not pass.
-    """
+    """A proposed snippet, if it passes; what is written is what was checked, not the file as it is then."""
     path = shelf.proposal(proposal_id)
     library = shelf.library()
     if shelf.home(proposal_id).exists() or proposal_id in {s.id for s in library}:
@@ -182,11 +178,7 @@ def _checked(shelf: Shelf, proposal_id: str, make_judge: MakeJudge) -> Snippet:
 
 
 def _with_wordings(shelf: Shelf, proposal_id: str, embedder: Embedder) -> Snippet:
-    """The snippet that wordings are for, with them, if all of them pass.
-
-    Raises:
-        SnippetError: One of them does not, or the snippet is another's.
-    """
+    """The snippet that wordings are for, with them, if all of them pass."""
     library = shelf.library()
     snippet = own_snippet(shelf, library, checked_id(proposal_id).removeprefix(f"{REPHRASINGS}/"))
     wordings = _wordings(shelf.proposal(proposal_id))

@@ -216,11 +216,7 @@ class _Writer:
         return found
 
     def _bound(self, one: Element, scope: Mapping[str, str]) -> dict[str, str]:
-        """The attributes of an element with the values of the parameters of a scope.
-
-        Raises:
-            ScenarioError: They are longer than those of a file may be.
-        """
+        """The attributes of an element with the values of the parameters of a scope."""
         try:
             found = {name: bound(value, scope) for name, value in one.attributes.items()}
         except ValueError as error:

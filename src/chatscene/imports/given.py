@@ -234,11 +234,7 @@ class Given:
         return f"({finite(element, text)!r})"
 
     def _evaluated(self, element: Element, written: str, within: tuple[str, ...]) -> float:
-        """The value of an expression.
-
-        Raises:
-            ValueError: It has none.
-        """
+        """The value of an expression."""
         return calculated(_replaced(element, written, lambda name: f"({self._value(element, name, within)!r})"))
 
     def _value(self, element: Element, name: str, within: tuple[str, ...]) -> float:
@@ -314,11 +310,7 @@ def finite(element: Element, written: str) -> float:
 
 
 def _replaced(element: Element, written: str, of: Callable[[str], str]) -> str:
-    """An expression with something in the place of each parameter.
-
-    Raises:
-        Refused: It is too long then.
-    """
+    """An expression with something in the place of each parameter."""
     inner = written[2:-1] if written.startswith("${") and written.endswith("}") else written
     replaced = REFERENCE.sub(lambda one: of(one[1]), inner)
     if len(replaced) > MOST_CHARACTERS:

@@ -149,11 +149,7 @@ class _Program:
 
 
 def _told(given: Mapping[str, object]) -> dict[str, str]:
-    """Values of parameters as a file of OpenSCENARIO writes them.
-
-    Raises:
-        SettingsError: One is none that a parameter there has.
-    """
+    """Values of parameters as a file of OpenSCENARIO writes them."""
     told: dict[str, str] = {}
     for name, value in given.items():
         if not isinstance(value, str | int | float):
@@ -182,12 +178,7 @@ def _programs(
     path: Path,
     partly: bool,
 ) -> tuple[dict[Path, _Program], dict[int, str]]:
-    """The programs of variants, and why others are none.
-
-    Raises:
-        ScenarioError: One cannot be said; where they may be left out, none can.
-        MapError: Its map is not there, or is broken.
-    """
+    """The programs of variants, and why others are none."""
     made, refused = dict[Path, _Program](), dict[int, str]()
     first: ScenarioError | MapError | None = None
     for number, values in chosen.items():
@@ -208,11 +199,7 @@ def _said(values: Mapping[str, str]) -> str:
 
 
 def _free(out: Path) -> None:
-    """Make sure that nothing is overwritten.
-
-    Raises:
-        SettingsError: A file is there.
-    """
+    """Make sure that nothing is overwritten."""
     if out.exists():
         raise SettingsError(f"{out} is there already; delete it, or give another name with --out")
 
@@ -228,11 +215,7 @@ def _read(
 
 
 def _program(read: Imported | Carried, path: Path, out: Path) -> _Program:
-    """The program of what was read.
-
-    Raises:
-        ScenarioError: It is more than a program of a user's may be.
-    """
+    """The program of what was read."""
     if isinstance(read, Carried):
         text = f"# {path.name} carries this program, and says that its events tell the same to others.\n{read.source}"
         try:
@@ -264,11 +247,7 @@ def _program(read: Imported | Carried, path: Path, out: Path) -> _Program:
 
 
 def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
-    """Write programs: all of them, or none.
-
-    Raises:
-        SettingsError: One cannot be written.
-    """
+    """Write programs: all of them, or none."""
     done: list[Path] = []
     grounds: dict[Path, Path] = {}  # one file for all programs that lie on the same
     for out, one in made.items():

@@ -63,11 +63,7 @@ class Maps:
 
 
 def _map_at(named: str, path: Path, given: Given) -> Path:
-    """The map that a scenario names: a file, or CARLA's town of that name where no such file is opened.
-
-    Raises:
-        ScenarioError: Neither is there.
-    """
+    """The map that a scenario names: a file, or CARLA's town of that name where no such file is opened."""
     try:
         return _file_at(named, path, given)
     except ScenarioError as error:

@@ -54,11 +54,7 @@ def is_open_ground(path: Path) -> bool:
 
 
 def _begins(root: Element, given: Given) -> tuple[float, float, float]:
-    """X [m], y [m] and heading [rad] at which the ego begins.
-
-    Raises:
-        Refused: That is not told by coordinates.
-    """
+    """X [m], y [m] and heading [rad] at which the ego begins."""
     ego = Entities(root, given).ego()
     actions = root.find("Storyboard", "Init", "Actions")
     own = [one for one in (actions.inside if actions else []) if one.attributes.get("entityRef") == ego]

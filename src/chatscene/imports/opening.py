@@ -131,11 +131,7 @@ class Opening:
         return action.find("Position") is self._placed_first(name)
 
     def _origin(self, name: str, one: Element) -> Pose:
-        """Where somebody's origin is at first.
-
-        Raises:
-            Refused: It is not told.
-        """
+        """Where somebody's origin is at first."""
         place = self._placed_first(name)
         if place is None:
             raise Refused(one, "its first position is not given; add a TeleportAction in Init")
@@ -338,11 +334,7 @@ def _alike(one: Polyline, other: Polyline) -> bool:
 
 
 def _linked(lanes: Sequence[Any], route: Element) -> list[Any]:
-    """The lanes that lead from one to the next of some, with those.
-
-    Raises:
-        Refused: None do, or one is missing.
-    """
+    """The lanes that lead from one to the next of some, with those."""
     if None in lanes:
         raise Refused(route, f"its waypoint {lanes.index(None) + 1} lies on no lane")
     found = [lanes[0]]
@@ -352,11 +344,7 @@ def _linked(lanes: Sequence[Any], route: Element) -> list[Any]:
 
 
 def _lanes_to(first: Any, last: Any, route: Element) -> list[Any]:
-    """The lanes from one to another, in driving order, without the first: the fewest.
-
-    Raises:
-        Refused: None lead there.
-    """
+    """The lanes from one to another, in driving order, without the first: the fewest."""
     ways: list[list[Any]] = [[first]]
     seen = {first.uid}
     for _ in range(_LINKS):

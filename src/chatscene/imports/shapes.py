@@ -93,11 +93,7 @@ def line_through(one: Element, points: Sequence[tuple[float, ...]]) -> Polyline:
 
 
 def _counted(one: Element, points: int) -> int:
-    """A number of points, before they are made.
-
-    Raises:
-        Refused: They are too many.
-    """
+    """A number of points, before they are made."""
     if points > _MOST:
         raise Refused(one, f"it has more than {_MOST} points; cut it down")
     return points

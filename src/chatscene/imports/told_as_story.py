@@ -405,11 +405,7 @@ class _Story:
         )
 
     def _triggering(self, group: Element) -> tuple[str, ...]:
-        """Who triggers the events of a group, in the file, whenever they are triggered.
-
-        Raises:
-            Refused: It may be one or another.
-        """
+        """Who triggers the events of a group, in the file, whenever they are triggered."""
         found: list[str] = []
         for asked in (one for one in group.walk() if one.tag == "TriggeringEntities"):
             names = self._cast.several(asked.all("EntityRef"))

@@ -104,21 +104,13 @@ def variants_of(root: Element, path: Path, within: Path | None = None) -> Varian
 
 
 def _bounded(axes: list[list[Values]], path: Path) -> None:
-    """Stop before more is made where there are too many variants already.
-
-    Raises:
-        ScenarioError: There are.
-    """
+    """Stop before more is made where there are too many variants already."""
     if math.prod(map(len, axes)) > MOST:
         raise ScenarioError(f"{path} has more than {MOST} variants; remove some")
 
 
 def _once(one: Element, names: set[str], known: set[str]) -> None:
-    """Take the parameters of a distribution among those that are known.
-
-    Raises:
-        Refused: One of them is known: it would have two values in one variant.
-    """
+    """Take the parameters of a distribution among those that are known."""
     if twice := sorted(names & known):
         raise Refused(one, f"the values of ${twice[0]} are given twice; give each parameter's once")
     known |= names

@@ -33,11 +33,7 @@ def choose(scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Trie
 
 
 def _refuse_another(scenario: Scenario, found: Retrieval) -> None:
-    """Refuse what does not do all that was said, in order, where it is sure that nothing else was said.
-
-    Raises:
-        NothingFits: No snippet does it, or somebody does something beside the adversary, whom no snippet has.
-    """
+    """Refuse what does not do all that was said, in order, where it is sure that nothing else was said."""
     said = scenario.slots
     if scenario.frame is None:
         return

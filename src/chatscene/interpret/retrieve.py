@@ -113,9 +113,6 @@ def _best(
     """The compatible triple that scores highest of those that were not tried.
 
     It contradicts nothing that was read, if there is such a one: any other would be refused.
-
-    Raises:
-        NothingFits: There is none at all.
     """
     joint = compatibility(library)
     allowed = joint.able(kind)

@@ -157,11 +157,7 @@ class Folder:
                 yield Path(one.path).relative_to(self.root)
 
     def _inside(self, name: str) -> Path:
-        """A path below the folder, relative to it, with all links followed.
-
-        Raises:
-            SettingsError: It leads out of the folder, or is none.
-        """
+        """A path below the folder, relative to it, with all links followed."""
         if not name.strip() or len(name) > LONGEST or not name.isprintable() or name.startswith("~"):
             raise SettingsError(f"{name[:60]!r} is not a path;  give one below the folder, such as 'runs/left'")
         try:

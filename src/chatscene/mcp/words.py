@@ -113,11 +113,7 @@ def _act(word: str) -> Iterator[str]:
 
 
 def _at(path: str) -> str:
-    """What stands at a path, as ``others.A.does.0.act``.
-
-    Raises:
-        SettingsError: Nothing does.
-    """
+    """What stands at a path, as ``others.A.does.0.act``."""
     here, steps, of_list = ALL, path.split("."), False
     for number, step in enumerate(steps):
         fields = nouns()[here].get("properties", {})

@@ -132,12 +132,7 @@ def import_(
 
 
 def _situation(desk: Desk, text: str | None, file: str | None) -> Situation:
-    """The situation that a call gives, as text or as a file.
-
-    Raises:
-        SettingsError: It gives none, or both.
-        SituationError: It is none.
-    """
+    """The situation that a call gives, as text or as a file."""
     from chatscene.situations.file import read_text
 
     if (text is None) == (file is None):

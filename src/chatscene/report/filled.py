@@ -117,12 +117,7 @@ def unless_by_snippets(
 
 
 def _by_snippets(text: str, settings: Settings, facts: Mapping[str, object] | None = None) -> Understood | None:
-    """The snippets that serve a text: in the paper's way any, else only if the user's own are among them.
-
-    Raises:
-        SettingsError: The text is empty or too long.
-        NothingFits: In the paper's way, no snippets serve it.
-    """
+    """The snippets that serve a text: in the paper's way any, else only if the user's own are among them."""
     if is_filled(text, settings.retrieval):
         return None
     reading = replace(settings.retrieval, stated=in_text(facts)) if facts else settings.retrieval
@@ -140,12 +135,7 @@ def _by_snippets(text: str, settings: Settings, facts: Mapping[str, object] | No
 
 
 def _check_for_snippets(speed: float | None, map_name: str | None = None, edits: Sequence[str] = ()) -> None:
-    """Refuse what is for situations alone, where snippets serve a text.
-
-    Raises:
-        SettingsError: A speed or a map is given.
-        EditRefused: An edit is.
-    """
+    """Refuse what is for situations alone, where snippets serve a text."""
     if speed is not None:
         raise SettingsError("the speed is for a situation, and here snippets are used")
     if map_name is not None:

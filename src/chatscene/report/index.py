@@ -142,11 +142,7 @@ def name_of(path: Path, folder: Path) -> str:
 
 
 def _read(run: runs.Workspace, record: runs.RunRecord, name: str) -> tuple[Mapping[str, Table], list[Large]]:
-    """The rows of one run in each table; of a large one, where those of its scenes are.
-
-    Raises:
-        RunError: A file of it cannot be read, or is no such table.
-    """
+    """The rows of one run in each table; of a large one, where those of its scenes are."""
     done = record.status is runs.Status.DONE
     if done and record.counts.get("scenes", 0) > LARGE and not _PATTERN.intersection(str(run.path.absolute())):
         scenes = pa.concat_tables(scan_table(run.file("scenes.parquet"), SCENES, names=_OF_A_RUN))
@@ -174,11 +170,7 @@ def _of_all(run: runs.Workspace, record: runs.RunRecord, name: str, scenes: Tabl
 
 
 def _large(run: runs.Workspace, name: str) -> Large:
-    """Where the rows of a large run are.
-
-    Raises:
-        RunError: A file of it is no such table.
-    """
+    """Where the rows of a large run are."""
     scenes, ranges, events = (run.file(f"{one}.parquet").absolute() for one in ("scenes", "ranges", "events"))
     there, lacking = columns_of(scenes, SCENES)
     named = {str(one) for one in read_table(ranges, RANGES).column("parameter").to_pylist()} - set(SCENES.names)
@@ -233,11 +225,7 @@ def _table(name: str, rows: list[dict[str, Any]]) -> Table:
 
 
 def _of_run(name: str, rows: Table) -> Table:
-    """Rows with the name of their run.
-
-    Raises:
-        RunError: They have one already: a metric took it.
-    """
+    """Rows with the name of their run."""
     if "run" in rows.column_names:
         raise RunError(_HAS_RUN)
     return rows.add_column(0, "run", pa.array([name] * rows.num_rows, pa.string()))

@@ -211,9 +211,6 @@ def _refuse_what_does_more(connection: Any, query: str) -> None:
 
     DuckDB's functions can also print, log, wait, or follow an address in memory: as a table it may take those of a
     list, and elsewhere whatever has no side effect.
-
-    Raises:
-        QueryError: It calls another one, or cannot be looked through.
     """
     tree = json.loads(connection.execute("SELECT json_serialize_sql(?)", [query]).fetchone()[0])
     if tree.get("error", True):

@@ -174,11 +174,7 @@ def asked_benchmark(
 
 
 def _check_keeps_right(map_name: str) -> None:
-    """Refuse a map of left-hand traffic to those who make no situation of a text.
-
-    Raises:
-        SettingsError: It is one.
-    """
+    """Refuse a map of left-hand traffic to those who make no situation of a text."""
     if keeps_left(resolve_map(map_name)):
         raise SettingsError(
             f"map {map_name!r} keeps to the left, and what is chosen for a text is of right-hand traffic; on this map "

@@ -63,11 +63,7 @@ class RayExecutor(Executor):
 
 
 def _connect(address: str, cores: int) -> None:
-    """Reach a cluster or start one; nothing is told to anybody else, and no worker imports from the working folder.
-
-    Raises:
-        SettingsError: There is none.
-    """
+    """Reach a cluster or start one; nothing is told to anybody else, and no worker imports from the working folder."""
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
     os.environ.setdefault("RAY_raylet_start_wait_time_s", "300")  # on a machine with much else to do
     quiet: dict[str, Any] = {"include_dashboard": False} if not address else {}

@@ -264,11 +264,7 @@ def _parts_of(file: Any, columns: Any, names: Sequence[str], among: Among | None
 
 
 def _as_known(table: Table, columns: Any, names: Sequence[str]) -> Table:
-    """A table with the columns that this version knows, or with some of them.
-
-    Raises:
-        ValueError: It lacks what no drive is without, or holds something else.
-    """
+    """A table with the columns that this version knows, or with some of them."""
     if unknown := [field.name for field in table.schema if _is_unknown(field, columns)]:
         table = table.drop_columns(unknown)
     known = [field for field in columns if not names or field.name in {*names, "status"}]

@@ -168,11 +168,7 @@ def _of_an_older_version(run: Workspace) -> str | None:
 
 
 def _refuse_links(folder: Path) -> None:
-    """A link in a run folder would have files written and deleted wherever it leads.
-
-    Raises:
-        RunError: There is one.
-    """
+    """A link in a run folder would have files written and deleted wherever it leads."""
     if (link := next((path for path in sorted(folder.rglob("*")) if path.is_symlink()), None)) is not None:
         raise RunError(f"{link} is a link, and a run folder holds files of its own only; take it away")
 
@@ -316,22 +312,14 @@ _COUNTED = ("scenes", "ran", "rejected", "collided", "selected", "fill_in")
 
 
 def _require_counts(run: Workspace, record: Record) -> None:
-    """Counts are all there, or none is.
-
-    Raises:
-        RunError: One is missing.
-    """
+    """Counts are all there, or none is."""
     counts = record.counts if isinstance(record, RunRecord) else {}
     if counts and (lacking := [name for name in _COUNTED if name not in counts]):
         raise RunError(f"{run.file(RECORD)} is not the record of a run: counts: {lacking[0]} is missing; {_REMEDY}")
 
 
 def _readable(run: Workspace, content: dict[str, Any]) -> dict[str, Any]:
-    """A record as this version has it.
-
-    Raises:
-        RunError: It is too old or too new for that.
-    """
+    """A record as this version has it."""
     found = content.get("schema_version")
     if isinstance(found, int) and found > SCHEMA_VERSION:
         raise RunError(

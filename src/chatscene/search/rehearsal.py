@@ -102,11 +102,7 @@ def _with_slow_ego(built: Built, situation: Situation) -> Built | None:
 
 
 def _best(built: Built, situation: Situation, drives: int) -> _Tried:
-    """Of a program and its shifts, that which misses fewest facts, by so many drives; it itself if none shows more.
-
-    Raises:
-        ChatSceneError: It cannot be driven.
-    """
+    """Of a program and its shifts, that which misses fewest facts, by so many drives; it itself if none shows more."""
     stage = _Stage.of(built, situation, drives)
     first = stage.driven(built.program)
     best = _shifted_best(stage, first, built.bound) if first.missed > ONE_OFF else first

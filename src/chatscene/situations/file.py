@@ -86,12 +86,7 @@ def _line(path: Place, lines: dict[Place, int]) -> int:
 
 
 def _plain(text: str, lines: dict[Place, int]) -> object:
-    """The plain values of a text, and on which line each begins.
-
-    Raises:
-        yaml.YAMLError: It is no YAML, of which JSON is a part.
-        Malformed: It says something twice, or is too much.
-    """
+    """The plain values of a text, and on which line each begins."""
     loader = yaml.SafeLoader(text)
     try:
         node = loader.get_single_node()

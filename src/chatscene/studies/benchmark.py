@@ -164,11 +164,7 @@ def resume(
 
 
 def _check_sampler(generator: str, sampler: str) -> None:
-    """Refuse another sampler than the one that a generator always searches with, which would be ignored.
-
-    Raises:
-        SettingsError: The generator has a sampler of its own.
-    """
+    """Refuse another sampler than the one that a generator always searches with, which would be ignored."""
     source = load_generator(generator)
     own = source.searching(replace(PAPER, sampler=sampler)).sampler if isinstance(source, Exploring) else sampler
     if own != sampler != PAPER.sampler:

@@ -162,11 +162,7 @@ class Driver:
         return found if self._driving.speed is None else at_speed(found, self._driving.speed / 3.6)
 
     def _told(self, program: CollectedProgram) -> ScenicProgram:
-        """A program whose own ego drives as its file says.
-
-        Raises:
-            ForeignCodeRefused: The file tells the ego nothing.
-        """
+        """A program whose own ego drives as its file says."""
         return read_foreign(program.path, searched_with=False, as_written=True).program
 
     def _simulator_on(self, map_path: Path) -> ConfinedSimulator:
@@ -306,11 +302,7 @@ def _digest(rows: object) -> str:
 
 
 def _kept(where: Path, programs: set[str]) -> dict[str, list[dict[str, Any]]]:
-    """What was driven before the same evaluation was cut, by the name of the program.
-
-    Raises:
-        RunError: It is not what was written.
-    """
+    """What was driven before the same evaluation was cut, by the name of the program."""
     if not where.is_file():
         return {}
     *whole, cut = read_bytes(where).decode("utf-8", errors="replace").split("\n")

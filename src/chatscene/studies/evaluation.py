@@ -253,11 +253,7 @@ def _carry_on(run: runs.Workspace, workers: Workers, progress: Progress, repeate
 
 
 def _tasks(run: runs.Workspace, record: runs.EvaluationRecord) -> list[_Task]:
-    """Every ego that did not fail on every route with scenes of every source.
-
-    Raises:
-        RunError: A source is damaged.
-    """
+    """Every ego that did not fail on every route with scenes of every source."""
     for source in record.sources:
         runs.open_run(source.path_from(run.path))
     egos = [(number, ego) for number, ego in enumerate(record.egos) if ego not in record.failures]

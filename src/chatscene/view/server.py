@@ -317,11 +317,7 @@ class _Handler(BaseHTTPRequestHandler):
 
 
 def _queried(path: str, query: str) -> dict[str, str]:
-    """What a path is asked for, by name.
-
-    Raises:
-        Refused: It is not what is asked there, or anything is said twice or at length.
-    """
+    """What a path is asked for, by name."""
     try:
         asked = parse_qs(query, keep_blank_values=True, max_num_fields=len(_QUERIES))
     except ValueError as error:

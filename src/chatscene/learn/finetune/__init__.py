@@ -247,11 +247,7 @@ def _file(name: str) -> str:
 
 
 def _start(name: str) -> NetworkEgo:
-    """The ego to fine-tune by reward.
-
-    Raises:
-        EgoError: It cannot be loaded, or is no SAC.
-    """
+    """The ego to fine-tune by reward."""
     ego = load_ego(name)
     if not isinstance(ego, NetworkEgo):
         raise EgoError(f"{name} is not a network that could be trained on; give `sac` or the file of an SAC policy")
@@ -267,11 +263,7 @@ def _start(name: str) -> NetworkEgo:
 
 
 def _drivable(scenes: Sequence[KeptScene], skipped: Mapping[str, str]) -> tuple[KeptScene, ...]:
-    """The training scenes that can be placed.
-
-    Raises:
-        RunError: There is none.
-    """
+    """The training scenes that can be placed."""
     left = tuple(kept for kept in scenes if kept.scene.id not in skipped)
     if not left:
         reason = skipped[scenes[0].scene.id]

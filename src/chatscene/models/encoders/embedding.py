@@ -178,11 +178,7 @@ _RECENT = 4  # texts whose states below the upper layers are kept for the next e
 
 @contextmanager
 def _memory_told() -> Generator[None]:
-    """Want of memory, which the runtime tells in an exception of its own, as a message.
-
-    Raises:
-        SettingsError: There is not enough.
-    """
+    """Want of memory, which the runtime tells in an exception of its own, as a message."""
     try:
         yield
     except Exception as error:

@@ -151,9 +151,6 @@ def _with_steps(ways: tuple[Way, ...], at_hand: Situation, text: str, begins: in
     """The facts of each way, by the ids at hand; amounts by which the edit shifts others are these others, shifted.
 
     A way that takes away more than there is cannot be what is meant, and is left out.
-
-    Raises:
-        EditRefused: The likeliest way is such a one.
     """
     held, found = dict(all_facts(at_hand)), dict[Way, Facts]()
     for way in ways:
@@ -227,11 +224,7 @@ def _said(one: Other) -> Counter[tuple[str, object]]:
 
 
 def _check_amounts(read: Read, ways: tuple[Way, ...], begins: int) -> None:
-    """Hold an edit to its amounts with a unit: most of what it is read as has to have them.
-
-    Raises:
-        EditRefused: One gives no fact.
-    """
+    """Hold an edit to its amounts with a unit: most of what it is read as has to have them."""
     total = sum(way.probability for way in ways)
     for one in read.amounts:
         if one.low < begins or one.form in (Form.BARE_KMH, Form.BARE_MPH):

@@ -184,11 +184,7 @@ def as_scenic_3(text: str, *, trusted: bool = False) -> Rewritten:
 def _with_meanings(
     rewritten: Rewritten, given: Mapping[str, object], *, trusted: bool
 ) -> tuple[Rewritten, dict[str, object]]:
-    """A program with its undefined names defined, and which of what is given are its parameters.
-
-    Raises:
-        SettingsError: A name is given as something that is no expression.
-    """
+    """A program with its undefined names defined, and which of what is given are its parameters."""
     rewritten, given = _with_ego(rewritten, given, trusted=trusted)
     source = rewritten.source
     tree = None if _OWN.search(source) or (not trusted and check_text(source)) else parse_foreign(source)
@@ -206,11 +202,7 @@ def _with_meanings(
 def _with_ego(
     rewritten: Rewritten, given: Mapping[str, object], *, trusted: bool
 ) -> tuple[Rewritten, Mapping[str, object]]:
-    """A program without an ego with the one that is said, and what else is given.
-
-    Raises:
-        SettingsError: Nothing that may be the ego is placed by this name.
-    """
+    """A program without an ego with the one that is said, and what else is given."""
     source = rewritten.source
     tree = None if "ego" not in given or (not trusted and check_text(source)) else parse_foreign(source)
     if tree is None or isinstance(tree, Refusal) or _has_ego(tree):
@@ -367,12 +359,7 @@ def _driver(tree: Any) -> str:
 
 
 def _adversary_behavior(called: str, tree: Any, as_written: bool, searched_with: bool) -> str:
-    """The behavior of the program's own that its adversary has.
-
-    Raises:
-        ForeignCodeRefused: It has no ego with a route, or, where it is searched with, not exactly one kind of
-            adversary.
-    """
+    """The behavior of the program's own that its adversary has."""
     ego = [n for n in tree.body if type(n).__name__ == "TrackedAssign"]
     if not ego:
         raise ForeignCodeRefused(f"{called} has no ego; add: {_EGO_LINE}")
