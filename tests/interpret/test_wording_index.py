@@ -51,23 +51,14 @@ def test_few_wordings_leave_nothing_in_the_cache(cache: Path) -> None:
     assert not list(cache.rglob("*.npz"))
 
 
-@pytest.mark.parametrize("damage", ["empty", "half", "rows beyond the wordings", "terms beyond the text", "floats"])
-def test_kept_counts_that_cannot_be_right_cost_time_and_nothing_else(cache: Path, damage: str) -> None:
+@pytest.mark.parametrize("damage", ["empty", "half", "changed"])
+def test_kept_counts_that_are_damaged_cost_time_and_nothing_else(cache: Path, damage: str) -> None:
     first = found(WordingIndex(WORDINGS, OWNERS))
     (path,) = cache.rglob("*.npz")
     whole = path.read_bytes()
-    if damage in ("empty", "half"):
-        path.write_bytes(whole[: len(whole) // 2 if damage == "half" else 0])
-    else:
-        with np.load(path) as arrays:
-            kept = dict(arrays)
-        if damage == "rows beyond the wordings":
-            kept["rows"][3] = MANY
-        elif damage == "terms beyond the text":
-            kept["starts"][-1] += 1
-        else:
-            kept["ends"] = kept["ends"].astype(float)
-        np.savez(path, **kept)
+    path.write_bytes(
+        {"empty": b"", "half": whole[: len(whole) // 2], "changed": whole[:-7] + b"\xff" + whole[-6:]}[damage]
+    )
     assert found(WordingIndex(WORDINGS, OWNERS)) == first
     assert path.read_bytes() == whole
 

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import hashlib
 import re
-import zipfile
 from bisect import bisect_left
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import lru_cache
 from io import BytesIO
 from itertools import pairwise
@@ -21,8 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.files.bounded import check_archive
-from chatscene.files.caches import cache_folder, keep
+from chatscene.files.caches import cache_folder, keep, kept, sealed
 from chatscene.models.encoders import embedding
 from chatscene.models.encoders.embedding import plain
 
@@ -146,18 +144,16 @@ def _kept(wordings: tuple[str, ...]) -> _Counts:
     written costs time and nothing else.
     """
     path = cache_folder("words") / f"{_digest(wordings)}.npz"
-    counts = _load(path, len(wordings))
-    if counts is None:
-        counts = _counted(wordings)
-        content = BytesIO()
-        arrays = {name: getattr(counts, name) for name in _FORM}
-        np.savez(content, terms=np.frombuffer(counts.terms, np.uint8), **arrays)
-        keep(path, content.getvalue())
+    if (content := kept(path)) is not None:
+        with np.load(BytesIO(content), allow_pickle=False) as arrays:
+            return _Counts(**{**arrays, "terms": arrays["terms"].tobytes()})
+    counts = _counted(wordings)
+    stream = BytesIO()
+    arrays: dict[str, Any] = {field.name: getattr(counts, field.name) for field in fields(counts)}
+    arrays["terms"] = np.frombuffer(counts.terms, np.uint8)
+    np.savez(stream, **arrays)
+    keep(path, sealed(stream.getvalue()), lasting=False)
     return counts
-
-
-_FORM = {"starts": np.int64, "rarity": np.float64, "ends": np.int64, "rows": np.int32, "times": np.int32,
-         "lengths": np.float64}  # fmt: skip
 
 
 def _digest(wordings: tuple[str, ...]) -> str:
@@ -166,33 +162,6 @@ def _digest(wordings: tuple[str, ...]) -> str:
         digest.update(Path(module).read_bytes())
     digest.update("\0".join(wordings).encode())
     return digest.hexdigest()
-
-
-def _load(path: Path, size: int) -> _Counts | None:
-    """Stored counts of so many wordings; none if there are none that could be."""
-    try:
-        check_archive(path)
-        with np.load(path, allow_pickle=False) as arrays:
-            read = {name: arrays[name] for name in ("terms", *_FORM)}
-    except (OSError, ValueError, KeyError, EOFError, MemoryError, zipfile.BadZipFile):
-        return None
-    if any(read[name].ndim != 1 or read[name].dtype != dtype for name, dtype in _FORM.items()):
-        return None
-    counts = _Counts(**{**read, "terms": read["terms"].tobytes()})
-    starts, ends, rows, count = counts.starts, counts.ends, counts.rows, len(counts.rarity)
-    whole = (
-        len(starts) == count + 1
-        and len(ends) == count
-        and len(rows) == len(counts.times)
-        and len(counts.lengths) == size
-        and starts[0] == 0
-        and starts[-1] == len(counts.terms)
-        and bool(np.all(np.diff(starts) > 0))
-        and (len(rows) == 0 if count == 0 else ends[0] >= 0 and ends[-1] == len(rows))
-        and bool(np.all(np.diff(ends) >= 0))
-        and bool(np.all((rows >= 0) & (rows < size)))
-    )
-    return counts if whole else None
 
 
 def best_of_each(scores: NDArray[Any], owners: NDArray[np.intp]) -> tuple[NDArray[Any], NDArray[np.intp]]:
