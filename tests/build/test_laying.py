@@ -10,11 +10,12 @@ from chatscene.build.build import Built, build
 from chatscene.build.laying import roads_for
 from chatscene.errors import NotBuilt
 from chatscene.maps.loading import load_roads
+from chatscene.maps.neighbours import oncoming_line
 from chatscene.maps.network import resolve_map
 from chatscene.maps.routes import find_routes
 from chatscene.situations.form import from_plain
 from chatscene.terms.route import RouteQuery
-from chatscene.terms.scenario import Maneuver, Site
+from chatscene.terms.scenario import Maneuver, Place, Site
 from chatscene.terms.situation import Situation
 
 
@@ -138,3 +139,15 @@ def test_a_lane_that_was_said_is_that_lane_where_it_happens() -> None:
         for route in find_routes(network, name, query):
             lane = network.laneAt(route.line.point_at(route.event_at))
             assert [one.uid for one in lane.group.lanes].index(lane.uid) == 1
+
+
+def test_who_turns_round_beyond_a_median_is_in_the_lane_beside_it_as_the_ego_is() -> None:
+    built = made("oncoming", "u-turn", road={"has": ["median"]})
+    assert built.map.startswith("road:2+2,median=3")
+    assert "lanes=2, lane=2" in built.program.source
+    network: Any = load_roads(resolve_map(built.map))
+    query = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD, lanes_same_way=2, lane=2)
+    (route, *_) = find_routes(network, built.map, query)
+    line = oncoming_line(network, route)
+    assert line is not None
+    assert abs(line.project(*route.line.point_at(0.0))[1]) == pytest.approx(3.5 + 3.0, abs=0.01)

@@ -38,7 +38,7 @@ from chatscene.terms.route import Beside, Equipment
 from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Feature, Heads, RoadKind, Setting, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Feature, Heads, RoadKind, Setting, Side, Where, acts_of
 
 IN_BEND = 0.29  # of its radius: so much of a bend before and beyond the middle of a route turns by 33°
 _CURVES = (RoadKind.CURVE, RoadKind.LEFT_CURVE, RoadKind.RIGHT_CURVE)
@@ -67,7 +67,8 @@ def _on_laid(situation: Situation, laid: LaidRoad, query: dict[str, Any]) -> dic
         asked.pop("opposite")  # who comes the other way does so beyond what lies between
         asked.pop("beside") if asked.get("beside") == "none" else None
     straight = asked["maneuver"] == Maneuver.STRAIGHT
-    if straight and laid.ahead > 1 and any(one.starts.where is Where.MEDIAN for one in situation.others):
+    innermost = laid.median and laid.ahead > 1 and situation.road.ego_lane is None
+    if straight and innermost and any(map(_comes_over_median, situation.others)):
         asked |= {"lanes": laid.ahead, "lane": laid.ahead}
         asked.pop("beside") if asked.get("beside") == "none" else None
     if laid.drop and straight and "lane" not in asked:
@@ -83,6 +84,13 @@ def _on_laid(situation: Situation, laid: LaidRoad, query: dict[str, Any]) -> dic
         asked |= {"lanes": max(2, asked.get("lanes", 2)), "lane": asked.get("lane", 1) + beside}
         asked.pop("beside", None) if asked.get("beside") == "none" else None
     return asked
+
+
+def _comes_over_median(one: Other) -> bool:
+    """Whether somebody comes onto the ego's side of a road from between the two, or from beyond that."""
+    over = acts_of(Heads.TURNS, Heads.ROUND, Heads.BACK, Heads.ACROSS, Heads.IN)
+    from_beyond = one.starts.where is Where.ONCOMING and any(deed.act in over for deed in one.does)
+    return one.starts.where is Where.MEDIAN or from_beyond
 
 
 def _freer(situation: Situation, queries: list[dict[str, Any]]) -> Iterator[list[dict[str, Any]]]:

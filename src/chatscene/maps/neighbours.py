@@ -94,8 +94,9 @@ def oncoming_line(network: Any, route: Route) -> Polyline | None:
     heading = route.line.heading_at(0.0)
     found: tuple[float, Polyline] | None = None
     for run in dict.fromkeys(lane_runs(network).values()):
-        s, _, near = run.line.project(x, y)
+        s, _, _ = run.line.project(x, y)
         px, py = run.line.point_at(s)
+        near = math.hypot(px - x, py - y)
         left = (py - y) * math.cos(heading) - (px - x) * math.sin(heading)
         turned = abs(math.remainder(run.line.heading_at(s) - heading, 2 * math.pi))
         against = left > 0.0 and turned > math.pi - _AGAINST
