@@ -10,7 +10,6 @@ import math
 from collections.abc import Iterable
 
 from chatscene.measure.sums import sums
-from chatscene.simulate.boxes import post_encroachment
 from chatscene.simulate.contact import side_touched
 from chatscene.simulate.striking import strike
 from chatscene.terms.actors import BY_CLASS, LIMITS
@@ -24,14 +23,12 @@ SEVERITY_OCCUPANT = (7 / 3.6, 35 / 3.6, 52.5 / 3.6)
 
 def criticality(episode: Episode) -> Criticality:
     """The measures of a drive; None where one does not apply."""
-    ego, others, crash = episode.ego_track, episode.adversaries, episode.collision
-    pairs = sums(episode).pairs
-    touched = crash is not None and any(other.actor == crash.other for other in others)  # be it between two steps
+    crash, found = episode.collision, sums(episode)
+    pairs = found.pairs
+    touched = crash is not None and any(one.actor == crash.other for one in episode.adversaries)  # or between two steps
     return Criticality(
         time_to_collision=0.0 if touched else _least(soonest for _, _, soonest, *_ in pairs),
-        post_encroachment_time=0.0
-        if touched
-        else _least(post_encroachment(ego, other) * episode.dt for other in others),
+        post_encroachment_time=0.0 if touched else _least(steps * episode.dt for steps in found.parted),
         time_headway=_least(headway for *_, headway, _ in pairs),
         deceleration_required=max((braking for *_, braking in pairs if braking > 0.0), default=None),
         distance=0.0 if touched else _least(gap for gap, *_ in pairs),

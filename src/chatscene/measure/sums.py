@@ -11,7 +11,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from chatscene.simulate.boxes import CRAWL
+from chatscene.simulate.boxes import CRAWL, FINENESS
 from chatscene.simulate.native.engine import Habits
 from chatscene.simulate.native.lines import engine
 from chatscene.terms.actors import AIR_DRAG, BY_CLASS, LIMITS
@@ -57,6 +57,7 @@ class Sums:
     """
 
     pairs: list[tuple[float, ...]]
+    parted: list[float]
     tyres: tuple[tuple[float, bool], ...]
     apart: tuple[float, int]
     seconds: tuple[float, int]
@@ -83,7 +84,7 @@ def sums(episode: Episode) -> Sums:
     states = np.concatenate(columns).reshape(len(tracks), 4, steps)
     headings = states[:, 2]
     others = [number for number, track in enumerate(tracks) if track.role is Role.ADVERSARY]
-    told, every, totals = native.sum_up(
+    told, every, totals, parted = native.sum_up(
         states,
         np.cos(headings),
         np.sin(headings),
@@ -92,11 +93,13 @@ def sums(episode: Episode) -> Sums:
         _habits(episode.dt, episode.ending is Ending.OVER),
         crash=-1 if crash is None else crash.step,
         struck=-1 if crash is None else next((i for i, track in enumerate(tracks) if track.actor == crash.other), -1),
-        others=len(others),
+        others=others,
+        parts=FINENESS,
     )
     near, nearest, soon, soonest, braked, braked_at, steered, steered_at, meets, begins, *fast = every
     return Sums(
         pairs=[tuple(told[number][:5]) for number in others],
+        parted=parted,
         tyres=tuple((row[5], row[6] > 0.0) for row, track in zip(told, tracks, strict=True) if on_wheels(track.kind)),
         apart=(near, int(nearest)),
         seconds=(soon, int(soonest)),

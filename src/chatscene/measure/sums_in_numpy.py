@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.measure import sums
-from chatscene.simulate.boxes import CRAWL, Between, Boxes, between, gaps, least_gap
+from chatscene.simulate.boxes import CRAWL, Between, Boxes, between, gaps, least_gap, post_encroachment
 from chatscene.terms.actors import AIR_DRAG, LIMITS
 from chatscene.terms.arrays import Array, changes, changes_at, fixed, paces
 from chatscene.terms.episode import Ending, Episode, Track
@@ -28,9 +28,11 @@ def sums_in_numpy(episode: Episode) -> sums.Sums:
     meets = min(others, key=lambda other: least_gap(ego, other)) if others else None
     if crash is not None:
         meets = next((track for track in episode.tracks if track.actor == crash.other), None)
+    met = crash is not None and any(other.actor == crash.other for other in others)
     begins, fast = _encounter(episode, meets) if meets is not None else (0, (0.0,) * 6)
     return sums.Sums(
         pairs=[(pair.least, float(pair.nearest), pair.soonest, pair.headway, pair.braking) for pair in pairs],
+        parted=[post_encroachment(ego, other) for other in others] if not met else [],
         tyres=tuple(
             (float(np.hypot(along, across).max(initial=-1.0)), _too_much(across, speed))
             for along, across, speed in taken(episode)

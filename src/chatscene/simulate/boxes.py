@@ -10,14 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.simulate.native.engine import boxes_of
+from chatscene.simulate.native.engine import boxes_of, reach_squared
 from chatscene.simulate.native.lines import engine
 from chatscene.terms.arrays import Array, fixed
 from chatscene.terms.episode import Track
 
 Steps = NDArray[np.int64]
 
-ROUNDING = 1e-6  # [m], more than rounding makes of a distance
 NOTHING = 1e-9  # [m] or [m/s], what rounding makes of nothing
 KEPT = 16  # of the tracks and pairs that were asked for last, what was found: each measure of a drive asks anew
 CRAWL = 0.1  # [m/s], below this somebody follows nobody
@@ -225,11 +224,9 @@ def post_encroachment(ego: Track, other: Track) -> float:
 
     That is the least |s - t| for which the ego's box at s overlaps the other's at t. Whole steps tell it up to two too
     long; around those found, the ego's step is cut into parts, and the other moves on straight and evenly in its own.
+    `chatscene.measure.sums` has the same from the engine.
     """
     b = Boxes.of(other)
-    if (native := engine()) is not None:
-        a = Boxes.of(ego)
-        return native.encroached(_told(a), ego.heading, _told(b), _square(a, b), FINENESS)
     i, j = overlaps(Boxes.of(ego), b, np.arange(len(other.x)), max(len(ego.x), len(other.x)))
     if not i.size:
         return math.inf
@@ -282,8 +279,7 @@ def overlaps(a: Boxes, b: Boxes, at: Steps, most: int) -> tuple[Steps, Steps]:
 
 def _square(a: Boxes, b: Boxes) -> float:
     """Of how far [m] the centres of boxes that overlap are from each other at most."""
-    reach = math.hypot(a.half_length, a.half_width) + math.hypot(b.half_length, b.half_width) + ROUNDING
-    return reach * reach
+    return reach_squared((a.half_length, a.half_width), (b.half_length, b.half_width))
 
 
 def _overlaps_at(a: Boxes, width: int, b: Boxes, at: Steps, lag: int) -> tuple[Steps, Steps]:

@@ -19,6 +19,7 @@ from chatscene.measure.sums import Sums, sums
 from chatscene.measure.sums_in_numpy import sums_in_numpy
 from chatscene.simulate import boxes, cells, roadside
 from chatscene.simulate.cells import Cells
+from chatscene.simulate.native import lines
 from chatscene.simulate.native.engine import Engine, NoEngine, load_engine
 from chatscene.terms.arrays import Array
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
@@ -112,16 +113,9 @@ def test_the_sums_of_a_drive_are_the_same(monkeypatch: pytest.MonkeyPatch) -> No
         boxes.between.cache_clear()
     assert {one.waits for one in found} == {True, False}
     assert any(much for one in found for _, much in one.tyres)
+    parted = [one for each in found for one in each.parted]
+    assert 10 < sum(0.0 < one < math.inf for one in parted) < len(parted) - sum(one == 0.0 for one in parted)
     assert len({one.begins for one in found}) > 10
-
-
-def test_who_leaves_a_place_before_the_other_comes_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    rng = np.random.default_rng(3)
-    found: list[object] = []
-    for _ in range(60):
-        one, two = _track(rng, 60), _track(rng, 60, actor="adversary")
-        found.append(_both(monkeypatch, (boxes,), lambda a=one, b=two: boxes.post_encroachment(a, b)))
-    assert 10 < sum(isinstance(one, float) and 0.0 < one < math.inf for one in found) < 60
 
 
 def test_the_least_of_how_two_lie_to_each_other_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -147,6 +141,18 @@ def test_when_somebody_crosses_a_line_is_the_same(monkeypatch: pytest.MonkeyPatc
         line, track = SignalTrack(x0=x0, y0=y0, x1=x1, y1=y1, state="", role="ego"), _track(rng, 60)
         found.append(_both(monkeypatch, (roadside,), lambda a=track, b=line: roadside.crossing_step(a, b)))
     assert 5 < sum(one is not None for one in found) < 50
+
+
+@pytest.mark.parametrize("points", [2, 20, 70, 161])
+def test_where_points_lie_on_a_whole_line_is_the_same(points: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also of lines that come back to where they were, and of points that are as near to two of their segments."""
+    rng = np.random.default_rng(8)
+    for bend in (0.0, 0.02, 0.3):
+        heading = np.cumsum(rng.normal(0.0, bend, points))
+        line = Polyline(np.cumsum(2.0 * np.column_stack((np.cos(heading), np.sin(heading))), axis=0))
+        for spread in (0.0, 1.0, 40.0):
+            x, y = (line.points[np.sort(rng.integers(0, points, 120))] + rng.normal(0.0, spread, (120, 2))).T
+            _both(monkeypatch, (lines,), lambda of=line, x=x, y=y: [*map(list, lines.follow(of, x, y, whole=True))])
 
 
 @pytest.mark.parametrize("name", ["town", "outskirts"])

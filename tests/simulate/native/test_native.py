@@ -430,7 +430,8 @@ def test_copies_of_a_scene_are_stepped_by_themselves_and_end_alike(native: Nativ
     engine.load_engine().run_many([one.world for one in many], by_rule)
     assert first.world.step == 0
     assert many[0].world.step > 20
-    assert all(np.array_equal(one.rows, many[0].rows) for one in many)
+    states = many[0].world.step + 1
+    assert all(np.array_equal(one.rows[:states], many[0].rows[:states]) for one in many)
 
 
 def test_a_plan_that_comes_to_no_act_is_stuck(native: NativeSimulator) -> None:

@@ -109,8 +109,7 @@ class Bound:
 
     def copy(self) -> Bound:
         """The same scene as far as it is now, to be stepped by itself; what stays as it is, is shared."""
-        rows, offsets = np.zeros(self.rows.shape), np.zeros(self.offsets.shape)
-        return Bound(engine.load_engine().copy(self.world, rows, offsets), rows, offsets)
+        return Bound(*engine.load_engine().copy(self.world))
 
 
 def bind(session: SteppedSession, program: ScenicProgram, placement: Placement | None = None) -> Bound:

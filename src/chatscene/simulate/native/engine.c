@@ -311,15 +311,21 @@ static double distance2(const Line *line, int64_t i, double x, double y) {
     return beyond * beyond + across * across;
 }
 
+/* How far a point is from a segment of a line, squared, as `nearest_segment` has it. */
+static double apart2(const Line *line, int64_t i, double x, double y) {
+    double dx = line->x[i + 1] - line->x[i], dy = line->y[i + 1] - line->y[i];
+    double rx = x - line->x[i], ry = y - line->y[i];
+    double t = (rx * dx + ry * dy) / (dx * dx + dy * dy);
+    t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
+    double ex = rx - t * dx, ey = ry - t * dy;
+    return ex * ex + ey * ey;
+}
+
 static int32_t nearest_segment(const Line *line, double x, double y) {
     int32_t best = 0;
     double least = INFINITY;
     for (int32_t i = 0; i < line->points - 1; i++) {
-        double dx = line->x[i + 1] - line->x[i], dy = line->y[i + 1] - line->y[i];
-        double rx = x - line->x[i], ry = y - line->y[i];
-        double t = (rx * dx + ry * dy) / (dx * dx + dy * dy);
-        t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
-        double ex = rx - t * dx, ey = ry - t * dy, d2 = ex * ex + ey * ey;
+        double d2 = apart2(line, i, x, y);
         if (d2 < least) { least = d2; best = i; }
     }
     return best;
@@ -348,13 +354,54 @@ static void project(const Line *line, double x, double y, int32_t *from, double 
     *offset = across;
 }
 
+#define PART 16 /* segments, or moments, whose box tells of all of them that they are far */
+
+/* The boxes of a line by parts of so many segments: least and greatest x, least and greatest y; NULL without memory. */
+static double *boxes_along(const Line *line) {
+    int64_t segments = line->points - 1, parts = (segments + PART - 1) / PART;
+    double *boxes = malloc(sizeof(double) * 4 * (size_t)(parts + 1));
+    for (int64_t part = 0; boxes && part < parts; part++) {
+        double *e = boxes + 4 * part;
+        e[0] = e[2] = INFINITY;
+        e[1] = e[3] = -INFINITY;
+        for (int64_t i = part * PART; i <= (part + 1) * PART && i <= segments; i++) {
+            e[0] = fmin(e[0], line->x[i]); e[1] = fmax(e[1], line->x[i]);
+            e[2] = fmin(e[2], line->y[i]); e[3] = fmax(e[3], line->y[i]);
+        }
+    }
+    return boxes;
+}
+
+/* Whether a point is farther than the root of `square` from wherever a box is, more than rounding makes. */
+static int far_from(const double *e, double x, double y, double square) {
+    double dx = x < e[0] ? e[0] - x : x > e[1] ? x - e[1] : 0.0, dy = y < e[2] ? e[2] - y : y > e[3] ? y - e[3] : 0.0;
+    return dx * dx + dy * dy > square * (1.0 + 1e-9) + 1e-9;
+}
+
+/* `nearest_segment`, past the parts of a line in which no segment is as near as one that is known. */
+static int32_t nearest_by_parts(const Line *line, const double *boxes, int32_t known, double x, double y) {
+    int64_t segments = line->points - 1;
+    double within = apart2(line, known, x, y), least = INFINITY;
+    int32_t best = 0;
+    for (int64_t first = 0; first < segments; first += PART) {
+        if (far_from(boxes + first / PART * 4, x, y, within)) continue;
+        for (int64_t i = first; i < first + PART && i < segments; i++) {
+            double d2 = apart2(line, i, x, y);
+            if (d2 < least) { least = d2; best = (int32_t)i; }
+        }
+    }
+    return best;
+}
+
 /* Where points lie on a line; each is looked for from where the one before it was, or on the whole line. */
 void follow(const Line *line, int64_t count, int32_t whole, const double *x, const double *y, double *arc, double *offset) {
     int32_t near = -1;
+    double *boxes = whole && line->points > 2 * PART ? boxes_along(line) : NULL;
     for (int64_t i = 0; i < count; i++) {
-        if (whole) near = -1;
+        if (whole) near = boxes && near >= 0 ? nearest_by_parts(line, boxes, near, x[i], y[i]) : -1;
         project(line, x[i], y[i], &near, &arc[i], &offset[i]);
     }
+    free(boxes);
 }
 
 static int64_t segment_at(const Line *line, double s) {
@@ -1947,7 +1994,6 @@ void compare_boxes(int64_t steps, const Boxes *a, const double *speed, const Box
 }
 
 /* Where the places of each row are, in parts of so many: least and greatest x, least and greatest y of a part. */
-#define PART 16
 static double *extents_of(int64_t rows, int64_t width, const Boxes *a) {
     int64_t parts = (width + PART - 1) / PART;
     double *extents = malloc(sizeof(double) * 4 * (size_t)(rows * parts + 1));
@@ -1965,12 +2011,6 @@ static double *extents_of(int64_t rows, int64_t width, const Boxes *a) {
         }
     }
     return extents;
-}
-
-/* Whether a point is farther than the root of `square` from wherever somebody is in a part, more than rounding makes. */
-static int far_from(const double *e, double x, double y, double square) {
-    double dx = x < e[0] ? e[0] - x : x > e[1] ? x - e[1] : 0.0, dy = y < e[2] ? e[2] - y : y > e[3] ? y - e[3] : 0.0;
-    return dx * dx + dy * dy > square * (1.0 + 1e-9);
 }
 
 /* `boxes.overlaps`: at which moments of the first, in rows of so many, and of the second boxes overlap, of those

@@ -16,7 +16,7 @@ import stat
 import tempfile
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from ctypes import POINTER, Structure, c_double, c_float, c_int32, c_int64, c_uint64, c_void_p
+from ctypes import POINTER, Structure, addressof, c_char, c_double, c_float, c_int32, c_int64, c_uint64, c_void_p
 from functools import lru_cache
 from itertools import repeat
 from pathlib import Path
@@ -35,8 +35,19 @@ CHECKED = 4000  # numbers on which each function is held against Python's
 ARGUMENTS, LOCALS, SEEN, MOST_BODIES, STACK, STEPS = 6, 8, 83, 32, 64, 20  # as in engine.c
 END = 2**63 - 1  # a step that no scene comes to
 
+ROUNDING = 1e-6  # [m], more than rounding makes of a distance
+
 _Doubles = POINTER(c_double)
 Array = NDArray[np.float64]
+
+
+def _at(array: Any) -> int:
+    """Where the numbers of an array are in memory: `array.ctypes.data`, which takes as long as a short call."""
+    try:
+        return addressof(c_char.from_buffer(array))
+    except (TypeError, ValueError):  # it is not to be written to, or empty
+        found: int = array.ctypes.data
+        return found
 
 
 class Line(Structure):
@@ -280,7 +291,7 @@ def boxes_of(x: Array, y: Array, cos: Array, sin: Array, half_length: float, hal
     if not x.size == y.size == cos.size == sin.size:
         raise ValueError(f"columns of {x.size}, {y.size}, {cos.size} and {sin.size} moments are no boxes")
     kept = np.array((x, y, cos, sin), np.float64)
-    at, size = kept.ctypes.data, 8 * x.size
+    at, size = _at(kept), 8 * x.size
     found = Boxes(at, at + size, at + 2 * size, at + 3 * size, half_length, half_width)
     found.kept = [kept[0]]
     return found
@@ -294,6 +305,12 @@ class Habits(Structure):
         *((name, c_double) for name in ("dt", "crawl", "as_near", "reacts", "still", "gains", "same_way")),
         *((name, c_double) for name in ("air", "across", "fast", "standing", "behind")),
     )
+
+
+def reach_squared(half: tuple[float, float], other: tuple[float, float]) -> float:
+    """Of how far [m] the centres of boxes that overlap are from each other at most, by half their sizes [m]."""
+    reach = math.hypot(*half) + math.hypot(*other) + ROUNDING
+    return reach * reach
 
 
 class Course(Structure):
@@ -319,7 +336,7 @@ def course_of(x: Array, y: Array, arc: Array, cos: Array, sin: Array) -> Course:
     with np.errstate(divide="ignore", invalid="ignore"):  # of points that are one, which nobody is between
         columns = arc, x, y, np.diff(x) / step, np.diff(y) / step, cos, sin
     kept = [np.ascontiguousarray(column, np.float64) for column in columns]
-    found = Course(len(x), *(column.ctypes.data for column in kept))
+    found = Course(len(x), *map(_at, kept))
     found.kept = kept
     return found
 
@@ -407,19 +424,21 @@ class Engine:
         """One step of a scene."""
         self._library.step_world(ctypes.byref(world), throttle, brake, steer)
 
-    def copy(self, world: World, rows: Array, offsets: Array) -> World:
+    def copy(self, world: World) -> tuple[World, Array, Array]:
         """The same scene as far as it is, to be stepped by itself; what stays as it is, is shared.
 
-        Args:
-            world: The scene.
-            rows: As large as what is kept of its states; takes those of the copy.
-            offsets: The same of the ego's offsets.
+        Returns:
+            The copy, and what it keeps of its states and of the ego's offsets, of each state so far and of those to
+            come.
         """
-        found, room = World(), np.empty(self._library.room_of(ctypes.byref(world)), np.uint8)
-        columns = (column.ctypes.data for column in (room, rows, offsets))
-        self._library.copy_world(ctypes.byref(world), ctypes.byref(found), *columns)
-        found.kept = [*world.kept, room, rows, offsets]
-        return found
+        found, states = World(), world.limit + 1
+        rows = 4 * world.moving * states
+        room = np.empty(rows + states + -(-self._library.room_of(ctypes.byref(world)) // 8))
+        at = _at(room)
+        offsets = at + 8 * rows
+        self._library.copy_world(ctypes.byref(world), ctypes.byref(found), offsets + 8 * states, at, offsets)
+        found.kept = [*world.kept, room]
+        return found, room[:rows].reshape(states, world.moving, 4), room[rows : rows + states]
 
     def step_many(self, worlds: NDArray[np.uint64], actions: Array, size: int) -> tuple[Array, Array]:
         """One step of each of several scenes.
@@ -440,8 +459,8 @@ class Engine:
         if actions.shape != (len(worlds), 2) or not 0 < size <= SEEN:
             raise ValueError(f"{actions.shape} are no actions of {len(worlds)} scenes, or {size} numbers are not seen")
         told, seen = np.empty((len(worlds), 6)), np.empty((len(worlds), size))
-        columns = (column.ctypes.data for column in (actions, told, seen))
-        over = self._library.step_worlds(worlds.ctypes.data, len(worlds), *columns, size)
+        columns = map(_at, (actions, told, seen))
+        over = self._library.step_worlds(_at(worlds), len(worlds), *columns, size)
         if over >= 0:
             raise EgoError(f"drive {over} of {len(worlds)} is over: begin another")
         return told, seen
@@ -474,7 +493,7 @@ class Engine:
         if x.shape != y.shape:
             raise ValueError(f"{len(x)} abscissas and {len(y)} ordinates are no points")
         arc, offset = np.empty(len(x)), np.empty(len(x))
-        columns = (column.ctypes.data for column in (x, y, arc, offset))
+        columns = map(_at, (x, y, arc, offset))
         self._library.follow(ctypes.byref(line), len(x), whole, *columns)
         return arc, offset
 
@@ -486,11 +505,9 @@ class Engine:
         if not len(one) == len(other) == a.kept[0].size == b.kept[0].size:
             raise ValueError(f"tracks of {len(one)} and {len(other)} steps are not beside each other")
         found = np.empty((4, len(one)))
-        self._library.compare_boxes(
-            len(one), ctypes.byref(a), one.ctypes.data, ctypes.byref(b), other.ctypes.data, found.ctypes.data
-        )
+        self._library.compare_boxes(len(one), ctypes.byref(a), _at(one), ctypes.byref(b), _at(other), _at(found))
         told = (c_double * 5)()
-        self._library.closest(len(one), found.ctypes.data, one.ctypes.data, crawl, told)
+        self._library.closest(len(one), _at(found), _at(one), crawl, told)
         return found, tuple(told)
 
     def overlaps(
@@ -502,37 +519,34 @@ class Engine:
         at = np.ascontiguousarray(at, np.int64)
         found = np.empty((2, 4 * shape[0] * len(at)), np.int64)  # at most two steps before and two after each
         count = self._library.overlaps(
-            *(*shape, ctypes.byref(a), len(at), ctypes.byref(b), at.ctypes.data),
-            *(most, square, found.ctypes.data, found.ctypes.data + found.strides[0]),
+            *(*shape, ctypes.byref(a), len(at), ctypes.byref(b), _at(at)),
+            *(most, square, _at(found), _at(found) + found.strides[0]),
         )
         return found[0, :count], found[1, :count]
 
-    def encroached(self, a: Boxes, heading: Array, b: Boxes, square: float, parts: int) -> float:
+    def _parted(self, a: Boxes, heading: int, b: Boxes, steps: int, parts: int) -> float:
         """The least time [steps] between one leaving a place and the other coming to it; see `boxes`.
 
         Args:
             a: One at each step.
-            heading: Of that one [rad].
+            heading: Where its headings [rad] are in memory.
             b: The other at each step.
-            square: Of how far [m] the centres are from each other at most where boxes overlap.
+            steps: How many there are.
             parts: Into how many parts a step is cut.
         """
-        steps, heading = len(heading), np.ascontiguousarray(heading, np.float64)
-        if not steps == a.kept[0].size == b.kept[0].size:
-            raise ValueError(
-                f"boxes at {a.kept[0].size}, {steps} and {b.kept[0].size} moments are not beside each other"
-            )
-        pairs, moments = np.empty(9 * steps, np.int64), np.empty(12 * (parts + 1) * steps)
-        places, at = pairs.ctypes.data, moments.ctypes.data
+        square = reach_squared((a.half_length, a.half_width), (b.half_length, b.half_width))
+        work = np.empty((9 + 12 * (parts + 1)) * steps)
+        places = _at(work)
+        at = places + 72 * steps
         count: int = self._library.shared_places(
-            *(steps, ctypes.byref(a), heading.ctypes.data, ctypes.byref(b), square, parts, places, at)
+            *(steps, ctypes.byref(a), heading, ctypes.byref(b), square, parts, places, at)
         )
         if count <= 0:
             return 0.0 if count else math.inf
         every = (parts + 1) * count
-        turned = moments[2 * every : 3 * every]
+        turned = work[9 * steps + 2 * every : 9 * steps + 3 * every]
         cos, sin = np.cos(turned), np.sin(turned)
-        mine = Boxes(at, at + 8 * every, cos.ctypes.data, sin.ctypes.data, a.half_length, a.half_width)
+        mine = Boxes(at, at + 8 * every, _at(cos), _at(sin), a.half_length, a.half_width)
         first = places + 8 * steps
         least: float = self._library.parted(
             *(count, first, first + 32 * steps, parts, ctypes.byref(mine), ctypes.byref(b))
@@ -550,8 +564,9 @@ class Engine:
         *,
         crash: int,
         struck: int,
-        others: int,
-    ) -> tuple[list[list[float]], list[float], list[float]]:
+        others: list[int],
+        parts: int,
+    ) -> tuple[list[list[float]], list[float], list[float], list[float]]:
         """The numbers of a drive; see `chatscene.measure.sums`.
 
         Args:
@@ -564,28 +579,43 @@ class Engine:
             habits: What is looked for.
             crash: The step of the ego's first collision; -1 without one.
             struck: The number of the track that it collides with; -1 without one.
-            others: How many adversaries there are.
+            others: The numbers of the adversaries.
+            parts: Into how many parts a step is cut to time who leaves a place and who comes to it.
 
         Returns:
-            Eight numbers of each track, seventeen of the drive, and three sums over its steps.
+            Eight numbers of each track, seventeen of the drive, three sums over its steps; and of each adversary the
+            least time [steps] between one leaving a place and the other coming to it, if the ego collides with none.
         """
         tracks, _, steps = states.shape
         states, cos, sin, who, aside = (np.ascontiguousarray(of, np.float64) for of in (states, cos, sin, who, aside))
         if not (states.size == 4 * cos.size == 4 * sin.size == 4 * tracks * steps and who.shape == (tracks, 4)):
             raise ValueError(f"states of {states.shape} and directions of {cos.shape} are no drive")
-        if len(aside) != steps or struck >= tracks or int(who[:, 2].sum()) != others:
+        if len(aside) != steps or struck >= tracks or int(who[:, 2].sum()) != len(others):
             raise ValueError(f"{len(aside)} distances are none of {steps} steps, or there is no track {struck}")
         own = 8 * tracks
-        work = np.empty(own + 17 + (5 + 4 * others) * steps)
-        at = work.ctypes.data
+        work = np.empty(own + 17 + (5 + 4 * len(others)) * steps)
+        at = _at(work)
         room = at + 8 * (own + 17)
+        state, cosines, sines = map(_at, (states, cos, sin))
         self._library.sum_up(
-            *(steps, tracks, crash, struck, states.ctypes.data, cos.ctypes.data, sin.ctypes.data, who.ctypes.data),
-            *(aside.ctypes.data, ctypes.byref(habits), room + 40 * steps, room, at, at + 8 * own),
+            *(steps, tracks, crash, struck, state, cosines, sines, _at(who)),
+            *(_at(aside), ctypes.byref(habits), room + 40 * steps, room, at, at + 8 * own),
         )
         first, paces = own + 17, steps - 1
         totals = np.add.reduce(work[first : first + 3 * paces].reshape(3, paces), axis=1)
-        return work[:own].reshape(tracks, 8).tolist(), work[own:first].tolist(), totals.tolist()
+        boxes = [
+            Boxes(
+                state + 32 * steps * k,
+                state + (32 * k + 8) * steps,
+                cosines + 8 * k * steps,
+                sines + 8 * k * steps,
+                *of,
+            )
+            for k, of in enumerate(who[:, :2].tolist())
+        ]
+        met = struck in others
+        parted = [] if met else [self._parted(boxes[0], state + 16 * steps, boxes[k], steps, parts) for k in others]
+        return work[:own].reshape(tracks, 8).tolist(), work[own:first].tolist(), totals.tolist(), parted
 
     def first_risk(
         self,
@@ -604,10 +634,10 @@ class Engine:
             raise ValueError("columns of other lengths are no drive")
         columns = [np.ascontiguousarray(column, np.float64) for column in (ahead, along, speed, other_speed)]
         seen = np.ascontiguousarray(seen, np.bool_)
-        moments, one, two, three = (column.ctypes.data for column in columns)
+        moments, one, two, three = map(_at, columns)
         found: int = self._library.first_risk(
             *(len(along), len(ahead), moments, ctypes.byref(course), one, two, *half),
-            *(ctypes.byref(other), three, seen.ctypes.data, lasting),
+            *(ctypes.byref(other), three, _at(seen), lasting),
         )
         return None if found < 0 else found
 
@@ -620,8 +650,8 @@ class Engine:
         one, two = np.ascontiguousarray(x, np.float64), np.ascontiguousarray(y, np.float64)
         found = np.empty(len(one), np.int32)
         told: int = self._library.in_cells(
-            *(len(one), one.ctypes.data, two.ctypes.data, *low, side, known.shape[1], known.shape[0]),
-            *(known.ctypes.data, found.ctypes.data),
+            *(len(one), _at(one), _at(two), *low, side, known.shape[1], known.shape[0]),
+            *(_at(known), _at(found)),
         )
         return found, told == len(one)
 
@@ -630,7 +660,7 @@ class Engine:
         if len(x) != len(y):
             raise ValueError("columns of other lengths are no track")
         one, two = np.ascontiguousarray(x, np.float64), np.ascontiguousarray(y, np.float64)
-        step: int = self._library.crosses(len(one), one.ctypes.data, two.ctypes.data, *line)
+        step: int = self._library.crosses(len(one), _at(one), _at(two), *line)
         return None if step < 0 else step
 
     def near_any(self, x: Array, y: Array, other_x: Array, other_y: Array, within: float) -> NDArray[np.bool_]:
@@ -638,9 +668,9 @@ class Engine:
         if len(x) != len(y) or len(other_x) != len(other_y):
             raise ValueError("columns of other lengths are no points")
         columns = [np.ascontiguousarray(column, np.float64) for column in (x, y, other_x, other_y)]
-        one, two, three, four = (column.ctypes.data for column in columns)
+        one, two, three, four = map(_at, columns)
         near = np.empty(len(x), np.bool_)
-        self._library.near_any(len(x), one, two, len(other_x), three, four, within**2, near.ctypes.data)
+        self._library.near_any(len(x), one, two, len(other_x), three, four, within**2, _at(near))
         return near
 
     def _differences(self) -> dict[str, int]:
