@@ -30,6 +30,7 @@ from pydantic import TypeAdapter
 from slots_read import differing
 
 from chatscene.build.build import build
+from chatscene.build.in_part import build_in_part
 from chatscene.build.place import at_junction
 from chatscene.errors import LanguageModelError, NotBuilt
 from chatscene.interpret.slots_of import facts_of, parties_of
@@ -60,10 +61,10 @@ class Replay:
     """What a user meets.
 
     Attributes:
-        outcome: ``built``, ``not built``, ``no reading``, or the verdict.
-        why: Why not, in the words that the user reads.
+        outcome: ``built``, ``built in part``, ``not built``, ``no reading``, or the verdict.
+        why: Why not, or what is left out, in the words that the user reads.
         sent_back: The message of each round that the product sent back.
-        situation: What was read, if anything.
+        situation: What was read, if anything, without what is left out.
     """
 
     outcome: str
@@ -110,8 +111,11 @@ def replayed(one: Recorded) -> Replay:
     if read.verdict is not Verdict.SITUATION:
         return met("no situation", f"{read.reader} says that {read.verdict.said}: “{read.reason}”")
     situation = read.ranked[0].situation
-    why = why_not_built(situation)
-    return met("not built" if why else "built", why, situation)
+    try:
+        made, _ = build_in_part(situation)
+    except NotBuilt as error:
+        return met("not built", error, situation)
+    return met("built" if made is situation else "built in part", "; ".join(made.evidence.unbuilt), made)
 
 
 def why_not_built(situation: Situation) -> str:
@@ -173,7 +177,7 @@ def main(texts: Path | None, replies: Path, drives: int, ego: str, sent_back: Pa
             message = met.sent_back[len(one.replies) - 1]
             again.append({"id": one.id, "text": one.text, "replies": one.replies, "sent_back": message})
         shown, unseen = "", list[str]()
-        if drives and met.outcome == "built" and met.situation is not None:
+        if drives and met.outcome in ("built", "built in part") and met.situation is not None:
             shown, unseen, _ = outcome(met.situation, drives, ego)
             count[f"driven: {shown}"] += 1
             reasons.update(f"{shown}: {kind}" for kind in {general(reason) for reason in unseen})

@@ -100,7 +100,7 @@ def build(situation: Situation, *, name: str = "situation", at_most: float = mat
     try:
         return _where_it_can(situation, name, at_most)
     except NotBuilt as error:
-        raise NotBuilt(as_written(str(error), situation)) from error
+        raise type(error)(as_written(str(error), situation)) from error
 
 
 def _where_it_can(situation: Situation, name: str, at_most: float) -> Built:
@@ -134,7 +134,7 @@ def _in_the_mirror(situation: Situation, name: str, at_most: float) -> Built:
     try:
         made = _as_fast_as_it_can(seen, name, at_most)
     except NotBuilt as error:
-        raise NotBuilt(mirrored_words(as_written(str(error), seen))) from error
+        raise type(error)(mirrored_words(as_written(str(error), seen))) from error
     title, _, code = made.program.source.partition("\n\n")
     source = "\n\n".join((f"{mirrored_words(title)}\n# {IN_THE_MIRROR}", code))
     parameters = tuple(replace(one, meaning=mirrored_words(one.meaning)) for one in made.program.parameters)
@@ -178,7 +178,7 @@ def _as_fast_as_it_can(situation: Situation, name: str, at_most: float) -> Built
         else:
             return program
     if helps := _instead(refused[0], situation, speeds[0], name):
-        raise NotBuilt(f"{refused[0]}; {helps}") from refused[0]
+        raise type(refused[0])(f"{refused[0]}; {helps}") from refused[0]
     raise refused[0]
 
 

@@ -61,7 +61,8 @@ def of_deed(phases: Phases, k: int, text: str, steps: Steps) -> str:
     begins = k == 0 and actor.one.starts.where is Where.BESIDE and actor.first is None
     if deed.act is Act.KEEP_LEVEL and begins and deed.whom in (None, EGO):
         text = renamed(text, "LEVEL", "Y")  # as level as it begins
-    if deed.act is Act.FOLLOW and k == 0 and actor.one.starts.where is Where.BEHIND and actor.first is None:
+    behind = actor.one.starts.where is Where.BEHIND and "$Y" in actor.stand.at
+    if deed.act is Act.FOLLOW and k == 0 and behind and actor.first is None:
         text = text.replace("-(ego.length + self.length) / 2 - $ROOM", "-$Y")  # as far behind as it begins
         actor.ledger.take(f"{at}.distance")  # which is that, too
     if deed.act is Act.KEEP_LEVEL and numbers.is_said("SPEED"):

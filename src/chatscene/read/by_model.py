@@ -63,8 +63,8 @@ class ModelReader:
     def read(self, text: str) -> SituationReading:
         """What a text tells.
 
-        A situation that still cannot be built when the model was told so twice is given as it is: whoever builds it
-        refuses it by its fact.
+        A situation that still cannot be built when the model was told so twice, or gives it again, is given as it is:
+        whoever builds it leaves out, or refuses, the fact.
 
         Raises:
             SettingsError: The text is empty or too long.
@@ -83,11 +83,14 @@ class ModelReader:
             situation = without_empty_quotes(situation)
             if faults := list(faults_of_quotes(situation, text)):
                 return "; ".join(faults)
+            if sound and situation == sound[-1]:
+                return ""
             sound.append(situation)
             if why := self.cannot_build(situation):
                 return (
                     f"it cannot be built: {why}. If the text can be told in other words of the form, use those; never "
-                    "leave out or change what the text says: if it needs this fact, the verdict is out-of-reach"
+                    "leave out or change what the text says: if it needs this fact, give the same situation again, "
+                    "which is built without it where that can be, and tells so"
                 )
             return ""
 

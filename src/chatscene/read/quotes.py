@@ -154,6 +154,7 @@ def not_in_words(situation: Situation) -> tuple[str, ...]:
         *([MIRRORED] if situation.evidence.mirrored else []),
         *_who_is_who(situation),
         *([f"left open, since it is not sure enough: {besides}"] if besides else []),
+        *(f"left out, since it cannot be built: {one}" for one in situation.evidence.unbuilt),
         *([f"not read: {over}"] if over else []),
         *otherwise_named(situation),
         *([f"no words of the text say {facts}"] if facts else []),

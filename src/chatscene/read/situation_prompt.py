@@ -16,7 +16,7 @@ from chatscene.situations.form import schema
 from chatscene.terms.reading import Verdict
 from chatscene.terms.vocabulary import Act, Where
 
-_NOT_ASKED = NO_FACTS - {"evidence"} | {"assumed", "open"}
+_NOT_ASKED = NO_FACTS - {"evidence"} | {"assumed", "open", "unbuilt"}
 _NO_CONSTRAINT = ("title", "description", "examples", "default", "$schema")
 
 _SEVERAL = "list of "

@@ -14,7 +14,7 @@ from chatscene.interpret.readers import is_model, reader_of
 from chatscene.interpret.stated import FACTS, facts_stated, in_text, with_named
 from chatscene.read.quotes import otherwise_named, words_of
 from chatscene.read.users_unread import users_unread
-from chatscene.report.stated import Editor, Stated, built_of, stated, with_edits
+from chatscene.report.stated import Editor, Stated, built_in_part, built_of, stated, with_edits
 from chatscene.report.understood import NO_EDITS, Understood, understand
 from chatscene.settings import OFFLINE, PAPER_READER, RetrievalSettings, Settings
 from chatscene.situations.edited import Edited
@@ -47,7 +47,7 @@ def filled(
     made = stated(one.situation, None, map_name, speed)
     doubted = not settings.reading and (one.probability < SURE or bool(one.situation.evidence.open))
     try:
-        built = built_of(made)
+        made, built = built_in_part(made)
     except NotBuilt as error:
         raise _with_what_was_read(error, read, one, offered(ranked, settings, cannot_build, one)) from None
     return Stated(

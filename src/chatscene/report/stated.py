@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from chatscene.build.build import Built, build
+from chatscene.build.in_part import build_in_part
 from chatscene.errors import OfferedReading
 from chatscene.files.bounded import is_there
 from chatscene.maps.left_hand import keeps_left
@@ -228,6 +229,18 @@ def built_of(situation: Situation) -> Built:
     return build(situation, name=scenario_id(situation))
 
 
+def built_in_part(situation: Situation) -> tuple[Situation, Built]:
+    """As much of a situation as can be built, and its program, called as a run of it is.
+
+    Raises:
+        NotBuilt: It cannot be built without its lesser facts either.
+    """
+    from chatscene.interpret.scenario_names import scenario_id
+
+    made, built = build_in_part(situation)
+    return made, replace(built, program=replace(built.program, scenario_id=scenario_id(made)))
+
+
 def lines_changed(before: str, after: str) -> tuple[str, ...]:
     """The lines of a program that went (``-``) and came (``+``) from one text to another, without comments."""
     lines = difflib.unified_diff(before.splitlines(), after.splitlines(), n=0, lineterm="")
@@ -276,7 +289,8 @@ def explain_stated(situation: Situation, reader: str = "", edits: Sequence[str] 
         NotBuilt: A fact of it cannot be built.
         EditRefused: An edit was not understood.
     """
-    return with_edits(Stated(situation=situation, built=built_of(situation), reader=reader), edits)
+    made, built = built_in_part(situation)
+    return with_edits(Stated(situation=made, built=built, reader=reader), edits)
 
 
 def with_edits(made: Stated, edits: Sequence[str]) -> Stated:

@@ -286,6 +286,7 @@ class Evidence(_Closed):
         assumed: The paths of facts that no words give.
         open: What the text may tell besides, of which its reader was not sure enough: road users by their words, the
             rest in sentences.
+        unbuilt: What was said and is left out, since it cannot be built: each fact as ``path: value``, with the reason.
         mirrored: Whether left and right of the text are swapped, as it is of left-hand traffic.
         keeps_left: Whether sides are as on a map that keeps to the left: those of the kerb are swapped for it already.
     """
@@ -293,6 +294,7 @@ class Evidence(_Closed):
     quoted: Mapping[str, str] = field(default_factory=dict[str, str])
     assumed: tuple[str, ...] = ()
     open: tuple[str, ...] = ()
+    unbuilt: tuple[str, ...] = ()
     mirrored: bool = False
     keeps_left: bool = False
 
