@@ -17,7 +17,7 @@ from chatscene.terms.arrays import Array
 from chatscene.terms.episode import Episode, Event, EventKind, Role, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scenario import Maneuver
-from chatscene.terms.situation import Contact, Deed, Ego, Other, Road, Situation, Start
+from chatscene.terms.situation import Contact, Deed, Ego, Other, Road, Situation, Start, When
 from chatscene.terms.surroundings import Light
 from chatscene.terms.vocabulary import (
     Act,
@@ -134,6 +134,47 @@ def test_who_yields_need_not_meet_the_ego() -> None:
     yields = one(other(Where.ARM, Deed(act=Act.YIELD)))
     waits = moving(60.0, -30.0, (30, 6.0, 90.0), (20, 0.0, 90.0), (80, 0.0, 90.0), (80, 6.0, 90.0), facing=90, speed=6)
     assert found("encounter.adversary", yields, episode(waits)) is None
+
+
+@pytest.mark.parametrize(("begins", "meets"), [(20.0, True), (0.0, False)])
+def test_who_turns_round_beside_an_ego_that_has_gone_by_meets_nobody(begins: float, meets: bool) -> None:
+    rounds = one(other(Where.AHEAD_BESIDE, Deed(act=Act.U_TURN), side=Side.RIGHT))
+    track = moving(begins, -3.5, (20, 3.0, 0.0), (40, 3.0, 180.0), (100, 6.0, 180.0), speed=8.0)
+    assert shown("others.adversary.does.0.act", rounds, episode(track)) is True
+    assert shown("encounter.adversary", rounds, episode(track)) is meets
+
+
+@pytest.mark.parametrize(("where", "asked"), [(Where.ON_RAMP, True), (Where.BESIDE, False)])
+def test_who_stops_in_front_stops_before_the_ego_has_gone_by(where: Where, asked: bool) -> None:
+    stops = one(other(where, Deed(act=Act.STOP)))
+    track = moving(2.0, -3.5, (30, 8.0, 0.0), (20, 0.0, 0.0), (100, 0.0, 0.0), speed=8.0)
+    assert (found("encounter.adversary", stops, episode(track)) is not None) is asked
+    ahead = replace(track, x=track.x + 60.0)
+    assert found("encounter.adversary", stops, episode(ahead)) is None
+
+
+def test_who_sets_off_the_other_way_when_the_ego_has_passed_is_too_late_though_it_goes_on_for_long() -> None:
+    goes = Deed(act=Act.GO_ALONG, when=When(after="B.brake"))
+    waits = one(other(Where.ONCOMING, goes), replace(other(Where.AHEAD, Deed(act=Act.BRAKE)), id="B"))
+    comes = moving(30.0, 3.5, (80, 0.0, 180.0), (100, 8.0, 180.0), facing=180.0)
+    leads = replace(moving(60.0, 0.0, (40, 8.0, 0.0), (20, 2.0, 0.0), (120, 2.0, 0.0), speed=8.0), actor="B")
+    seen = episode(comes)
+    finding = found("encounter.adversary", waits, replace(seen, tracks=(*seen.tracks, leads)))
+    assert finding is not None
+    assert finding.shown is False
+    assert finding.told.endswith("s before it does its go-along")
+    assert finding.late is not None
+    assert finding.late.seconds > 3.0
+    assert finding.late.metres < -20.0
+
+
+def test_who_drifts_over_behind_the_ego_meets_it_only_by_coming_nearer() -> None:
+    drifts = one(other(Where.BEHIND_BESIDE, Deed(act=Act.DRIFT, to=Side.LEFT), side=Side.RIGHT))
+    over = ((20, 1.0, 0.0), (20, 1.0, 10.0), (20, 1.0, 0.0), (120, 1.0, 0.0))
+    slower = moving(-10.0, -3.5, *((n, fast * (EGO_SPEED - 1.0), to) for n, fast, to in over), speed=EGO_SPEED - 1.0)
+    faster = moving(-16.0, -3.5, *((n, fast * (EGO_SPEED + 4.0), to) for n, fast, to in over), speed=EGO_SPEED + 4.0)
+    assert shown("encounter.adversary", drifts, episode(slower)) is False
+    assert shown("encounter.adversary", drifts, episode(faster)) is True
 
 
 def test_a_drive_that_ends_with_somebody_else_did_not_come_to_the_encounter() -> None:

@@ -16,7 +16,9 @@ from numpy.typing import NDArray
 
 from chatscene.program.contacts import is_with
 from chatscene.program.deeds import LOSING, MOVING, STANDING
+from chatscene.program.doing import GOES_WITH
 from chatscene.program.finding import Finding
+from chatscene.program.gone_by import past
 from chatscene.program.meaning import TOGETHER
 from chatscene.simulate.boxes import Boxes, gaps, near_any, overlaps, times_to_collision
 from chatscene.simulate.native.lines import follow
@@ -194,14 +196,14 @@ def meeting(ego: Track, way: Way, other: Track, dt: float, since: int) -> Meetin
         way: Where it came from and goes, beyond where it got (`way_of`).
         other: Who goes as it went.
         dt: Step [s].
-        since: The step of the other from which it counts.
+        since: The step from which it counts.
     """
     lags = round(LONGEST / dt)
     far = math.hypot(ego.length, ego.width) / 2 + math.hypot(other.length, other.width) / 2
-    there = since + np.flatnonzero(_within(way, other, since, far))
+    there = since + np.flatnonzero(_within(way, other, since, far) & ~_follows(ego, other)[since:])
     if not there.size:
         return Meeting()
-    own = _goes_on(ego, way, dt, len(other.x) - len(ego.x) + lags + 1)
+    own = _goes_on(ego, way, dt, len(other.x) - len(ego.x) + lags + 1, since)
     places, moments = overlaps(own, Boxes.of(other).at(there), there, lags)
     if not places.size:
         return Meeting()
@@ -212,6 +214,12 @@ def meeting(ego: Track, way: Way, other: Track, dt: float, since: int) -> Meetin
     return Meeting(between=abs(int(lag[first])) * dt, at=step * dt, ego_first=bool(lag[first] < 0))
 
 
+def _follows(ego: Track, other: Track) -> Flags:
+    """(T,) Whether somebody is behind the ego and goes its way: it is there later, and meets nobody there."""
+    last = np.arange(len(other.x)).clip(max=len(ego.x) - 1)
+    return (past(ego, other) > 0.0) & (np.cos(other.heading - ego.heading[last]) > GOES_WITH)
+
+
 def _within(way: Way, other: Track, since: int, far: float) -> Flags:
     """(T - since,) Whether somebody is so near [m] to the ego's way, of which a point in a metre is enough."""
     along, x, y, _ = way
@@ -220,10 +228,10 @@ def _within(way: Way, other: Track, since: int, far: float) -> Flags:
     return near_any(other.x[since:], other.y[since:], x[points], y[points], far + 1.0)
 
 
-def _goes_on(ego: Track, way: Way, dt: float, more: int) -> Boxes:
+def _goes_on(ego: Track, way: Way, dt: float, more: int, since: int) -> Boxes:
     """(K, T + more) Its boxes: as it went, then as it would go on from each moment at which it goes evenly.
 
-    Before that moment it is nowhere (nan), as those of it are compared that lie before it.
+    Before the other begins with what it does it is nowhere (nan): where it was by then, nobody could have met it.
     """
     steps = len(ego.x)
     gone = np.concatenate(([0.0], np.cumsum(paces(ego.x, ego.y))))
@@ -234,6 +242,7 @@ def _goes_on(ego: Track, way: Way, dt: float, more: int) -> Boxes:
         row[:k] = gone[:k]
         rows.append(row)
     along = np.array(rows)
+    along[:, :since] = np.nan
     x, y, heading = (np.interp(along, way[0], values) for values in way[1:])
     beyond = (along - way[0][-1]).clip(min=0.0)
     cos, sin = np.cos(heading), np.sin(heading)

@@ -10,6 +10,19 @@ UNTOLD = "not judged from tracks"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Late:
+    """How much too late somebody is.
+
+    Attributes:
+        seconds: That [s]; less than 0 of who is too early.
+        metres: How far [m] it drives in that.
+    """
+
+    seconds: float
+    metres: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Finding:
     """What a drive shows of a fact.
 
@@ -19,6 +32,7 @@ class Finding:
         told: What was said, and what is seen, in words.
         at: When it is seen [s]; None for what has no moment.
         cut: Whether a contact cut it short, although it was to be seen to its end.
+        late: How much too late somebody is to meet the ego; None of whatever else is told.
     """
 
     path: str
@@ -26,6 +40,7 @@ class Finding:
     told: str = ""
     at: float | None = None
     cut: bool = False
+    late: Late | None = None
 
 
 def not_judged(path: str) -> Finding:

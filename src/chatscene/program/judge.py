@@ -32,6 +32,7 @@ from chatscene.program.doing import (
 )
 from chatscene.program.encounter import encounter
 from chatscene.program.finding import Finding, failures, not_judged
+from chatscene.program.gone_by import gone_by
 from chatscene.program.lateral import is_aside, of_lateral
 from chatscene.program.meaning import TOGETHER, in_between, left_of_ego
 from chatscene.program.measured import SLACK, SLACK_LENGTH, SLACK_SPEED, Yardstick, held_at_most
@@ -112,6 +113,7 @@ class _Judge:
     measure: Yardstick = field(init=False)
     waiting: Waiting = field(init=False)
     waits: list[tuple[str, Deed, Act, Seen]] = field(default_factory=list[tuple[str, Deed, Act, Seen]])
+    seen: dict[str, Seen] = field(default_factory=dict[str, Seen])
 
     def __post_init__(self) -> None:
         wanted = percentile(self.episode.ego_track.speed, 90)  # as nothing held it
@@ -179,15 +181,20 @@ class _Judge:
         yield Finding(path="ego.route", shown=None if nearer else False, told="said overtake, it gets by nobody")
 
     def _of_encounters(self, done: Mapping[str, Act]) -> Iterator[Finding]:
-        """Whether the ego could meet each adversary, from when that began with what it does."""
-        for one in self.situation.adversaries:
-            began = [
-                done[f"{one.id}.{k}"].began
-                for k, deed in enumerate(one.does)
-                if not deed.act.row.lasting and f"{one.id}.{k}" in done
-            ]
-            if tracks := self._tracks(one.id):
-                first = min(began, default=0)
+        """Whether all do what was said before the ego has gone by, and it could meet each adversary since that did."""
+        for one in self.situation.others:
+            seen = self.seen.get(one.id)
+            if seen is None or one.role is Role.HIDES:
+                continue
+            if (late := gone_by(one, seen, done)) is not None:
+                yield late
+            elif one.role is Role.ADVERSARY:
+                began = [
+                    done[f"{one.id}.{k}"].began
+                    for k, deed in enumerate(one.does)
+                    if not deed.act.row.lasting and f"{one.id}.{k}" in done
+                ]
+                tracks, first = self._tracks(one.id), min(began, default=0)
                 found = encounter(self.situation, one, tracks, self.episode, self.route, first)
                 yield from () if found is None else (found,)
 
@@ -205,7 +212,7 @@ class _Judge:
         yield Finding(path=f"{at}.kind", shown=known, told=f"said {one.kind}, it is {one_seen(kind)}")
         enough = len(tracks) > 1 if one.count == SEVERAL else len(tracks) == one.count
         yield Finding(path=f"{at}.count", shown=enough, told=f"said {one.count or 'several'}, there are {len(tracks)}")
-        seen = watch(self.episode, self.route, tracks[0], self.contact)
+        seen = self.seen[one.id] = watch(self.episode, self.route, tracks[0], self.contact)
         yield from self._start(one, at, seen)
         yield from self._deeds(one, at, seen, done)
         yield from self._lasting(one, at, seen, done)

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.program.finding import Late
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.conclusions import JUNCTIONS
 from chatscene.terms.episode import Episode, Track
@@ -27,19 +27,6 @@ MOVES = 0.5  # [m/s]: who is faster has set out
 BRAKES, REACTS = 5.0, 0.3  # [m/s²], [s]
 _BESIDE_ROAD = frozenset((Where.ROADSIDE, Where.CROSSING, Where.KERB, Where.DRIVEWAY, Where.BUS_BAY))
 _UP_BESIDE = frozenset((Where.BESIDE, Where.BEHIND_BESIDE))
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Late:
-    """How much too late somebody is.
-
-    Attributes:
-        seconds: That [s]; less than 0 of who is too early.
-        metres: How far [m] it drives in that.
-    """
-
-    seconds: float
-    metres: float
 
 
 def apart(situation: Situation, episode: Episode) -> dict[str, Late]:

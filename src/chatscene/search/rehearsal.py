@@ -2,8 +2,9 @@
 
 A builder computes by rule when somebody is due, on a road that nobody else is on. What that comes to is seen when
 everybody drives. So a few drives are judged; where too few show all that was said, the ranges of what was not said are
-shifted or halved, one after the other, until most do. Then who is too early or too late for the meeting that it belongs
-to is shifted alone. What was said stays, and so does a program that shows it.
+shifted or halved, one after the other, until most do, and first those of whom something is missed. Before that and
+after it who is too early or too late for the meeting that it belongs to, with the ego or with others, is shifted alone.
+What was said stays, and so does a program that shows it.
 """
 
 from __future__ import annotations
@@ -20,10 +21,10 @@ from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import ChatSceneError, NotBuilt
 from chatscene.interpret.scenario_names import STATED
 from chatscene.maps.network import MapContent, resolve_map
-from chatscene.program.finding import UNTOLD, failures
+from chatscene.program.finding import UNTOLD, Late, failures
 from chatscene.program.judge import judge
 from chatscene.program.sample import drawn_scene, scene_at
-from chatscene.program.together import Late, apart
+from chatscene.program.together import apart
 from chatscene.settings import EGO, SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.route import Route
@@ -78,16 +79,12 @@ def rehearsed(built: Built, situation: Situation) -> Built:
             slow = _best(slowly, situation, DRIVES[1])
             if slow.share > best.share:
                 built, best = slowly, slow
-    shown = best.program
     with suppress(ChatSceneError):
         best = _together(_Stage.of(built, situation, DRIVES[1]), best, built.bound)
     unseen = tuple(best.unseen())
     if best.program is built.program:
         return replace(built, unseen=unseen) if unseen else built
-    told = (
-        *_told(built.program.parameters, shown.parameters, "since drives show what was said only then"),
-        *_told(shown.parameters, best.program.parameters, "so that it is there when others meet"),
-    )
+    told = tuple(_told(built.program.parameters, best.program.parameters, best.met))
     return replace(built, program=best.program, assumed=(*built.assumed, *told), unseen=unseen)
 
 
@@ -105,10 +102,12 @@ def _best(built: Built, situation: Situation, drives: int) -> _Tried:
     """Of a program and its shifts, that which misses fewest facts, by so many drives; it itself if none shows more."""
     stage = _Stage.of(built, situation, drives)
     first = stage.driven(built.program)
-    best = _shifted_best(stage, first, built.bound) if first.missed > ONE_OFF else first
+    best = first
+    if first.missed > ONE_OFF:
+        best = _shifted_best(stage, _together(stage, first, built.bound), built.bound)
     if best.program is not first.program and not best.count and stage.left > 0:  # by chance, it may be
         stage.drawn += FRESH
-        again = stage.driven(best.program)
+        again = replace(stage.driven(best.program), met=best.met)
         best = _shifted_best(stage, again, built.bound) if again.count else again
     return best if best.share > first.share else first
 
@@ -118,7 +117,8 @@ def _shifted_best(stage: _Stage, best: _Tried, bound: Iterable[str]) -> _Tried:
     while best.count:
         start = best
         best = _narrowed(stage, best, bound)
-        for name in _free(best.program, bound):
+        whose = best.whose()
+        for name in sorted(_free(best.program, bound), key=lambda name: not any(f"_{who}_" in name for who in whose)):
             base = best
             for program in _shifted(base.program, name):
                 best = stage.better(program, best) or best
@@ -140,7 +140,7 @@ def _together(stage: _Stage, best: _Tried, bound: Iterable[str]) -> _Tried:
                 for by in best.shifts(who, one.unit):
                     program = with_range(best.program, replace(one, low=one.low + by, high=one.high + by))
                     if (nearer := stage.nearer(program, best, who)) is not None:
-                        best = nearer
+                        best = replace(nearer, met=best.met | {one.name})
                         break
     return best
 
@@ -205,6 +205,7 @@ class _Tried:
         values: What each was driven with.
         late: Who is too late or too early for the meeting that it belongs to, in each.
         cut: How many facts each did not come to.
+        met: The names of the ranges that were shifted for a meeting.
     """
 
     program: ScenicProgram
@@ -212,6 +213,7 @@ class _Tried:
     values: tuple[Mapping[str, float], ...]
     late: tuple[Mapping[str, Late], ...] = ()
     cut: tuple[int, ...] = ()
+    met: frozenset[str] = frozenset()
 
     def apart(self) -> list[str]:
         """Those who miss the meeting that they belong to in more than half of the drives."""
@@ -238,6 +240,11 @@ class _Tried:
     def shown(self) -> int:
         """How many drives show all."""
         return len(self.missing) - self.missed
+
+    def whose(self) -> set[str]:
+        """Those of whom something is missed, by ids; their own ranges are shifted first."""
+        facts = (told.partition(": ")[0].split(".") for missing in self.missing for told in missing)
+        return {fact[1] for fact in facts if len(fact) > 1}
 
     def unseen(self) -> Iterator[str]:
         """Each fact that no drive shows, and what nobody said that all show, with what is seen in the first.
@@ -292,7 +299,7 @@ class _Stage:
             ChatSceneError: It cannot be driven.
         """
         drives = self._drives(program)
-        return self._tried(program, drives, [self._missing(program, *one) for one in drives])
+        return self._tried(program, drives, [self._missing(program, *one) for one in drives], frozenset())
 
     def nearer(self, program: ScenicProgram, than: _Tried, who: str) -> _Tried | None:
         """What drives show of a program in which somebody is nearer to its meeting; None of one that shows less.
@@ -311,16 +318,25 @@ class _Stage:
             late, before = (_seconds(who, row) for row in ([drive.late for drive in found], than.late[: k + 1]))
             if missed > max(than.missed, ONE_OFF) or (len(found) == FIRST and late >= before):
                 return None
-        tried = self._tried(program, drives, found)
+        tried = self._tried(program, drives, found, than.met)
         helps = _seconds(who, tried.late) < HELPS * _seconds(who, than.late)
         return tried if helps else None
 
     def _tried(
-        self, program: ScenicProgram, drives: Sequence[tuple[Scene, EgoPolicy]], found: Sequence[_Drive]
+        self,
+        program: ScenicProgram,
+        drives: Sequence[tuple[Scene, EgoPolicy]],
+        found: Sequence[_Drive],
+        met: frozenset[str],
     ) -> _Tried:
-        values = tuple(scene.values for scene, _ in drives)
-        missing, late = tuple(one.missing for one in found), tuple(one.late for one in found)
-        return _Tried(program=program, missing=missing, values=values, late=late, cut=tuple(one.cut for one in found))
+        return _Tried(
+            program=program,
+            missing=tuple(one.missing for one in found),
+            values=tuple(scene.values for scene, _ in drives),
+            late=tuple(one.late for one in found),
+            cut=tuple(one.cut for one in found),
+            met=met,
+        )
 
     def better(self, program: ScenicProgram, than: _Tried) -> _Tried | None:
         """What drives of a program show; None if it does not run, misses as much as another, or none are left.
@@ -344,7 +360,7 @@ class _Stage:
                 return None
         if not found:
             return None
-        return self._tried(program, drives, [found[k] for k in range(len(drives))])
+        return self._tried(program, drives, [found[k] for k in range(len(drives))], than.met)
 
     def _drives(self, program: ScenicProgram) -> list[tuple[Scene, EgoPolicy]]:
         called = replace(program, scenario_id=STATED)  # values are drawn by the name, which is not to count
@@ -360,7 +376,8 @@ class _Stage:
         findings = judge(self.situation, episode, self.route)
         ends = self.situation.contact is not None and self.situation.contact.happens  # by what was said
         cut = 0 if ends else sum(one.shown is None and one.told != UNTOLD for one in findings)
-        return _Drive(missing=failures(findings), late=apart(self.situation, episode), cut=cut)
+        passed = {one.path.rpartition(".")[2]: one.late for one in findings if one.late is not None}
+        return _Drive(missing=failures(findings), late=passed | apart(self.situation, episode), cut=cut)
 
 
 def _seconds(who: str, drives: Iterable[Mapping[str, Late]]) -> float:
@@ -425,10 +442,15 @@ def declared(one: ParameterRange) -> str:
     return f"param {one.name} = Range({one.low}, {one.high})"
 
 
-def _told(before: Iterable[ParameterRange], after: Iterable[ParameterRange], why: str) -> Iterator[str]:
+def _told(before: Iterable[ParameterRange], after: Iterable[ParameterRange], met: frozenset[str]) -> Iterator[str]:
     """Which ranges are others, and why, for a person."""
     for was, now in zip(before, after, strict=True):
         if was != now:
             unit = "" if was.unit == "1" else f" {was.unit}"
             name = f"{was.name} ({was.meaning})" if was.meaning else was.name
+            why = (
+                "so that it is there when others meet"
+                if now.name in met
+                else "since drives show what was said only then"
+            )
             yield (f"{name} is {now.low:.3g} to {now.high:.3g}{unit}, not {was.low:.3g} to {was.high:.3g}{unit}, {why}")

@@ -1,0 +1,98 @@
+"""Whether somebody does what was said before the ego has gone by.
+
+Who is ahead of an ego, comes toward it or crosses its way is met once. What it does when all of it is behind the ego is
+done to nobody: an ego that looks ahead need not answer it. So of each deed there is a moment at which it tells, and at
+that a part of the body must not yet be behind the ego's tail.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from chatscene.program.deeds import Act
+from chatscene.program.finding import Finding, Late
+from chatscene.program.watching import Seen
+from chatscene.terms.arrays import Array
+from chatscene.terms.episode import Track
+from chatscene.terms.situation import EGO, Deed, Other
+from chatscene.terms.vocabulary import (
+    ASIDE,
+    COMES_IN,
+    COMES_OVER,
+    LETS_GO,
+    SWINGS,
+    Heads,
+    Tempo,
+    Where,
+    acts_of,
+)
+
+COMES = COMES_IN | COMES_OVER | ASIDE | SWINGS | acts_of(Heads.TURNS, Heads.ROUND)
+"""What leads into the ego's way: it tells when the body is in that, or once done where it never is."""
+ENDS = acts_of(Tempo.HALTS, Tempo.LIES)
+"""What tells once it is done: somebody stands or lies then. All else tells as it begins."""
+PASSES = acts_of(Tempo.WAITS, Heads.BY, Heads.LEVEL, Heads.BEHIND, Heads.CLOSE, Heads.OUT, Heads.OFF, Heads.EDGE)
+"""What is done from behind, or to let the ego by."""
+FOLLOWS = frozenset((Where.BEHIND, Where.BEHIND_BESIDE))
+"""Places from which somebody acts behind the ego."""
+
+
+def gone_by(one: Other, seen: Seen, done: Mapping[str, Act]) -> Finding | None:
+    """That the ego has gone by when somebody does what was said, of its first such deed; None without one.
+
+    Args:
+        one: Who.
+        seen: What is seen of it.
+        done: When it did each of its deeds, by its name and the number of the deed.
+    """
+    if one.starts.where in FOLLOWS:
+        return None
+    by = past(seen.ego, seen.track)
+    for k, deed in enumerate(one.does):
+        once = done.get(f"{one.id}.{k}")
+        if once is None or not _is_for_ego(one, deed):
+            continue
+        step = _tells(deed, once, seen)
+        if by[step] > 0.0:
+            since = step - int(np.argmax(by[step::-1] <= 0.0)) if (by[:step] <= 0.0).any() else 0
+            late = Late(seconds=(step - since) * seen.dt, metres=-float(by[step]))
+            told = f"the ego has gone by {late.seconds:.1f} s before it does its {deed.act}"
+            return Finding(path=f"encounter.{one.id}", shown=False, told=told, at=step * seen.dt, late=late)
+    return None
+
+
+def _is_for_ego(one: Other, deed: Deed) -> bool:
+    """Whether a deed is one that the ego is to have before it; who is level with it falls behind as it loses speed."""
+    if deed.act in PASSES or deed.done_to != EGO or (deed.act.row.lasting and deed.when is None):
+        return False
+    return one.starts.where is not Where.BESIDE or deed.act in COMES
+
+
+def _tells(deed: Deed, once: Act, seen: Seen) -> int:
+    """The step at which a deed tells; the last, if a contact came before it was done."""
+    done = len(seen.track.x) - 1 if once.done is None else once.done
+    if deed.act in LETS_GO:
+        return once.began  # what is let go has a body of its own
+    if deed.act in ENDS:
+        return done
+    if deed.act not in COMES:
+        return once.began
+    turned = seen.facing[once.began :]
+    half = 0.5 * (seen.track.length * np.abs(np.sin(turned)) + seen.track.width * np.abs(np.cos(turned)))
+    inside = np.flatnonzero(np.abs(seen.offset[once.began :]) <= half + 0.5 * seen.ego.width)
+    return once.began + int(inside[0]) if inside.size else done
+
+
+def past(ego: Track, other: Track) -> Array:
+    """(T,) How far [m] the ego is past somebody at each of its steps: from the foremost part of that to its own tail.
+
+    Less than 0 until the whole body is behind the ego. At the end it is as the ego is then.
+    """
+    last = np.arange(len(other.x)).clip(max=len(ego.x) - 1)
+    cos, sin = np.cos(ego.heading)[last], np.sin(ego.heading)[last]
+    ahead = (other.x - ego.x[last]) * cos + (other.y - ego.y[last]) * sin
+    turned = other.heading - ego.heading[last]
+    reach = other.length * np.abs(np.cos(turned)) + other.width * np.abs(np.sin(turned))
+    return np.asarray(-ahead - 0.5 * (ego.length + reach))
