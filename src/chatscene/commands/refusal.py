@@ -43,14 +43,7 @@ def refusing(text: str, embedder: str, as_json: bool) -> Generator[None]:
 
 @contextmanager
 def going_on(text: str, embedder: str, as_json: bool, gone: list[int] | None) -> Generator[None]:
-    """The same where several are run, of which the next has its turn whatever became of one.
-
-    Args:
-        text: The sentence; empty for a program.
-        embedder: Who measures what is near it.
-        as_json: Whether a script reads.
-        gone: Where the exit status of what went wrong is kept; None for the only one, with which all ends.
-    """
+    """The same where several are run, of which the next has its turn whatever became of one."""
     if gone is None:
         with refusing(text, embedder, as_json):
             yield

@@ -48,12 +48,6 @@ class Exported:
 def export(folder: Path, scene_ids: Sequence[str] = (), *, to: str, out: Path) -> Exported:
     """Write scenes of a run as files in a format; what is stored is copied, and nothing is simulated or executed.
 
-    Args:
-        folder: The run's.
-        scene_ids: Which scenes; none for those that the run keeps.
-        to: The exporter, by its name.
-        out: Where to; a new folder, or an empty one.
-
     Raises:
         SettingsError: There is no such exporter, it breaks its contract, or the folder is not empty.
         RunError: The run has no such scene, it was never driven, or it keeps none.

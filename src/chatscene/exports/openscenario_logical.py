@@ -122,16 +122,7 @@ def _rows(told: Xml.Element) -> Iterator[Row]:
 def scenario(
     board: Storyboard, tracks: Mapping[str, Track], map_name: str, text: str, duration: float, dt: float
 ) -> Xml.Element:
-    """The scenario of a storyboard.
-
-    Args:
-        board: What is told.
-        tracks: Of each actor by name, for its body.
-        map_name: The name of the map's file.
-        text: What the file is about.
-        duration: When the scenario ends [s].
-        dt: The step of the tracks [s], along which some are led.
-    """
+    """The scenario of a storyboard."""
     ego, *others = board.actors
     acting = [one for one in others if one.plan is not None]
     variables = [

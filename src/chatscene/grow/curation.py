@@ -55,13 +55,6 @@ def lint_library(
 ) -> tuple[Counter[Component], tuple[Finding, ...]]:
     """Check the packaged library, or somebody's own beside it.
 
-    Args:
-        own: Folder of one's own snippets; only these are checked then, as a stranger's: they are held against the
-            allow-list and run behind the walls. Empty: the packaged ones are checked.
-        scenes: Of each program.
-        workers: Who tries; any number gives the same findings.
-        progress: Told what is done.
-
     Returns:
         How many snippets of each component were checked, and the findings, sorted.
     """

@@ -95,13 +95,7 @@ def says_straight(snippet: Snippet) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """Three snippets to hold to the directions they name.
-
-    Attributes:
-        ids: Of the behavior, the geometry and the spawn.
-        kind: Of adversary.
-        acts: Whether to drive; otherwise only the start is looked at.
-    """
+    """Three snippets to hold to the directions they name."""
 
     ids: tuple[str, str, str]
     kind: AdversaryKind

@@ -57,10 +57,8 @@ class Finding:
     """One broken promise.
 
     Attributes:
-        snippet_id: Whose.
         rung: ``allow-list``, ``names``, ``randomness``, ``direction``, ``plan``, ``partners``, ``runs``,
             ``samples``, ``plausible``, ``means`` or ``distinct``.
-        message: What is wrong.
     """
 
     snippet_id: str
@@ -95,10 +93,6 @@ def sound_part(library: Library, strangers: Collection[str] | None = None) -> tu
     """The snippets whose code is sound as far as reading shows, and what is wrong with the others.
 
     Without geometries of sites, which the town has not: they are read, and driven nowhere.
-
-    Args:
-        library: All of them.
-        strangers: Ids of those that nobody has reviewed, which the allow-list must let pass first.
     """
     found: set[Finding] = set()
     for snippet in library:

@@ -40,10 +40,7 @@ class Refused:
     """A proposal that did not pass; counted and shown, never dropped.
 
     Attributes:
-        name: What the model called it, or its text; printable.
         reason: The rung it failed, such as ``allow-list``, ``means`` or ``distinct``; ``reply`` if there was none.
-        message: What was wrong in the end.
-        attempts: Drafts that were tried.
     """
 
     name: str

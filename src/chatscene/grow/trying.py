@@ -38,14 +38,7 @@ def serves(geometry: Snippet, base: BaseScenario) -> bool:
 
 
 class Judge:
-    """Says what is wrong with a snippet that nobody has reviewed.
-
-    Args:
-        library: The partners it may have, and what it must differ from.
-        simulator: Where to run it: a `ConfinedSimulator`, since the code is a stranger's.
-        ego: Who drives.
-        scenes: How many scenes of each program.
-    """
+    """Says what is wrong with a snippet that nobody has reviewed."""
 
     def __init__(self, library: Library, simulator: Simulator, ego: EgoPolicy, *, scenes: int = SCENES) -> None:
         self.library = library

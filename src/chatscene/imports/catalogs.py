@@ -39,12 +39,6 @@ def scope_of(
 ) -> dict[str, str]:
     """The parameters that hold within an element: its own before those around it, whatever they are called.
 
-    Args:
-        declared: Its ParameterDeclarations; each may be made of others of them, and of those around.
-        outer: Values of the parameters around it.
-        assigned: Values in place of those that are declared, as a reference to a catalog assigns them.
-        most: How many characters its own values may have together.
-
     Raises:
         Refused: Some are made of one another.
         ValueError: A value is longer than an attribute may be, or all of them are too long together.
@@ -69,11 +63,6 @@ def scope_of(
 
 def relative(path: Path, named: str, within: Path | None = None) -> Path | None:
     """Where a file or folder lies that a scenario names by a path from its own folder.
-
-    Args:
-        path: The scenario.
-        named: As it is written.
-        within: The folder in which it must lie, links followed; None for any.
 
     Returns:
         None of any other path.

@@ -23,12 +23,6 @@ class ImportedFile:
     """What a file of the folder became.
 
     Attributes:
-        file: Its path from the folder.
-        about: What it says of itself.
-        programs: What was written of it, by paths from the folder of programs; none where it was refused.
-        maps: The map of each.
-        notes: What was taken otherwise than it is written, or left to others.
-        refused: Why it became none, all reasons with their lines; empty where it became one.
         without: Why variants of it became none, where others did.
         catalog: Whether it is a catalog, which others refer to.
     """
@@ -96,13 +90,6 @@ def import_folder(
     folder: Path, out: Path, *, map_name: str | None = None, ego: str | None = None, within: Path | None = None
 ) -> ImportedFolder:
     """Write each scenario below a folder as a Scenic program below another, and a record; nothing of them is run.
-
-    Args:
-        folder: Where ``.xosc`` files are, in it and in the folders in it.
-        out: Where programs are written, at the same paths; a new folder, or an empty one.
-        map_name: The map of all of them; None for the one that each names.
-        ego: What the files call the ego; None where that is told by them.
-        within: The folder in which catalogs and maps lie, if they may lie nowhere else.
 
     Raises:
         SettingsError: There is no such file, or the folder of programs has something in it.

@@ -302,12 +302,6 @@ class Opening:
         """The way from a place on by the straightest lanes; straight on beside all lanes and beyond the last.
 
         Who is told to face against a lane goes against it.
-
-        Args:
-            one: Who goes.
-            place: From where.
-            length: How far at most [m].
-            faced: Whether it is told which way that road user faces.
         """
         network, (x, y, heading) = self._positions.network, place
         lane = network.laneAt((x, y))

@@ -38,9 +38,7 @@ class Imported:
     """A scenario of a file.
 
     Attributes:
-        board: What it says.
         as_written: The same with what the ego does, event by event; None where the file says nothing of that.
-        map_path: The map that it lies on.
         notes: What was taken otherwise than it is written, or left to others.
         not_as_written: Why its own ego cannot drive as the file says, each with its line; empty where it can, or where
             the file says nothing of it.
@@ -60,9 +58,7 @@ class Carried:
     """The program that a scenario carries, as no event of it was changed.
 
     Attributes:
-        source: It, with the parameters that the file declares.
         map_path: The map that it lies on.
-        notes: What was taken otherwise than it is written, each with its line.
     """
 
     source: str
@@ -72,13 +68,6 @@ class Carried:
 
 class ScenarioFile:
     """A scenario in a file, which is opened once, whatever values its parameters are given then.
-
-    Args:
-        path: An ``.xosc`` file.
-        map_name: A packaged map or an ``.xodr`` file; None for the one that the file names by a path from its folder.
-        ego: What the file calls the ego; None where that is told by the file.
-        within: The folder in which catalogs and the map lie, if they may lie nowhere else.
-        root: What stands in the file; None where it is still to be read.
 
     Raises:
         ScenarioError: It cannot be read, or tells no scenario.

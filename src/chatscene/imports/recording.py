@@ -67,11 +67,6 @@ class Recording:
 def recording(found: Sequence[Poses], path: object, ego_id: str = "") -> Recording:
     """The drive of some road users, at even steps, for as long as the ego is there.
 
-    Args:
-        found: Who was where.
-        path: What messages call the file.
-        ego_id: Whose track is the ego's; empty for the one that is marked.
-
     Raises:
         ScenarioError: Nobody is the ego, or several are; a kind is not known; or it is too long, or too short.
     """

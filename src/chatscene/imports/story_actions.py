@@ -66,13 +66,7 @@ class StoryActions:
     # Of a road user
 
     def of(self, name: str | None, action: Element, *, at_first: bool = False) -> Told:  # noqa: C901, PLR0911, PLR0912
-        """What a PrivateAction has somebody do.
-
-        Args:
-            name: Who, in the file; None for several.
-            action: What stands in the PrivateAction.
-            at_first: Whether it is done at the beginning, when nobody has moved yet.
-        """
+        """What a PrivateAction has somebody do."""
         inner = action.inside[0] if action.inside else action
         match (action.tag, inner.tag):
             case (_, "SpeedAction"):

@@ -260,13 +260,7 @@ class StoryReader(Opening):
             yield ("", None, None, (("", 1, (), (("", "", "parallel", 1, None, tuple(told)),)),))
 
     def _at_first(self, cast: Cast, members: dict[str, Member], speed: float) -> Iterator[Told]:
-        """What everybody begins to do at once, beyond having a place and a speed.
-
-        Args:
-            cast: Whom the story may speak of.
-            members: Who is there, the ego first, by their names in the file.
-            speed: That of the ego at first [m/s].
-        """
+        """What everybody begins to do at once, beyond having a place and a speed."""
         actions = StoryActions(cast)
         groups: list[Told] = []
         for name, member in members.items():

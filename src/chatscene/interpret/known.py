@@ -81,14 +81,7 @@ def taken_in_part(
     settings: RetrievalSettings,
     cannot_build: Callable[[Situation], str] = lambda _: "",
 ) -> Ranked | None:
-    """The most of what a text says that is sure enough to be served without the rest; None if nothing is.
-
-    Args:
-        read: What a reader gave.
-        with_facts: Sets what the user stated: nothing that a part has otherwise, or else it is none.
-        settings: Below which probability nothing is served.
-        cannot_build: Why a situation cannot be built; empty if it can.
-    """
+    """The most of what a text says that is sure enough to be served without the rest; None if nothing is."""
     least = max(settings.refuse_below, SURE_IN_PART)
     for one in read.parts:
         try:
@@ -109,12 +102,6 @@ def offered(
     """What a user may choose between, by its number, the likeliest first; only what can be built.
 
     Beside what is served these are of the two likeliest; else of the three, the third if it is not much fainter.
-
-    Args:
-        ranked: All readings, the likeliest first.
-        settings: Below which probability none is sure.
-        cannot_build: Why a situation cannot be built; empty if it can.
-        served: The one that is served, which is not offered; None where none is.
     """
     most = MOST_READINGS if served is None else _BESIDE_SERVED
     faintest = max(FAINTEST, _FAINT * ranked[0].probability) if ranked else FAINTEST

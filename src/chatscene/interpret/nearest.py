@@ -23,16 +23,7 @@ WORDS = 0.5  # share of shared words beside the cosine
 def nearest(
     text: str, component: Component, library: Library, embedder: Embedder, *, count: int, lexical_weight: float = WORDS
 ) -> list[tuple[Snippet, float]]:
-    """The snippets of one component most similar to a text, best first, with their similarities.
-
-    Args:
-        text: Compared as a vector with the description of a snippet, as words with its nearest wording.
-        component: Which snippets.
-        library: From which library.
-        embedder: Of the cosines.
-        count: How many.
-        lexical_weight: Share of shared words in the similarity, in [0, 1].
-    """
+    """The snippets of one component most similar to a text, best first, with their similarities."""
     snippets = library.of(component)
     similarity = cosines(text, snippets, embedder)
     if lexical_weight:

@@ -47,12 +47,6 @@ def nearest_triple(
 ) -> Retrieval:
     """The triple whose descriptions have the greatest sum of cosines with the sub-descriptions.
 
-    Args:
-        parts: A text per component.
-        kind: Of road user that the triple must be able to have; None for any.
-        settings: Which library and encoder, and how many candidates are named.
-        tried: Choices that did not show what they do; they are not made again.
-
     Returns:
         The choice. Its confidence is the mean of the three cosines, which is no probability.
 

@@ -53,7 +53,6 @@ class Bound:
     """What quantities make of a triple.
 
     Attributes:
-        triple: The snippets, with code and header narrowed alike.
         notes: Quantities that are met only nearly, in words.
         unused: Quantities that none of the snippets can follow.
     """

@@ -363,13 +363,7 @@ def _no_cursor(cursor: str) -> Exception:
 
 
 def _failed(answer: Mapping[str, Any], uri: str, protocol: str) -> Exception:
-    """Why nothing is listed or read: nothing stands at the address, which each protocol says by its code, or a fault.
-
-    Args:
-        answer: Of the process.
-        uri: The address; empty of a list.
-        protocol: Its version.
-    """
+    """Why nothing is listed or read: nothing stands at the address, as each protocol says by its code; or a fault."""
     from mcp.shared.exceptions import MCPError
     from mcp_types import INTERNAL_ERROR, INVALID_PARAMS
     from mcp_types.version import HANDSHAKE_PROTOCOL_VERSIONS

@@ -47,10 +47,6 @@ def answered(desk: Desk, question: Question) -> dict[str, Any]:
     """What is answered to a question: what a tool says, what a resource holds, or what went wrong.
 
     Of what went wrong it is said whether the question names what there is not, or what it may not name: `absent`.
-
-    Args:
-        desk: What tools work with; the working folder is its own.
-        question: ``tool`` with ``arguments``, ``resource``, or ``list``.
     """
     try:
         return _without_root(desk, _answer(desk, question))

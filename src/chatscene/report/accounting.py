@@ -74,12 +74,7 @@ def unread_in_words(text: str, words: Sequence[Mapping[str, Any]]) -> str:
 
 
 def told_first(explanation: Mapping[str, Any], record: RunRecord | None = None) -> list[str]:
-    """What stands before any number: what was not read, was built otherwise than it was read, or did not take place.
-
-    Args:
-        explanation: As in `explanation.json`; older ones do not tell what was built otherwise.
-        record: Of the run, as in `run.json`; None where nothing was driven.
-    """
+    """What stands before any number: what was not read, was built otherwise than it was read, or did not take place."""
     told: list[str] = []
     for one in explanation.get("scenarios", []):
         unread = (

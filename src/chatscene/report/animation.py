@@ -45,10 +45,6 @@ def if_drawn(what: str, draw: Callable[[], T]) -> T | None:
 def write_gif(folder: Path, scene_id: str | None = None) -> Path:
     """Draw a scene of a run as an animated GIF in the run folder.
 
-    Args:
-        folder: The run folder.
-        scene_id: Which scene; None for the best: the first that the report shows.
-
     Returns:
         The path: ``<scenario>-<route>-<scene>.gif``.
 

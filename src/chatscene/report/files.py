@@ -19,10 +19,6 @@ FILES_BYTES = 400_000  # of files on one page
 def pack_files(folder: Path, scene_ids: Sequence[str]) -> dict[str, str]:
     """Scenes of a run as `chatscene export` writes them, without the map, as compressed text.
 
-    Args:
-        folder: The run's.
-        scene_ids: Which scenes, those first that are wanted most; when the page is full, the rest is left out.
-
     Returns:
         By scene: base 64 of what zlib makes of a JSON object: by format the file's ``name`` and ``text``, or ``why``
         there is none.

@@ -29,10 +29,6 @@ TOLD_BY = (
 def how_fast(rows: Iterable[Row], *, whole: Callable[[Row], Row] = lambda row: row) -> str:
     """How fast the ego and whom it met were, how near the nearest miss was, and how hard the hardest crash.
 
-    Args:
-        rows: Of `scenes.parquet`, with the columns of `TOLD_BY` at least; each is seen once.
-        whole: Gives all columns of a row.
-
     Returns:
         Sentences; empty where nothing was driven, or before speeds were kept.
     """

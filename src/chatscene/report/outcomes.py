@@ -59,13 +59,7 @@ class Outcomes:
 
 
 def plot_outcomes(parameter: str, ranges: Sequence[Row], scenes: Sequence[Row]) -> Outcomes:
-    """One parameter of one scenario over all routes.
-
-    Args:
-        parameter: Its name, with prefix.
-        ranges: Its rows of `ranges.parquet`; block 0 holds the declared range.
-        scenes: The driven rows of `scenes.parquet`.
-    """
+    """One parameter of one scenario over all routes."""
     blocks = sorted(ranges, key=lambda row: row["block"])
     low, high = axis(blocks)
     last = [row for row in blocks if row["block"] == blocks[-1]["block"]]

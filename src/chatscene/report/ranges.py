@@ -75,13 +75,7 @@ class Plot:
 
 
 def plot_ranges(parameter: str, ranges: Sequence[Row], scenes: Sequence[Row]) -> Plot:
-    """One parameter of one scenario and route.
-
-    Args:
-        parameter: Its name, with prefix.
-        ranges: Its rows of `ranges.parquet`; block 0 holds the declared range.
-        scenes: The driven rows of `scenes.parquet` of the same scenario and route.
-    """
+    """One parameter of one scenario and route."""
     blocks = sorted(ranges, key=lambda row: row["block"])
     low, high = axis(blocks)
     return Plot(

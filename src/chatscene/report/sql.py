@@ -143,12 +143,6 @@ def answer(
 ) -> Table:
     """The answer to a query, found in this process: it may take what DuckDB takes.
 
-    Args:
-        query: As for `ask`.
-        tables: Those that it may name.
-        selects: Further rows of these, as SELECT statements over files.
-        files: Which files those read. Only the columns and parts that the query needs are read of them.
-
     Raises:
         QueryError: It is no SQL, names what there is not, or would do more than read these tables.
     """

@@ -66,12 +66,6 @@ def going_on(
 ) -> Generator[tuple[Workspace, Progress]]:
     """Work on a folder from where it stands, new or not, and end it.
 
-    Args:
-        folder: Which.
-        asked: What is asked for.
-        progress: Told what is done.
-        leaves: Patterns of the files that the work leaves, of which digests are kept when it is done.
-
     Yields:
         The folder, and what to tell of progress.
 

@@ -57,13 +57,6 @@ def describe(
 ) -> tuple[Description, ...]:
     """Make up scenarios, as different from each other as the library allows.
 
-    Args:
-        base: The base scenario they are to belong to; None for any.
-        n: How many; fewer come back only if the library has no more triples that fit.
-        library: Where the triples come from.
-        seed: The same seed, library and arguments give the same sentences.
-        instruction: What they are to be about, in words ("dangerous cyclists at junctions"); empty for anything.
-
     Raises:
         NothingFits: The library has no such scenario, or nothing in the instruction was understood.
     """

@@ -112,19 +112,6 @@ def evaluate(
 ) -> Evaluated:
     """Drive the kept scenes of runs with egos, into a new folder, or on in one where the same was cut.
 
-    Args:
-        sources: Run folders, finished; or folders with run folders somewhere below.
-        folder: Where to.
-        egos: By name, file or ``package.module:factory``.
-        every_scene: Not only the kept scenes but all that ran.
-        first_route: Scenes on earlier routes are left out, as those that an ego was trained on.
-        simulator: In what they are driven; empty for that of the runs.
-        physics: How bodies answer there; empty for that of the runs.
-        speed: What egos drive at [km/h] where none was said; None for what the programs have.
-        workers: Who drives.
-        progress: Told what is done.
-        repeated: What the runs name and the user as well, besides egos.
-
     Raises:
         RunError: A source is not finished, they lie on different maps, or the folder is taken; or a source names what
             must be repeated (`chatscene.runs.trust.follow`).

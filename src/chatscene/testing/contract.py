@@ -15,11 +15,6 @@ class ContractBroken(AssertionError):  # noqa: N818 - reads as what it says
 def require(holds: bool, rule: str, found: object = "") -> None:
     """Hold a plug-in to a rule.
 
-    Args:
-        holds: Whether it keeps it.
-        rule: The rule, a sentence.
-        found: What it did instead.
-
     Raises:
         ContractBroken: It does not.
     """

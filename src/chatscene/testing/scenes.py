@@ -57,7 +57,6 @@ class Asked:
     """What a test says of its scenes.
 
     Attributes:
-        of: The sentence, or a run folder.
         scenes: How many of the sentence; of a run folder, how many at most.
         scene_id: The only one of the run folder; empty for all that it keeps.
         seed: What their values derive from.

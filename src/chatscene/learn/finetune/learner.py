@@ -84,15 +84,7 @@ class Driven:
 
 
 class Learner:
-    """Drives episodes and learns from them.
-
-    Args:
-        start: Its network has layers with ReLU between, then tanh.
-        settings: Of the fine-tuning.
-        schedule: What is driven.
-        map_name: Where.
-        simulation: Step and limits.
-    """
+    """Drives episodes and learns from them."""
 
     def __init__(
         self,

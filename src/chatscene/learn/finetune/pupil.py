@@ -82,15 +82,7 @@ class _Ways:
 
 
 class Pupil:
-    """Drives episodes and learns to do in them as its teacher would.
-
-    Args:
-        teacher: Who is asked; what it says may depend on nothing but what it sees.
-        settings: Of the fine-tuning.
-        schedule: What is driven.
-        map_name: Where.
-        simulation: Step and limits.
-    """
+    """Drives episodes and learns to do in them as its teacher would."""
 
     def __init__(
         self,

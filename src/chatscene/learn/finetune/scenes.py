@@ -69,11 +69,6 @@ class Judged:
 def kept_scenes(sources: Sequence[Path], *, simulator: str = "", physics: str = "") -> Lessons:
     """The kept scenes of finished runs among or below some folders.
 
-    Args:
-        sources: The folders.
-        simulator: In what they are driven; empty for that of the runs.
-        physics: How bodies answer there; empty for that of the runs.
-
     Raises:
         RunError: There is no run, one is not finished or damaged, they differ in map, step or simulator, or one holds a
             program or snippets that are not packaged, which are run nowhere but in the sandbox, or names a simulator

@@ -90,9 +90,6 @@ class OpenAICompatible:
     ``OPENAI_BASE_URL`` and ``OPENAI_API_KEY``. A key of the second pair is never sent to an address of the first.
     ``CHATSCENE_LLM_PRICE`` (``IN/OUT``, US dollars per million tokens) lets costs be counted.
 
-    Attributes:
-        terms: What the endpoint takes, as far as it has been found out.
-
     Raises:
         SettingsError: The address or the price cannot be read, or OpenAI itself is meant and there is no key.
         MissingExtra: The package `openai` is missing.

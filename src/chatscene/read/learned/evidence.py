@@ -82,14 +82,7 @@ def marked_in(read: Read, written: Written) -> Mapping[str, tuple[tuple[int, int
 def _beside(
     words: Sequence[int], names: frozenset[str], of_names: Mapping[int, set[str]], idle: Container[int]
 ) -> Iterator[int]:
-    """The words next to those of a fact that name what it is.
-
-    Args:
-        words: The numbers of its words.
-        names: The stems of what it is.
-        of_names: The stems of each word that no fact has.
-        idle: The words that are passed over.
-    """
+    """The words next to those of a fact that name what it is."""
     for i in {*words}:
         for way in (-1, 1):
             there = next(k for k in count(i + way, way) if k not in idle)
@@ -113,13 +106,7 @@ def _within(spans: Sequence[_Word], amounts: Iterable[Found]) -> set[int]:
 
 
 def _marked(mine: Mapping[int, float], likeliest: float, copied: bool) -> dict[int, float]:
-    """The words that say a fact, by their numbers, with their log-odds.
-
-    Args:
-        mine: The log-odds of the words that can say it.
-        likeliest: Those of the likeliest of all words but those of amounts that are copied.
-        copied: Whether it is an amount, which has words besides.
-    """
+    """The words that say a fact, by their numbers, with their log-odds."""
     words = {i: odds for i, odds in mine.items() if odds > 0}
     if words or copied or likeliest > 0 or not mine:
         return words

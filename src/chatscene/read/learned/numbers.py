@@ -89,8 +89,6 @@ class Found:
     Attributes:
         low: Where its words begin.
         high: Where they end.
-        amount: The amount.
-        form: Its form.
     """
 
     low: int

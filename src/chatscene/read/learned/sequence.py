@@ -34,13 +34,7 @@ _SOMEBODY = "others.kind"  # the first field of another road user
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A token where it stands.
-
-    Attributes:
-        place: Where.
-        token: Which; None of an amount.
-        amount: The amount that is copied.
-    """
+    """A token where it stands."""
 
     place: Place
     token: Token | None

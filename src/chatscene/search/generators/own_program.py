@@ -19,12 +19,7 @@ _PARTS = SubDescriptions(behavior="as programmed", geometry="as programmed", spa
 
 
 class OwnProgram(Exploring):
-    """Searches with a program as it is; see `chatscene.search.generator.Generator` for the contract.
-
-    Args:
-        trusted: Whether it may use all of Scenic and Python, in the command's own process.
-        as_written: Whether its own ego drives.
-    """
+    """Searches with a program as it is; see `chatscene.search.generator.Generator` for the contract."""
 
     reference = SearchSettings()
 
