@@ -43,8 +43,7 @@ from chatscene.report.files import FORMATS, pack_files
 from chatscene.report.highlight import highlight
 from chatscene.report.measures import MEASURES
 from chatscene.report.measures import in_words as measures_in_words
-from chatscene.report.outcomes import BOTTOM, LINE, plot_outcomes
-from chatscene.report.ranges import plot_ranges
+from chatscene.report.plots import BOTTOM, LINE, plot_outcomes, plot_ranges
 from chatscene.report.sections import command, tiles, verdict
 from chatscene.report.span import AFTER, span
 from chatscene.report.terminal import progress_line
@@ -516,8 +515,8 @@ def test_a_range_plot_has_a_bar_a_block_and_a_dot_a_scene(tmp_path: Path) -> Non
     run = finished(tmp_path / "run", count=3)
     rows = [row for row in read_ranges(run) if row["parameter"] == "OPT_GEO_Y"]
     plot = plot_ranges("OPT_GEO_Y", rows, [row for row in read_scenes(run) if row["status"] == "ran"])
-    assert len(plot.rows) == 3
-    assert sum(len(row.dots) for row in plot.rows) == 30
+    assert len(plot["rows"]) == 3
+    assert sum(len(row["dots"]) for row in plot["rows"]) == 30
 
 
 def test_outcomes_lie_above_the_line_where_it_collided_and_below_where_not(tmp_path: Path) -> None:
@@ -525,10 +524,10 @@ def test_outcomes_lie_above_the_line_where_it_collided_and_below_where_not(tmp_p
     rows = [row for row in read_ranges(run) if row["parameter"] == "OPT_GEO_Y"]
     ran = [row for row in read_scenes(run) if row["status"] == "ran"]
     plot = plot_outcomes("OPT_GEO_Y", rows, ran)
-    assert len(plot.points) == len(ran)
-    for point in plot.points:
-        assert (point.y < LINE) == point.kind.startswith("hit")
-        assert point.y <= BOTTOM
+    assert len(plot["points"]) == len(ran)
+    for point in plot["points"]:
+        assert (point["y"] < LINE) == point["kind"].startswith("hit")
+        assert point["y"] <= BOTTOM
 
 
 def test_the_page_holds_the_files_of_kept_scenes_as_they_are_exported(tmp_path: Path) -> None:

@@ -17,8 +17,7 @@ from chatscene.report.accounting import parts_of, told_first
 from chatscene.report.highlight import highlight
 from chatscene.report.how_fast import hardness
 from chatscene.report.measures import scene_label
-from chatscene.report.outcomes import Outcomes, plot_outcomes
-from chatscene.report.ranges import Plot, plot_ranges
+from chatscene.report.plots import Plot, plot_outcomes, plot_ranges
 from chatscene.report.summary import outcomes_in_words
 from chatscene.report.templates import fill_section
 from chatscene.report.what_happened import kept_in_words, outcome_in_words
@@ -130,7 +129,7 @@ def beside(beside: Beside, kept: Sequence[Row]) -> Markup:
 def outcomes(ranges: Sequence[Row], scenes: Sequence[Row]) -> Markup:
     """A plot per scenario and parameter of what came of its values, over all routes."""
     names = dict.fromkeys((row["scenario_id"], row["parameter"]) for row in ranges)
-    plots: list[tuple[str, str, Outcomes]] = []
+    plots: list[tuple[str, str, Plot]] = []
     for scenario, name in names:
         rows = [row for row in ranges if (row["scenario_id"], row["parameter"]) == (scenario, name)]
         own = [row for row in scenes if row["scenario_id"] == scenario]
