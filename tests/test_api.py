@@ -19,7 +19,7 @@ import numpy as np
 import pytest
 
 import chatscene
-from chatscene import api
+import chatscene as api
 from chatscene.commands.main import main
 from chatscene.errors import ChatSceneError, NothingFits, RunError, SettingsError
 from chatscene.report.viewer import write_report

@@ -21,27 +21,12 @@ from chatscene.plane import use_flat
 
 TYPE_CHECKING = False  # as in `typing`, which costs more to load than all of this; type checkers know the name
 if TYPE_CHECKING:
-    from chatscene.api import (
-        DrivenScene,
-        Run,
-        conflicts,
-        describe,
-        evaluate,
-        explain,
-        export,
-        finetune,
-        import_scenario,
-        rate,
-        read_situation,
-        replay,
-        resume,
-        run,
-        sql,
-        story,
-        train,
-        verify,
-        why,
-    )
+    from chatscene.api.exchange import export, import_scenario
+    from chatscene.api.learn import finetune, train
+    from chatscene.api.look import replay, sql, story, why
+    from chatscene.api.make import conflicts, describe, explain, read_situation, resume, run
+    from chatscene.api.measure import evaluate, rate, verify
+    from chatscene.api.results import DrivenScene, Run
     from chatscene.ego.policy import load_ego
     from chatscene.search.sampler import load_sampler
     from chatscene.settings import Settings
@@ -80,15 +65,21 @@ __all__ = [
     "why",
 ]
 
-_ELSEWHERE = {
-    "Settings": "chatscene.settings",
-    "Situation": "chatscene.terms.situation",
-    "load_ego": "chatscene.ego.policy",
-    "load_sampler": "chatscene.search.sampler",
-    "load_simulator": "chatscene.simulate.simulator",
-    "scene": "chatscene.testing.scenes",
+_NAMES = {
+    "api.exchange": "export import_scenario",
+    "api.learn": "finetune train",
+    "api.look": "replay sql story why",
+    "api.make": "conflicts describe explain read_situation resume run",
+    "api.measure": "evaluate rate verify",
+    "api.results": "DrivenScene Run",
+    "ego.policy": "load_ego",
+    "search.sampler": "load_sampler",
+    "settings": "Settings",
+    "simulate.simulator": "load_simulator",
+    "terms.situation": "Situation",
+    "testing.scenes": "scene",
 }
-"""Where a public name is defined, if not in `chatscene.api`."""
+"""Names by the module that defines them."""
 
 # One thread for linear algebra, in every process that imports us and every process that it starts, said before NumPy
 # is loaded and reads it. The networks that drive are so small that a second thread slows them by up to two, the
@@ -113,7 +104,8 @@ if not TYPE_CHECKING:  # else a type checker would take any name for one of ours
         else:
             from importlib import import_module
 
-            found = getattr(import_module(_ELSEWHERE.get(name, "chatscene.api")), name)
+            module = next(module for module, names in _NAMES.items() if name in names.split())
+            found = getattr(import_module(f"chatscene.{module}"), name)
         globals()[name] = found
         return found
 

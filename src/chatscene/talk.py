@@ -7,11 +7,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypedDict
 
-from chatscene import api, runs
+from chatscene import runs
+from chatscene.api import make
 from chatscene.errors import EditRefused, NothingFits, SettingsError
 from chatscene.runs.progress import Progress, silent
 
 if TYPE_CHECKING:
+    from chatscene.api.results import Run
     from chatscene.report.stated import Changed, Stated
     from chatscene.report.understood import Understood
 
@@ -56,7 +58,7 @@ class Talk:
         self._first: Understood | Stated | None = None
         self._edits: list[tuple[str, Changed]] = []
 
-    def hear(self, line: str, progress: Progress = silent) -> Shown | Changed | Undone | api.Run:
+    def hear(self, line: str, progress: Progress = silent) -> Shown | Changed | Undone | Run:
         """Do what a line says: a situation or an edit of it, or one of the words that `docs/edit.md` lists.
 
         Args:
@@ -126,7 +128,7 @@ class Talk:
 
     def _understand(self, text: str, answer: Answer, edits: list[str]) -> Shown:
         try:
-            first = now = api.explain(text, **self._reading, **answer.options())
+            first = now = make.explain(text, **self._reading, **answer.options())
         except NothingFits:
             self._asked = text, answer  # one fact may not be enough
             raise
@@ -143,8 +145,8 @@ class Talk:
             raise EditRefused("nothing to undo: this is the first text")
         return Undone(*self._edits.pop())
 
-    def _run(self, folder: Path, progress: Progress) -> api.Run:
-        return api.run(
+    def _run(self, folder: Path, progress: Progress) -> Run:
+        return make.run(
             self._text,
             folder,
             edit=self.edits,

@@ -20,7 +20,8 @@ pytest.importorskip("stable_baselines3", reason="the extra 'train' is not instal
 import torch
 from gymnasium import spaces
 
-from chatscene import api, pipeline, runs
+import chatscene as api
+from chatscene import pipeline, runs
 from chatscene.commands.learn import finetune as command
 from chatscene.ego.network import load_network
 from chatscene.ego.planner import ACCELERATION, Caution, Planner, carried_out

@@ -17,8 +17,9 @@ pytest.importorskip("stable_baselines3", reason="the extra 'train' is not instal
 from click.testing import CliRunner
 
 import chatscene
+import chatscene as api
 import chatscene.gym
-from chatscene import api, runs
+from chatscene import runs
 from chatscene.commands.main import main
 from chatscene.ego.asking import wanting
 from chatscene.ego.network import load_network

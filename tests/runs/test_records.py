@@ -8,7 +8,8 @@ from typing import Any
 
 import pytest
 
-from chatscene import api, runs
+import chatscene as api
+from chatscene import runs
 from chatscene.errors import RunError
 from chatscene.runs.digests import write_sealed
 from chatscene.runs.rebuild import rebuild

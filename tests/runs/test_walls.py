@@ -22,7 +22,8 @@ import pytest
 from click.testing import CliRunner
 from rich.console import Console
 
-from chatscene import api, pipeline, runs
+import chatscene as api
+from chatscene import pipeline, runs
 from chatscene.commands.main import main
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import load_ego

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chatscene import api
+import chatscene as api
 from chatscene.ego.observation import Observation
 from chatscene.errors import DoesNotCompile, ProgramError, RunError
 from chatscene.maps.network import resolve_map

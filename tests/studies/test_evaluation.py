@@ -15,7 +15,8 @@ from unittest.mock import Mock
 import numpy as np
 import pytest
 
-from chatscene import api, pipeline, runs
+import chatscene as api
+from chatscene import pipeline, runs
 from chatscene.errors import EgoError, RunError, SettingsError
 from chatscene.measure import ordinary
 from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult, ordinary_table

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from chatscene import api, runs
+import chatscene as api
+from chatscene import runs
 from chatscene.errors import RunError, SettingsError
 from chatscene.learn import finetune as finetuning
 from chatscene.learn.finetune import FinetuneSettings

@@ -17,7 +17,7 @@ from chatscene.commands.situations import say_understood
 from chatscene.errors import ChatSceneError, NothingFits
 
 if TYPE_CHECKING:
-    from chatscene.api import Run
+    from chatscene.api.results import Run
     from chatscene.report.stated import Changed
     from chatscene.talk import Shown, Undone
 

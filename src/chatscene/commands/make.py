@@ -47,7 +47,7 @@ from chatscene.settings import SearchSettings
 from chatscene.terms.conflict import Conflict
 
 if TYPE_CHECKING:
-    from chatscene.api import Run
+    from chatscene.api.results import Run
     from chatscene.terms.situation import Situation
 
 

@@ -16,7 +16,7 @@ from chatscene.mcp.writing import SITUATIONS, Facts, Given, Sentence, Variant, s
 from chatscene.settings import EGO
 
 if TYPE_CHECKING:
-    from chatscene.api import Run
+    from chatscene.api.results import Run
 
 Ego = Annotated[
     str, Field(max_length=60, description="Who drives: planner, idm, hardened, rule-based, sac, ppo or td3.")

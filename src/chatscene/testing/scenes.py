@@ -39,7 +39,7 @@ from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.testing.solvable import SLOW, Solvable, Unfit, hindered, solvable
 
 if TYPE_CHECKING:
-    from chatscene.api import Run
+    from chatscene.api.results import Run
 
 MUST = ("avoid", "no-fault")
 """What an ego must: have no collision at all, or run into nobody."""

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from chatscene.api import Run
+from chatscene.api.results import Run
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
 from chatscene.report.accounting import parts_of
 from chatscene.report.refused import refusal
