@@ -21,10 +21,10 @@ from chatscene.report.filled import filled, is_filled
 from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.situations.check import faults_of
 from chatscene.situations.form import from_plain
-from chatscene.terms.amount import Acceleration
+from chatscene.terms.amount import Acceleration, Duration
 from chatscene.terms.reading import Verdict
 from chatscene.terms.scenario import Side
-from chatscene.terms.vocabulary import Act, Where
+from chatscene.terms.vocabulary import Act, Feature, Where
 from making.reader.sequence import steps_of
 
 TEXT = "The van ahead brakes at 6 m/s²."
@@ -176,3 +176,23 @@ def test_a_weather_whose_word_names_another_is_told_as_what_it_is_read_as() -> N
         LearnedReader().read("In heavy rain at night the car ahead brakes on the wet road.").ranked[0].situation
     )
     assert not told
+
+
+@pytest.mark.parametrize(
+    ("text", "time"),
+    [
+        ("We follow a truck for 20 s, then it brakes hard.", None),
+        ("We follow a truck at a time gap of 2 s, then it brakes hard.", Duration(2, 2)),
+    ],
+)
+def test_how_long_somebody_follows_is_no_gap(text: str, time: Duration | None, reader: Reader) -> None:
+    (deed,) = reader.read(text).ranked[0].situation.ego.does
+    assert (deed.act, deed.time) == (Act.FOLLOW, time)
+
+
+def test_two_parked_cars_are_not_a_row_of_them_as_well(reader: Reader) -> None:
+    first = reader.read("Ego at 50 km/h, pedestrian crosses from the right behind two parked cars.").ranked[0].situation
+    assert [one.count for one in first.others] == [1, 2]
+    assert first.road.has == ()
+    both = "A boy runs out behind two parked vans in a street with parked cars."
+    assert Feature.PARKED_CARS in reader.read(both).ranked[0].situation.road.has

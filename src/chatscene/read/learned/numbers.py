@@ -68,6 +68,7 @@ _SLOWEST, _FASTEST = 5.0, 250.0  # of a number without a unit that is taken for 
 _ODD = str.maketrans("\u0131\u0130\u017f", "iis")  # letters that patterns which ignore case take for these
 _WALKING = re.compile(r"(?i)walking[ -](?:pace|speed)")
 WALKING_PACE = Speed(1.4, 1.4)
+_LASTS = re.compile(r"(?i)\bfor(?: (?:the|another|some|about|around|at|least|most|up|to|next|last|\w+ly))* $")
 
 
 class Form(IntEnum):
@@ -112,6 +113,11 @@ def amounts_in(text: str) -> tuple[Found, ...]:
         if not any(low < match.end() and match.start() < high for low, high in taken):
             found += _bare(match)
     return tuple(sorted(dict.fromkeys(found), key=lambda one: (one.low, one.high, one.form)))[:MOST_FOUND]
+
+
+def lasts(text: str, found: Found) -> bool:
+    """Whether the words before a time say that something lasts so long, as in "for 20 s"."""
+    return isinstance(found.amount, Duration) and _LASTS.search(text[: found.low]) is not None
 
 
 def _bare(match: re.Match[str]) -> Iterator[Found]:

@@ -16,20 +16,21 @@ from chatscene.read.learned.decoder import Decoder, Written
 from chatscene.read.learned.evidence import marked_in, quoted_of
 from chatscene.read.learned.grammar import NAMES
 from chatscene.read.learned.narrator import DRIVES, MOST, ON_FOOT, SOMEBODY, SURE, clauses, of_somebody, told_by
-from chatscene.read.learned.sequence import situation_of, verdict_of
+from chatscene.read.learned.numbers import lasts
+from chatscene.read.learned.sequence import path_of, situation_of, verdict_of
 from chatscene.read.learned.text import Read, prepared
 from chatscene.read.learned.weights import PACKAGED, load
-from chatscene.read.quotes import is_a_duty, unread, without_words
+from chatscene.read.quotes import is_a_duty, spans_of, unread, without_words
 from chatscene.read.reader import check_text
 from chatscene.read.users_unread import users_unread
 from chatscene.settings import OFFLINE
-from chatscene.situations.facts import is_said
+from chatscene.situations.facts import is_said, with_fact
 from chatscene.situations.faults import Malformed
 from chatscene.situations.main_facts import same_in_the_main, within_the_main
 from chatscene.situations.parts import fullness, left_open, parts_of
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Evidence, Situation
-from chatscene.terms.vocabulary import UserKind
+from chatscene.terms.vocabulary import Feature, Heads, UserKind, acts_of
 
 PLUGIN = {
     "name": "offline",
@@ -42,6 +43,10 @@ YOU_ON_FOOT = (
     "crosses from the right while we turn left'"
 )
 _KIND = "Other.kind"
+_LEAVES_A_GAP = acts_of(Heads.BEFORE, Heads.MERGES, Heads.BEHIND)
+"""Acts whose time is the gap to somebody."""
+_ROWS = ((Feature.PARKED_CARS,), (Feature.PARKED_BOTH_SIDES,))
+"""What a road has that is a row of road users, if it has nothing else."""
 _LEFT = 3
 """Readings of which parts are looked at."""
 _SURE, _IMPOSSIBLE = 1.0 - 1e-6, 1e-6
@@ -186,18 +191,35 @@ def _by_nouns(way: Way, read: Read, never: Sequence[UserKind]) -> Way:
 def _by_grammar(way: Way, read: Read) -> Way:
     """A way whose ego is what is said to be the narrator's, and whose contact is as the grammar of the text has it.
 
-    It has no contact that is denied only since somebody has to avoid it: what a driver shall do is not told.
+    It has no contact that is denied only since somebody has to avoid it: what a driver shall do is not told. Nor has it
+    a gap where the text says how long something lasts, or parked cars of the road that are somebody of their own.
     """
-    situation, owned = way.situation, owned_kind(read.text)
+    situation, owned = _once(way, read), owned_kind(read.text)
     if owned is not None and situation.ego.kind is None and not _told_by(way, read):
-        way = replace(way, situation=replace(situation, ego=replace(situation.ego, kind=owned[0])))
-    contact = way.situation.contact
-    if contact is None:
-        return way
-    words = quoted_of(read, way.written).get("contact.happens", "")
-    if contact.happens is False and is_a_duty(words, read.text):
-        return replace(way, situation=replace(way.situation, contact=None))
-    return replace(way, situation=settled(way.situation, read.text, marked_in(read, way.written)))
+        situation = replace(situation, ego=replace(situation.ego, kind=owned[0]))
+    contact = situation.contact
+    if contact is not None and contact.happens is False:
+        words = quoted_of(read, way.written).get("contact.happens", "")
+        situation = replace(situation, contact=None if is_a_duty(words, read.text) else contact)
+    return replace(way, situation=settled(situation, read.text, marked_in(read, way.written)))
+
+
+def _once(way: Way, read: Read) -> Situation:
+    """The situation of a way without what the words of something else were taken for."""
+    situation, steps = way.situation, way.written.steps
+    for at, found in way.written.found:
+        path = path_of(steps, at)
+        who, _, field = path.rpartition(".does.")
+        if field.endswith(".time") and lasts(read.text, found):
+            deed = situation.does(who.removeprefix("others."))[int(field.partition(".")[0])]
+            situation = with_fact(situation, path, None) if deed.act in _LEAVES_A_GAP else situation
+    quoted = quoted_of(read, way.written)
+    row = quoted.get("road.has", "")
+    if situation.road.has in _ROWS and len(spans_of(row, read.text)) == 1:
+        whose = (quoted.get(f"others.{one.id}.kind", "") for one in situation.others)
+        if any(row in words for words in whose):
+            situation = replace(situation, road=replace(situation.road, has=()))
+    return situation
 
 
 def _evident(way: Way, read: Read, *, on_foot: bool) -> Situation:
