@@ -21,15 +21,15 @@ from collections.abc import Callable, Generator, Iterator, Mapping
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from functools import cached_property
-from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar
 
 from chatscene.errors import ChatSceneError, MissingExtra, SettingsError, no_such
 from chatscene.terms.nouns import with_article
 
 Plugin = TypeVar("Plugin")
 _HERE = Path(__file__).parent
+_VALUE = re.compile(r"([\w.]+)\s*:\s*([\w.]+)\s*(?:\[\s*(\w+).*\]\s*)?")
 _SAYS = re.compile(r"^PLUGIN = (\{.*?^\})", re.MULTILINE | re.DOTALL)
 
 
@@ -107,9 +107,32 @@ class Kind(Generic[Plugin]):
     addressed: frozenset[str] = frozenset()
 
 
+class _Entry(NamedTuple):
+    """Where a name leads, as ``package.module:factory [extra]``, and which package says so."""
+
+    name: str
+    value: str
+    group: str
+    package: str = "chatscene"
+
+    @property
+    def parts(self) -> re.Match[str] | None:
+        """The module, the factory and the extra; None if the value is not of that form."""
+        return _VALUE.fullmatch(self.value)
+
+
+def _installed(kind: Kind[Any]) -> list[_Entry]:
+    """What installed packages bring of a kind."""
+    # As much to import as a small command; who names what is built in does without.
+    from importlib.metadata import entry_points
+
+    found = entry_points(group=kind.group)
+    return [_Entry(one.name, one.value, one.group, one.dist.name if one.dist else "chatscene") for one in found]
+
+
 def names(kind: Kind[Any]) -> list[str]:
     """What is built in or installed, by name, sorted."""
-    return sorted({*kind.built_in, *entry_points(group=kind.group).names})
+    return sorted({*kind.built_in, *(entry.name for entry in _installed(kind))})
 
 
 def without_address(kind: Kind[Any], name: str) -> str:
@@ -134,13 +157,13 @@ def make(kind: Kind[Plugin], name: str, *arguments: Any, **named: Any) -> Plugin
     """
     entry = _find(kind, name)
     with _folder_kept(), nullcontext() if entry.group else _importable_from_here():
-        factory = _imported(kind, entry)
+        factory, called = _imported(kind, entry)
         try:
             made = factory(*arguments, **named)
         except ChatSceneError:
             raise
         except (Exception, SystemExit) as error:
-            raise kind.error(f"{kind.noun} {name!r}: {entry.attr!r} fails: {type(error).__name__}: {error}") from error
+            raise kind.error(f"{kind.noun} {name!r}: {called!r} fails: {type(error).__name__}: {error}") from error
     if not callable(getattr(made, kind.method, None)):
         raise kind.error(
             f"{kind.noun} {name!r} gives {with_article(type(made).__name__)} without the method {kind.method}"
@@ -158,12 +181,12 @@ def check_name(kind: Kind[Any], name: str) -> None:
         _find(kind, name)
 
 
-def _find(kind: Kind[Any], name: str) -> EntryPoint:
+def _find(kind: Kind[Any], name: str) -> _Entry:
     """Where a name leads; one that the user points at is of no group."""
     bare = without_address(kind, name)
     if bare in kind.built_in:
-        return EntryPoint(bare, kind.built_in[bare], kind.group)
-    found = list(entry_points(group=kind.group, name=name))
+        return _Entry(bare, kind.built_in[bare], kind.group)
+    found = [entry for entry in _installed(kind) if entry.name == name]
     if len(found) > 1:
         places = ", ".join(sorted(entry.value for entry in found))
         raise kind.error(
@@ -178,25 +201,25 @@ def _find(kind: Kind[Any], name: str) -> EntryPoint:
         raise kind.error(f"{no_such(kind.noun, name, names(kind))};{forms}{is_folder}")
     if not all(part.isidentifier() for part in (*module.split("."), factory)):
         raise kind.error(f"{kind.noun} {name!r} is not of the form package.module:factory, such as my_stack.x:make")
-    return EntryPoint(name, name, "")
+    return _Entry(name, name, "")
 
 
-def _imported(kind: Kind[Any], entry: EntryPoint) -> Any:
-    """What an entry point leads to."""
+def _imported(kind: Kind[Any], entry: _Entry) -> tuple[Any, str]:
+    """What a name leads to, and what that is called in its module."""
     of, value = f"{kind.noun} {entry.name!r}", entry.value
-    if not (entry.pattern.match(value) and entry.attr):
+    if (parts := entry.parts) is None:
         raise kind.error(f"{of}: {value!r}, which its package names, is not of the form package.module:factory")
+    module, factory, extra = parts.groups()
     try:
-        found = importlib.import_module(entry.module)
+        found = importlib.import_module(module)
     except (Exception, SystemExit) as error:
-        ours = entry.module.partition(".")[0]
-        if entry.extras and isinstance(error, ImportError) and (error.name or ours).partition(".")[0] != ours:
-            package = entry.dist.name if entry.dist else "chatscene"
-            raise MissingExtra(f"the {of} needs {error.name}", extra=entry.extras[0], package=package) from error
+        ours = module.partition(".")[0]
+        if extra and isinstance(error, ImportError) and (error.name or ours).partition(".")[0] != ours:
+            raise MissingExtra(f"the {of} needs {error.name}", extra=extra, package=entry.package) from error
         raise kind.error(f"{of}: cannot import {value!r}: {type(error).__name__}: {error}") from error
-    if not hasattr(found, entry.attr):
-        raise kind.error(f"{of}: module {entry.module!r} has no {entry.attr!r}")
-    return getattr(found, entry.attr)
+    if not hasattr(found, factory):
+        raise kind.error(f"{of}: module {module!r} has no {factory!r}")
+    return getattr(found, factory), factory
 
 
 @contextmanager

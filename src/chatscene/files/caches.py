@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import sys
 from contextlib import suppress
 from pathlib import Path
 from typing import Literal
@@ -20,6 +21,24 @@ Kind = Literal["builds", "code", "engines", "maps", "programs", "replies", "vect
 def cache_folder(kind: Kind) -> Path:
     """The folder of one kind of kept files, where this operating system has such; it need not exist."""
     return user_cache_path("chatscene", appauthor=False) / kind
+
+
+def installed(package: str) -> str:
+    """The version of an installed package, by the name of the folder in which its installer left what it says of it.
+
+    Python's own look-up, which is asked where that does not tell it, imports as much as a small command.
+
+    Raises:
+        PackageNotFoundError: It is not installed.
+    """
+    begins, ends = f"{package}-", ".dist-info"
+    for place in map(Path, sys.path):
+        names = [path.name for path in place.glob(f"{begins}*{ends}")]
+        if len(names) == 1:
+            return names[0].removeprefix(begins).removesuffix(ends)
+    from importlib.metadata import version
+
+    return version(package)
 
 
 def only_mine(folder: Path) -> Path | None:

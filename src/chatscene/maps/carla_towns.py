@@ -10,8 +10,8 @@ import gzip
 import os
 import re
 import zlib
-from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
+from typing import Any
 
 from chatscene.files.caches import cache_folder, keep, only_mine
 
@@ -48,9 +48,7 @@ def how_to_have(name: str) -> str:
     """How a town comes here that is not there, in words that follow a sentence; empty for any other map."""
     if not is_town(name):
         return ""
-    try:
-        package = distribution(PACKAGE)
-    except PackageNotFoundError:
+    if (package := _package()) is None:
         return f"; `{INSTALL}` brings {BRINGS}"
     return f"; the package {PACKAGE} {package.version} is installed, and has no whole map of {name[:20]}"
 
@@ -59,9 +57,7 @@ def carla_town(name: str) -> Path | None:
     """The file of a town of CARLA's; None where no package that is installed brings it whole."""
     if not is_town(name):
         return None
-    try:
-        package = distribution(PACKAGE)
-    except PackageNotFoundError:
+    if (package := _package()) is None:
         return None
     town = name.removesuffix("_Opt")
     packed = Path(str(package.locate_file(f"{_LIE}/{town}{_PACKED}")))
@@ -82,9 +78,7 @@ def carla_town(name: str) -> Path | None:
 
 def towns_at_hand() -> tuple[tuple[str, ...], tuple[str, ...]]:
     """CARLA's towns that an installed package brings, by name: those that are soon read, and the large ones."""
-    try:
-        package = distribution(PACKAGE)
-    except PackageNotFoundError:
+    if (package := _package()) is None:
         return (), ()
     sizes = {
         file.name.removesuffix(_PACKED): _unpacked(file)
@@ -102,3 +96,13 @@ def _unpacked(packed: Path) -> int:
     with packed.open("rb") as stream:
         stream.seek(-4, os.SEEK_END)
         return int.from_bytes(stream.read(4), "little")
+
+
+def _package() -> Any:
+    """The package, if it is installed; only who names a town waits for what looks for it."""
+    from importlib.metadata import PackageNotFoundError, distribution
+
+    try:
+        return distribution(PACKAGE)
+    except PackageNotFoundError:
+        return None

@@ -11,7 +11,6 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import fields
 from functools import cache
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +18,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from chatscene.files.caches import installed
 from chatscene.maps.furniture import Furniture, Stand, StandingPlace
 from chatscene.maps.limits import RoadLimits
 from chatscene.maps.roads import KINDS, Area, Line, Maneuver, ManeuverType, Roads, Signal
@@ -47,7 +47,7 @@ _AREAS = ("drivableRegion", "intersectionRegion")
 def made_by() -> bytes:
     """What roads depend on besides their map: Scenic, shapely and our reading of maps."""
     own = (path.read_bytes() for path in sorted(Path(__file__).parent.glob("*.py")))
-    return hashlib.blake2b(b"".join((version("scenic").encode(), version("shapely").encode(), *own))).digest()
+    return hashlib.blake2b(b"".join((installed("scenic").encode(), installed("shapely").encode(), *own))).digest()
 
 
 class _Writer:

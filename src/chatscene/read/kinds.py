@@ -68,6 +68,9 @@ def finer(kind: UserKind, place: tuple[int, int], text: str, kinds: Iterable[Use
 
 
 def _has(words: str, noun: str) -> bool:
+    # A pattern takes longer to compile than its first word to look for.
+    if words.isascii() and noun.partition(" ")[0] not in words.lower():
+        return False
     return re.search(_pattern(noun), words.replace("_", " "), re.IGNORECASE) is not None
 
 

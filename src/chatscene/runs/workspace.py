@@ -7,7 +7,6 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from importlib.metadata import PackageNotFoundError, version
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any, TypeVar, overload
@@ -16,6 +15,7 @@ from urllib.parse import quote, unquote
 from pydantic import ValidationError
 
 from chatscene.errors import RunError
+from chatscene.files.caches import installed
 from chatscene.runs.atomic import (
     is_leftover,
     json_of,
@@ -455,6 +455,6 @@ def changed_versions(record: Record) -> dict[str, tuple[str, str]]:
 @cache
 def _version(package: str) -> str:
     try:
-        return version(package)
-    except PackageNotFoundError:  # run from a source tree that was never installed
+        return installed(package)
+    except ModuleNotFoundError:  # run from a source tree that was never installed
         return "unknown"

@@ -17,7 +17,6 @@ from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache, lru_cache
-from importlib.metadata import version
 from importlib.util import MAGIC_NUMBER
 from pathlib import Path
 from types import CodeType
@@ -31,7 +30,7 @@ from scenic.core.specifiers import PropertyDefault
 from scenic.syntax import translator, veneer
 
 from chatscene.errors import ChatSceneError, DoesNotCompile
-from chatscene.files.caches import cache_folder, keep, keep_latest, kept, only_mine, sealed
+from chatscene.files.caches import cache_folder, installed, keep, keep_latest, kept, only_mine, sealed
 from chatscene.maps.network import install_network_memo, map_digest
 from chatscene.parsing import quicken
 from chatscene.terms.pointing import fault, place_in, pointed
@@ -107,7 +106,7 @@ def _translator() -> bytes:
     ranges = sys._xoptions.get("no_debug_ranges")  # pyright: ignore[reportPrivateUsage] - Python has no other name
     options = f"{sys.flags.optimize} {ranges}"
     of_ours = b"".join(Path(one).read_bytes() for one in (searched.__file__, __file__))
-    return MAGIC_NUMBER + f"{version('scenic')} {options}".encode() + of_ours
+    return MAGIC_NUMBER + f"{installed('scenic')} {options}".encode() + of_ours
 
 
 def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:

@@ -14,11 +14,10 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import asdict
 from functools import cache
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from chatscene.files.caches import cache_folder, keep, keep_latest, kept, only_mine, sealed
+from chatscene.files.caches import cache_folder, installed, keep, keep_latest, kept, only_mine, sealed
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import ParameterRange
 
@@ -60,7 +59,7 @@ def _name(made_of: tuple[str, ...]) -> str:
 @cache
 def _code() -> bytes:
     """What tells the installed code from another: as for compiled modules, the size and time of each of its files."""
-    told = [sys.version, *(f"{name} {version(name)}" for name in _RESTS_ON), *sorted(_files())]
+    told = [sys.version, *(f"{name} {installed(name)}" for name in _RESTS_ON), *sorted(_files())]
     return hashlib.blake2b("\n".join(told).encode()).digest()
 
 
